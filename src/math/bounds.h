@@ -1,0 +1,28 @@
+#pragma once
+
+#include "math/ray.h"
+
+namespace raywalk {
+
+/// Axis-aligned box, min <= max in each component; empty when min > max. Unbounded sides are infinite.
+template <class T>
+struct Bounds {
+  Vec3<T> min{infinity<T>};
+  Vec3<T> max{-infinity<T>};
+
+  [[nodiscard]] bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+  [[nodiscard]] bool bounded() const { return is_finite(min) && is_finite(max); }
+
+  void include(const Vec3<T>& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (p[axis] < min[axis]) min[axis] = p[axis];
+      if (p[axis] > max[axis]) max[axis] = p[axis];
+    }
+  }
+  void include(const Bounds& other) {
+    include(other.min);
+    include(other.max);
+  }
+};
+
+}  // namespace raywalk

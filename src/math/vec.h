@@ -1,0 +1,86 @@
+#pragma once
+// Vectors: the one place that includes GLM.
+//
+// GLM is used for storage and componentwise arithmetic only. What a tracer's bits depend on (dot, length, normalize)
+// is written out here, so that the order of operations is ours and the same for every compiler and GLM version.
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cmath>
+
+namespace raywalk {
+
+template <class T>
+using Vec2 = glm::vec<2, T>;
+template <class T>
+using Vec3 = glm::vec<3, T>;
+
+using Vec2d = Vec2<double>;
+using Vec3d = Vec3<double>;
+
+/// Linear RGB. A strength, a reflectance or a radiance, by context; never negative, may exceed 1.
+template <class T>
+using Rgb = glm::vec<3, T>;
+using Rgbd = Rgb<double>;
+
+template <class T>
+[[nodiscard]] constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+[[nodiscard]] constexpr T dot(const Vec2<T>& a, const Vec2<T>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// Right-handed cross product.
+template <class T>
+[[nodiscard]] constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// z of the cross product of two plan vectors: positive when b lies to the left of a.
+template <class T>
+[[nodiscard]] constexpr T cross(const Vec2<T>& a, const Vec2<T>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+template <class T>
+[[nodiscard]] T length(const Vec3<T>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+template <class T>
+[[nodiscard]] T length(const Vec2<T>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+/// v scaled to length 1. v must not be zero (scene readers refuse zero directions; the tracer never forms one).
+template <class T>
+[[nodiscard]] Vec3<T> normalize(const Vec3<T>& v) {
+  return v / length(v);
+}
+
+template <class T>
+[[nodiscard]] constexpr T max_component(const Vec3<T>& v) {
+  return v.x > v.y ? (v.x > v.z ? v.x : v.z) : (v.y > v.z ? v.y : v.z);
+}
+
+template <class T>
+[[nodiscard]] bool is_finite(const Vec3<T>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+template <class T>
+[[nodiscard]] constexpr bool is_black(const Rgb<T>& c) {
+  return c.x == 0 && c.y == 0 && c.z == 0;
+}
+
+/// The plan (x, y) under a point.
+template <class T>
+[[nodiscard]] constexpr Vec2<T> plan(const Vec3<T>& v) {
+  return {v.x, v.y};
+}
+
+}  // namespace raywalk

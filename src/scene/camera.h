@@ -1,0 +1,46 @@
+#pragma once
+
+#include "math/vec.h"
+
+#include <cmath>
+#include <optional>
+
+namespace raywalk {
+
+enum class FovAxis { x, y };
+
+/// A full view angle.
+struct FieldOfView {
+  double degrees = 45;  ///< 0 < degrees < 180
+  FovAxis axis = FovAxis::x;
+  friend bool operator==(const FieldOfView&, const FieldOfView&) = default;
+};
+
+/// SCREEN: a segment across the view in the plan; its length is the image's width.
+struct Screen {
+  double distance = 1;          ///< from EYE along the view, > 0
+  std::optional<double> width;  ///< length across the view, > 0; absent when the camera states an angle
+  int cells = 21;               ///< pixels of the strip, >= 1
+  friend bool operator==(const Screen&, const Screen&) = default;
+};
+
+/// Where EYE stands and looks. Exactly one of `screen.width` and `fov` is present.
+struct Camera {
+  Vec3d eye{0.0};
+  Vec3d look_at{1.0, 0.0, 0.0};  ///< differs from eye
+  Vec3d up{0.0, 0.0, 1.0};       ///< not parallel to the view
+  std::optional<FieldOfView> fov;
+  Screen screen{1, 1.0, 21};
+  friend bool operator==(const Camera&, const Camera&) = default;
+
+  /// Half the extent of the image plane at distance 1 along the axis that `extent_axis` names.
+  [[nodiscard]] double half_extent() const {
+    constexpr double pi = 3.14159265358979323846;
+    return fov ? std::tan(fov->degrees * (pi / 360)) : *screen.width / 2 / screen.distance;
+  }
+  [[nodiscard]] FovAxis extent_axis() const { return fov ? fov->axis : FovAxis::x; }
+  /// Length of SCREEN as drawn on the plan. With an angle along y it takes the strip as one row of a square image.
+  [[nodiscard]] double screen_width() const { return fov ? 2 * screen.distance * half_extent() : *screen.width; }
+};
+
+}  // namespace raywalk

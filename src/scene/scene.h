@@ -1,0 +1,53 @@
+#pragma once
+
+#include "scene/camera.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "shape/shape.h"
+
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+struct Object {
+  std::string name;  ///< unique among the objects and lights of a scene, not empty
+  Shape<double> shape;
+  Material material;
+  friend bool operator==(const Object&, const Object&) = default;
+};
+
+/// How far a render of this scene goes, unless the command line says otherwise.
+struct TraceLimits {
+  int depth = 5;         ///< the deepest SHADE; the primary ray's has depth 1. >= 1
+  double threshold = 0;  ///< a ray whose share of the pixel (largest channel) is below this is not formed; >= 0
+  friend bool operator==(const TraceLimits&, const TraceLimits&) = default;
+};
+
+/// Default image size of a 3-D render, in pixels.
+struct ImageSize {
+  int width = 441, height = 331;
+  friend bool operator==(const ImageSize&, const ImageSize&) = default;
+};
+
+/// A scene as a person describes it: plain values, in double, right-handed, z towards the reader of the plan.
+struct Scene {
+  std::string title;
+  std::string description;
+  Camera camera;
+  ImageSize image;
+  TraceLimits limits;
+  Rgbd background{0.0};
+  Rgbd ambient{1.0};  ///< ambient light, multiplied by each material's ka
+  std::vector<Light> lights;
+  std::vector<Object> objects;
+  friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// Whether the strip of `scene` is exactly the middle row of its image: eye, look-at and point lights in z = 0,
+/// directional lights without z, up along z, and every surface that meets z = 0 with a normal whose z is exactly 0.
+/// Empty when planar; otherwise the reason in words, naming the object.
+[[nodiscard]] std::string why_not_planar(const Scene& scene);
+[[nodiscard]] inline bool is_planar(const Scene& scene) { return why_not_planar(scene).empty(); }
+
+}  // namespace raywalk

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "shape/crossing.h"
+
+#include <cmath>
+
+namespace raywalk {
+
+template <class T>
+struct Plane {
+  Vec3<T> point{0};
+  Vec3<T> normal{0, 0, 1};  ///< towards the front; any length but 0
+  friend bool operator==(const Plane&, const Plane&) = default;
+};
+
+/// t in (0, t_max) at which the ray crosses the plane. A ray in or along the plane crosses it nowhere, and one that
+/// departs from it never meets it again.
+template <class T, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Crossing<T>> intersect(const Plane<T>& plane, const Ray<T>& ray, T t_max,
+                                                   int departed_part = no_part, Explain&& explain = {}) {
+  const T denominator = dot(plane.normal, ray.direction);
+  const T numerator = dot(plane.normal, plane.point - ray.origin);
+  if constexpr (std::decay_t<Explain>::wanted)
+    explain.plane(static_cast<double>(numerator), static_cast<double>(denominator));
+  if (departed_part != no_part || denominator == 0) return std::nullopt;
+  const T t = numerator / denominator;
+  if (!(t > 0 && t < t_max)) return std::nullopt;
+  return Crossing<T>{t};
+}
+
+/// u and v run along two fixed directions of the plane from its `point`; for a level plane they are x and y.
+template <class T>
+[[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray, Crossing<T> crossing) {
+  const Vec3<T> normal = normalize(plane.normal);
+  const bool level = std::abs(normal.z) >= T(0.5);
+  // The tangent is the part of x (of y, of z) that lies in the plane, whichever of them is far from the normal.
+  const Vec3<T> guide = level ? Vec3<T>(1, 0, 0) : Vec3<T>(0, 0, 1);
+  const Vec3<T> along = normalize(guide - dot(guide, normal) * normal);
+  const Vec3<T> u = level ? along : cross(along, normal);
+  const Vec3<T> v = level ? cross(normal.z > 0 ? normal : -normal, along) : along;
+  Vec3<T> position = ray.at(crossing.t);
+  position -= dot(position - plane.point, normal) * normal;
+  const Vec3<T> offset = position - plane.point;
+  return {position, normal, {dot(offset, u), dot(offset, v)}};
+}
+
+template <class T>
+[[nodiscard]] Bounds<T> bounds(const Plane<T>& plane) {
+  Bounds<T> box{Vec3<T>(-infinity<T>), Vec3<T>(infinity<T>)};
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool flat = plane.normal[(axis + 1) % 3] == 0 && plane.normal[(axis + 2) % 3] == 0;
+    if (flat) box.min[axis] = box.max[axis] = plane.point[axis];
+  }
+  return box;
+}
+
+}  // namespace raywalk
