@@ -1,0 +1,19 @@
+#include "io/error.h"
+
+#include <system_error>
+
+namespace raywalk {
+
+std::string Error::text() const {
+  std::string text = file;
+  if (line > 0) text += ":" + std::to_string(line);
+  if (line > 0 && column > 0) text += ":" + std::to_string(column);
+  if (!text.empty()) text += ": ";
+  text += message;
+  if (!hint.empty()) text += "\n  hint: " + hint;
+  return text;
+}
+
+std::string system_message(int error_number) { return std::generic_category().message(error_number); }
+
+}  // namespace raywalk

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "io/error.h"
+#include "math/vec.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+/// A picture in linear RGB. Row 0 is the top one; rows follow each other without gaps.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<Rgb<float>> pixels;  ///< width * height of them
+  friend bool operator==(const Image&, const Image&) = default;
+
+  [[nodiscard]] const Rgb<float>& at(int column, int row) const { return pixels[index(column, row)]; }
+  [[nodiscard]] Rgb<float>& at(int column, int row) { return pixels[index(column, row)]; }
+
+ private:
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  }
+};
+
+enum class ImageFormat { png, pfm };
+
+/// The format that the ending of `path` names, in upper or lower case. Ask before a long render, not after it.
+[[nodiscard]] Result<ImageFormat> image_format_of(const std::string& path);
+
+/// Pixels with a channel that is not a number: each is a defect of the tracer or the scene.
+[[nodiscard]] std::size_t count_nan_pixels(const Image& image);
+
+/// 8 bits a channel, sRGB. A pixel that is not a number is painted in full magenta, so that it is seen.
+[[nodiscard]] Result<std::string> encode_png(const Image& image);
+/// Portable float map: linear, bottom row first, little-endian; what is not a number stays so.
+[[nodiscard]] std::string encode_pfm(const Image& image);
+
+struct ImageWritten {
+  std::size_t nan_pixels = 0;  ///< to be reported: they are in the picture (magenta in a PNG)
+};
+
+/// Writes the format that the ending names, all or nothing.
+[[nodiscard]] Result<ImageWritten> write_image(const std::string& path, const Image& image);
+
+/// Reads a colour PFM of either byte order.
+[[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);
+[[nodiscard]] Result<Image> read_pfm(const std::string& path);
+
+}  // namespace raywalk

@@ -1,0 +1,36 @@
+#pragma once
+// Raywalk's own scene format: TOML. Every key is documented in scenes/classic.toml; the keys themselves are listed
+// once, in io/scene_keys.h.
+
+#include "io/error.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+/// A scene together with the text it was read from, whose comments and layout survive when it is written again.
+struct SceneDocument {
+  Scene scene;
+  std::string text;                   ///< empty for a scene that was never in a file
+  std::vector<std::string> warnings;  ///< one line each, "FILE:LINE:COL: ..."
+};
+
+/// Reads a scene, or says what is wrong with it at which place. `file_name` is for messages only.
+[[nodiscard]] Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name);
+[[nodiscard]] Result<SceneDocument> read_scene(const std::string& path);
+
+/// The text of `scene`, which reads back as the same scene, bit for bit. What `previous_text` shares with it stays as
+/// it is, with comments, order and layout: only values that differ are replaced; new objects and lights are added after
+/// the one they follow, removed ones go together with their comments (those directly above, inside and below, not
+/// those set apart by an empty line). Without a previous text, or with one that is no scene, a tidy new text.
+/// Fails when `scene` breaks a rule of the format (a radius that is not finite, two objects of one name).
+[[nodiscard]] Result<std::string> format_scene(const Scene& scene, std::string_view previous_text = {});
+
+/// Writes `document.scene` in the layout of `document.text`, all or nothing, and on success makes `document.text` what
+/// was written.
+[[nodiscard]] Result<void> write_scene(SceneDocument& document, const std::string& path);
+
+}  // namespace raywalk

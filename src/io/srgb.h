@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace raywalk {
+
+/// Linear light to the sRGB signal (IEC 61966-2-1), both 1 at white. Not clamped.
+[[nodiscard]] inline double srgb_encode(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+/// The sRGB signal to linear light.
+[[nodiscard]] inline double srgb_decode(double signal) {
+  return signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4);
+}
+
+/// Linear light as a byte of a picture: clamped to 0..1, encoded, rounded. `linear` must not be NaN.
+[[nodiscard]] std::uint8_t to_srgb8(float linear);
+
+}  // namespace raywalk
