@@ -31,8 +31,8 @@ inline auto contains(const std::string& part) {
 
 // Leaves the test case with a message when this machine lacks what it needs (a display, the shared tables). Catch2 v2
 // has no SKIP, so the case counts as passed and its message is printed.
-#define RAYWALK_SKIP(message)    \
-  do {                           \
+#define RAYWALK_SKIP(message)     \
+  do {                            \
     WARN("skipped: " << message); \
-    return;                      \
+    return;                       \
   } while (false)

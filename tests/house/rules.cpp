@@ -1,0 +1,331 @@
+#include "house/rules.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string_view>
+
+namespace raywalk::house {
+namespace {
+
+constexpr int longest_file = 400;
+
+struct Floor {
+  std::string_view name;
+  int level;
+};
+
+// From the design. `lesson` and `study` share a floor, so neither may include the other.
+constexpr std::array floors{Floor{"math", 0},   Floor{"shape", 1}, Floor{"accel", 2},  Floor{"scene", 3},
+                            Floor{"io", 4},     Floor{"trace", 5}, Floor{"render", 6}, Floor{"timeline", 7},
+                            Floor{"lesson", 8}, Floor{"study", 8}, Floor{"view", 9},   Floor{"gui", 10},
+                            Floor{"app", 11}};
+
+std::optional<Floor> floor_named(std::string_view name) {
+  const auto* found = std::find_if(floors.begin(), floors.end(), [&](const Floor& f) { return f.name == name; });
+  if (found == floors.end()) return std::nullopt;
+  return *found;
+}
+
+// The floor that a file of src belongs to; none for files elsewhere.
+std::optional<Floor> floor_of(std::string_view path) {
+  constexpr std::string_view src = "src/";
+  if (!path.starts_with(src)) return std::nullopt;
+  path.remove_prefix(src.size());
+  return floor_named(path.substr(0, path.find('/')));
+}
+
+bool is_cpp(std::string_view path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
+
+bool is_identifier(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::size_t start = 0;
+  while (start < text.size()) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return lines;
+}
+
+// The first character from `position` on that is no blank; 0 at the end of the text.
+char next_visible(const std::string& text, std::size_t position) {
+  while (position < text.size() && (text[position] == ' ' || text[position] == '\n')) ++position;
+  return position < text.size() ? text[position] : '\0';
+}
+
+struct Name {
+  std::string_view text;
+  int line;
+  std::string_view before;  // up to two characters before it, such as "::" or "->"
+  char after;               // the next visible character
+};
+
+// Every identifier of `code`, which must be without comments and literals.
+std::vector<Name> names_of(const std::string& code) {
+  std::vector<Name> names;
+  int line = 1;
+  for (std::size_t i = 0; i < code.size();) {
+    if (code[i] == '\n') ++line;
+    if (!is_identifier(code[i])) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < code.size() && is_identifier(code[end])) ++end;
+    const std::size_t before = i >= 2 ? i - 2 : 0;
+    const std::string_view all = code;
+    names.push_back({all.substr(i, end - i), line, all.substr(before, i - before), next_visible(code, end)});
+    i = end;
+  }
+  return names;
+}
+
+// The header that an #include line names, with its delimiters: "\"math/vec.h\"" or "<vector>".
+std::optional<std::string> included(const std::string& line) {
+  std::size_t at = line.find_first_not_of(" \t");
+  if (at == std::string::npos || line[at] != '#') return std::nullopt;
+  at = line.find_first_not_of(" \t", at + 1);
+  if (at == std::string::npos || line.compare(at, 7, "include") != 0) return std::nullopt;
+  const std::size_t open = line.find_first_of("\"<", at);
+  if (open == std::string::npos) return std::nullopt;
+  const std::size_t close = line.find_first_of("\">", open + 1);
+  if (close == std::string::npos) return std::nullopt;
+  return line.substr(open, close - open + 1);
+}
+
+// Headers that the web's older libc++ does not have.
+constexpr std::array<std::string_view, 6> newer_headers{"format",    "expected", "execution",
+                                                        "generator", "print",    "stop_token"};
+
+// Why `header` may not be included by a file at `path` on floor `here`; empty when it may.
+std::string objection(const std::string& header, const std::string& path, const Floor& here) {
+  const std::string_view name = std::string_view(header).substr(1, header.size() - 2);
+  const std::string_view folder = name.substr(0, name.find('/'));
+  if (const auto there = floor_named(folder); there && name.find('/') != std::string_view::npos) {
+    if (there->name == here.name || there->level < here.level) return {};
+    return "floor " + std::string(here.name) + " may not include " + header + ": " + std::string(there->name) +
+           " is not below it";
+  }
+  if (header.front() == '"') return header + " is to be included as \"FLOOR/name.h\", from a floor of the house";
+  if (folder == "glm" && path != "src/math/vec.h") return "only src/math/vec.h includes GLM: include \"math/vec.h\"";
+  const bool window = folder == "GLFW" || folder == "GL" || folder == "imgui" || name.starts_with("imgui") ||
+                      folder == "ft2build.h" || folder == "freetype";
+  if (window && here.name != "gui") return "only gui includes " + header;
+  if (here.level <= floor_named("view")->level &&
+      std::find(newer_headers.begin(), newer_headers.end(), name) != newer_headers.end()) {
+    return header + " is missing from the libc++ that the web is built with; floors up to view must do without";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string report(const std::vector<Breach>& breaches) {
+  std::string text;
+  for (const Breach& breach : breaches) {
+    text += breach.path + ":" + std::to_string(breach.line) + ": " + breach.what + "\n";
+  }
+  return text;
+}
+
+std::string without_comments(const std::string& code, bool keep_literals) {
+  std::string out = code;
+  const auto blank = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < std::min(to, out.size()); ++i) {
+      if (out[i] != '\n') out[i] = ' ';
+    }
+  };
+  for (std::size_t i = 0; i < code.size();) {
+    if (code.compare(i, 2, "//") == 0) {
+      const std::size_t end = std::min(code.find('\n', i), code.size());
+      blank(i, end);
+      i = end;
+    } else if (code.compare(i, 2, "/*") == 0) {
+      const std::size_t close = code.find("*/", i + 2);
+      const std::size_t end = close == std::string::npos ? code.size() : close + 2;
+      blank(i, end);
+      i = end;
+    } else if (code[i] == '"' && i > 0 && code[i - 1] == 'R') {
+      const std::size_t open = code.find('(', i);
+      if (open == std::string::npos) return out;
+      const std::string close = ")" + code.substr(i + 1, open - i - 1) + "\"";
+      const std::size_t end = std::min(code.find(close, open), code.size());
+      if (!keep_literals) blank(i + 1, end);
+      i = end + close.size();
+    } else if (code[i] == '"' || (code[i] == '\'' && (i == 0 || !is_identifier(code[i - 1])))) {
+      // An apostrophe after a digit is a separator, as in 1'000.
+      std::size_t end = i + 1;
+      while (end < code.size() && code[end] != code[i] && code[end] != '\n') end += code[end] == '\\' ? 2 : 1;
+      if (!keep_literals) blank(i + 1, end);
+      i = end + 1;
+    } else {
+      ++i;
+    }
+  }
+  return out;
+}
+
+std::vector<Breach> check_includes(const SourceFile& file) {
+  const auto here = floor_of(file.path);
+  if (!here || !is_cpp(file.path)) return {};
+  std::vector<Breach> breaches;
+  int number = 0;
+  for (const std::string& line : lines_of(without_comments(file.text, true))) {
+    ++number;
+    const auto header = included(line);
+    if (!header) continue;
+    if (std::string what = objection(*header, file.path, *here); !what.empty()) {
+      breaches.push_back({file.path, number, std::move(what)});
+    }
+  }
+  return breaches;
+}
+
+std::vector<Breach> check_names(const SourceFile& file) {
+  const auto here = floor_of(file.path);
+  if (!here || here->name == "app" || !is_cpp(file.path)) return {};
+  constexpr std::array<std::string_view, 11> printing{"cout", "cerr",   "clog",   "wcout",   "wcerr", "printf",
+                                                      "puts", "stdout", "stderr", "putchar", "perror"};
+  constexpr std::array<std::string_view, 6> ending{"exit", "_Exit", "_exit", "quick_exit", "abort", "terminate"};
+  constexpr std::array<std::string_view, 3> newer{"jthread", "atomic_ref", "stop_token"};
+  const auto is_one_of = [](const auto& list, std::string_view name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  const bool web = here->level <= floor_named("view")->level;
+
+  std::vector<Breach> breaches;
+  const std::string code = without_comments(file.text, false);
+  std::string_view previous;
+  for (const Name& name : names_of(code)) {
+    const bool member = name.before.ends_with(".") || name.before == "->";
+    const bool call = name.after == '(';
+    const std::string quoted = "'" + std::string(name.text) + "'";
+    if (!member &&
+        (is_one_of(printing, name.text) || ((name.text == "print" || name.text == "println") && call &&
+                                            name.before == "::" && (previous == "fmt" || previous == "std")))) {
+      breaches.push_back({file.path, name.line, quoted + " prints; only app may print: return the text instead"});
+    }
+    // `exit` may well be a distance along a ray: only the calls of the library's function are meant.
+    const bool library = name.before != "::" || previous == "std";
+    if (!member && call && library && is_one_of(ending, name.text)) {
+      breaches.push_back({file.path, name.line, quoted + " ends the program; only app may: return an error instead"});
+    }
+    if (web && is_one_of(newer, name.text)) {
+      breaches.push_back({file.path, name.line, quoted + " is missing from the libc++ that the web is built with"});
+    }
+    previous = name.text;
+  }
+  return breaches;
+}
+
+std::vector<Breach> check_shape(const SourceFile& file) {
+  if (!is_cpp(file.path)) return {};
+  std::vector<Breach> breaches;
+  const auto count = static_cast<int>(lines_of(file.text).size());
+  if (count > longest_file) {
+    breaches.push_back(
+        {file.path, count, "has " + std::to_string(count) + " lines; the limit is 400: split it by topic"});
+  }
+  if (file.path.ends_with(".h") && file.text.find("#pragma once") == std::string::npos) {
+    breaches.push_back({file.path, 0, "does not say #pragma once"});
+  }
+  return breaches;
+}
+
+std::vector<Breach> check_finished(const SourceFile& file) {
+  // Written in two parts so that this file does not break its own rule.
+  const std::array<std::string, 3> marks{std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X"};
+  std::vector<Breach> breaches;
+  int number = 0;
+  for (const std::string& line : lines_of(file.text)) {
+    ++number;
+    for (const std::string& mark : marks) {
+      const std::size_t at = line.find(mark);
+      if (at == std::string::npos) continue;
+      const bool inside = (at > 0 && is_identifier(line[at - 1])) ||
+                          (at + mark.size() < line.size() && is_identifier(line[at + mark.size()]));
+      if (!inside) breaches.push_back({file.path, number, "'" + mark + "': finish it or report it"});
+    }
+  }
+  return breaches;
+}
+
+std::vector<Breach> check_version(const SourceFile& file, const std::string& version) {
+  std::vector<Breach> breaches;
+  int number = 0;
+  for (const std::string& line : lines_of(file.text)) {
+    ++number;
+    if (line.find("\"" + version + "\"") != std::string::npos) {
+      breaches.push_back({file.path, number, "spells out the version; use RAYWALK_VERSION"});
+    }
+  }
+  return breaches;
+}
+
+std::string declared_version(const std::string& cmake_lists) {
+  const std::size_t project = cmake_lists.find("\nproject(");
+  if (project == std::string::npos) return {};
+  const std::size_t close = cmake_lists.find(')', project);
+  const std::string_view key = "VERSION ";
+  const std::size_t at = cmake_lists.find(key, project);
+  if (at == std::string::npos || at > close) return {};
+  const std::size_t start = at + key.size();
+  return cmake_lists.substr(start, cmake_lists.find_first_of(" \n)", start) - start);
+}
+
+std::vector<Breach> check_top_level(const std::vector<std::string>& entries, const std::string& gitignore) {
+  constexpr std::array<std::string_view, 14> allowed{".ci",
+                                                     ".clang-format",
+                                                     ".clang-tidy",
+                                                     ".git",
+                                                     ".gitignore",
+                                                     "LICENSE",
+                                                     "CMakeLists.txt",
+                                                     "CMakePresets.json",
+                                                     "README.md",
+                                                     "lessons",
+                                                     "run",
+                                                     "scenes",
+                                                     "src",
+                                                     "tests"};
+  const std::vector<std::string> ignored = lines_of(gitignore);
+  std::vector<Breach> breaches;
+  for (const std::string& entry : entries) {
+    if (std::find(allowed.begin(), allowed.end(), entry) != allowed.end()) continue;
+    const auto names_it = [&](const std::string& line) { return line == "/" + entry || line == "/" + entry + "/"; };
+    if (std::any_of(ignored.begin(), ignored.end(), names_it)) continue;
+    breaches.push_back({entry, 0, "the design has no place for it at the top level"});
+  }
+  return breaches;
+}
+
+std::vector<Breach> check_floors(const std::vector<std::string>& folders) {
+  std::vector<Breach> breaches;
+  for (const std::string& folder : folders) {
+    if (!floor_named(folder)) breaches.push_back({"src/" + folder, 0, "is no floor of the house"});
+  }
+  return breaches;
+}
+
+std::vector<SourceFile> read_tree(const std::filesystem::path& root, const std::string& folder) {
+  std::vector<SourceFile> files;
+  if (!std::filesystem::exists(root / folder)) return files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+    const std::string extension = entry.path().extension().string();
+    constexpr std::array<std::string_view, 8> text{".h", ".cpp", ".toml", ".md", ".txt", ".sh", ".json", ".html"};
+    if (!entry.is_regular_file() || std::find(text.begin(), text.end(), extension) == text.end()) continue;
+    std::ifstream in(entry.path(), std::ios::binary);
+    files.push_back({std::filesystem::relative(entry.path(), root).generic_string(),
+                     {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}});
+  }
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  return files;
+}
+
+}  // namespace raywalk::house

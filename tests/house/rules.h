@@ -1,0 +1,56 @@
+// The rules of the house that a machine can check: who may include whom, what may stand where. Each rule is a function
+// of one file's text, so that it can be tried on planted text as well as on the tree.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace raywalk::house {
+
+struct SourceFile {
+  std::string path;  // relative to the source folder, with forward slashes: "src/math/vec.h"
+  std::string text;
+};
+
+struct Breach {
+  std::string path;
+  int line;  // from 1; 0 when it concerns the whole file
+  std::string what;
+};
+
+// "src/math/vec.h:12: what", one breach a line; empty when there is none.
+std::string report(const std::vector<Breach>& breaches);
+
+// `code` with comments blanked out, and the contents of string and character literals too unless `keep_literals`.
+// Newlines stay, so line numbers do not change.
+std::string without_comments(const std::string& code, bool keep_literals);
+
+// Src files include only from their own folder and the floors below; others' headers only where they belong.
+std::vector<Breach> check_includes(const SourceFile& file);
+
+// Below `app` nothing prints or ends the program, and nothing is used that the web's older libc++ lacks.
+std::vector<Breach> check_names(const SourceFile& file);
+
+// No file over 400 lines; headers say #pragma once.
+std::vector<Breach> check_shape(const SourceFile& file);
+
+// Nothing is marked as to be done later; what is missing is reported, not written into the tree.
+std::vector<Breach> check_finished(const SourceFile& file);
+
+// The number of the version stands in CMakeLists.txt alone; `version` as 1.22.3, unquoted.
+std::vector<Breach> check_version(const SourceFile& file, const std::string& version);
+
+// The version that CMakeLists.txt declares in its project(); empty when there is none.
+std::string declared_version(const std::string& cmake_lists);
+
+// The entries of the top level that neither the design nor `gitignore` (the text of .gitignore) knows.
+std::vector<Breach> check_top_level(const std::vector<std::string>& entries, const std::string& gitignore);
+
+// The folders of src that are no floor.
+std::vector<Breach> check_floors(const std::vector<std::string>& folders);
+
+// All text files under `folder` of the source tree at `root`, sorted by path.
+std::vector<SourceFile> read_tree(const std::filesystem::path& root, const std::string& folder);
+
+}  // namespace raywalk::house
