@@ -14,13 +14,11 @@ struct Crossing {
   int part = 0;
 };
 
-/// A point of a surface. The normal has unit length and points outwards (a plane's: to its own front). u and v are
-/// lengths along the surface in scene units, from an origin and in directions fixed to the shape.
+/// A point of a surface. The normal has unit length and points outwards (a plane's: to its own front).
 template <class T>
 struct SurfacePoint {
   Vec3<T> position;
   Vec3<T> normal;
-  Vec2<T> uv;
 };
 
 /// No part of a shape: the ray does not depart from it.

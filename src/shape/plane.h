@@ -28,20 +28,24 @@ template <class T, class Explain = NoExplanation>
   return Crossing<T>{t};
 }
 
-/// u and v run along two fixed directions of the plane from its `point`; for a level plane they are x and y.
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray, Crossing<T> crossing) {
   const Vec3<T> normal = normalize(plane.normal);
+  const Vec3<T> position = ray.at(crossing.t);
+  return {position - dot(position - plane.point, normal) * normal, normal};
+}
+
+/// Two fixed directions of the plane, from its `point`; for a level plane they are x and y.
+template <class T>
+[[nodiscard]] Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point, int /*part*/) {
+  const Vec3<T>& normal = point.normal;
+  const Vec3<T> offset = point.position - plane.point;
   const bool level = std::abs(normal.z) >= T(0.5);
-  // The tangent is the part of x (of y, of z) that lies in the plane, whichever of them is far from the normal.
+  // The tangent is the part of x (of an upright plane: of z) that lies in the plane.
   const Vec3<T> guide = level ? Vec3<T>(1, 0, 0) : Vec3<T>(0, 0, 1);
   const Vec3<T> along = normalize(guide - dot(guide, normal) * normal);
-  const Vec3<T> u = level ? along : cross(along, normal);
-  const Vec3<T> v = level ? cross(normal.z > 0 ? normal : -normal, along) : along;
-  Vec3<T> position = ray.at(crossing.t);
-  position -= dot(position - plane.point, normal) * normal;
-  const Vec3<T> offset = position - plane.point;
-  return {position, normal, {dot(offset, u), dot(offset, v)}};
+  if (level) return {dot(offset, along), dot(offset, cross(normal.z > 0 ? normal : -normal, along))};
+  return {dot(offset, cross(along, normal)), dot(offset, along)};
 }
 
 template <class T>

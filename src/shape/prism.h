@@ -37,9 +37,15 @@ template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
 
-/// Sides: u runs along the edge from its first corner, v up. Caps: u and v are x and y.
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Crossing<T> crossing);
+
+/// Sides: u runs along the edge from its first corner, v up. Caps: x and y.
+template <class T>
+[[nodiscard]] Vec2<T> uv_at(const Prism<T>& prism, const SurfacePoint<T>& point, int part) {
+  if (part >= prism.sides()) return plan(point.position);
+  return {length(plan(point.position) - prism.corner(part)), point.position.z};
+}
 
 template <class T>
 [[nodiscard]] Bounds<T> bounds(const Prism<T>& prism) {
@@ -125,7 +131,7 @@ SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Crossing<T>
   if (crossing.part >= prism.sides()) {
     const T up = crossing.part == prism.top() ? T(1) : T(-1);
     position.z = up * (prism.height / 2);
-    return {position, {0, 0, up}, plan(position)};
+    return {position, {0, 0, up}};
   }
   const Vec2<T> first = prism.corner(crossing.part);
   const Vec2<T> edge = prism.corner_after(crossing.part) - first;
@@ -133,7 +139,7 @@ SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Crossing<T>
   const T turn = prism.twice_signed_area() < 0 ? T(-1) : T(1);
   const Vec2<T> outwards = turn * Vec2<T>(along.y, -along.x);
   const Vec2<T> onto = plan(position) - dot(plan(position) - first, outwards) * outwards;
-  return {{onto, position.z}, {outwards, 0}, {dot(onto - first, along), position.z}};
+  return {{onto, position.z}, {outwards, 0}};
 }
 
 }  // namespace raywalk

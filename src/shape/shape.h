@@ -24,6 +24,13 @@ template <class T>
   return std::visit([&](const auto& s) { return surface_at(s, ray, crossing); }, shape);
 }
 
+/// Coordinates of a point of part `part`: lengths along the surface in scene units, from an origin and in directions
+/// fixed to the shape.
+template <class T>
+[[nodiscard]] Vec2<T> uv_at(const Shape<T>& shape, const SurfacePoint<T>& point, int part) {
+  return std::visit([&](const auto& s) { return uv_at(s, point, part); }, shape);
+}
+
 template <class T>
 [[nodiscard]] Bounds<T> bounds(const Shape<T>& shape) {
   return std::visit([](const auto& s) { return bounds(s); }, shape);

@@ -29,6 +29,14 @@ template <class T, class Explain = NoExplanation>
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Crossing<T> crossing);
 
+/// Longitude from +x and latitude from the plan, each times the radius.
+template <class T>
+[[nodiscard]] Vec2<T> uv_at(const Sphere<T>& sphere, const SurfacePoint<T>& point, int /*part*/) {
+  const T longitude = std::atan2(point.normal.y, point.normal.x);
+  const T latitude = std::asin(std::clamp(point.normal.z, T(-1), T(1)));
+  return {sphere.radius * longitude, sphere.radius * latitude};
+}
+
 template <class T>
 [[nodiscard]] Bounds<T> bounds(const Sphere<T>& sphere) {
   return {sphere.centre - Vec3<T>(sphere.radius), sphere.centre + Vec3<T>(sphere.radius)};
@@ -112,9 +120,7 @@ template <class T>
 SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Crossing<T> crossing) {
   // The computed point is pulled back onto the sphere along the normal; on the plan it stays on the plan.
   const Vec3<T> normal = normalize(ray.at(crossing.t) - sphere.centre);
-  const T longitude = std::atan2(normal.y, normal.x);
-  const T latitude = std::asin(std::clamp(normal.z, T(-1), T(1)));
-  return {sphere.centre + sphere.radius * normal, normal, {sphere.radius * longitude, sphere.radius * latitude}};
+  return {sphere.centre + sphere.radius * normal, normal};
 }
 
 }  // namespace raywalk

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+namespace raywalk {
+
+/// What a random number is for. The number is a pure function of this key, so no draw depends on the order, the thread
+/// or the number of other draws.
+struct RandomKey {
+  std::uint64_t seed = 0;
+  std::int32_t pixel_x = 0, pixel_y = 0;  ///< twice the pixel's offset from the image centre, in pixels
+  std::uint32_t sample = 0;
+  std::uint32_t effect = 0;     ///< which effect draws
+  std::uint64_t path = 0;       ///< place in the ray tree
+  std::uint32_t dimension = 0;  ///< which of the draws of that effect there
+};
+
+namespace detail {
+
+/// The finalizer of SplitMix64 (G. Steele, D. Lea and C. Flood 2014): a bijection that mixes every bit into every other.
+[[nodiscard]] constexpr std::uint64_t mix(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+}  // namespace detail
+
+/// Uniform in [0, 1), a multiple of 2^-24, so that float and double runs draw the same numbers.
+template <class T>
+[[nodiscard]] constexpr T random_unit(const RandomKey& key) {
+  using detail::mix;
+  std::uint64_t bits = mix(key.seed);
+  bits = mix(bits ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
+                     static_cast<std::uint32_t>(key.pixel_y)));
+  bits = mix(bits ^ (static_cast<std::uint64_t>(key.sample) << 32 | key.effect));
+  bits = mix(bits ^ key.path);
+  bits = mix(bits ^ key.dimension);
+  return static_cast<T>(bits >> 40) * static_cast<T>(1.0 / 16777216.0);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,133 @@
+#pragma once
+// What an observer is told: one event for each executed line of pseudocode, with the numbers that the line computed.
+// All numbers are handed over in double, whatever scalar the tracer runs in.
+
+#include "math/vec.h"
+#include "trace/pseudocode.h"
+
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace raywalk {
+
+enum class RayKind { primary, shadow, reflect, refract };
+inline constexpr int ray_kind_count = 4;
+
+/// Why a ray ended, or why it was not formed. A formed ray ends in one of the first four.
+enum class Ending {
+  hit,            ///< met a surface, which was shaded
+  missed,         ///< left the scene: background
+  blocked,        ///< shadow ray: something stands before the light
+  reached_light,  ///< shadow ray: nothing does
+  depth,          ///< not formed: its SHADE would be deeper than the limit
+  threshold,      ///< not formed: its share of the pixel would be below the threshold
+  total_internal_reflection,  ///< not formed: no refracted direction exists
+  path_length,                ///< not formed: the path is as long as the path tracer allows
+  facing_away,                ///< not formed: the light is behind the surface
+};
+inline constexpr int ending_count = 9;
+
+[[nodiscard]] std::string_view ray_kind_name(RayKind kind);  ///< "primary"
+[[nodiscard]] std::string_view ending_name(Ending ending);   ///< "total_internal_reflection"
+
+/// The quadratic a t^2 + b t + c of a sphere (roots NaN when there are none).
+struct QuadraticNumbers {
+  double a, b, c, discriminant, t0, t1;
+};
+/// t = numerator / denominator of a plane or of a prism's face.
+struct PlaneNumbers {
+  double numerator, denominator;
+};
+using IntersectionNumbers = std::variant<std::monostate, QuadraticNumbers, PlaneNumbers>;
+
+/// Snell's law at a surface: n1 sin(in) = n2 sin(out).
+struct SnellNumbers {
+  double n1, n2;            ///< indices on the ray's side and beyond
+  double cos_in, cos_out;   ///< cosines to the normal, >= 0
+  double fresnel;           ///< unpolarised reflectance; 1 under total internal reflection
+};
+
+/// for_each_pixel: a sample of a pixel begins.
+struct PixelBegun {
+  int column, row, sample;
+};
+
+/// form_*_ray. `share`: largest part of the pixel's final shade that this ray can bring, per channel.
+struct RayFormed {
+  int ray;     ///< number of the ray in this recording, from 0
+  int parent;  ///< ray at whose hit it was formed; -1 for a primary ray
+  RayKind kind;
+  Vec3d origin, direction;  ///< a shadow ray's direction to a point light reaches it at t = 1; else unit length
+  Rgbd share;
+  int light = -1;                     ///< shadow rays: index of the light
+  std::optional<SnellNumbers> snell{};  ///< refract rays
+};
+
+/// form_*_ray when a limit, or a light behind the surface, forbids it. `direction`: where it would have gone.
+struct RayNotFormed {
+  int parent;
+  RayKind kind;
+  Ending why;
+  Vec3d origin, direction;
+  Rgbd share;
+  int light = -1;
+};
+
+/// find_*: how a ray ended. The point and all that follows it are present when something was met.
+struct Found {
+  int ray;
+  Ending ending;
+  double t = 0;
+  int object = -1;  ///< index in Scene::objects: what was hit, or the nearest blocker of a shadow ray
+  int part = 0;
+  Vec3d point{0.0}, normal{0.0};  ///< normal: unit length, outwards
+  Rgbd passed{1.0};               ///< shadow rays: the share of the light that filtering objects let through
+  IntersectionNumbers numbers{};
+};
+
+/// if_*.
+struct Decided {
+  bool holds;
+  Rgbd weight{0.0};           ///< kr' or kt'; unused in MAIN ALGORITHM
+  std::optional<Ending> why{};  ///< total_internal_reflection when that is why nothing is transmitted
+};
+
+/// shade_*: SHADE is called for `ray`. When the ray missed, it returns `background` at once.
+struct ShadeCalled {
+  int ray;
+  bool missed;
+  Rgbd background{0.0};
+};
+
+/// What one light added.
+struct LightTerm {
+  int light;
+  Rgbd diffuse{0.0}, specular{0.0};  ///< 0 when blocked or behind the surface
+};
+
+/// compute_rtnshade: total = ambient + emission + lights + reflect + refract.
+struct ShadeComputed {
+  Rgbd ambient, emission;
+  std::vector<LightTerm> lights;
+  Rgbd reflect, refract;  ///< kr' I(reflect) and kt' I(refract)
+  Rgbd total;
+};
+
+/// put_final_shade.
+struct PixelPut {
+  int column, row, sample;
+  Rgbd shade;
+};
+
+using EventDetail =
+    std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed, PixelPut>;
+
+struct Event {
+  Line line;
+  int depth;  ///< DEPTH of the SHADE that executes the line; 0 in MAIN ALGORITHM
+  EventDetail detail;
+};
+
+}  // namespace raywalk

@@ -1,0 +1,60 @@
+#pragma once
+// The tracer's compiled kernels: one for each scalar and each set of effects inside the hit loop, and a watched one.
+
+#include "trace/policy.h"
+#include "trace/ray_generator.h"
+#include "trace/statistics.h"
+#include "trace/world.h"
+
+#include <functional>
+
+namespace raywalk {
+
+/// The pixels of a rectangle, row by row; with `stride` > 1 only every so manieth column and row, from the first.
+struct PixelBlock {
+  int column_begin = 0, column_end = 0, row_begin = 0, row_end = 0;
+  int sample = 0;
+  int stride = 1;
+
+  class Iterator {
+   public:
+    Iterator(const PixelBlock& block, Pixel pixel) : block_(&block), pixel_(pixel) {}
+    const Pixel& operator*() const { return pixel_; }
+    Iterator& operator++() {
+      pixel_.column += block_->stride;
+      if (pixel_.column >= block_->column_end) {
+        pixel_.column = block_->column_begin;
+        pixel_.row += block_->stride;
+      }
+      return *this;
+    }
+    /// Only ever compared with end().
+    bool operator!=(const Iterator&) const { return pixel_.row < block_->row_end; }
+
+   private:
+    const PixelBlock* block_;
+    Pixel pixel_;
+  };
+  [[nodiscard]] Iterator begin() const {
+    const bool empty = column_begin >= column_end || row_begin >= row_end;
+    return {*this, {column_begin, empty ? row_end : row_begin, sample}};
+  }
+  [[nodiscard]] Iterator end() const { return {*this, {column_begin, row_end, sample}}; }
+};
+
+template <class T>
+using PutPixel = std::function<void(const Pixel&, const Rgb<T>&)>;
+
+/// Runs MAIN ALGORITHM over a block with the kernel that holds the world's effects and no others.
+[[nodiscard]] Statistics trace(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,
+                               const PutPixel<float>& put);
+[[nodiscard]] Statistics trace(const World<double>& world, const RayGenerator<double>& camera, const PixelBlock& block,
+                               const PutPixel<double>& put);
+
+/// The same with every effect's code in the loop, watched by `observer`: same bits, same statistics.
+Statistics trace_watched(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,
+                         const PutPixel<float>& put, Observer& observer);
+Statistics trace_watched(const World<double>& world, const RayGenerator<double>& camera, const PixelBlock& block,
+                         const PutPixel<double>& put, Observer& observer);
+
+}  // namespace raywalk

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "math/vec.h"
+
+#include <cmath>
+#include <optional>
+
+namespace raywalk {
+
+/// Mirrors `incident` (towards the surface) at unit `normal`; the length is kept.
+template <class T>
+[[nodiscard]] Vec3<T> reflect(const Vec3<T>& incident, const Vec3<T>& normal) {
+  return incident - 2 * dot(incident, normal) * normal;
+}
+
+/// A unit ray meets a surface between indices n1 (its side) and n2. The normal faces the ray.
+template <class T>
+struct Refraction {
+  T eta;       ///< n1 / n2
+  T cos_in;    ///< cosine of the incidence, in 0..1
+  T k;         ///< squared cosine beyond; < 0: total internal reflection. Exactly 0 is still refracted, along the surface
+  T cos_out;   ///< sqrt(k), or 0
+  T fresnel;   ///< unpolarised reflectance, in 0..1
+
+  [[nodiscard]] bool total() const { return k < 0; }
+};
+
+template <class T>
+[[nodiscard]] Refraction<T> refraction_at(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal, T n1, T n2) {
+  const T eta = n1 / n2;
+  const T cos_in = std::fmin(T(1), std::fmax(T(0), -dot(unit_incident, facing_normal)));
+  // 1 - eta^2 (1 - cos^2) without the cancellation near eta = 1 and near the critical angle.
+  const T k = (1 - eta) * (1 + eta) + (eta * cos_in) * (eta * cos_in);
+  if (k < 0) return {eta, cos_in, k, 0, 1};
+  const T cos_out = std::sqrt(k);
+  // Fresnel's equations for a dielectric. At grazing incidence both cosines may vanish together: all is reflected.
+  const T s_sum = n1 * cos_in + n2 * cos_out, p_sum = n2 * cos_in + n1 * cos_out;
+  if (s_sum == 0 || p_sum == 0) return {eta, cos_in, k, cos_out, 1};
+  const T rs = (n1 * cos_in - n2 * cos_out) / s_sum, rp = (n2 * cos_in - n1 * cos_out) / p_sum;
+  return {eta, cos_in, k, cos_out, (rs * rs + rp * rp) / 2};
+}
+
+/// Direction beyond the surface by Snell's law, unit length up to rounding; none under total internal reflection.
+template <class T>
+[[nodiscard]] std::optional<Vec3<T>> refract(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal,
+                                             const Refraction<T>& at) {
+  if (at.total()) return std::nullopt;
+  return at.eta * unit_incident + (at.eta * at.cos_in - at.cos_out) * facing_normal;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "scene/effects.h"
+#include "trace/event.h"
+
+namespace raywalk {
+
+/// Watches nothing and compiles away.
+struct NoObserver {
+  static constexpr bool watches = false;
+};
+
+/// Is told every event, in order.
+class Observer {
+ public:
+  static constexpr bool watches = true;
+  virtual ~Observer() = default;
+  virtual void record(Event&& event) = 0;
+};
+
+/// The effects whose code stands inside the hit loop. A kernel without one holds none of its code.
+struct HitEffects {
+  bool reflection = true, refraction = true, textures = true;
+  friend bool operator==(const HitEffects&, const HitEffects&) = default;
+};
+inline constexpr HitEffects all_hit_effects{};
+
+[[nodiscard]] inline HitEffects hit_effects(const Effects& effects) {
+  return {effects.used(Effect::reflection), effects.used(Effect::refraction), effects.used(Effect::textures)};
+}
+
+/// Everything about the tracer that is fixed when it is compiled.
+template <class ScalarType, class ObserverType = NoObserver, HitEffects Set = all_hit_effects>
+struct Policy {
+  using Scalar = ScalarType;
+  using Observer = ObserverType;
+  static constexpr HitEffects effects = Set;
+};
+
+}  // namespace raywalk

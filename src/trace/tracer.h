@@ -1,0 +1,155 @@
+#pragma once
+// The tracer: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980, with Blinn's highlight
+// (1977). `main_algorithm` and `shade` are the two procedures that the visualiser shows; every comment of the form of a
+// pseudocode line heads the statement that the line names, and a test holds the texts together. What a statement does
+// stands in the function it calls, below (trace/tracer_steps.h).
+
+#include "trace/optics.h"
+#include "trace/policy.h"
+#include "trace/ray_generator.h"
+#include "trace/statistics.h"
+#include "trace/world.h"
+
+#include <cstddef>
+
+namespace raywalk {
+
+template <class Policy>
+class Tracer {
+ public:
+  using T = typename Policy::Scalar;
+  using Observer = typename Policy::Observer;
+
+  Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer)
+      : world_(world), camera_(camera), observer_(observer) {}
+
+  /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
+  template <class Pixels, class Put>
+  void main_algorithm(const Pixels& pixels, Put&& put) {
+    // For each pixel
+    for (const Pixel& pixel : pixels) {
+      begin(pixel);
+      // Form primary ray
+      const Traced primary = form_primary_ray(pixel);
+      // Find closest intersection
+      const Nearest nearest = find_closest(Line::find_closest_intersection, 0, primary);
+      Rgb<T> final = world_.background;
+      // If intersect something
+      if (decide_intersected(nearest)) {
+        // Shade (DEPTH+1, final)
+        call_shade(Line::shade_final, 0, primary, nearest);
+        final = shade(1, primary, *nearest);
+      }
+      // Put final shade in pixel
+      put_in_pixel(pixel, final, put);
+    }
+  }
+
+  [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+
+ private:
+  /// A ray on its way: what it is, and the largest part of the pixel it can bring.
+  struct Traced {
+    Ray<T> ray;
+    RayKind kind;
+    Rgb<T> share;
+    int number;  ///< in the recording; 0 when nobody watches
+  };
+  using Nearest = std::optional<Hit<T>>;
+  /// The hit, made ready for SHADE: place, normal and the weights that "If reflective" and "If transparent" test.
+  struct Shading;
+  /// What all lights together bring; each one's part only when watched.
+  struct Direct;
+
+  /// SHADE (DEPTH, RTNSHADE): the light that leaves the hit against the ray's direction.
+  Rgb<T> shade(int depth, const Traced& ray, const Hit<T>& hit) {
+    const Shading at = prepare(ray, hit);
+    Direct direct;
+    for (const Lamp& lamp : world_.lamps) {
+      // Form shadow ray
+      const auto shadow = form_shadow_ray(depth, at, ray, lamp);
+      if (!shadow) {
+        add_unlit(direct, lamp);
+        continue;
+      }
+      // Find intersection
+      const Rgb<T> visible = find_intersection(depth, *shadow, lamp);
+      add_light(direct, at, ray, lamp, shadow->ray, visible);
+    }
+    Rgb<T> reflected{0}, refracted{0};
+    if constexpr (Policy::effects.reflection) {
+      // If reflective
+      if (decide_reflective(depth, at)) {
+        // Form reflect ray
+        if (const auto reflect_ray = form_reflect_ray(depth, at, ray)) {
+          // Find closest intersect
+          const Nearest nearest = find_closest(Line::find_reflect_intersect, depth, *reflect_ray);
+          // Shade (DEPTH+1, REFLSHADE)
+          call_shade(Line::shade_reflect, depth, *reflect_ray, nearest);
+          reflected = at.reflection * (nearest ? shade(depth + 1, *reflect_ray, *nearest) : world_.background);
+        }
+      }
+    }
+    if constexpr (Policy::effects.refraction) {
+      // If transparent
+      if (decide_transparent(depth, at)) {
+        // Form refract ray
+        if (const auto refract_ray = form_refract_ray(depth, at, ray)) {
+          // Find closest intersect
+          const Nearest nearest = find_closest(Line::find_refract_intersect, depth, *refract_ray);
+          // Shade (DEPTH+1, REFRSHADE)
+          call_shade(Line::shade_refract, depth, *refract_ray, nearest);
+          refracted = at.transmission * (nearest ? shade(depth + 1, *refract_ray, *nearest) : world_.background);
+        }
+      }
+    }
+    // Compute rtnshade
+    return compute_rtnshade(depth, at, direct, reflected, refracted);
+  }
+
+  using Lamp = typename World<T>::Lamp;
+  using Surface = typename World<T>::Surface;
+
+  void begin(const Pixel& pixel);
+  Traced form_primary_ray(const Pixel& pixel);
+  std::optional<Traced> form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp);
+  std::optional<Traced> form_reflect_ray(int depth, const Shading& at, const Traced& ray);
+  std::optional<Traced> form_refract_ray(int depth, const Shading& at, const Traced& ray);
+  std::optional<Traced> form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
+                                           const Vec3<T>& direction, const Rgb<T>& weight);
+  Nearest find_closest(Line line, int depth, const Traced& ray);
+  Rgb<T> find_intersection(int depth, const Traced& shadow, const Lamp& lamp);
+  Rgb<T> light_passed(const Ray<T>& shadow, T t_max);
+  bool decide_intersected(const Nearest& nearest);
+  bool decide_reflective(int depth, const Shading& at);
+  bool decide_transparent(int depth, const Shading& at);
+  void call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest);
+  Shading prepare(const Traced& ray, const Hit<T>& hit);
+  void add_unlit(Direct& direct, const Lamp& lamp);
+  void add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp, const Ray<T>& shadow,
+                 const Rgb<T>& visible);
+  Rgb<T> compute_rtnshade(int depth, const Shading& at, const Direct& direct, const Rgb<T>& reflected,
+                          const Rgb<T>& refracted);
+  template <class Put>
+  void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
+
+  /// Tells the observer what `make` returns; when nobody watches, `make` is not even compiled into the kernel.
+  template <class Make>
+  void note(Line line, int depth, Make&& make) {
+#ifndef RAYWALK_WITHOUT_HOOKS  // set only by the benchmark that measures what the empty observer costs: nothing
+    if constexpr (Observer::watches) observer_.record(Event{line, depth, make()});
+#else
+    static_cast<void>(line), static_cast<void>(depth), static_cast<void>(make);
+#endif
+  }
+
+  const World<T>& world_;
+  const RayGenerator<T>& camera_;
+  Observer& observer_;
+  Statistics statistics_;
+  int rays_formed_ = 0;  ///< numbers the rays of a recording
+};
+
+}  // namespace raywalk
+
+#include "trace/tracer_steps.h"

@@ -1,0 +1,314 @@
+#pragma once
+// What each statement of trace/tracer.h does. Included by it alone.
+
+#include "trace/tracer.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace raywalk {
+
+namespace detail {
+
+/// Keeps the numbers of one intersection test for an event.
+struct Explanation {
+  static constexpr bool wanted = true;
+  IntersectionNumbers numbers;
+  void quadratic(double a, double b, double c, double discriminant, double t0, double t1) {
+    numbers = QuadraticNumbers{a, b, c, discriminant, t0, t1};
+  }
+  void plane(double numerator, double denominator) { numbers = PlaneNumbers{numerator, denominator}; }
+};
+
+struct Nothing {};
+
+/// Describes a hit for an event.
+template <class T>
+Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T>& ray, const Hit<T>& hit) {
+  const Shape<T>& shape = world.primitives.shape(hit.primitive);
+  const SurfacePoint<T> point = surface_at(shape, ray, Crossing<T>{hit.t, hit.part});
+  Explanation explanation;
+  static_cast<void>(
+      intersect(shape, ray, infinity<T>, List<T>::departed_part(ray, hit.primitive), explanation));
+  return {ray_number,    ending,
+          static_cast<double>(hit.t), hit.primitive,
+          hit.part,      Vec3d(point.position),
+          Vec3d(point.normal), Rgbd(1.0),
+          explanation.numbers};
+}
+
+template <class T>
+bool even_square(const Vec2<T>& uv, T size) {
+  return std::fmod(std::floor(uv.x / size) + std::floor(uv.y / size), T(2)) == 0;
+}
+
+}  // namespace detail
+
+template <class Policy>
+struct Tracer<Policy>::Shading {
+  Departure departure;  ///< of the rays that leave from here
+  Vec3<T> position;
+  Vec3<T> normal;    ///< unit length, on the side the ray came from
+  const Surface* surface;
+  Rgb<T> ambient, diffuse;          ///< with the pattern's colour
+  Rgb<T> reflection, transmission;  ///< kr' and kt'
+  T n1 = 1, n2 = 1;
+  Refraction<T> refraction{};       ///< where the surface transmits
+};
+
+template <class Policy>
+struct Tracer<Policy>::Direct {
+  Rgb<T> sum{0};
+  [[no_unique_address]] std::conditional_t<Observer::watches, std::vector<LightTerm>, detail::Nothing> terms;
+
+  void add(const Lamp& lamp, const Rgb<T>& diffuse, const Rgb<T>& specular) {
+    sum += diffuse + specular;
+    if constexpr (Observer::watches) terms.push_back({lamp.index, Rgbd(diffuse), Rgbd(specular)});
+  }
+};
+
+template <class Policy>
+void Tracer<Policy>::begin(const Pixel& pixel) {
+  note(Line::for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
+}
+
+template <class Policy>
+auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
+  const Traced primary{camera_.primary_ray(pixel, statistics_.random_draws), RayKind::primary, Rgb<T>(1),
+                       rays_formed_++};
+  ++statistics_.formed(RayKind::primary);
+  note(Line::form_primary_ray, 0, [&] {
+    return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
+                     Rgbd(1.0)};
+  });
+  return primary;
+}
+
+template <class Policy>
+auto Tracer<Policy>::find_closest(Line line, int depth, const Traced& ray) -> Nearest {
+  const Nearest nearest = world_.primitives.closest(ray.ray, infinity<T>, statistics_.tests);
+  ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
+  note(line, depth, [&] {
+    return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
+                   : Found{ray.number, Ending::missed};
+  });
+  return nearest;
+}
+
+template <class Policy>
+bool Tracer<Policy>::decide_intersected(const Nearest& nearest) {
+  note(Line::if_intersect_something, 0, [&] { return Decided{nearest.has_value()}; });
+  return nearest.has_value();
+}
+
+template <class Policy>
+void Tracer<Policy>::call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest) {
+  note(line, depth, [&] { return ShadeCalled{ray.number, !nearest, Rgbd(world_.background)}; });
+}
+
+template <class Policy>
+template <class Put>
+void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
+  if (!is_finite(final)) ++statistics_.not_finite;
+  put(pixel, final);
+  note(Line::put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
+}
+
+template <class Policy>
+auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
+  const Shape<T>& shape = world_.primitives.shape(hit.primitive);
+  const Surface& surface = world_.surface(hit.primitive);
+  const SurfacePoint<T> point = surface_at(shape, ray.ray, Crossing<T>{hit.t, hit.part});
+  const bool entering = dot(point.normal, ray.ray.direction) < 0;
+  Shading at{{hit.primitive, hit.part}, point.position,     entering ? point.normal : -point.normal, &surface,
+             surface.ambient,           surface.diffuse,    surface.reflection,
+             surface.transmission};
+  if constexpr (Policy::effects.textures) {
+    if (surface.checker) {
+      const bool even = detail::even_square(uv_at(shape, point, hit.part), surface.checker->size);
+      const Rgb<T>& colour = even ? surface.checker->even : surface.checker->odd;
+      at.ambient *= colour;
+      at.diffuse *= colour;
+    }
+  }
+  if constexpr (Policy::effects.refraction) {
+    if (surface.transmits) {
+      at.n1 = entering ? T(1) : surface.ior;
+      at.n2 = entering ? surface.ior : T(1);
+      at.refraction = refraction_at(ray.ray.direction, at.normal, at.n1, at.n2);
+      const Rgb<T> both = surface.reflection + surface.transmission;
+      if (at.refraction.total()) {
+        at.reflection = both;
+        at.transmission = Rgb<T>(0);
+      } else if (surface.dielectric) {
+        at.reflection = at.refraction.fresnel * both;
+        at.transmission = (1 - at.refraction.fresnel) * both;
+      }
+    }
+  }
+  return at;
+}
+
+template <class Policy>
+auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp)
+    -> std::optional<Traced> {
+  // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
+  const Vec3<T> to_light = lamp.directional ? lamp.place : lamp.place - at.position;
+  if (!(dot(at.normal, to_light) > 0)) {
+    ++statistics_.ends(Ending::facing_away);
+    note(Line::form_shadow_ray, depth, [&] {
+      return RayNotFormed{ray.number,          RayKind::shadow, Ending::facing_away, Vec3d(at.position),
+                          Vec3d(to_light), Rgbd(ray.share), lamp.index};
+    });
+    return std::nullopt;
+  }
+  const Traced shadow{{at.position, to_light, at.departure}, RayKind::shadow, ray.share, rays_formed_++};
+  ++statistics_.formed(RayKind::shadow);
+  note(Line::form_shadow_ray, depth, [&] {
+    return RayFormed{shadow.number,   ray.number,       RayKind::shadow, Vec3d(at.position),
+                     Vec3d(to_light), Rgbd(ray.share), lamp.index,      {}};
+  });
+  return shadow;
+}
+
+/// The share of the lamp's light that arrives: 0 behind an opaque object.
+template <class Policy>
+auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const Lamp& lamp) -> Rgb<T> {
+  const T t_max = lamp.directional ? infinity<T> : T(1);
+  const auto opaque = [&](int primitive) { return !world_.surface(primitive).filters_shadows; };
+  const bool blocked = world_.primitives.any(shadow.ray, t_max, statistics_.tests, opaque);
+  const Rgb<T> passed = blocked                        ? Rgb<T>(0)
+                        : world_.some_filter_shadows ? light_passed(shadow.ray, t_max)
+                                                     : Rgb<T>(1);
+  ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
+  note(Line::find_intersection, depth, [&] {
+    // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
+    TestCounts uncounted;
+    const Nearest blocker =
+        blocked ? world_.primitives.closest(shadow.ray, t_max, uncounted, opaque) : std::nullopt;
+    Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
+                          : Found{shadow.number, Ending::reached_light};
+    found.passed = Rgbd(passed);
+    return found;
+  });
+  return passed;
+}
+
+/// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission.
+template <class Policy>
+auto Tracer<Policy>::light_passed(const Ray<T>& shadow, T t_max) -> Rgb<T> {
+  const auto filters = [&](int primitive) { return world_.surface(primitive).filters_shadows; };
+  constexpr int crossings_limit = 1000;  // coincident surfaces could otherwise hand a ray to and fro for ever
+  Rgb<T> passed{1};
+  Ray<T> rest = shadow;
+  for (int crossings = 0; crossings < crossings_limit; ++crossings) {
+    const Nearest nearest = world_.primitives.closest(rest, t_max, statistics_.tests, filters);
+    if (!nearest) return passed;
+    passed *= world_.surface(nearest->primitive).transmission;
+    const Shape<T>& shape = world_.primitives.shape(nearest->primitive);
+    rest.origin = surface_at(shape, rest, Crossing<T>{nearest->t, nearest->part}).position;
+    rest.departure = {nearest->primitive, nearest->part};
+    t_max -= nearest->t;
+  }
+  return Rgb<T>(0);
+}
+
+template <class Policy>
+void Tracer<Policy>::add_unlit(Direct& direct, const Lamp& lamp) {
+  if constexpr (Observer::watches) direct.add(lamp, Rgb<T>(0), Rgb<T>(0));
+}
+
+template <class Policy>
+void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp,
+                               const Ray<T>& shadow, const Rgb<T>& visible) {
+  if (is_black(visible)) return add_unlit(direct, lamp);
+  const T distance = lamp.directional ? T(1) : length(shadow.direction);
+  const T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
+  const Rgb<T> light = visible * lamp.strength / attenuation;
+  const Vec3<T> l = shadow.direction / distance;
+  const T n_l = dot(at.normal, l);
+  Rgb<T> specular{0};
+  if (!is_black(at.surface->specular)) {
+    // Blinn's half vector, between the light and the eye of this ray.
+    const Vec3<T> h = l - ray.ray.direction;
+    const T n_h = std::fmax(T(0), dot(at.normal, h) / length(h));
+    specular = light * at.surface->specular * std::pow(n_h, at.surface->shininess);
+  }
+  direct.add(lamp, light * at.diffuse * n_l, specular);
+}
+
+template <class Policy>
+bool Tracer<Policy>::decide_reflective(int depth, const Shading& at) {
+  const bool holds = !is_black(at.reflection);
+  note(Line::if_reflective, depth, [&] { return Decided{holds, Rgbd(at.reflection)}; });
+  return holds;
+}
+
+template <class Policy>
+bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
+  const bool holds = !is_black(at.transmission);
+  const bool total = at.surface->transmits && at.refraction.total();
+  if (total) ++statistics_.ends(Ending::total_internal_reflection);
+  note(Line::if_transparent, depth, [&] {
+    return Decided{holds, Rgbd(at.transmission),
+                   total ? std::optional(Ending::total_internal_reflection) : std::nullopt};
+  });
+  return holds;
+}
+
+template <class Policy>
+auto Tracer<Policy>::form_reflect_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
+  const Vec3<T> direction = normalize(reflect(ray.ray.direction, at.normal));
+  return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection);
+}
+
+template <class Policy>
+auto Tracer<Policy>::form_refract_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
+  // decide_transparent saw a weight, so the refraction is not total and the direction exists.
+  const Vec3<T> direction = normalize(*refract(ray.ray.direction, at.normal, at.refraction));
+  return form_secondary_ray(Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission);
+}
+
+/// Both limits are tested before the ray is formed.
+template <class Policy>
+auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
+                                        const Vec3<T>& direction, const Rgb<T>& weight) -> std::optional<Traced> {
+  const Rgb<T> share = parent.share * weight;
+  const bool too_deep = depth + 1 > world_.depth;
+  if (too_deep || max_component(share) < world_.threshold) {
+    const Ending why = too_deep ? Ending::depth : Ending::threshold;
+    ++statistics_.ends(why);
+    note(line, depth, [&] {
+      return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(direction), Rgbd(share)};
+    });
+    return std::nullopt;
+  }
+  const Traced formed{{at.position, direction, at.departure}, kind, share, rays_formed_++};
+  ++statistics_.formed(kind);
+  note(line, depth, [&] {
+    RayFormed event{formed.number, parent.number, kind, Vec3d(at.position), Vec3d(direction), Rgbd(share), -1, {}};
+    if (kind == RayKind::refract) {
+      const Refraction<T>& r = at.refraction;
+      event.snell = SnellNumbers{static_cast<double>(at.n1), static_cast<double>(at.n2),
+                                 static_cast<double>(r.cos_in), static_cast<double>(r.cos_out),
+                                 static_cast<double>(r.fresnel)};
+    }
+    return event;
+  });
+  return formed;
+}
+
+template <class Policy>
+auto Tracer<Policy>::compute_rtnshade(int depth, const Shading& at, const Direct& direct, const Rgb<T>& reflected,
+                                      const Rgb<T>& refracted) -> Rgb<T> {
+  const Rgb<T> ambient = at.ambient * world_.ambient;
+  const Rgb<T> total = ambient + at.surface->emission + direct.sum + reflected + refracted;
+  if constexpr (Observer::watches)
+    note(Line::compute_rtnshade, depth, [&] {
+      return ShadeComputed{Rgbd(ambient),   Rgbd(at.surface->emission), direct.terms,
+                           Rgbd(reflected), Rgbd(refracted),            Rgbd(total)};
+    });
+  return total;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,59 @@
+#include "trace/world.h"
+
+namespace raywalk {
+
+namespace {
+
+template <class T>
+typename World<T>::Surface surface_of(const Material& m) {
+  typename World<T>::Surface surface{
+      Rgb<T>(m.ambient),         Rgb<T>(m.diffuse),
+      Rgb<T>(m.specular),        Rgb<T>(m.reflection),
+      Rgb<T>(m.transmission),    Rgb<T>(m.emission),
+      static_cast<T>(m.shininess), static_cast<T>(m.ior),
+      m.dielectric,              m.transmits(),
+      m.shadow == ShadowKind::filtered && m.transmits(), {}};
+  if (m.checker)
+    surface.checker = {Rgb<T>(m.checker->even), Rgb<T>(m.checker->odd), static_cast<T>(m.checker->size)};
+  return surface;
+}
+
+template <class T>
+typename World<T>::Lamp lamp_of(int index, const Light& light) {
+  typename World<T>::Lamp lamp{index, Rgb<T>(light.strength), false, Vec3<T>(0), 1, 0, 0};
+  if (const auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
+    lamp.directional = true;
+    lamp.place = Vec3<T>(normalize(sun->direction));
+  } else if (const auto* point = std::get_if<PointLight>(&light.kind)) {
+    lamp.place = Vec3<T>(point->position);
+    lamp.constant = static_cast<T>(point->attenuation.constant);
+    lamp.linear = static_cast<T>(point->attenuation.linear);
+    lamp.quadratic = static_cast<T>(point->attenuation.quadratic);
+  }
+  return lamp;
+}
+
+}  // namespace
+
+template <class T>
+World<T>::World(const Scene& scene)
+    : background(scene.background),
+      ambient(scene.ambient),
+      depth(scene.limits.depth),
+      threshold(static_cast<T>(scene.limits.threshold)),
+      effects(effects_of(scene)) {
+  std::vector<Shape<T>> shapes;
+  for (const Object& object : scene.objects) {
+    shapes.push_back(shape_cast<T>(object.shape));
+    surfaces.push_back(surface_of<T>(object.material));
+    some_filter_shadows = some_filter_shadows || surfaces.back().filters_shadows;
+  }
+  primitives = List<T>(std::move(shapes));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (!is_black(scene.lights[i].strength)) lamps.push_back(lamp_of<T>(static_cast<int>(i), scene.lights[i]));
+}
+
+template struct World<float>;
+template struct World<double>;
+
+}  // namespace raywalk

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "accel/list.h"
+#include "scene/effects.h"
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace raywalk {
+
+/// A scene made ready for tracing in scalar type T: every number rounded once, primitives in their accelerator.
+/// The primitive's id is the object's index in the scene.
+template <class T>
+struct World {
+  struct Pattern {
+    Rgb<T> even, odd;
+    T size;
+  };
+
+  struct Surface {
+    Rgb<T> ambient, diffuse, specular, reflection, transmission, emission;
+    T shininess, ior;
+    bool dielectric, transmits, filters_shadows;
+    std::optional<Pattern> checker;
+  };
+
+  struct Lamp {
+    int index;                ///< in Scene::lights
+    Rgb<T> strength;          ///< not black: those are left out
+    bool directional;
+    Vec3<T> place;            ///< position, or unit direction from any surface to a directional light
+    T constant, linear, quadratic;
+  };
+
+  explicit World(const Scene& scene);
+
+  List<T> primitives;
+  std::vector<Surface> surfaces;
+  std::vector<Lamp> lamps;
+  Rgb<T> background, ambient;
+  int depth;
+  T threshold;
+  Effects effects;
+  bool some_filter_shadows = false;
+
+  [[nodiscard]] const Surface& surface(int primitive) const { return surfaces[static_cast<std::size_t>(primitive)]; }
+};
+
+extern template struct World<float>;
+extern template struct World<double>;
+
+}  // namespace raywalk
