@@ -17,7 +17,8 @@ struct RandomKey {
 
 namespace detail {
 
-/// The finalizer of SplitMix64 (G. Steele, D. Lea and C. Flood 2014): a bijection that mixes every bit into every other.
+/// The finalizer of SplitMix64 (G. Steele, D. Lea and C. Flood 2014): a bijection that mixes every bit into every
+/// other.
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -6,17 +6,28 @@ namespace raywalk {
 
 std::string_view effect_name(Effect effect) {
   switch (effect) {
-    case Effect::shadows: return "shadows";
-    case Effect::reflection: return "reflection";
-    case Effect::refraction: return "refraction";
-    case Effect::gloss: return "gloss";
-    case Effect::translucency: return "translucency";
-    case Effect::penumbra: return "penumbra";
-    case Effect::depth_of_field: return "depth_of_field";
-    case Effect::motion_blur: return "motion_blur";
-    case Effect::antialiasing: return "antialiasing";
-    case Effect::indirect_light: return "indirect_light";
-    case Effect::textures: return "textures";
+    case Effect::shadows:
+      return "shadows";
+    case Effect::reflection:
+      return "reflection";
+    case Effect::refraction:
+      return "refraction";
+    case Effect::gloss:
+      return "gloss";
+    case Effect::translucency:
+      return "translucency";
+    case Effect::penumbra:
+      return "penumbra";
+    case Effect::depth_of_field:
+      return "depth_of_field";
+    case Effect::motion_blur:
+      return "motion_blur";
+    case Effect::antialiasing:
+      return "antialiasing";
+    case Effect::indirect_light:
+      return "indirect_light";
+    case Effect::textures:
+      return "textures";
   }
   return "";
 }
@@ -43,22 +54,22 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   Effects effects;
   const bool lit = std::any_of(scene.lights.begin(), scene.lights.end(),
                                [](const Light& light) { return !is_black(light.strength); });
-  effects[Effect::shadows] = !lit                    ? EffectUse{false, "none: no light shines"}
-                             : scene.objects.empty() ? EffectUse{false, "none: nothing casts or catches a shadow"}
-                                                     : EffectUse{true, scene.lights.front().name + " shines on objects"};
-  effects[Effect::refraction] = use_if(
-      scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
+  effects[Effect::shadows] = !lit ? EffectUse{false, "none: no light shines"}
+                             : scene.objects.empty()
+                                 ? EffectUse{false, "none: nothing casts or catches a shadow"}
+                                 : EffectUse{true, scene.lights.front().name + " shines on objects"};
+  effects[Effect::refraction] =
+      use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
   effects[Effect::reflection] =
       use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
   if (!effects.used(Effect::reflection) && effects.used(Effect::refraction))
     effects[Effect::reflection] =
         use_if(scene, [](const Material& m) { return m.transmits(); }, "can reflect totally inside", "");
-  effects[Effect::textures] =
-      use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "no material has a pattern");
+  effects[Effect::textures] = use_if(
+      scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "no material has a pattern");
   effects[Effect::antialiasing] =
-      samples_per_pixel > 1
-          ? EffectUse{true, std::to_string(samples_per_pixel) + " samples are taken in each pixel"}
-          : EffectUse{false, "none: one sample in the centre of each pixel"};
+      samples_per_pixel > 1 ? EffectUse{true, std::to_string(samples_per_pixel) + " samples are taken in each pixel"}
+                            : EffectUse{false, "none: one sample in the centre of each pixel"};
   effects[Effect::gloss] = {false, "none: every mirror is sharp"};
   effects[Effect::translucency] = {false, "none: every transmitter is clear"};
   effects[Effect::penumbra] = {false, "none: every light is a point or a direction"};

@@ -7,7 +7,9 @@ namespace raywalk {
 namespace {
 
 /// A sphere meets the plan with level normals only if its centre lies there.
-bool is_planar(const Sphere<double>& sphere) { return sphere.centre.z == 0 || std::abs(sphere.centre.z) > sphere.radius; }
+bool is_planar(const Sphere<double>& sphere) {
+  return sphere.centre.z == 0 || std::abs(sphere.centre.z) > sphere.radius;
+}
 
 /// A plane must stand upright, or lie level and off the plan.
 bool is_planar(const Plane<double>& plane) {

@@ -10,8 +10,7 @@ namespace {
 
 /// Sign of the turn from a over b to c: > 0 left. The products are exact in double-double.
 int turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-  const DoubleDouble ux = two_sum(b.x, -a.x), uy = two_sum(b.y, -a.y), vx = two_sum(c.x, -a.x),
-                     vy = two_sum(c.y, -a.y);
+  const DoubleDouble ux = two_sum(b.x, -a.x), uy = two_sum(b.y, -a.y), vx = two_sum(c.x, -a.x), vy = two_sum(c.y, -a.y);
   const DoubleDouble area = ux * vy - uy * vx;
   return area.hi > 0 ? 1 : area.hi < 0 ? -1 : 0;
 }

@@ -17,12 +17,12 @@ inline constexpr int ray_kind_count = 4;
 
 /// Why a ray ended, or why it was not formed. A formed ray ends in one of the first four.
 enum class Ending {
-  hit,            ///< met a surface, which was shaded
-  missed,         ///< left the scene: background
-  blocked,        ///< shadow ray: something stands before the light
-  reached_light,  ///< shadow ray: nothing does
-  depth,          ///< not formed: its SHADE would be deeper than the limit
-  threshold,      ///< not formed: its share of the pixel would be below the threshold
+  hit,                        ///< met a surface, which was shaded
+  missed,                     ///< left the scene: background
+  blocked,                    ///< shadow ray: something stands before the light
+  reached_light,              ///< shadow ray: nothing does
+  depth,                      ///< not formed: its SHADE would be deeper than the limit
+  threshold,                  ///< not formed: its share of the pixel would be below the threshold
   total_internal_reflection,  ///< not formed: no refracted direction exists
   path_length,                ///< not formed: the path is as long as the path tracer allows
   facing_away,                ///< not formed: the light is behind the surface
@@ -44,9 +44,9 @@ using IntersectionNumbers = std::variant<std::monostate, QuadraticNumbers, Plane
 
 /// Snell's law at a surface: n1 sin(in) = n2 sin(out).
 struct SnellNumbers {
-  double n1, n2;            ///< indices on the ray's side and beyond
-  double cos_in, cos_out;   ///< cosines to the normal, >= 0
-  double fresnel;           ///< unpolarised reflectance; 1 under total internal reflection
+  double n1, n2;           ///< indices on the ray's side and beyond
+  double cos_in, cos_out;  ///< cosines to the normal, >= 0
+  double fresnel;          ///< unpolarised reflectance; 1 under total internal reflection
 };
 
 /// for_each_pixel: a sample of a pixel begins.
@@ -61,7 +61,8 @@ struct RayFormed {
   RayKind kind;
   Vec3d origin, direction;  ///< a shadow ray's direction to a point light reaches it at t = 1; else unit length
   Rgbd share;
-  int light = -1;                     ///< shadow rays: index of the light
+  int light = -1;                       ///< shadow rays: index of the light
+  bool light_at_end = false;            ///< shadow rays: origin + direction is the light itself
   std::optional<SnellNumbers> snell{};  ///< refract rays
 };
 
@@ -90,7 +91,7 @@ struct Found {
 /// if_*.
 struct Decided {
   bool holds;
-  Rgbd weight{0.0};           ///< kr' or kt'; unused in MAIN ALGORITHM
+  Rgbd weight{0.0};             ///< kr' or kt'; unused in MAIN ALGORITHM
   std::optional<Ending> why{};  ///< total_internal_reflection when that is why nothing is transmitted
 };
 

@@ -10,6 +10,9 @@
 
 namespace raywalk {
 
+/// The scalar type that a trace runs in: 24 or 53 bits.
+enum class Precision { float_, double_ };
+
 /// The pixels of a rectangle, row by row; with `stride` > 1 only every so manieth column and row, from the first.
 struct PixelBlock {
   int column_begin = 0, column_end = 0, row_begin = 0, row_end = 0;

@@ -16,11 +16,11 @@ template <class T>
 /// A unit ray meets a surface between indices n1 (its side) and n2. The normal faces the ray.
 template <class T>
 struct Refraction {
-  T eta;       ///< n1 / n2
-  T cos_in;    ///< cosine of the incidence, in 0..1
-  T k;         ///< squared cosine beyond; < 0: total internal reflection. Exactly 0 is still refracted, along the surface
-  T cos_out;   ///< sqrt(k), or 0
-  T fresnel;   ///< unpolarised reflectance, in 0..1
+  T eta;     ///< n1 / n2
+  T cos_in;  ///< cosine of the incidence, in 0..1
+  T k;       ///< squared cosine beyond; < 0: total internal reflection. Exactly 0 is still refracted, along the surface
+  T cos_out;  ///< sqrt(k), or 0
+  T fresnel;  ///< unpolarised reflectance, in 0..1
 
   [[nodiscard]] bool total() const { return k < 0; }
 };

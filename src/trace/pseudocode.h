@@ -63,8 +63,10 @@ inline constexpr std::array<PseudocodeLine, line_count> pseudocode{{
 
 [[nodiscard]] constexpr std::string_view procedure_title(Procedure procedure) {
   switch (procedure) {
-    case Procedure::main_algorithm: return "MAIN ALGORITHM";
-    case Procedure::shade: return "SHADE (DEPTH, RTNSHADE)";
+    case Procedure::main_algorithm:
+      return "MAIN ALGORITHM";
+    case Procedure::shade:
+      return "SHADE (DEPTH, RTNSHADE)";
   }
   return "";
 }

@@ -60,11 +60,8 @@ class RayGenerator {
  private:
   /// From the pixel's centre, in half pixels, each in [-1, 1).
   [[nodiscard]] Vec2<T> offset(const Pixel& pixel) const {
-    RandomKey key{sampling_.seed,
-                  2 * pixel.column + 1 - size_.width,
-                  2 * pixel.row + 1 - size_.height,
-                  static_cast<std::uint32_t>(pixel.sample),
-                  static_cast<std::uint32_t>(Effect::antialiasing)};
+    RandomKey key{sampling_.seed, 2 * pixel.column + 1 - size_.width, 2 * pixel.row + 1 - size_.height,
+                  static_cast<std::uint32_t>(pixel.sample), static_cast<std::uint32_t>(Effect::antialiasing)};
     const T u = random_unit<T>(key);
     key.dimension = 1;
     const T v = random_unit<T>(key);

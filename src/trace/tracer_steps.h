@@ -28,13 +28,9 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
   const Shape<T>& shape = world.primitives.shape(hit.primitive);
   const SurfacePoint<T> point = surface_at(shape, ray, Crossing<T>{hit.t, hit.part});
   Explanation explanation;
-  static_cast<void>(
-      intersect(shape, ray, infinity<T>, List<T>::departed_part(ray, hit.primitive), explanation));
-  return {ray_number,    ending,
-          static_cast<double>(hit.t), hit.primitive,
-          hit.part,      Vec3d(point.position),
-          Vec3d(point.normal), Rgbd(1.0),
-          explanation.numbers};
+  static_cast<void>(intersect(shape, ray, infinity<T>, List<T>::departed_part(ray, hit.primitive), explanation));
+  return {ray_number,          ending,    static_cast<double>(hit.t), hit.primitive, hit.part, Vec3d(point.position),
+          Vec3d(point.normal), Rgbd(1.0), explanation.numbers};
 }
 
 template <class T>
@@ -48,12 +44,12 @@ template <class Policy>
 struct Tracer<Policy>::Shading {
   Departure departure;  ///< of the rays that leave from here
   Vec3<T> position;
-  Vec3<T> normal;    ///< unit length, on the side the ray came from
+  Vec3<T> normal;  ///< unit length, on the side the ray came from
   const Surface* surface;
   Rgb<T> ambient, diffuse;          ///< with the pattern's colour
   Rgb<T> reflection, transmission;  ///< kr' and kt'
   T n1 = 1, n2 = 1;
-  Refraction<T> refraction{};       ///< where the surface transmits
+  Refraction<T> refraction{};  ///< where the surface transmits
 };
 
 template <class Policy>
@@ -120,8 +116,13 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
   const Surface& surface = world_.surface(hit.primitive);
   const SurfacePoint<T> point = surface_at(shape, ray.ray, Crossing<T>{hit.t, hit.part});
   const bool entering = dot(point.normal, ray.ray.direction) < 0;
-  Shading at{{hit.primitive, hit.part}, point.position,     entering ? point.normal : -point.normal, &surface,
-             surface.ambient,           surface.diffuse,    surface.reflection,
+  Shading at{{hit.primitive, hit.part},
+             point.position,
+             entering ? point.normal : -point.normal,
+             &surface,
+             surface.ambient,
+             surface.diffuse,
+             surface.reflection,
              surface.transmission};
   if constexpr (Policy::effects.textures) {
     if (surface.checker) {
@@ -157,7 +158,7 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
   if (!(dot(at.normal, to_light) > 0)) {
     ++statistics_.ends(Ending::facing_away);
     note(Line::form_shadow_ray, depth, [&] {
-      return RayNotFormed{ray.number,          RayKind::shadow, Ending::facing_away, Vec3d(at.position),
+      return RayNotFormed{ray.number,      RayKind::shadow, Ending::facing_away, Vec3d(at.position),
                           Vec3d(to_light), Rgbd(ray.share), lamp.index};
     });
     return std::nullopt;
@@ -165,8 +166,8 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
   const Traced shadow{{at.position, to_light, at.departure}, RayKind::shadow, ray.share, rays_formed_++};
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
-    return RayFormed{shadow.number,   ray.number,       RayKind::shadow, Vec3d(at.position),
-                     Vec3d(to_light), Rgbd(ray.share), lamp.index,      {}};
+    return RayFormed{shadow.number,   ray.number,      RayKind::shadow, Vec3d(at.position),
+                     Vec3d(to_light), Rgbd(ray.share), lamp.index,      !lamp.directional};
   });
   return shadow;
 }
@@ -177,15 +178,12 @@ auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const La
   const T t_max = lamp.directional ? infinity<T> : T(1);
   const auto opaque = [&](int primitive) { return !world_.surface(primitive).filters_shadows; };
   const bool blocked = world_.primitives.any(shadow.ray, t_max, statistics_.tests, opaque);
-  const Rgb<T> passed = blocked                        ? Rgb<T>(0)
-                        : world_.some_filter_shadows ? light_passed(shadow.ray, t_max)
-                                                     : Rgb<T>(1);
+  const Rgb<T> passed = blocked ? Rgb<T>(0) : world_.some_filter_shadows ? light_passed(shadow.ray, t_max) : Rgb<T>(1);
   ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
   note(Line::find_intersection, depth, [&] {
     // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
     TestCounts uncounted;
-    const Nearest blocker =
-        blocked ? world_.primitives.closest(shadow.ray, t_max, uncounted, opaque) : std::nullopt;
+    const Nearest blocker = blocked ? world_.primitives.closest(shadow.ray, t_max, uncounted, opaque) : std::nullopt;
     Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
                           : Found{shadow.number, Ending::reached_light};
     found.passed = Rgbd(passed);
@@ -278,20 +276,18 @@ auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at,
   if (too_deep || max_component(share) < world_.threshold) {
     const Ending why = too_deep ? Ending::depth : Ending::threshold;
     ++statistics_.ends(why);
-    note(line, depth, [&] {
-      return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(direction), Rgbd(share)};
-    });
+    note(line, depth,
+         [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(direction), Rgbd(share)}; });
     return std::nullopt;
   }
   const Traced formed{{at.position, direction, at.departure}, kind, share, rays_formed_++};
   ++statistics_.formed(kind);
   note(line, depth, [&] {
-    RayFormed event{formed.number, parent.number, kind, Vec3d(at.position), Vec3d(direction), Rgbd(share), -1, {}};
+    RayFormed event{formed.number, parent.number, kind, Vec3d(at.position), Vec3d(direction), Rgbd(share)};
     if (kind == RayKind::refract) {
       const Refraction<T>& r = at.refraction;
-      event.snell = SnellNumbers{static_cast<double>(at.n1), static_cast<double>(at.n2),
-                                 static_cast<double>(r.cos_in), static_cast<double>(r.cos_out),
-                                 static_cast<double>(r.fresnel)};
+      event.snell = SnellNumbers{static_cast<double>(at.n1), static_cast<double>(at.n2), static_cast<double>(r.cos_in),
+                                 static_cast<double>(r.cos_out), static_cast<double>(r.fresnel)};
     }
     return event;
   });
@@ -305,8 +301,8 @@ auto Tracer<Policy>::compute_rtnshade(int depth, const Shading& at, const Direct
   const Rgb<T> total = ambient + at.surface->emission + direct.sum + reflected + refracted;
   if constexpr (Observer::watches)
     note(Line::compute_rtnshade, depth, [&] {
-      return ShadeComputed{Rgbd(ambient),   Rgbd(at.surface->emission), direct.terms,
-                           Rgbd(reflected), Rgbd(refracted),            Rgbd(total)};
+      return ShadeComputed{Rgbd(ambient), Rgbd(at.surface->emission), direct.terms, Rgbd(reflected), Rgbd(refracted),
+                           Rgbd(total)};
     });
   return total;
 }

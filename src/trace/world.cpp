@@ -6,15 +6,19 @@ namespace {
 
 template <class T>
 typename World<T>::Surface surface_of(const Material& m) {
-  typename World<T>::Surface surface{
-      Rgb<T>(m.ambient),         Rgb<T>(m.diffuse),
-      Rgb<T>(m.specular),        Rgb<T>(m.reflection),
-      Rgb<T>(m.transmission),    Rgb<T>(m.emission),
-      static_cast<T>(m.shininess), static_cast<T>(m.ior),
-      m.dielectric,              m.transmits(),
-      m.shadow == ShadowKind::filtered && m.transmits(), {}};
-  if (m.checker)
-    surface.checker = {Rgb<T>(m.checker->even), Rgb<T>(m.checker->odd), static_cast<T>(m.checker->size)};
+  typename World<T>::Surface surface{Rgb<T>(m.ambient),
+                                     Rgb<T>(m.diffuse),
+                                     Rgb<T>(m.specular),
+                                     Rgb<T>(m.reflection),
+                                     Rgb<T>(m.transmission),
+                                     Rgb<T>(m.emission),
+                                     static_cast<T>(m.shininess),
+                                     static_cast<T>(m.ior),
+                                     m.dielectric,
+                                     m.transmits(),
+                                     m.shadow == ShadowKind::filtered && m.transmits(),
+                                     {}};
+  if (m.checker) surface.checker = {Rgb<T>(m.checker->even), Rgb<T>(m.checker->odd), static_cast<T>(m.checker->size)};
   return surface;
 }
 

@@ -25,10 +25,10 @@ struct World {
   };
 
   struct Lamp {
-    int index;                ///< in Scene::lights
-    Rgb<T> strength;          ///< not black: those are left out
+    int index;        ///< in Scene::lights
+    Rgb<T> strength;  ///< not black: those are left out
     bool directional;
-    Vec3<T> place;            ///< position, or unit direction from any surface to a directional light
+    Vec3<T> place;  ///< position, or unit direction from any surface to a directional light
     T constant, linear, quadratic;
   };
 

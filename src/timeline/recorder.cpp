@@ -1,0 +1,38 @@
+#include "timeline/recorder.h"
+
+namespace raywalk {
+
+namespace {
+
+template <class T>
+Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, PixelBlock block, const Sampling& sampling) {
+  const World<T> world(scene);
+  const RayGenerator<T> camera(scene.camera, size, whole, sampling);
+  Recorder recorder;
+  for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample)
+    trace_watched(world, camera, block, [](const Pixel&, const Rgb<T>&) {}, recorder);
+  return recorder.take();
+}
+
+Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
+  switch (how.precision) {
+    case Precision::float_:
+      return record_in<float>(scene, size, whole, block, how.sampling);
+    case Precision::double_:
+      return record_in<double>(scene, size, whole, block, how.sampling);
+  }
+  return {};
+}
+
+}  // namespace
+
+Timeline record_strip(const Scene& scene, const Recording& how) {
+  const int cells = scene.camera.screen.cells;
+  return record(scene, {cells, 1}, scene.image, {0, cells, 0, 1}, how);
+}
+
+Timeline record_pixel(const Scene& scene, ImageSize size, int column, int row, const Recording& how) {
+  return record(scene, size, size, {column, column + 1, row, row + 1}, how);
+}
+
+}  // namespace raywalk

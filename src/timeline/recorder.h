@@ -1,0 +1,29 @@
+#pragma once
+
+#include "timeline/timeline.h"
+#include "trace/kernel.h"
+
+namespace raywalk {
+
+/// An observer that keeps every event.
+class Recorder : public Observer {
+ public:
+  void record(Event&& event) override { events_.push_back(std::move(event)); }
+  [[nodiscard]] Timeline take() { return Timeline(std::move(events_)); }
+
+ private:
+  std::vector<Event> events_;
+};
+
+struct Recording {
+  Precision precision = Precision::double_;
+  Sampling sampling{};
+};
+
+/// The whole strip, from its first cell to its last: row 0 of an image cells x 1, which is the middle row of every
+/// image an odd multiple as wide.
+[[nodiscard]] Timeline record_strip(const Scene& scene, const Recording& how = {});
+/// One pixel of the scene's image of the given size; 0 <= column < width, 0 <= row < height.
+[[nodiscard]] Timeline record_pixel(const Scene& scene, ImageSize size, int column, int row, const Recording& how = {});
+
+}  // namespace raywalk

@@ -1,0 +1,171 @@
+#include "timeline/timeline.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+}  // namespace
+
+/// Reads the events once, in order, keeping what is under way.
+Timeline::Timeline(std::vector<Event> events) : events_(std::move(events)) {
+  moments_.reserve(events_.size() + 1);
+  std::vector<int> record_of_ray;  // the recording's ray number -> index in rays_, which also holds stubs
+  int innermost = -1;              // SHADE under way
+  int pixel = -1;
+
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    const Event& event = events_[i];
+    const int after = static_cast<int>(i) + 1;
+    const int executing = innermost;
+    int ray = executing >= 0 ? frames_[static_cast<std::size_t>(executing)].ray : moments_.back().ray;
+
+    const auto add_ray = [&](RayRecord record) {
+      record.pixel = pixel;
+      record.depth = event.depth;
+      record.frame = executing;
+      record.formed_at = after;
+      ray = static_cast<int>(rays_.size());
+      rays_.push_back(record);
+    };
+    const auto index_of = [&](int number) { return record_of_ray[static_cast<std::size_t>(number)]; };
+    const auto parent_of = [&](int number) { return number < 0 ? -1 : index_of(number); };
+
+    std::visit(Overloaded{
+                   [&](const PixelBegun& begun) {
+                     pixel = static_cast<int>(pixels_.size());
+                     pixels_.push_back({begun.column, begun.row, begun.sample, after, after, Rgbd(0.0)});
+                     ray = -1;
+                   },
+                   [&](const RayFormed& formed) {
+                     RayRecord record;
+                     record.kind = formed.kind;
+                     record.parent = parent_of(formed.parent);
+                     record.origin = formed.origin;
+                     record.direction = formed.direction;
+                     record.endless = !formed.light_at_end;
+                     record.end = formed.origin + (record.endless ? normalize(formed.direction) : formed.direction);
+                     record.light = formed.light;
+                     record.share = formed.share;
+                     record.found_at = static_cast<int>(events_.size()) + 1;
+                     add_ray(record);
+                     record_of_ray.resize(std::max(record_of_ray.size(), static_cast<std::size_t>(formed.ray) + 1), -1);
+                     record_of_ray[static_cast<std::size_t>(formed.ray)] = ray;
+                   },
+                   [&](const RayNotFormed& stub) {
+                     RayRecord record;
+                     record.formed = false;
+                     record.kind = stub.kind;
+                     record.ending = stub.why;
+                     record.parent = parent_of(stub.parent);
+                     record.origin = stub.origin;
+                     record.direction = stub.direction;
+                     const double size = length(stub.direction);
+                     record.end = size > 0 ? stub.origin + stub.direction / size : stub.origin;
+                     record.light = stub.light;
+                     record.share = stub.share;
+                     record.found_at = after;
+                     add_ray(record);
+                   },
+                   [&](const Found& found) {
+                     ray = index_of(found.ray);
+                     RayRecord& record = rays_[static_cast<std::size_t>(ray)];
+                     record.ending = found.ending;
+                     record.found_at = after;
+                     record.passed = found.passed;
+                     record.object = found.object;
+                     record.part = found.part;
+                     if (found.object >= 0) {
+                       record.end = found.point;
+                       record.normal = found.normal;
+                       record.endless = false;
+                     }
+                   },
+                   [&](const Decided&) {},
+                   [&](const ShadeCalled& called) {
+                     ray = index_of(called.ray);
+                     if (called.missed) return;
+                     const int frame = static_cast<int>(frames_.size());
+                     frames_.push_back({innermost, event.depth + 1, ray, after, after, Rgbd(0.0)});
+                     rays_[static_cast<std::size_t>(ray)].shade = frame;
+                     innermost = frame;
+                   },
+                   [&](const ShadeComputed& computed) {
+                     FrameRecord& frame = frames_[static_cast<std::size_t>(innermost)];
+                     frame.returned = computed.total;
+                     frame.returned_at = after;
+                     innermost = frame.parent;
+                   },
+                   [&](const PixelPut& put) {
+                     pixels_.back().shade = put.shade;
+                     pixels_.back().done_at = after;
+                   },
+               },
+               event.detail);
+    moments_.push_back({static_cast<int>(rays_.size()), ray, executing, innermost, pixel});
+  }
+}
+
+const Event* Timeline::just_run(int position) const { return position > 0 ? &event(position - 1) : nullptr; }
+
+const Event* Timeline::next(int position) const { return position < steps() ? &event(position) : nullptr; }
+
+std::span<const RayRecord> Timeline::rays_at(int position) const {
+  return std::span(rays_).first(static_cast<std::size_t>(moment(position).rays));
+}
+
+int Timeline::current_ray(int position) const { return moment(position).ray; }
+
+int Timeline::current_frame(int position) const { return moment(position).frame; }
+
+int Timeline::current_pixel(int position) const { return moment(position).pixel; }
+
+std::vector<int> Timeline::stack(int position) const {
+  std::vector<int> calls;
+  for (int frame = moment(position).innermost; frame >= 0; frame = frames_[static_cast<std::size_t>(frame)].parent)
+    calls.push_back(frame);
+  return calls;
+}
+
+bool Timeline::pixel_done(int pixel, int position) const {
+  return pixels_[static_cast<std::size_t>(pixel)].done_at <= position;
+}
+
+Timeline::Range Timeline::rays_of_pixel(int pixel) const {
+  const PixelRecord& record = pixels_[static_cast<std::size_t>(pixel)];
+  return {moment(record.begun_at).rays, moment(record.done_at).rays};
+}
+
+int Timeline::next_ray(int position) const {
+  const auto formed = static_cast<std::size_t>(moment(position).rays);
+  return formed < rays_.size() ? rays_[formed].formed_at : steps();
+}
+
+int Timeline::previous_ray(int position) const {
+  // The last ray formed strictly before this position's own.
+  const auto before = std::lower_bound(rays_.begin(), rays_.end(), position,
+                                       [](const RayRecord& ray, int p) { return ray.formed_at < p; });
+  return before == rays_.begin() ? 0 : std::prev(before)->formed_at;
+}
+
+int Timeline::next_pixel(int position) const {
+  const auto next = std::upper_bound(pixels_.begin(), pixels_.end(), position,
+                                     [](int p, const PixelRecord& pixel) { return p < pixel.done_at; });
+  return next == pixels_.end() ? steps() : next->done_at;
+}
+
+int Timeline::previous_pixel(int position) const {
+  const auto before = std::lower_bound(pixels_.begin(), pixels_.end(), position,
+                                       [](const PixelRecord& pixel, int p) { return pixel.done_at < p; });
+  return before == pixels_.begin() ? 0 : std::prev(before)->done_at;
+}
+
+}  // namespace raywalk

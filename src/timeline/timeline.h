@@ -1,0 +1,115 @@
+#pragma once
+// The timeline: the recorded list of events of some pixels, and indices into it.
+//
+// A position k in 0..steps() means that the first k events have happened. The state at k is a pure function of them and
+// is answered here in constant time, without replay: a ray is drawn if it was formed before k, the call stack is a
+// chain of frames, a cell is filled if its pixel ended before k.
+
+#include "scene/scene.h"
+#include "trace/event.h"
+
+#include <span>
+#include <vector>
+
+namespace raywalk {
+
+/// A ray of the recording, or the stub of one that a limit forbade. Positions are those of the event's *end*: a ray
+/// formed by event i exists from position i + 1 on.
+struct RayRecord {
+  bool formed = true;  ///< false: a stub, which never was a ray
+  RayKind kind = RayKind::primary;
+  Ending ending = Ending::missed;
+  int parent = -1;                    ///< index in rays(); -1 for primary rays
+  int pixel = 0;                      ///< index in pixels()
+  int depth = 0;                      ///< DEPTH of the procedure that formed it: 0 for primary rays
+  int frame = -1;                     ///< index in frames() of the SHADE that formed it; -1 for MAIN ALGORITHM
+  int shade = -1;                     ///< index in frames() of the SHADE of its hit; -1 when there is none
+  Vec3d origin{0.0}, direction{0.0};  ///< direction as formed: see RayFormed
+  Vec3d end{0.0};  ///< where it ended: hit, blocker or light. For `endless` rays and stubs: origin + unit direction
+  bool endless = false;  ///< met nothing and has no light at its end: it goes on for ever
+  Vec3d normal{0.0};     ///< outward normal where it hit something
+  int object = -1;       ///< index in Scene::objects of what it hit, or of its blocker
+  int part = 0;
+  int light = -1;     ///< shadow rays: index in Scene::lights
+  Rgbd share{1.0};    ///< the largest part of the pixel it can bring
+  Rgbd passed{1.0};   ///< shadow rays: the share of the light that filtering objects let through
+  int formed_at = 0;  ///< position from which on it is drawn
+  int found_at = 0;   ///< position from which on its end is known
+};
+
+/// One execution of SHADE.
+struct FrameRecord {
+  int parent = -1;  ///< index in frames() of the suspended caller; -1 when MAIN ALGORITHM called
+  int depth = 1;
+  int ray = 0;                         ///< index in rays() of the ray that is shaded
+  int called_at = 0, returned_at = 0;  ///< positions: it is on the stack in [called_at, returned_at)
+  Rgbd returned{0.0};                  ///< RTNSHADE
+};
+
+/// One sample of one pixel.
+struct PixelRecord {
+  int column = 0, row = 0, sample = 0;
+  int begun_at = 0, done_at = 0;  ///< positions after "For each pixel" and after "Put final shade in pixel"
+  Rgbd shade{0.0};
+};
+
+class Timeline {
+ public:
+  Timeline() = default;
+  /// Takes the events of whole pixels, as the observed tracer told them, and indexes them.
+  explicit Timeline(std::vector<Event> events);
+
+  /// Number of events; positions run from 0 to this.
+  [[nodiscard]] int steps() const { return static_cast<int>(events_.size()); }
+  /// The event that leads from position i to i + 1.
+  [[nodiscard]] const Event& event(int i) const { return events_[static_cast<std::size_t>(i)]; }
+  /// The line that has just run at `position`; null at 0.
+  [[nodiscard]] const Event* just_run(int position) const;
+  /// The line that runs next; null at the end.
+  [[nodiscard]] const Event* next(int position) const;
+
+  [[nodiscard]] const std::vector<RayRecord>& rays() const { return rays_; }
+  [[nodiscard]] const std::vector<FrameRecord>& frames() const { return frames_; }
+  [[nodiscard]] const std::vector<PixelRecord>& pixels() const { return pixels_; }
+
+  /// The rays (and stubs) formed up to `position`: a prefix of rays().
+  [[nodiscard]] std::span<const RayRecord> rays_at(int position) const;
+  /// Index of the ray that the line just run speaks of (formed, found, called or returned with), or -1.
+  [[nodiscard]] int current_ray(int position) const;
+  /// Index of the SHADE that executes the line just run, or -1 in MAIN ALGORITHM.
+  [[nodiscard]] int current_frame(int position) const;
+  /// The stack of calls that have begun and not returned at `position`, innermost first.
+  [[nodiscard]] std::vector<int> stack(int position) const;
+  /// Index of the pixel under way at `position` (or just put); -1 at 0.
+  [[nodiscard]] int current_pixel(int position) const;
+  [[nodiscard]] bool pixel_done(int pixel, int position) const;
+
+  /// The rays (and stubs) of one pixel: the nodes of its ray tree, parents before children. A contiguous part of
+  /// rays(), [first, last).
+  struct Range {
+    int first = 0, last = 0;
+  };
+  [[nodiscard]] Range rays_of_pixel(int pixel) const;
+
+  // Grains. Each returns a position; at the ends it stays.
+  [[nodiscard]] int next_ray(int position) const;        ///< after the next ray (or stub) has been formed
+  [[nodiscard]] int previous_ray(int position) const;    ///< as it was when the ray before was formed, or the start
+  [[nodiscard]] int next_pixel(int position) const;      ///< after the pixel under way (or the next one) has been put
+  [[nodiscard]] int previous_pixel(int position) const;  ///< after the pixel before has been put, or the start
+
+ private:
+  /// What holds at a position, besides what the indices say.
+  struct Moment {
+    int rays = 0;  ///< formed so far
+    int ray = -1, frame = -1, innermost = -1, pixel = -1;
+  };
+  [[nodiscard]] const Moment& moment(int position) const { return moments_[static_cast<std::size_t>(position)]; }
+
+  std::vector<Event> events_;
+  std::vector<RayRecord> rays_;
+  std::vector<FrameRecord> frames_;
+  std::vector<PixelRecord> pixels_;
+  std::vector<Moment> moments_{1};  ///< steps() + 1
+};
+
+}  // namespace raywalk
