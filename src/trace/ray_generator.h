@@ -67,8 +67,10 @@ class RayGenerator {
     const T v = random_unit<T>(key);
     if (pixel.sample >= strata_ * strata_) return {2 * u - 1, 2 * v - 1};
     const T cells = static_cast<T>(strata_);
-    const T x = (static_cast<T>(pixel.sample % strata_) + u) / cells;
-    const T y = (static_cast<T>(pixel.sample / strata_) + v) / cells;
+    const int column = pixel.sample % strata_;
+    const int row = pixel.sample / strata_;
+    const T x = (static_cast<T>(column) + u) / cells;
+    const T y = (static_cast<T>(row) + v) / cells;
     return {2 * x - 1, 2 * y - 1};
   }
 
