@@ -1,16 +1,18 @@
 #include "io/error.h"
 
+#include <fmt/format.h>
+
 #include <system_error>
 
 namespace raywalk {
 
 std::string Error::text() const {
   std::string text = file;
-  if (line > 0) text += ":" + std::to_string(line);
-  if (line > 0 && column > 0) text += ":" + std::to_string(column);
+  if (line > 0) text += fmt::format(":{}", line);
+  if (line > 0 && column > 0) text += fmt::format(":{}", column);
   if (!text.empty()) text += ": ";
   text += message;
-  if (!hint.empty()) text += "\n  hint: " + hint;
+  if (!hint.empty()) text.append("\n  hint: ").append(hint);
   return text;
 }
 

@@ -1,0 +1,118 @@
+#include "io/scene_file.h"
+
+#include "io/file.h"
+#include "io/scene_reader.h"
+#include "io/toml_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+using detail::ReadLog;
+using detail::SceneReader;
+
+/// Meshes come in files of their own, so a larger scene file is a mistake.
+constexpr std::size_t most_bytes = std::size_t{16} << 20;
+
+/// Where a value stands, or the nearest table around it that the file has.
+toml::source_region place_of(const toml::table& root, std::string_view table, std::string_view key) {
+  const auto outer = root[table];
+  if (const auto inner = outer[key]) return inner.node()->source();
+  if (outer) return outer.node()->source();
+  return root.source();
+}
+
+void check_camera(const Camera& camera, const toml::table& root, ReadLog& log) {
+  if (camera.fov && camera.screen.width)
+    log.fail(place_of(root, "screen", "width"),
+             "width of [screen]: the camera's fov already gives the width of the picture (expected only one of them)",
+             "remove width from [screen] or fov from [camera]");
+  if (!camera.fov && !camera.screen.width)
+    log.fail(place_of(root, "camera", "fov"),
+             "the picture has no width (expected either fov in [camera] or width in [screen])",
+             "add fov = 45 to [camera]");
+  const Vec3d view = camera.look_at - camera.eye;
+  const double least = 1 / scene_keys::most_magnitude;
+  if (!(length(view) >= least))
+    return log.fail(place_of(root, "camera", "look_at"),
+                    "look_at of [camera] is the same point as eye (expected a point that the eye sees)",
+                    "move look_at to the middle of what is to be seen");
+  constexpr double least_sine = 1e-9;
+  if (length(cross(normalize(view), normalize(camera.up))) < least_sine)
+    log.fail(place_of(root, "camera", root["camera"]["up"] ? "up" : "look_at"),
+             "up of [camera] is parallel to the view (expected any other direction)",
+             "when looking straight down or up, give up = [0, 1, 0]");
+}
+
+void check_image(const ImageSize& image, const toml::table& root, ReadLog& log) {
+  constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+  if (std::int64_t{image.width} * image.height > most_pixels)
+    log.fail(
+        place_of(root, "image", "height"),
+        fmt::format("[image] has {} x {} pixels (expected at most {} in all)", image.width, image.height, most_pixels),
+        "make it narrower or lower");
+}
+
+void warn_of_bright_materials(const Scene& scene, const toml::table& root, ReadLog& log) {
+  const toml::array* tables = root["object"].as_array();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Material& m = scene.objects[i].material;
+    const double sum = max_component(m.diffuse + m.specular + m.reflection + m.transmission);
+    constexpr double rounding = 1e-9;  // 0.7 + 0.2 + 0.1 may come out above 1
+    if (sum > 1 + rounding)
+      log.warn(
+          tables->get(i)->source(),
+          fmt::format("{} sends out more light than it receives: diffuse + specular + reflection + transmission is "
+                      "{:.4g} in its largest channel (expected at most 1)",
+                      toml_text::quoted(scene.objects[i].name), sum));
+  }
+}
+
+Error syntax_error(const toml::parse_error& error, const std::string& file) {
+  return {file, static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column),
+          "this is not valid TOML: " + std::string(error.description()),
+          "a line is KEY = VALUE, [TABLE] or a # comment; text stands in \"quotes\", lists in [brackets]"};
+}
+
+}  // namespace
+
+Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name) {
+  if (text.size() > most_bytes)
+    return tl::unexpected(Error{
+        file_name, 0, 0, fmt::format("the file is too large for a scene (expected at most {} MiB)", most_bytes >> 20),
+        "is this the right file?"});
+  if (const auto fine = toml_text::check(text, file_name); !fine) return tl::unexpected(fine.error());
+  const toml::parse_result parsed = toml::parse(text, std::string_view(file_name));
+  if (!parsed) return tl::unexpected(syntax_error(parsed.error(), file_name));
+  const toml::table& root = parsed.table();
+
+  SceneDocument document;
+  document.text = text;
+  Scene& scene = document.scene;
+  scene.camera.screen.width.reset();  // given by the file, or by the angle
+  ReadLog log(file_name);
+  SceneReader reader(root, log, "");
+  scene_keys::describe(reader, scene);
+  reader.finish();
+  if (!log.error()) {
+    check_camera(scene.camera, root, log);
+    check_image(scene.image, root, log);
+    warn_of_bright_materials(scene, root, log);
+  }
+  if (log.error()) return tl::unexpected(*log.error());
+  document.warnings = log.warnings();
+  return document;
+}
+
+Result<SceneDocument> read_scene(const std::string& path) {
+  const auto text = read_file(path, most_bytes);
+  if (!text) return tl::unexpected(text.error());
+  return parse_scene(*text, path);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,195 @@
+#pragma once
+// The keys of the scene format, listed once, in the order in which they are written. `Fields` is told of every member
+// by its key and its rule: one kind of Fields reads them from TOML (scene_reader.cpp), one lists their values for
+// writing (scene_values.cpp), one only lists the keys (tests). A new member of a scene is one line here.
+
+#include "scene/scene.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace raywalk::scene_keys {
+
+enum class Presence { required, optional };
+using enum Presence;
+
+/// Which numbers a key takes. Every number is finite and at most `most_magnitude`, so that squares and products of a
+/// few of them do not overflow; a number that must be above 0 is at least 1 / most_magnitude.
+struct NumberRule {
+  std::string_view expected;  ///< completes "expected ..."
+  double low = 0, high = 0;
+  bool above_low = false;   ///< low itself is refused
+  bool below_high = false;  ///< high itself is refused
+  std::string_view hint{};
+};
+inline constexpr double most_magnitude = 1e15;
+
+inline constexpr NumberRule coordinate{
+    .expected = "a number",
+    .low = -most_magnitude,
+    .high = most_magnitude,
+    .hint = "in scene units: x to the right, y up, z towards the reader",
+};
+inline constexpr NumberRule above_zero{
+    .expected = "a number above 0",
+    .high = most_magnitude,
+    .above_low = true,
+    .hint = "such as 1 or 0.5",
+};
+inline constexpr NumberRule not_negative{
+    .expected = "a number that is 0 or more",
+    .high = most_magnitude,
+    .hint = "such as 0 or 0.5",
+};
+inline constexpr NumberRule light_amount{
+    .expected = "a number that is 0 or more",
+    .high = most_magnitude,
+    .hint = "one number is a grey, [red, green, blue] a colour; light is never negative",
+};
+inline constexpr NumberRule view_angle{
+    .expected = "an angle in degrees above 0 and below 180",
+    .high = 180,
+    .above_low = true,
+    .below_high = true,
+    .hint = "45 is a usual angle of view, 90 a very wide one",
+};
+
+struct WholeRule {
+  int low = 1, high = 1;
+};
+inline constexpr WholeRule cell_count{1, 10001}, pixel_count{1, 32768}, depth_count{1, 1000};
+
+/// The names of a choice's values in a scene file.
+template <class Value>
+struct Names;
+template <>
+struct Names<FovAxis> {
+  static constexpr std::array<std::pair<FovAxis, std::string_view>, 2> all{{{FovAxis::x, "x"}, {FovAxis::y, "y"}}};
+};
+template <>
+struct Names<ShadowKind> {
+  static constexpr std::array<std::pair<ShadowKind, std::string_view>, 2> all{
+      {{ShadowKind::opaque, "opaque"}, {ShadowKind::filtered, "filtered"}}};
+};
+
+/// What a variant's alternatives are called under `type`.
+constexpr std::string_view type_name(const PointLight& /*light*/) { return "point"; }
+constexpr std::string_view type_name(const DirectionalLight& /*light*/) { return "directional"; }
+constexpr std::string_view type_name(const Sphere<double>& /*shape*/) { return "sphere"; }
+constexpr std::string_view type_name(const Plane<double>& /*shape*/) { return "plane"; }
+constexpr std::string_view type_name(const Prism<double>& /*shape*/) { return "polygon"; }
+
+template <class Fields>
+void describe(Fields& f, FieldOfView& fov) {
+  f.number("fov", fov.degrees, view_angle, required);
+  f.choice("fov_axis", fov.axis);
+}
+
+template <class Fields>
+void describe(Fields& f, Camera& camera) {
+  f.point("eye", camera.eye, required);
+  f.point("look_at", camera.look_at, required);
+  f.direction("up", camera.up, optional);
+  f.together(camera.fov);
+}
+
+template <class Fields>
+void describe(Fields& f, Screen& screen) {
+  f.number("distance", screen.distance, above_zero, optional);
+  f.number_or_nothing("width", screen.width, above_zero);
+  f.whole("cells", screen.cells, cell_count);
+}
+
+template <class Fields>
+void describe(Fields& f, ImageSize& image) {
+  f.whole("width", image.width, pixel_count);
+  f.whole("height", image.height, pixel_count);
+}
+
+template <class Fields>
+void describe(Fields& f, TraceLimits& limits) {
+  f.whole("depth", limits.depth, depth_count);
+  f.number("threshold", limits.threshold, not_negative, optional);
+}
+
+template <class Fields>
+void describe(Fields& f, PointLight& light) {
+  f.point("position", light.position, required);
+  f.attenuation("attenuation", light.attenuation);
+}
+
+template <class Fields>
+void describe(Fields& f, DirectionalLight& light) {
+  f.direction("direction", light.direction, required);
+}
+
+template <class Fields>
+void describe(Fields& f, Light& light) {
+  f.name("name", light.name);
+  f.type("type", light.kind);
+  f.colour("strength", light.strength);
+}
+
+template <class Fields>
+void describe(Fields& f, Sphere<double>& sphere) {
+  f.point("centre", sphere.centre, required);
+  f.number("radius", sphere.radius, above_zero, required);
+}
+
+template <class Fields>
+void describe(Fields& f, Plane<double>& plane) {
+  f.point("point", plane.point, required);
+  f.direction("normal", plane.normal, required);
+}
+
+template <class Fields>
+void describe(Fields& f, Prism<double>& prism) {
+  f.corners("corners", prism.corners);
+  f.number("height", prism.height, above_zero, optional);
+}
+
+template <class Fields>
+void describe(Fields& f, Checker& checker) {
+  f.colour("even", checker.even);
+  f.colour("odd", checker.odd);
+  f.number("size", checker.size, above_zero, optional);
+}
+
+template <class Fields>
+void describe(Fields& f, Material& material) {
+  f.colour("ambient", material.ambient);
+  f.colour("diffuse", material.diffuse);
+  f.colour("specular", material.specular);
+  f.number("shininess", material.shininess, not_negative, optional);
+  f.colour("reflection", material.reflection);
+  f.colour("transmission", material.transmission);
+  f.number("ior", material.ior, above_zero, optional);
+  f.yes_or_no("dielectric", material.dielectric);
+  f.choice("shadow", material.shadow);
+  f.colour("emission", material.emission);
+  f.table_or_nothing("checker", material.checker);
+}
+
+template <class Fields>
+void describe(Fields& f, Object& object) {
+  f.name("name", object.name);
+  f.type("type", object.shape);
+  f.table("material", object.material, optional);
+}
+
+template <class Fields>
+void describe(Fields& f, Scene& scene) {
+  f.text("title", scene.title);
+  f.text("description", scene.description);
+  f.colour("background", scene.background);
+  f.colour("ambient", scene.ambient);
+  f.table("camera", scene.camera, required);
+  f.table("screen", scene.camera.screen, optional);
+  f.table("image", scene.image, optional);
+  f.table("limits", scene.limits, optional);
+  f.tables("light", scene.lights);
+  f.tables("object", scene.objects);
+}
+
+}  // namespace raywalk::scene_keys
