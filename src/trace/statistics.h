@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/list.h"
+#include "accel/query.h"
 #include "trace/event.h"
 
 #include <array>

@@ -28,7 +28,7 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
   const Shape<T>& shape = world.primitives.shape(hit.primitive);
   const SurfacePoint<T> point = surface_at(shape, ray, Crossing<T>{hit.t, hit.part});
   Explanation explanation;
-  static_cast<void>(intersect(shape, ray, infinity<T>, List<T>::departed_part(ray, hit.primitive), explanation));
+  static_cast<void>(intersect(shape, ray, infinity<T>, departed_part(ray, hit.primitive), explanation));
   return {ray_number,          ending,    static_cast<double>(hit.t), hit.primitive, hit.part, Vec3d(point.position),
           Vec3d(point.normal), Rgbd(1.0), explanation.numbers};
 }
@@ -176,14 +176,18 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
 template <class Policy>
 auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const Lamp& lamp) -> Rgb<T> {
   const T t_max = lamp.directional ? infinity<T> : T(1);
-  const auto opaque = [&](int primitive) { return !world_.surface(primitive).filters_shadows; };
-  const bool blocked = world_.primitives.any(shadow.ray, t_max, statistics_.tests, opaque);
-  const Rgb<T> passed = blocked ? Rgb<T>(0) : world_.some_filter_shadows ? light_passed(shadow.ray, t_max) : Rgb<T>(1);
+  const bool all_stop = world_.stops_shadows.empty();
+  const MarkedPrimitives stops{world_.stops_shadows};
+  const bool blocked = all_stop ? world_.primitives.any(shadow.ray, t_max, statistics_.tests)
+                                : world_.primitives.any(shadow.ray, t_max, statistics_.tests, stops);
+  const Rgb<T> passed = blocked ? Rgb<T>(0) : all_stop ? Rgb<T>(1) : light_passed(shadow.ray, t_max);
   ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
   note(Line::find_intersection, depth, [&] {
     // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
     TestCounts uncounted;
-    const Nearest blocker = blocked ? world_.primitives.closest(shadow.ray, t_max, uncounted, opaque) : std::nullopt;
+    const Nearest blocker = !blocked   ? std::nullopt
+                            : all_stop ? world_.primitives.closest(shadow.ray, t_max, uncounted)
+                                       : world_.primitives.closest(shadow.ray, t_max, uncounted, stops);
     Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
                           : Found{shadow.number, Ending::reached_light};
     found.passed = Rgbd(passed);
@@ -195,7 +199,7 @@ auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const La
 /// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission.
 template <class Policy>
 auto Tracer<Policy>::light_passed(const Ray<T>& shadow, T t_max) -> Rgb<T> {
-  const auto filters = [&](int primitive) { return world_.surface(primitive).filters_shadows; };
+  const MarkedPrimitives filters{world_.filters_shadows};
   constexpr int crossings_limit = 1000;  // coincident surfaces could otherwise hand a ray to and fro for ever
   Rgb<T> passed{1};
   Ray<T> rest = shadow;

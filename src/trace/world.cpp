@@ -1,5 +1,7 @@
 #include "trace/world.h"
 
+#include <algorithm>
+
 namespace raywalk {
 
 namespace {
@@ -37,22 +39,31 @@ typename World<T>::Lamp lamp_of(int index, const Light& light) {
   return lamp;
 }
 
+template <class T>
+std::vector<Shape<T>> shapes_of(const Scene& scene) {
+  std::vector<Shape<T>> shapes;
+  shapes.reserve(scene.objects.size());
+  for (const Object& object : scene.objects) shapes.push_back(shape_cast<T>(object.shape));
+  return shapes;
+}
+
 }  // namespace
 
 template <class T>
-World<T>::World(const Scene& scene)
-    : background(scene.background),
+World<T>::World(const Scene& scene, AcceleratorKind accelerator)
+    : primitives(shapes_of<T>(scene), accelerator),
+      background(scene.background),
       ambient(scene.ambient),
       depth(scene.limits.depth),
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)) {
-  std::vector<Shape<T>> shapes;
   for (const Object& object : scene.objects) {
-    shapes.push_back(shape_cast<T>(object.shape));
     surfaces.push_back(surface_of<T>(object.material));
-    some_filter_shadows = some_filter_shadows || surfaces.back().filters_shadows;
+    filters_shadows.push_back(surfaces.back().filters_shadows);
+    stops_shadows.push_back(!surfaces.back().filters_shadows);
   }
-  primitives = List<T>(std::move(shapes));
+  const bool all_stop = std::all_of(stops_shadows.begin(), stops_shadows.end(), [](auto stops) { return stops != 0; });
+  if (all_stop) filters_shadows.clear(), stops_shadows.clear();
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (!is_black(scene.lights[i].strength)) lamps.push_back(lamp_of<T>(static_cast<int>(i), scene.lights[i]));
 }

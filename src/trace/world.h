@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/list.h"
+#include "accel/accelerator.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
 
@@ -32,16 +32,17 @@ struct World {
     T constant, linear, quadratic;
   };
 
-  explicit World(const Scene& scene);
+  explicit World(const Scene& scene, AcceleratorKind accelerator = AcceleratorKind::automatic);
 
-  List<T> primitives;
+  Accelerator<T> primitives;
   std::vector<Surface> surfaces;
   std::vector<Lamp> lamps;
   Rgb<T> background, ambient;
   int depth;
   T threshold;
   Effects effects;
-  bool some_filter_shadows = false;
+  /// By primitive: whether it lets shadow rays through weighted, or stops them. Empty when all of them stop.
+  std::vector<std::uint8_t> filters_shadows, stops_shadows;
 
   [[nodiscard]] const Surface& surface(int primitive) const { return surfaces[static_cast<std::size_t>(primitive)]; }
 };

@@ -1,0 +1,161 @@
+#pragma once
+
+#include "accel/query.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raywalk {
+
+/// Bounding volume hierarchy: a binary tree of boxes over the primitives.
+///
+/// Built top down by the surface area heuristic over 16 bins (J. Goldsmith and J. Salmon 1987; I. Wald, "On fast
+/// construction of SAH-based bounding volume hierarchies", 2007). Traversed nearer child first; a subtree that begins
+/// behind the nearest crossing is skipped.
+template <class T>
+class Bvh {
+ public:
+  explicit Bvh(const Primitives<T>& primitives) : ids_(primitives.bounded) {
+    if (ids_.empty()) return;
+    nodes_.reserve(2 * ids_.size());
+    nodes_.push_back({primitives.whole, 0, static_cast<int>(ids_.size())});
+    split(0, primitives, 0);
+    nodes_.shrink_to_fit();
+  }
+
+  template <class Query>
+  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    for (const int id : primitives.unbounded)
+      if (query.test(primitives.shapes, id)) return;
+    if (nodes_.empty()) return;
+    const SlabRay<T> slabs(ray);
+    struct Entry {
+      int node;
+      T in;
+    };
+    std::array<Entry, max_depth + 1> waiting;
+    std::size_t count = 0;
+    const Stretch<T> root = clip(slabs, nodes_[0].box, {0, query.reach()});
+    if (root.empty()) return;
+    waiting[count++] = {0, root.in};
+    while (count > 0) {
+      const Entry entry = waiting[--count];
+      if (entry.in > query.reach()) continue;
+      const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
+      query.enter_node();
+      if (node.leaf()) {
+        for (int i = node.first; i < node.first + node.count; ++i)
+          if (query.test(primitives.shapes, ids_[static_cast<std::size_t>(i)])) return;
+        continue;
+      }
+      const Stretch<T> left = clip(slabs, nodes_[static_cast<std::size_t>(node.first)].box, {0, query.reach()});
+      const Stretch<T> right = clip(slabs, nodes_[static_cast<std::size_t>(node.first) + 1].box, {0, query.reach()});
+      const bool left_first = left.in <= right.in;
+      const Entry near{left_first ? node.first : node.first + 1, left_first ? left.in : right.in};
+      const Entry far{left_first ? node.first + 1 : node.first, left_first ? right.in : left.in};
+      if (!(left_first ? right : left).empty()) waiting[count++] = far;
+      if (!(left_first ? left : right).empty()) waiting[count++] = near;
+    }
+  }
+
+  [[nodiscard]] AcceleratorStatistics statistics() const {
+    return {nodes_.size(), ids_.size(), depth_, nodes_.size() * sizeof(Node) + ids_.size() * sizeof(int)};
+  }
+
+ private:
+  static constexpr int max_depth = 64, bins = 16, max_leaf = 4;
+
+  /// A leaf holds ids_[first, first + count); an inner node has count 0 and its children at first and first + 1.
+  struct Node {
+    Bounds<T> box;
+    int first = 0, count = 0;
+    [[nodiscard]] bool leaf() const { return count > 0; }
+  };
+
+  struct Bin {
+    Bounds<T> box;
+    int count = 0;
+  };
+
+  /// Proportional to the chance that a ray which meets the parent meets this box too.
+  static T half_area(const Bounds<T>& box) {
+    if (box.empty()) return 0;
+    const Vec3<T> size = box.max - box.min;
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+  }
+
+  void split(int index, const Primitives<T>& primitives, int depth) {
+    depth_ = std::max(depth_, depth);
+    const Node node = nodes_[static_cast<std::size_t>(index)];
+    if (node.count == 1 || depth == max_depth - 1) return;
+    const auto begin = ids_.begin() + node.first, end = begin + node.count;
+    const auto centre = [&](int id, int axis) {
+      return (primitives.box(id).min[axis] + primitives.box(id).max[axis]) / 2;
+    };
+
+    Bounds<T> centres;
+    for (auto id = begin; id != end; ++id) centres.include(Vec3<T>(centre(*id, 0), centre(*id, 1), centre(*id, 2)));
+
+    // The cheapest plane of all axes; the cost of a split is the areas weighted with the primitives behind them.
+    T best_cost = infinity<T>;
+    int best_axis = 0, best_bin = 0;
+    const auto bin_of = [&](int id, int axis) {
+      const T extent = centres.max[axis] - centres.min[axis];
+      const T place = (centre(id, axis) - centres.min[axis]) / extent * bins;
+      return std::clamp(static_cast<int>(place), 0, bins - 1);
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(centres.max[axis] > centres.min[axis])) continue;
+      std::array<Bin, bins> bin{};
+      for (auto id = begin; id != end; ++id) {
+        Bin& into = bin[static_cast<std::size_t>(bin_of(*id, axis))];
+        into.box.include(primitives.box(*id));
+        ++into.count;
+      }
+      std::array<T, bins> below{};  // cost of bins 0..i
+      Bin sum;
+      for (std::size_t i = 0; i + 1 < bins; ++i) {
+        sum.box.include(bin[i].box), sum.count += bin[i].count;
+        below[i] = half_area(sum.box) * static_cast<T>(sum.count);
+      }
+      sum = {};
+      for (std::size_t i = bins - 1; i > 0; --i) {
+        sum.box.include(bin[i].box), sum.count += bin[i].count;
+        const T cost = below[i - 1] + half_area(sum.box) * static_cast<T>(sum.count);
+        if (sum.count > 0 && sum.count < node.count && cost < best_cost)
+          best_cost = cost, best_axis = axis, best_bin = static_cast<int>(i);
+      }
+    }
+    // Entering a node costs about half a primitive test.
+    const T area = half_area(node.box);
+    const bool worth = best_cost + area / 2 < area * static_cast<T>(node.count);
+    if (!worth && node.count <= max_leaf) return;
+    auto middle =
+        std::partition(begin, end, [&](int id) { return best_cost < infinity<T> && bin_of(id, best_axis) < best_bin; });
+    if (middle == begin || middle == end) {  // all centres coincide: halve the list
+      if (node.count <= max_leaf) return;
+      middle = begin + node.count / 2;
+    }
+    const int left_count = static_cast<int>(middle - begin);
+    const int left = static_cast<int>(nodes_.size());
+    nodes_.push_back({box_of(begin, middle, primitives), node.first, left_count});
+    nodes_.push_back({box_of(middle, end, primitives), node.first + left_count, node.count - left_count});
+    nodes_[static_cast<std::size_t>(index)].first = left;
+    nodes_[static_cast<std::size_t>(index)].count = 0;
+    split(left, primitives, depth + 1);
+    split(left + 1, primitives, depth + 1);
+  }
+
+  template <class Iterator>
+  static Bounds<T> box_of(Iterator begin, Iterator end, const Primitives<T>& primitives) {
+    Bounds<T> box;
+    for (auto id = begin; id != end; ++id) box.include(primitives.box(*id));
+    return box;
+  }
+
+  std::vector<int> ids_;
+  std::vector<Node> nodes_;
+  int depth_ = 0;
+};
+
+}  // namespace raywalk

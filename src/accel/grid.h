@@ -1,0 +1,138 @@
+#pragma once
+
+#include "accel/query.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace raywalk {
+
+/// Uniform grid (A. Fujimoto, T. Tanaka and K. Iwata, "ARTS", 1986), walked by a 3-D DDA (J. Amanatides and A. Woo
+/// 1987). The planes between cells are computed from their integer index each time: adding up steps would skip cells.
+/// A primitive in several cells is tested once a ray (mailboxes); a crossing counts as nearest only once the walk has
+/// reached it.
+template <class T>
+class Grid {
+ public:
+  explicit Grid(const Primitives<T>& primitives) {
+    if (primitives.bounded.empty()) return;
+    box_ = primitives.whole;
+    const Vec3<T> size = box_.max - box_.min;
+    // About `density` cells a primitive, as near to cubes as the box allows (flat boxes get one layer).
+    const T longest = max_component(size);
+    const T count = static_cast<T>(primitives.bounded.size());
+    T volume = 1;
+    int extended = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (size[axis] > longest * T(1e-4)) volume *= size[axis], ++extended;
+    const T cell = extended > 0 ? std::pow(volume / (density * count), T(1) / static_cast<T>(extended)) : T(1);
+    for (int axis = 0; axis < 3; ++axis) {
+      const T cells = size[axis] > longest * T(1e-4) ? std::ceil(size[axis] / cell) : T(1);
+      cells_[axis] = static_cast<int>(std::clamp(cells, T(1), T(max_cells)));
+    }
+    fill(primitives);
+  }
+
+  template <class Query>
+  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    for (const int id : primitives.unbounded)
+      if (query.test(primitives.shapes, id)) return;
+    if (starts_.empty()) return;
+    const Stretch<T> inside = clip(SlabRay<T>(ray), box_, {0, query.reach()});
+    if (inside.empty()) return;
+    const Vec3<T> entry = ray.at(inside.in);
+    std::array<int, 3> at{}, step{};
+    std::array<double, 3> leave{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      at[a] = cell_of(entry[axis], axis);
+      step[a] = std::signbit(ray.direction[axis]) ? -1 : 1;
+      leave[a] = leave_at(ray, axis, at[a]);
+    }
+    std::array<int, mailbox_size> mailbox;
+    mailbox.fill(-1);
+    while (true) {
+      query.enter_node();
+      const std::size_t cell = index(at[0], at[1], at[2]);
+      for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+        const int id = ids_[i];
+        int& box = mailbox[static_cast<std::size_t>(id) % mailbox_size];
+        if (box == id) continue;
+        box = id;
+        if (query.test(primitives.shapes, id)) return;
+      }
+      // Leave through the nearest of the three planes.
+      const std::size_t axis = leave[0] <= leave[1] ? (leave[0] <= leave[2] ? 0 : 2) : (leave[1] <= leave[2] ? 1 : 2);
+      if (leave[axis] > static_cast<double>(query.reach())) return;
+      at[axis] += step[axis];
+      if (at[axis] < 0 || at[axis] >= cells_[static_cast<int>(axis)]) return;
+      leave[axis] = leave_at(ray, static_cast<int>(axis), at[axis]);
+    }
+  }
+
+  [[nodiscard]] AcceleratorStatistics statistics() const {
+    return {starts_.empty() ? 0 : starts_.size() - 1, ids_.size(), 0,
+            starts_.size() * sizeof(std::uint32_t) + ids_.size() * sizeof(int)};
+  }
+
+ private:
+  static constexpr T density = 4;
+  static constexpr int max_cells = 256;
+  static constexpr std::size_t mailbox_size = 64;
+
+  [[nodiscard]] double plane(int axis, int i) const {
+    const double low = box_.min[axis], high = box_.max[axis];
+    return low + (high - low) * i / cells_[axis];
+  }
+  [[nodiscard]] int cell_of(T place, int axis) const {
+    const T extent = box_.max[axis] - box_.min[axis];
+    const T cell = extent > 0 ? (place - box_.min[axis]) / extent * static_cast<T>(cells_[axis]) : T(0);
+    return static_cast<int>(std::clamp(std::floor(cell), T(0), static_cast<T>(cells_[axis] - 1)));
+  }
+  /// t at which the ray leaves column `i` of an axis; infinite without slope.
+  [[nodiscard]] double leave_at(const Ray<T>& ray, int axis, int i) const {
+    const double slope = ray.direction[axis];
+    if (slope == 0) return infinity<double>;
+    return (plane(axis, slope > 0 ? i + 1 : i) - static_cast<double>(ray.origin[axis])) / slope;
+  }
+  [[nodiscard]] std::size_t index(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(cells_.x) +
+           static_cast<std::size_t>(x);
+  }
+
+  /// Calls `visit(cell)` for every cell that the box overlaps, widened by a sliver of a cell against rounding.
+  template <class Visit>
+  void for_cells(const Bounds<T>& box, Visit visit) const {
+    const T sliver = T(1e-3);
+    std::array<int, 3> low{}, high{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const T margin = sliver * (box_.max[axis] - box_.min[axis]) / static_cast<T>(cells_[axis]);
+      low[static_cast<std::size_t>(axis)] = cell_of(box.min[axis] - margin, axis);
+      high[static_cast<std::size_t>(axis)] = cell_of(box.max[axis] + margin, axis);
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int x = low[0]; x <= high[0]; ++x) visit(index(x, y, z));
+  }
+
+  /// Counts, then places: all cells' lists lie one after the other.
+  void fill(const Primitives<T>& primitives) {
+    starts_.assign(index(cells_.x - 1, cells_.y - 1, cells_.z - 1) + 2, 0);
+    for (const int id : primitives.bounded)
+      for_cells(primitives.box(id), [&](std::size_t cell) { ++starts_[cell + 1]; });
+    for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
+    ids_.resize(starts_.back());
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+    for (const int id : primitives.bounded)
+      for_cells(primitives.box(id), [&](std::size_t cell) { ids_[next[cell]++] = id; });
+  }
+
+  Bounds<T> box_;
+  glm::vec<3, int> cells_{1};
+  std::vector<std::uint32_t> starts_;  ///< cell i holds ids_[starts_[i], starts_[i + 1])
+  std::vector<int> ids_;
+};
+
+}  // namespace raywalk

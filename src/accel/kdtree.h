@@ -1,0 +1,160 @@
+#pragma once
+
+#include "accel/query.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace raywalk {
+
+/// kd-tree: space cut by axis-parallel planes, chosen by the surface area heuristic among the faces of the primitives'
+/// boxes (J. MacDonald and K. Booth 1990; V. Havran 2000). What touches a plane is listed on both sides; a ray in or
+/// near the plane, within rounding, visits both.
+template <class T>
+class KdTree {
+ public:
+  explicit KdTree(const Primitives<T>& primitives) {
+    if (primitives.bounded.empty()) return;
+    box_ = primitives.whole;
+    const int count = static_cast<int>(primitives.bounded.size());
+    limit_ = std::min(max_depth, static_cast<int>(8 + 1.3 * std::log2(count)));
+    nodes_.emplace_back();
+    split(0, primitives.bounded, box_, primitives, 0, 0);
+  }
+
+  template <class Query>
+  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    for (const int id : primitives.unbounded)
+      if (query.test(primitives.shapes, id)) return;
+    if (nodes_.empty()) return;
+    const SlabRay<T> slabs(ray);
+    const Stretch<T> inside = clip(slabs, box_, {0, query.reach()});
+    if (inside.empty()) return;
+    struct Entry {
+      std::uint32_t node;
+      T in, out;
+    };
+    std::array<Entry, max_depth + 2> waiting;
+    std::size_t count = 0;
+    waiting[count++] = {0, inside.in, inside.out};
+    while (count > 0) {
+      Entry at = waiting[--count];
+      if (at.in > query.reach()) continue;
+      while (true) {
+        const Node& node = nodes_[at.node];
+        query.enter_node();
+        if (node.axis == leaf) {
+          for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+            if (query.test(primitives.shapes, ids_[i])) return;
+          break;
+        }
+        const int axis = node.axis;
+        const T t = (node.plane - ray.origin[axis]) * slabs.inverse[axis];
+        // Rounding may put the crossing on the wrong side of either end: widen it, and visit both children if in doubt.
+        const T slack = std::isinf(t) ? T(0) : 16 * std::numeric_limits<T>::epsilon() * std::abs(t);
+        const bool below_first =
+            ray.origin[axis] < node.plane || (ray.origin[axis] == node.plane && slabs.negative[axis]);
+        const std::uint32_t near = below_first ? node.first : node.first + 1;
+        const std::uint32_t far = below_first ? node.first + 1 : node.first;
+        if (std::isnan(t)) {  // in the plane, without slope
+          waiting[count++] = {far, at.in, at.out};
+          at.node = near;
+        } else if (t - slack > at.out || t + slack < 0) {
+          at.node = near;
+        } else if (t + slack < at.in) {
+          at.node = far;
+        } else {
+          waiting[count++] = {far, std::fmax(at.in, t - slack), at.out};
+          at = {near, at.in, std::fmin(at.out, t + slack)};
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] AcceleratorStatistics statistics() const {
+    return {nodes_.size(), ids_.size(), depth_, nodes_.size() * sizeof(Node) + ids_.size() * sizeof(int)};
+  }
+
+ private:
+  static constexpr int max_depth = 48;
+  static constexpr int leaf = 3;
+
+  /// A leaf holds ids_[first, first + count). An inner node's children are at first (below the plane) and first + 1.
+  struct Node {
+    T plane = 0;
+    int axis = leaf;
+    std::uint32_t first = 0, count = 0;
+  };
+
+  /// A face of a primitive's box: cutting there leaves the primitive on one side or the other.
+  struct Face {
+    T place;
+    bool begins;
+  };
+
+  static T half_area(const Bounds<T>& box) {
+    const Vec3<T> size = box.max - box.min;
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+  }
+
+  void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const Primitives<T>& primitives,
+             int depth, int bad_cuts) {
+    depth_ = std::max(depth_, depth);
+    constexpr T cost_of_node = T(0.8), bonus_for_empty = T(0.2);
+    const T count = static_cast<T>(ids.size()), area = half_area(box);
+    T best_cost = infinity<T>, plane = 0;
+    int best_axis = leaf;
+    std::vector<Face> faces;
+    if (ids.size() > 1 && depth < limit_ && area > 0) {
+      for (int axis = 0; axis < 3; ++axis) {
+        faces.clear();
+        for (const int id : ids) {
+          faces.push_back({primitives.box(id).min[axis], true});
+          faces.push_back({primitives.box(id).max[axis], false});
+        }
+        std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+          return a.place < b.place || (a.place == b.place && a.begins && !b.begins);
+        });
+        T below = 0, above = count;
+        for (const Face& face : faces) {
+          if (!face.begins) above -= 1;
+          if (face.place > box.min[axis] && face.place < box.max[axis]) {
+            Bounds<T> low = box, high = box;
+            low.max[axis] = high.min[axis] = face.place;
+            const T empty = below == 0 || above == 0 ? 1 - bonus_for_empty : T(1);
+            const T cost = cost_of_node + empty * (half_area(low) * below + half_area(high) * above) / area;
+            if (cost < best_cost) best_cost = cost, best_axis = axis, plane = face.place;
+          }
+          if (face.begins) below += 1;
+        }
+      }
+    }
+    if (best_cost > count) ++bad_cuts;
+    if (best_axis == leaf || bad_cuts > 2 || (best_cost > 4 * count && count < 16)) {
+      nodes_[index].first = static_cast<std::uint32_t>(ids_.size());
+      nodes_[index].count = static_cast<std::uint32_t>(ids.size());
+      ids_.insert(ids_.end(), ids.begin(), ids.end());
+      return;
+    }
+    std::vector<int> low_ids, high_ids;
+    for (const int id : ids) {
+      if (primitives.box(id).min[best_axis] <= plane) low_ids.push_back(id);
+      if (primitives.box(id).max[best_axis] >= plane) high_ids.push_back(id);
+    }
+    Bounds<T> low = box, high = box;
+    low.max[best_axis] = high.min[best_axis] = plane;
+    const std::size_t first = nodes_.size();
+    nodes_.resize(first + 2);
+    nodes_[index] = {plane, best_axis, static_cast<std::uint32_t>(first), 0};
+    split(first, low_ids, low, primitives, depth + 1, bad_cuts);
+    split(first + 1, high_ids, high, primitives, depth + 1, bad_cuts);
+  }
+
+  Bounds<T> box_;
+  std::vector<Node> nodes_;
+  std::vector<int> ids_;
+  int depth_ = 0, limit_ = 0;
+};
+
+}  // namespace raywalk

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "accel/query.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raywalk {
+
+/// Octree (A. Glassner, "Space subdivision for fast ray tracing", 1984): cubes halved along all three axes while a cube
+/// holds many primitives. A primitive that reaches over a cut is listed on both sides; each leaf keeps the box of its
+/// own cube, and children are visited in the order in which the ray enters them.
+template <class T>
+class Octree {
+ public:
+  explicit Octree(const Primitives<T>& primitives) {
+    if (primitives.bounded.empty()) return;
+    nodes_.push_back({primitives.whole, 0, 0, false});
+    split(0, primitives.bounded, primitives, 0);
+  }
+
+  template <class Query>
+  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    for (const int id : primitives.unbounded)
+      if (query.test(primitives.shapes, id)) return;
+    if (nodes_.empty()) return;
+    const SlabRay<T> slabs(ray);
+    Entry waiting[7 * max_depth + 8];
+    std::size_t count = 0;
+    const Stretch<T> root = clip(slabs, nodes_[0].box, {0, query.reach()});
+    if (!root.empty()) waiting[count++] = {0, root.in};
+    while (count > 0) {
+      const Entry entry = waiting[--count];
+      if (entry.in > query.reach()) continue;
+      const Node& node = nodes_[entry.node];
+      query.enter_node();
+      if (!node.inner) {
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+          if (query.test(primitives.shapes, ids_[i])) return;
+        continue;
+      }
+      // Push the children that are met, the farthest first.
+      const std::size_t before = count;
+      for (std::uint32_t child = node.first; child < node.first + node.count; ++child) {
+        const Stretch<T> met = clip(slabs, nodes_[child].box, {0, query.reach()});
+        if (!met.empty()) waiting[count++] = {child, met.in};
+      }
+      std::sort(waiting + before, waiting + count, [](const Entry& a, const Entry& b) { return a.in > b.in; });
+    }
+  }
+
+  [[nodiscard]] AcceleratorStatistics statistics() const {
+    return {nodes_.size(), ids_.size(), depth_, nodes_.size() * sizeof(Node) + ids_.size() * sizeof(int)};
+  }
+
+ private:
+  static constexpr int max_depth = 12;
+  static constexpr std::size_t max_leaf = 6;
+
+  /// A leaf holds ids_[first, first + count); an inner node's children (the empty ones left out) are the nodes there.
+  struct Node {
+    Bounds<T> box;
+    std::uint32_t first, count;
+    bool inner;
+  };
+  struct Entry {
+    std::uint32_t node;
+    T in;
+  };
+
+  void split(std::size_t index, const std::vector<int>& ids, const Primitives<T>& primitives, int depth) {
+    depth_ = std::max(depth_, depth);
+    const Bounds<T> box = nodes_[index].box;
+    const Vec3<T> middle = box.min + (box.max - box.min) / T(2);
+    std::array<std::vector<int>, 8> parts;
+    std::array<Bounds<T>, 8> boxes;
+    std::size_t references = 0;
+    if (ids.size() > max_leaf && depth < max_depth) {
+      for (std::size_t octant = 0; octant < 8; ++octant) {
+        boxes[octant] = box;
+        for (int axis = 0; axis < 3; ++axis)
+          ((octant >> axis & 1) != 0 ? boxes[octant].min : boxes[octant].max)[axis] = middle[axis];
+        for (const int id : ids)
+          if (overlap(primitives.box(id), boxes[octant])) parts[octant].push_back(id);
+        references += parts[octant].size();
+      }
+    }
+    // Cutting through things that fill the cube only copies them: stop when most primitives land in most octants.
+    if (references == 0 || references > 4 * ids.size()) {
+      nodes_[index].first = static_cast<std::uint32_t>(ids_.size());
+      nodes_[index].count = static_cast<std::uint32_t>(ids.size());
+      ids_.insert(ids_.end(), ids.begin(), ids.end());
+      return;
+    }
+    const std::size_t first = nodes_.size();
+    std::array<std::size_t, 8> child{};
+    for (std::size_t octant = 0; octant < 8; ++octant) {
+      if (parts[octant].empty()) continue;
+      child[octant] = nodes_.size();
+      nodes_.push_back({boxes[octant], 0, 0, false});
+    }
+    nodes_[index].first = static_cast<std::uint32_t>(first);
+    nodes_[index].count = static_cast<std::uint32_t>(nodes_.size() - first);
+    nodes_[index].inner = true;
+    for (std::size_t octant = 0; octant < 8; ++octant)
+      if (!parts[octant].empty()) split(child[octant], parts[octant], primitives, depth + 1);
+  }
+
+  static bool overlap(const Bounds<T>& a, const Bounds<T>& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+           b.min.z <= a.max.z;
+  }
+
+  std::vector<Node> nodes_;
+  std::vector<int> ids_;
+  int depth_ = 0;
+};
+
+}  // namespace raywalk

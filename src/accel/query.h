@@ -1,0 +1,187 @@
+#pragma once
+// What all accelerators share: how a primitive is tested, how two crossings are compared, and when a box can be
+// skipped. An accelerator only chooses which primitives are tested and in which order; since every test and every
+// comparison is made here, the answer is the same bits for all of them.
+
+#include "shape/shape.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace raywalk {
+
+/// The nearest crossing among all primitives: a primitive's id is its place in the list it was built from.
+template <class T>
+struct Hit {
+  T t;
+  int primitive;
+  int part;
+};
+
+/// What queries cost.
+struct TestCounts {
+  std::uint64_t nodes = 0;       ///< nodes or cells of a structure entered
+  std::uint64_t primitives = 0;  ///< ray-primitive tests made
+};
+
+/// Accepts every primitive.
+struct AnyPrimitive {
+  constexpr bool operator()(int /*primitive*/) const { return true; }
+};
+
+/// Accepts the primitives whose mark is set.
+struct MarkedPrimitives {
+  const std::vector<std::uint8_t>& marks;
+  bool operator()(int primitive) const { return marks[static_cast<std::size_t>(primitive)] != 0; }
+};
+
+/// The part of primitive `primitive` that the ray departs from, or no_part.
+template <class T>
+[[nodiscard]] int departed_part(const Ray<T>& ray, int primitive) {
+  return ray.departure.primitive == primitive ? ray.departure.part : no_part;
+}
+
+/// A search for the nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id.
+template <class T, class Accept>
+class ClosestQuery {
+ public:
+  static constexpr bool stops_at_first = false;
+  ClosestQuery(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept)
+      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
+
+  /// Tests one primitive; true when the search is over.
+  bool test(const std::vector<Shape<T>>& shapes, int id) {
+    if (!accept_(id)) return false;
+    ++counts_.primitives;
+    // The full reach, not the nearest t so far: a tie must be seen to be decided.
+    const auto crossing = intersect(shapes[static_cast<std::size_t>(id)], ray_, t_max_, departed_part(ray_, id));
+    if (crossing &&
+        (!nearest_ || crossing->t < nearest_->t || (crossing->t == nearest_->t && id < nearest_->primitive)))
+      nearest_ = Hit<T>{crossing->t, id, crossing->part};
+    return false;
+  }
+
+  /// Whatever is entered later than this cannot hold a nearer crossing. A computed t may err by more than a box's
+  /// entry does (a grazed surface), so the margin is generous; it costs a few visits and no correctness.
+  [[nodiscard]] T reach() const {
+    constexpr T margin = 1 + 4096 * std::numeric_limits<T>::epsilon();
+    return nearest_ ? nearest_->t * margin : t_max_;
+  }
+  void enter_node() { ++counts_.nodes; }
+  [[nodiscard]] const std::optional<Hit<T>>& nearest() const { return nearest_; }
+
+ private:
+  const Ray<T>& ray_;
+  T t_max_;
+  TestCounts& counts_;
+  Accept accept_;
+  std::optional<Hit<T>> nearest_;
+};
+
+/// A search for any accepted crossing in (0, t_max).
+template <class T, class Accept>
+class AnyQuery {
+ public:
+  static constexpr bool stops_at_first = true;
+  AnyQuery(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept)
+      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
+
+  bool test(const std::vector<Shape<T>>& shapes, int id) {
+    if (!accept_(id)) return false;
+    ++counts_.primitives;
+    found_ = intersect(shapes[static_cast<std::size_t>(id)], ray_, t_max_, departed_part(ray_, id)).has_value();
+    return found_;
+  }
+  [[nodiscard]] T reach() const { return t_max_; }
+  void enter_node() { ++counts_.nodes; }
+  [[nodiscard]] bool found() const { return found_; }
+
+ private:
+  const Ray<T>& ray_;
+  T t_max_;
+  TestCounts& counts_;
+  Accept accept_;
+  bool found_ = false;
+};
+
+/// The ray's terms of every slab test, computed once a ray.
+template <class T>
+struct SlabRay {
+  explicit SlabRay(const Ray<T>& ray) : origin(ray.origin), inverse(T(1) / ray.direction) {
+    for (int axis = 0; axis < 3; ++axis) negative[axis] = std::signbit(ray.direction[axis]);
+  }
+  Vec3<T> origin, inverse;  ///< 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none
+  bool negative[3];
+};
+
+/// A stretch of a ray; empty when !(in <= out).
+template <class T>
+struct Stretch {
+  T in, out;
+  [[nodiscard]] bool empty() const { return !(in <= out); }
+};
+
+/// The part of `within` inside the box, up to rounding outwards: never empty when the ray meets the box.
+///
+/// T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013: slabs are chosen by the sign of the direction, the far side is
+/// padded by two ulps, and the comparisons let the NaN of 0 * infinity (an origin in a face's plane, no slope) pass.
+template <class T>
+[[nodiscard]] Stretch<T> clip(const SlabRay<T>& ray, const Bounds<T>& box, Stretch<T> within) {
+  constexpr T pad = 1 + 4 * std::numeric_limits<T>::epsilon();
+  for (int axis = 0; axis < 3; ++axis) {
+    const T low = (box.min[axis] - ray.origin[axis]) * ray.inverse[axis];
+    const T high = (box.max[axis] - ray.origin[axis]) * ray.inverse[axis];
+    const T in = ray.negative[axis] ? high : low, out = (ray.negative[axis] ? low : high) * pad;
+    if (in > within.in) within.in = in;
+    if (out < within.out) within.out = out;
+  }
+  return within;
+}
+
+/// A primitive's box, widened by a few ulps so that it holds every point that rounding may report.
+template <class T>
+[[nodiscard]] Bounds<T> padded_bounds(const Shape<T>& shape) {
+  Bounds<T> box = bounds(shape);
+  for (int axis = 0; axis < 3; ++axis) {
+    const T pad = 8 * std::numeric_limits<T>::epsilon() * std::fmax(std::abs(box.min[axis]), std::abs(box.max[axis]));
+    box.min[axis] -= pad;
+    box.max[axis] += pad;
+  }
+  return box;
+}
+
+/// The primitives of an accelerator: those with a finite box, and those without, which every ray is tested against.
+template <class T>
+struct Primitives {
+  explicit Primitives(std::vector<Shape<T>> all) : shapes(std::move(all)) {
+    boxes.reserve(shapes.size());
+    for (const Shape<T>& shape : shapes) {
+      boxes.push_back(padded_bounds(shape));
+      const int id = static_cast<int>(boxes.size()) - 1;
+      if (boxes.back().bounded()) {
+        bounded.push_back(id);
+        whole.include(boxes.back());
+      } else {
+        unbounded.push_back(id);
+      }
+    }
+  }
+
+  [[nodiscard]] const Bounds<T>& box(int id) const { return boxes[static_cast<std::size_t>(id)]; }
+
+  std::vector<Shape<T>> shapes;
+  std::vector<Bounds<T>> boxes;
+  std::vector<int> bounded, unbounded;  ///< ids, ascending
+  Bounds<T> whole;                      ///< of all bounded primitives
+};
+
+/// Size and cost of a built structure.
+struct AcceleratorStatistics {
+  std::size_t nodes = 0;       ///< inner nodes, leaves and cells
+  std::size_t references = 0;  ///< entries of primitives in leaves or cells
+  int depth = 0;               ///< of the deepest leaf; 0 for a single one
+  std::size_t bytes = 0;       ///< of the structure, without the primitives
+};
+
+}  // namespace raywalk

@@ -1,0 +1,138 @@
+// Every accelerator answers what testing every primitive answers: the same primitive, part and t, bit for bit.
+
+#include "accel/accelerator.h"
+#include "support/catch.h"
+
+#include <random>
+
+using namespace raywalk;
+
+namespace {
+
+constexpr AcceleratorKind structures[] = {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
+                                          AcceleratorKind::kdtree};
+
+template <class T>
+struct Random {
+  std::mt19937 engine{7};
+  T operator()(T low = -1, T high = 1) {
+    return low + (high - low) * static_cast<T>(engine() >> 8) / static_cast<T>(1 << 24);
+  }
+  Vec3<T> point(T size = 1) {
+    const T x = (*this)(-size, size);
+    const T y = (*this)(-size, size);
+    const T z = (*this)(-size, size);
+    return {x, y, z};
+  }
+};
+
+/// Spheres of mixed size with doubles among them (exact ties), and prisms and unbounded planes when `mixed`.
+template <class T>
+std::vector<Shape<T>> shapes(int count, bool mixed, Random<T>& random) {
+  std::vector<Shape<T>> all;
+  for (int i = 0; i < count; ++i) {
+    const Vec3<T> at = random.point();
+    if (mixed && i % 50 == 3) {
+      all.push_back(Prism<T>{{plan(at), plan(at) + Vec2<T>(3, 0), plan(at) + Vec2<T>(1, 4)}, T(0.5)});
+    } else if (mixed && i % 97 == 5) {
+      all.push_back(Plane<T>{T(9) * at, {at.y, at.x, 1}});
+    } else {
+      const T radius = T(0.3) * std::pow(static_cast<T>(count), T(-1) / 3);
+      all.push_back(Sphere<T>{at, i % 10 == 0 ? 5 * radius : radius});
+      if (i % 20 == 1) all.push_back(all.back());
+    }
+  }
+  return all;
+}
+
+/// Rays in general, rays along the axes (signed zeros), and rays that run in the faces of boxes.
+template <class T>
+std::vector<Ray<T>> rays(int count, const std::vector<Shape<T>>& targets, Random<T>& random) {
+  std::vector<Ray<T>> all;
+  for (int i = 0; i < count; ++i) {
+    Ray<T> ray{random.point(2), random.point()};
+    if (i % 5 == 0) ray.direction[i / 5 % 3] = 0;
+    if (i % 25 == 0) ray.direction[(i / 25 + 1) % 3] = T(-0.0);
+    const Bounds<T> box = bounds(targets[static_cast<std::size_t>(i) % targets.size()]);
+    if (i % 7 == 0 && box.bounded()) {
+      ray.origin = i % 2 ? box.min : box.max;
+      ray.origin[i % 3] -= 2;
+      ray.direction = Vec3<T>(0);
+      ray.direction[i % 3] = 1;
+    }
+    if (ray.direction == Vec3<T>(0)) ray.direction.x = 1;
+    all.push_back(ray);
+  }
+  return all;
+}
+
+template <class T>
+bool same(const std::optional<Hit<T>>& a, const std::optional<Hit<T>>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->t == b->t && a->primitive == b->primitive && a->part == b->part;
+}
+
+template <class T>
+void compare(int count, bool mixed) {
+  Random<T> random;
+  const std::vector<Shape<T>> all = shapes<T>(count, mixed, random);
+  const std::vector<Ray<T>> probes = rays<T>(4000, all, random);
+  const Accelerator<T> list(all, AcceleratorKind::none);
+  std::vector<std::uint8_t> marks(all.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 3 != 0;
+  for (const AcceleratorKind kind : structures) {
+    const Accelerator<T> structure(all, kind);
+    REQUIRE(structure.kind() == kind);
+    int differing = 0, hits = 0;
+    TestCounts brute, counts;
+    for (const Ray<T>& ray : probes) {
+      const auto expected = list.closest(ray, infinity<T>, brute);
+      hits += expected.has_value();
+      if (!same(expected, structure.closest(ray, infinity<T>, counts))) ++differing;
+      // A reach that ends exactly at the hit must not report it; one just beyond must.
+      if (expected) {
+        const T beyond = std::nextafter(expected->t, infinity<T>);
+        if (structure.any(ray, expected->t, counts) != list.any(ray, expected->t, brute)) ++differing;
+        if (!structure.any(ray, beyond, counts)) ++differing;
+      }
+      const MarkedPrimitives marked{marks};
+      if (!same(list.closest(ray, infinity<T>, brute, marked), structure.closest(ray, infinity<T>, counts, marked)))
+        ++differing;
+    }
+    INFO(accelerator_name(kind) << ", " << count << " primitives");
+    CHECK(differing == 0);
+    CHECK(hits > 400);
+    if (count >= 1000 && !mixed) CHECK(counts.primitives * 10 < brute.primitives);
+  }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("accelerators answer as brute force does", "[accel]", float, double) {
+  for (const int count : {1, 5, 100, 1500}) {
+    compare<TestType>(count, false);
+    compare<TestType>(count, true);
+  }
+}
+
+TEMPLATE_TEST_CASE("accelerators hold nothing, one thing, and a thousand in one place", "[accel]", float, double) {
+  using T = TestType;
+  TestCounts counts;
+  for (const AcceleratorKind kind : structures) {
+    INFO(accelerator_name(kind));
+    const Accelerator<T> empty({}, kind);
+    CHECK_FALSE(empty.closest({Vec3<T>(0), {1, 0, 0}}, infinity<T>, counts));
+    const Accelerator<T> plane({Plane<T>{}}, kind);
+    CHECK(plane.closest({{0, 0, 2}, {0, 0, -1}}, infinity<T>, counts)->t == 2);
+    const Accelerator<T> heap(std::vector<Shape<T>>(1000, Sphere<T>{}), kind);
+    const auto hit = heap.closest({{-3, 0, 0}, {1, 0, 0}}, infinity<T>, counts);
+    REQUIRE(hit);
+    CHECK(hit->primitive == 0);
+    CHECK(hit->t == 2);
+  }
+}
+
+TEST_CASE("the automatic choice builds a structure only where one pays", "[accel]") {
+  CHECK(Accelerator<double>(std::vector<Shape<double>>(5, Sphere<double>{})).kind() == AcceleratorKind::none);
+  CHECK(Accelerator<double>(std::vector<Shape<double>>(50, Sphere<double>{})).kind() == AcceleratorKind::bvh);
+}
