@@ -19,7 +19,9 @@ struct Bounds {
       if (p[axis] > max[axis]) max[axis] = p[axis];
     }
   }
+  /// An empty box adds nothing.
   void include(const Bounds& other) {
+    if (other.empty()) return;
     include(other.min);
     include(other.max);
   }
