@@ -30,9 +30,9 @@ struct GuiOptions {
   std::string report_path;
 };
 
-/// Opens the window and stays until it is closed. Fails, with a hint, when there is no display, no OpenGL 3.3, or a file
-/// named in `options` cannot be read or written: `app` prints the error and exits with 1. Unsaved work is never lost by
-/// a failure: it stands in the autosave.
+/// Opens the window and stays until it is closed. Fails, with a hint, when there is no display, no OpenGL 3.3, or a
+/// file named in `options` cannot be read or written: `app` prints the error and exits with 1. Unsaved work is never
+/// lost by a failure: it stands in the autosave.
 [[nodiscard]] Result<void> run_gui(const GuiOptions& options);
 
 }  // namespace raywalk
