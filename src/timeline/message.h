@@ -1,0 +1,61 @@
+#pragma once
+// What a step did, without language: an id and its arguments. `view` puts it into words.
+
+#include "scene/scene.h"
+#include "timeline/timeline.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace raywalk {
+
+/// One id for each thing that a line of pseudocode can turn out to do. The arguments are listed in brackets.
+enum class MessageId {
+  start,                    ///< position 0
+  pixel_begun,              ///< [cell from 1, cells]
+  primary_formed,           ///< [cell from 1]
+  found_hit,                ///< [ray kind, object, distance]
+  found_missed,             ///< [ray kind]
+  left_through_surface,     ///< a ray inside its own object met it from inside: [ray kind, object, distance]
+  intersected,              ///< []
+  intersected_nothing,      ///< []
+  shade_called,             ///< [depth of the call, object, ray kind]
+  shade_missed,             ///< a secondary ray that missed: the background returns: [ray kind, colour]
+  shadow_formed,            ///< [object, light]
+  shadow_facing_away,       ///< [object, light]
+  light_reached,            ///< [light]
+  light_filtered,           ///< [light, share that passes, colour]
+  light_blocked,            ///< [light, blocker]
+  light_blocked_by_itself,  ///< [light, object]
+  reflective,               ///< [object, kr']
+  reflective_totally,       ///< total internal reflection made it so: [object, kr']
+  not_reflective,           ///< [object]
+  reflect_formed,           ///< [object, share of the pixel]
+  reflect_depth,            ///< [depth limit]
+  reflect_threshold,        ///< [share of the pixel, threshold]
+  transparent,              ///< [object, kt']
+  not_transparent,          ///< [object]
+  totally_reflected,        ///< nothing is transmitted: [object]
+  refract_formed_in,        ///< into the object: [object, angle in degrees, angle out degrees]
+  refract_formed_out,       ///< out of it: the same
+  refract_depth,            ///< [depth limit]
+  refract_threshold,        ///< [share of the pixel, threshold]
+  path_length,              ///< [ray kind]
+  rtnshade_to_main,         ///< [object, colour]
+  rtnshade_to_caller,       ///< [object, colour, ray kind that waited, depth of the caller]
+  pixel_put,                ///< [cell from 1, colour]
+};
+
+/// A name is a string as it stands in the scene.
+using Argument = std::variant<int, double, Rgbd, RayKind, std::string>;
+
+struct Message {
+  MessageId id = MessageId::start;
+  std::vector<Argument> arguments;
+};
+
+/// What the line that has just run at `position` did. `timeline` was recorded from `scene`; 0 <= position <= steps().
+[[nodiscard]] Message describe(const Scene& scene, const Timeline& timeline, int position);
+
+}  // namespace raywalk

@@ -1,0 +1,198 @@
+#pragma once
+// What a person can do. A window turns clicks and keys into actions; a demo file and the tests hand them over directly.
+
+#include "view/state.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace raywalk {
+
+namespace action {
+
+// Modes and playback.
+struct SetMode {
+  Mode mode;
+};
+struct Step {
+  bool forward = true;
+  std::optional<Grain> grain{};
+};  ///< without a grain: State::grain
+struct Jump {
+  int position;
+};  ///< clamped to the timeline
+struct JumpToRay {
+  int ray;
+};  ///< to just after it was formed
+struct JumpToCell {
+  int cell;
+};  ///< to the first line of that pixel
+struct RunToLine {
+  Line line;
+};  ///< until this line has run once more, else to the end
+struct PlayPause {};
+struct SetSpeed {
+  double lines_per_second;
+};  ///< clamped
+struct SetGrain {
+  Grain grain;
+};
+struct Clear {};  ///< back to step 0: rays and cells are wiped, AUTO stops
+struct Tick {
+  double seconds;
+};  ///< time has passed: drives AUTO and the autosave
+
+// The pointer on the plan, in pixels of the viewport.
+struct Modifiers {
+  bool shift = false, control = false, alt = false;
+};
+enum class Button { left, middle, right };
+struct ResizePlan {
+  Viewport viewport;
+};
+struct PointerMoved {
+  Vec2d at;
+  Modifiers modifiers{};
+};
+struct PointerPressed {
+  Vec2d at;
+  Button button = Button::left;
+  Modifiers modifiers{};
+  bool double_click = false;
+};
+struct PointerReleased {
+  Vec2d at;
+  Modifiers modifiers{};
+};
+struct PointerLeft {};
+struct CancelDrag {};  ///< everything as before the press
+struct Zoom {
+  Vec2d at;
+  double factor;
+};  ///< the point at `at` stays where it is
+struct Pan {
+  Vec2d by;
+};  ///< pixels
+struct FitView {};
+
+// Pointing at things in other panels.
+struct HoverRay {
+  int ray;
+};  ///< -1: none
+struct HoverLine {
+  std::optional<Line> line;
+};
+struct Select {
+  Target target;
+};
+
+// Edits. Each is one entry of undo; with `continues` it joins the entry of the edit just before it, when that was the
+// same edit of the same thing (a slider that is being dragged). An edit that would break the scene is refused with a
+// notice that says why.
+enum class ObjectKind { solid_sphere, transparent_sphere, polygon, light };
+struct AddObject {
+  ObjectKind kind;
+};
+struct RemoveSelected {};  ///< an object, a light, or a corner
+struct InsertCorner {
+  int object;
+  int edge;
+  Vec2d at;
+};  ///< `at` in scene units
+struct RemoveCorner {
+  int object;
+  int corner;
+};
+struct Rename {
+  Target target;
+  std::string name;
+};  ///< an object or a light
+struct SetMaterial {
+  int object;
+  Material material;
+  bool continues = false;
+};
+struct SetShape {
+  int object;
+  Shape<double> shape;
+  bool continues = false;
+};
+struct SetLight {
+  int light;
+  Light value;
+  bool continues = false;
+};
+struct SetCamera {
+  Camera camera;
+  bool continues = false;
+};
+struct SetLimits {
+  TraceLimits limits;
+  bool continues = false;
+};
+struct SetSurroundings {
+  Rgbd background, ambient;
+  bool continues = false;
+};
+struct Nudge {
+  Vec2d direction;
+  bool coarse = false;
+};  ///< arrow keys: one fine or coarse step, x right, y up
+struct Undo {};
+struct Redo {};
+
+// Files.
+struct New {};
+struct Open {
+  std::string path;
+};
+struct Save {};  ///< asks for a path when there is none
+struct SaveAs {
+  std::string path;
+};
+struct AskOpen {};
+struct AskSaveAs {};
+struct CancelPrompt {};
+enum class Answer { save, discard, recover, cancel };
+struct AnswerQuestion {
+  Answer answer;
+};
+struct Quit {};
+
+// Appearance.
+struct SetTheme {
+  Theme theme;
+};
+struct SetUiScale {
+  double scale;
+};  ///< clamped
+struct SetTab {
+  Tab tab;
+};
+struct DismissNotice {};
+
+}  // namespace action
+
+using Action =
+    std::variant<action::SetMode, action::Step, action::Jump, action::JumpToRay, action::JumpToCell, action::RunToLine,
+                 action::PlayPause, action::SetSpeed, action::SetGrain, action::Clear, action::Tick, action::ResizePlan,
+                 action::PointerMoved, action::PointerPressed, action::PointerReleased, action::PointerLeft,
+                 action::CancelDrag, action::Zoom, action::Pan, action::FitView, action::HoverRay, action::HoverLine,
+                 action::Select, action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner,
+                 action::Rename, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
+                 action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo, action::New,
+                 action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt,
+                 action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab,
+                 action::DismissNotice>;
+
+/// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
+/// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only
+/// actions that answer it, appearance, ticks and resizing do anything.
+void update(State& state, const Action& action);
+
+/// What of the plan can be dragged, edited or pointed at: whether `target` exists in the state's scene and timeline.
+[[nodiscard]] bool exists(const State& state, const Target& target);
+
+}  // namespace raywalk

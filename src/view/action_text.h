@@ -1,0 +1,24 @@
+#pragma once
+// Actions as lines of text, for demo files: a word and its arguments, such as `step forward line`,
+// `press 120 80 left`, `set-speed 8`. Empty lines and what follows a # are ignored.
+
+#include "io/error.h"
+#include "view/action.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+/// The line that parse_action reads back as the same action; empty for the few that a demo cannot hold (SetShape and
+/// its like carry whole values; a demo drags instead).
+[[nodiscard]] std::string write_action(const Action& action);
+
+/// One line; fails with the words that were expected.
+[[nodiscard]] Result<Action> parse_action(std::string_view line);
+
+/// A whole demo; errors carry `file_name` and the line.
+[[nodiscard]] Result<std::vector<Action>> parse_demo(std::string_view text, const std::string& file_name);
+
+}  // namespace raywalk

@@ -1,0 +1,139 @@
+#pragma once
+// What the panels beside the plan show, as data.
+
+#include "view/action.h"
+#include "view/state.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+// ---- Code -----------------------------------------------------------------------------------------------------------
+
+struct CodeRow {
+  Line line;
+  int indent;  ///< levels
+  std::string text;
+  bool just_run = false;  ///< highlighted: this line has just run
+  bool next = false;      ///< outlined: this line runs next
+  bool hovered = false;   ///< pointed at here, or the ray pointed at elsewhere was formed or found by it
+};
+
+struct CodeBox {
+  Procedure procedure;
+  std::string title;  ///< "MAIN ALGORITHM" or "SHADE (DEPTH, RTNSHADE)"
+  /// DEPTH of the call that is executing, for the box it executes in; 0 in MAIN ALGORITHM. Absent in the other box.
+  std::optional<int> depth;
+  std::vector<CodeRow> rows;
+};
+
+struct CodePanel {
+  std::array<CodeBox, 2> boxes;
+};
+
+[[nodiscard]] CodePanel code_panel(const State& state);
+
+// ---- Ray tree -------------------------------------------------------------------------------------------------------
+
+/// A ray of the tree, or the stub of one that was not formed.
+struct TreeNode {
+  int ray;      ///< index in Timeline::rays()
+  int parent;   ///< index in TreePanel::nodes, always smaller; -1 for the primary ray
+  double x, y;  ///< column (leaves are 1 apart) and level (0: the primary ray)
+  RayKind kind;
+  bool formed;   ///< false: a stub
+  bool known;    ///< its end has been found at this position
+  bool future;   ///< not yet formed at this position: drawn as an outline, its texts are empty
+  bool current;  ///< the ray of the line that has just run
+  bool hovered;
+  bool returned;       ///< its SHADE has returned
+  std::string symbol;  ///< one or two characters for how it ended
+  std::string label;   ///< what it met: the object's or light's name, or why it ended
+  std::string share;   ///< largest part of the pixel it can bring: "100%"
+  Colour colour;       ///< of its kind
+  Colour shade;        ///< what it brought back, where `returned`; else the colour of an empty cell
+};
+
+struct TreePanel {
+  int cell = -1;                ///< column of the pixel whose tree this is; -1: no pixel yet, no nodes
+  double columns = 0;           ///< extent: x in 0..columns - 1
+  int levels = 0;               ///< y in 0..levels - 1
+  std::vector<TreeNode> nodes;  ///< parents before children
+};
+
+/// The tree of the pixel under way, as far as it is known. Its shape is that of the whole tree from the start, so that
+/// nothing moves while it is walked.
+[[nodiscard]] TreePanel tree_panel(const State& state);
+
+// ---- Stack ----------------------------------------------------------------------------------------------------------
+
+struct StackRow {
+  std::string title;    ///< "SHADE (DEPTH 2)" or "MAIN ALGORITHM"
+  std::string ray;      ///< "reflect ray from Polygon"
+  std::string object;   ///< whose surface is shaded; empty for MAIN ALGORITHM
+  std::string waiting;  ///< what it waits for, or what it does
+  int ray_index = -1;   ///< for hovering; -1 for MAIN ALGORITHM
+  /// Colours that calls made by this one have already returned: "REFLSHADE" and its colour.
+  struct Returned {
+    std::string name;
+    Rgbd linear;
+    Colour colour;
+  };
+  std::vector<Returned> returned;
+};
+
+struct StackPanel {
+  std::vector<StackRow> rows;  ///< innermost call first, MAIN ALGORITHM last
+};
+
+[[nodiscard]] StackPanel stack_panel(const State& state);
+
+// ---- Sentence, legend, counts ---------------------------------------------------------------------------------------
+
+/// One plain sentence on what the step just did and, where a ray ended, why. At position 0, and in the other modes:
+/// what to do first.
+[[nodiscard]] std::string sentence(const State& state);
+
+struct LegendRow {
+  RayKind kind;
+  RayStyle style;  ///< dash lengths in pixels at scale 1
+  std::string name;
+  std::string meaning;  ///< one clause
+};
+/// Signs on the plan besides the rays.
+struct LegendSign {
+  std::string symbol;
+  std::string meaning;
+};
+struct Legend {
+  std::vector<LegendRow> rays;
+  std::vector<LegendSign> signs;
+};
+[[nodiscard]] Legend legend(const State& state);
+
+/// What has happened up to this position.
+struct Counts {
+  int position = 0, steps = 0;
+  int pixel = 0, pixels = 0;  ///< pixels begun, and all of them
+  std::array<int, ray_kind_count> formed{};
+  std::array<int, ending_count> ended{};
+  int depth = 0;  ///< of the line just run
+};
+[[nodiscard]] Counts counts(const State& state);
+/// Counts in one line: "step 12 of 840 · pixel 3 of 21 · 5 rays".
+[[nodiscard]] std::string status_line(const State& state);
+
+/// Buttons and text of an open question.
+struct QuestionPanel {
+  std::string text;
+  struct Choice {
+    action::Answer answer;
+    std::string label;
+  };
+  std::vector<Choice> choices;  ///< the safest first
+};
+[[nodiscard]] QuestionPanel question_panel(const State& state);
+
+}  // namespace raywalk

@@ -1,0 +1,39 @@
+#pragma once
+// The plan: the scene seen from above, with what has happened so far drawn in.
+
+#include "view/display_list.h"
+#include "view/state.h"
+
+namespace raywalk {
+
+/// Scene units to pixels and back; y turns over.
+[[nodiscard]] Vec2d to_pixels(const PlanCamera& camera, const Viewport& viewport, const Vec2d& point);
+[[nodiscard]] Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& pixels);
+
+/// The camera that shows everything of the scene that has a place in the plan, with a margin.
+[[nodiscard]] PlanCamera fit(const Scene& scene, const Viewport& viewport);
+
+/// Everything that is drawn in the pane. Move mode has handles, trace mode the rays formed so far.
+[[nodiscard]] DisplayList plan_view(const State& state, const Viewport& viewport);
+[[nodiscard]] inline DisplayList plan_view(const State& state) { return plan_view(state, state.viewport); }
+
+/// What is under a point of the pane: the topmost handle or symbol that plan_view draws there, else the nearest ray
+/// within reach, else the topmost body.
+[[nodiscard]] Target pick(const State& state, const Viewport& viewport, const Vec2d& at);
+[[nodiscard]] inline Target pick(const State& state, const Vec2d& at) { return pick(state, state.viewport, at); }
+
+/// What the thing is, in a few words, for the tooltip beside the pointer; empty for nothing. In move mode it also says
+/// what dragging does.
+[[nodiscard]] std::string target_text(const State& state, const Target& target);
+
+/// Lengths of symbols, lines and letters, in pixels of a state's scale and theme.
+struct Sizes {
+  explicit Sizes(const State& state);
+  double unit;    ///< one pixel at scale 1 in the dark theme
+  double text;    ///< height of labels
+  double line;    ///< usual outline
+  double handle;  ///< radius of a handle
+  double reach;   ///< how near the pointer has to come
+};
+
+}  // namespace raywalk

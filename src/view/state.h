@@ -1,0 +1,138 @@
+#pragma once
+// Everything that the visualiser knows. It changes only through update(state, action) of view/action.h; what is on the
+// screen is a pure function of it.
+
+#include "io/scene_file.h"
+#include "timeline/timeline.h"
+#include "view/display_list.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+enum class Mode { move, trace, help };
+/// How far one step goes: a line of pseudocode, to the next ray, to the next pixel.
+enum class Grain { line, ray, pixel };
+enum class Tab { image, tree, stack, legend };
+
+/// The pane that shows the plan, in pixels.
+struct Viewport {
+  double width = 640, height = 480;
+  friend bool operator==(const Viewport&, const Viewport&) = default;
+};
+
+/// What of the plan is seen.
+struct PlanCamera {
+  Vec2d centre{0.0};            ///< scene units, in the middle of the pane
+  double pixels_per_unit = 50;  ///< > 0
+  bool fitted = true;           ///< until zoomed or panned by hand: follows the pane's size
+  friend bool operator==(const PlanCamera&, const PlanCamera&) = default;
+};
+
+/// One line for the person, until the next action that has something to say.
+struct Notice {
+  enum class Kind { info, error };
+  Kind kind = Kind::info;
+  std::string text;
+};
+
+/// What was asked for while there was unsaved work.
+enum class Intent { new_scene, open, quit };
+
+struct Question {
+  enum class Kind {
+    unsaved,  ///< answers: save, discard, cancel
+    recover,  ///< an autosave was found at the start; answers: recover, discard
+  };
+  Kind kind = Kind::unsaved;
+  Intent intent = Intent::quit;  ///< goes on with this after save or discard
+  std::string path;              ///< of Intent::open, or of the file that the autosave belongs to (may be empty)
+};
+
+/// A path that the window has to ask for; answered by Open or SaveAs, or taken back by CancelPrompt.
+enum class PathPrompt { none, open, save_as };
+
+/// What a drag holds on to. All of it is from the moment of the press, so that a drag is a pure function of where the
+/// pointer is now and does not depend on the way there.
+struct Drag {
+  Target target;          ///< nothing: the plan itself is panned
+  Vec2d grabbed_px{0.0};  ///< where the pointer was pressed, pixels
+  Vec2d grabbed{0.0};     ///< the same in scene units
+  Scene scene;            ///< as it was
+  PlanCamera camera;      ///< as it was
+  bool moved = false;     ///< beyond the few pixels that a click trembles
+};
+
+struct State {
+  // The scene and where it is kept.
+  SceneDocument document;
+  std::string path;                 ///< empty: never saved
+  Scene saved;                      ///< the scene as the file holds it
+  bool dirty = false;               ///< document.scene differs from `saved`
+  std::uint64_t revision = 0;       ///< changes with every change of document.scene: the 3-D image is rendered anew
+  std::vector<Scene> undo, redo;    ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::vector<std::string> recent;  ///< paths, the latest first
+  /// Folder for the autosave and the list of recent files; empty: neither is kept.
+  std::string state_dir;
+  double autosave_in = 0;  ///< seconds until the next autosave may be written
+  std::uint64_t autosaved_revision = 0;
+
+  // Playback.
+  Mode mode = Mode::move;
+  std::shared_ptr<const Timeline> timeline;  ///< of the strip; never null once made by make_state
+  int position = 0;                          ///< 0..timeline->steps()
+  bool playing = false;
+  double lines_per_second = 4;  ///< of AUTO; in grains ray and pixel: rays or pixels a second
+  double owed = 0;              ///< steps due from ticks, below 1 between ticks
+  Grain grain = Grain::line;
+
+  // Pointing.
+  Viewport viewport;
+  PlanCamera camera;
+  Target selected;
+  Target hovered;                    ///< under the pointer in the plan
+  int hovered_ray = -1;              ///< pointed at in plan or tree; lights up in plan, tree and code
+  std::optional<Line> hovered_line;  ///< pointed at in the code; lights up its ray in plan and tree
+  std::optional<Vec2d> pointer;      ///< pixels of the plan; none when it is elsewhere
+  std::optional<Drag> drag;
+
+  // Appearance.
+  Theme theme = Theme::dark;
+  double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
+  Tab tab = Tab::image;
+
+  // Talk.
+  std::optional<Question> question;
+  PathPrompt prompt = PathPrompt::none;
+  std::optional<Intent> after_save;  ///< goes on with this once SaveAs has succeeded
+  std::string after_save_path;       ///< of Intent::open
+  std::optional<Notice> notice;
+  bool quit = false;  ///< the window closes now
+
+  [[nodiscard]] const Scene& scene() const { return document.scene; }
+};
+
+inline constexpr double min_ui_scale = 1, max_ui_scale = 3;
+inline constexpr double min_speed = 0.25, max_speed = 2000;  ///< lines a second
+inline constexpr std::size_t undo_entries = 256;
+inline constexpr std::size_t undo_bytes = 64 << 20;  ///< of undo and redo together, roughly
+inline constexpr double autosave_every = 5;          ///< seconds
+
+/// A state that shows `document`, fitted to the viewport, at position 0.
+[[nodiscard]] State make_state(SceneDocument document, std::string path = {}, std::string state_dir = {});
+
+/// Reads the list of recent files and looks for an autosave in state.state_dir; when there is one, asks whether to
+/// recover it. To be called once at the start.
+void restore_session(State& state);
+
+/// The strip's column of the pixel under way (or just put), or -1.
+[[nodiscard]] int current_cell(const State& state);
+
+/// The file's name as a title bar shows it: without folders, "Untitled" when never saved, "*" in front when dirty.
+[[nodiscard]] std::string document_title(const State& state);
+
+}  // namespace raywalk

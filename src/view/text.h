@@ -1,0 +1,209 @@
+#pragma once
+// Everything that a person reads, by id and in one place: text_english.cpp. A further language is one more file with
+// the same exhaustive switches; the compiler then finds what it has not translated.
+
+#include "scene/scene.h"
+#include "timeline/message.h"
+#include "timeline/timeline.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+/// {0}, {1}, ... in a text stand for arguments of `fill`.
+enum class TextId {
+  // The four kinds, EYE and SCREEN, and what dragging them does.
+  solid_sphere,
+  transparent_sphere,
+  polygon,
+  light_source,
+  plane,
+  eye,
+  screen,
+  untitled,
+  new_scene_title,
+  drag_move,
+  drag_eye,
+  drag_view_direction,
+  drag_screen_height,
+  drag_screen_distance,
+  drag_radius,
+  drag_corner,
+  drag_edge,
+  drag_rotation,
+  cell_number,      ///< {0} cell from 1
+  cell_with_shade,  ///< {0} cell from 1, {1} colour
+  ray_from,         ///< {0} ray kind, {1} object
+  ray_of_cell,      ///< {0} ray kind, {1} cell from 1
+
+  // Modes, tabs, buttons.
+  mode_move,
+  mode_trace,
+  mode_help,
+  tab_image,
+  tab_tree,
+  tab_stack,
+  tab_legend,
+  button_step,
+  button_back,
+  button_auto,
+  button_pause,
+  button_clear,
+  button_fit,
+  button_undo,
+  button_redo,
+  button_add,
+  button_remove,
+  button_close,
+  grain,
+  grain_line,
+  grain_ray,
+  grain_pixel,
+  speed,
+  speed_unit,
+  theme,
+  theme_dark,
+  theme_projector,
+  ui_scale,
+
+  // Menus and dialogs.
+  menu_file,
+  menu_edit,
+  menu_view,
+  menu_new,
+  menu_open,
+  menu_recent,
+  menu_save,
+  menu_save_as,
+  menu_quit,
+  path_label,
+  answer_save,
+  answer_discard,
+  answer_recover,
+  answer_throw_away,
+  answer_cancel,
+  ask_unsaved_new,   ///< {0} file
+  ask_unsaved_open,  ///< {0} file, {1} the file to open
+  ask_unsaved_quit,  ///< {0} file
+  ask_recover,       ///< {0} file
+
+  // Properties.
+  properties,
+  nothing_selected,
+  name,
+  material,
+  ambient,
+  diffuse,
+  specular,
+  shininess,
+  reflection,
+  transmission,
+  ior,
+  dielectric,
+  filtered_shadow,
+  emission,
+  checker,
+  position,
+  direction,
+  centre,
+  radius,
+  height,
+  corner,  ///< {0} number from 1
+  normal,
+  strength,
+  attenuation,
+  view_angle,
+  look_at,
+  screen_distance,
+  screen_width,
+  screen_cells,
+  background,
+  ambient_light,
+  depth_limit,
+  threshold,
+
+  // Panels.
+  depth_badge,  ///< {0} depth
+  stack_main,
+  stack_shade,  ///< {0} depth
+  stack_primary_ray,
+  stack_ray_from,  ///< {0} ray kind, {1} object
+  waits_final,     ///< MAIN ALGORITHM waits for a SHADE
+  waits_refl,
+  waits_refr,
+  works_on,  ///< {0} the line's text
+  tree_empty,
+  tree_future,
+  stack_empty,
+  image_waiting,
+  image_row_marked,
+  legend_primary,
+  legend_shadow,
+  legend_reflect,
+  legend_refract,
+  sign_hit,  ///< each with its meaning
+  sign_missed,
+  sign_blocked,
+  sign_reached_light,
+  sign_stub,
+  sign_normal,
+  status,  ///< {0} position, {1} steps, {2} pixel, {3} pixels, {4} rays
+  first_step_trace,
+  first_step_move,
+  first_step_help,
+  after_last_step,
+
+  // Notices.
+  saved_as,   ///< {0} file
+  opened,     ///< {0} file
+  recovered,  ///< {0} file
+  refused,    ///< {0} why
+  refused_name_empty,
+  refused_name_taken,  ///< {0} name
+  refused_last_corners,
+  refused_eye_on_look_at,
+  refused_not_found,
+  nothing_to_undo,
+  nothing_to_redo,
+  select_first,
+  too_many_steps,
+  autosave_failed,  ///< {0} why
+};
+
+[[nodiscard]] std::string_view text(TextId id);
+/// The text with its arguments filled in.
+[[nodiscard]] std::string fill(TextId id, const std::vector<std::string>& arguments);
+
+[[nodiscard]] std::string_view text(RayKind kind);     ///< "reflect ray"
+[[nodiscard]] std::string_view text(Ending ending);    ///< a clause: "left the scene"
+[[nodiscard]] std::string_view symbol(Ending ending);  ///< one or two characters for the tree
+
+[[nodiscard]] std::string number_text(double value);   ///< 3 significant digits, no trailing zeros
+[[nodiscard]] std::string percent_text(double share);  ///< "45%", "0.2%"
+[[nodiscard]] std::string colour_text(const Rgbd& c);  ///< "(0.2, 0.5, 1)", or one number when it is a grey
+
+/// A message of the timeline as one sentence.
+[[nodiscard]] std::string sentence_of(const Message& message);
+
+/// The step that leads to `position`, 1 <= position <= steps(), as one line of a transcript: number, indentation by
+/// depth, the line of pseudocode and its sentence.
+[[nodiscard]] std::string step_text(const Scene& scene, const Timeline& timeline, int position);
+/// All steps, one a line.
+[[nodiscard]] std::string transcript(const Scene& scene, const Timeline& timeline);
+
+// ---- Help -----------------------------------------------------------------------------------------------------------
+
+struct HelpEntry {
+  std::string term;  ///< a button, a key, an object; empty for a paragraph
+  std::string text;
+};
+struct HelpSection {
+  std::string title;
+  std::vector<HelpEntry> entries;
+};
+/// The text of help mode.
+[[nodiscard]] std::vector<HelpSection> help();
+
+}  // namespace raywalk

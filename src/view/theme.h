@@ -1,0 +1,67 @@
+#pragma once
+// Colours and line styles. Rays differ in three ways at once (colour, dash pattern, width of the current one), so that
+// nobody has to tell them apart by colour alone; the colours are those of M. Okabe and K. Ito, "Color Universal Design"
+// (2008), whose yellow vanishes on white and is another one in the light theme.
+
+#include "math/vec.h"
+#include "trace/event.h"
+
+#include <array>
+#include <cstdint>
+
+namespace raywalk {
+
+/// A colour as the display wants it: sRGB, not premultiplied.
+struct Colour {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  friend bool operator==(const Colour&, const Colour&) = default;
+
+  [[nodiscard]] constexpr Colour with_alpha(int alpha) const { return {r, g, b, static_cast<std::uint8_t>(alpha)}; }
+};
+
+/// Linear light as a display shows it: clamped, sRGB encoded, rounded; what is not a number is magenta.
+[[nodiscard]] Colour display_colour(const Rgbd& linear);
+/// a + t (b - a) in sRGB; t in 0..1.
+[[nodiscard]] Colour mix(Colour a, Colour b, double t);
+
+enum class Theme {
+  dark,
+  projector,  ///< light and large, for a lit room and the last row
+};
+
+/// Lengths of dashes and gaps in turn, in pixels before the scale; count 0: solid.
+struct DashPattern {
+  std::array<double, 4> lengths{};
+  int count = 0;
+  friend bool operator==(const DashPattern&, const DashPattern&) = default;
+};
+
+struct RayStyle {
+  Colour colour;
+  DashPattern dash;  ///< primary solid, shadow short dashes, reflect long dashes, refract dash and dot
+};
+
+struct Palette {
+  Colour window;          ///< behind everything
+  Colour plan;            ///< ground of the plan
+  Colour panel;           ///< ground of code, tree and stack
+  Colour text, dim_text;  ///< on any of the three
+  Colour grid;            ///< faint lines of the plan
+  Colour ink;             ///< outlines of EYE, SCREEN and objects
+  Colour empty_cell;      ///< a cell of SCREEN without its final shade
+  Colour light;           ///< sun symbols
+  Colour normal;          ///< normals at hits
+  Colour handle;          ///< what can be dragged
+  Colour selected, hovered;
+  Colour just_run;  ///< ground of the line that has just run, behind `text`
+  Colour next;      ///< outline of the line that runs next
+  Colour error;     ///< notices that report a failure
+};
+
+[[nodiscard]] const Palette& palette(Theme theme);
+[[nodiscard]] const RayStyle& ray_style(Theme theme, RayKind kind);
+
+/// Factor by which the theme's lines and letters are larger than the dark theme's.
+[[nodiscard]] double theme_scale(Theme theme);
+
+}  // namespace raywalk
