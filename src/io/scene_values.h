@@ -1,0 +1,50 @@
+#pragma once
+// A scene as the tree of keys and values that stands in its file. Internal to `io`; the interface is io/scene_file.h.
+
+#include "scene/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk::detail {
+
+/// A key's value. Two trees are equal when they hold the same numbers, bit for bit, however these are written.
+struct Value {
+  enum class Kind {
+    scalar,  ///< `text`
+    list,    ///< children without keys, scalars or lists
+    table,   ///< children with keys
+    tables,  ///< children without keys, tables
+  };
+  /// How a list may also be written.
+  enum class Shorthand {
+    none,
+    grey,  ///< three equal numbers as one number
+    flat,  ///< three numbers without the last one when that is 0
+  };
+
+  std::string key{};
+  Kind kind = Kind::scalar;
+  std::string text{};  ///< as TOML
+  std::vector<Value> children{};
+  Shorthand shorthand = Shorthand::none;
+  bool is_default = false;  ///< reads back the same when left out
+
+  friend bool operator==(const Value& a, const Value& b) {
+    return a.key == b.key && a.kind == b.kind && a.text == b.text && a.children == b.children;
+  }
+  /// The child of this key, or null.
+  [[nodiscard]] const Value* find(std::string_view child_key) const;
+};
+
+/// All of `scene`, with the values that a file may leave out.
+[[nodiscard]] Value values_of(const Scene& scene);
+
+/// The value on one line, a table in braces. Of a table's values those that are not the default.
+[[nodiscard]] std::string inline_text(const Value& value);
+/// The lines under a table's header: its values that are not the default, then those of its tables under headers of
+/// their own. `path` is the header's name, "" for the whole file.
+[[nodiscard]] std::string section_text(const Value& table, const std::string& path);
+
+}  // namespace raywalk::detail

@@ -1,0 +1,110 @@
+#include "io/file.h"
+#include "io/scene_file.h"
+#include "io/scene_merge.h"
+#include "io/scene_rearrange.h"
+#include "io/scene_values.h"
+#include "io/toml_layout.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+using detail::Value;
+
+/// Whether every line of `text` ends as on Windows.
+bool has_windows_lines(std::string_view text) {
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+    if (at == 0 || text[at - 1] != '\r') return false;
+  return text.find('\n') != std::string_view::npos;
+}
+
+std::string with_unix_lines(std::string text) {
+  std::erase(text, '\r');
+  return text;
+}
+
+std::string with_windows_lines(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\n') result += '\r';
+    result += c;
+  }
+  return result;
+}
+
+/// `text`, which holds `old`, changed so that it holds `now`; nothing when its layout is beyond us.
+std::optional<std::string> merged(std::string text, Value old, const Value& now) {
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  for (const Value& tables : now.children) {
+    if (tables.kind != Value::Kind::tables) continue;
+    const auto before = std::find_if(old.children.begin(), old.children.end(),
+                                     [&](const Value& each) { return each.key == tables.key; });
+    const detail::Origins origins = detail::pair_up(*before, tables);
+    if (detail::is_unchanged(origins, before->children.size())) continue;
+    const auto layout = detail::scan_toml(text);
+    if (!layout) return std::nullopt;
+    const detail::LayoutNode* node = layout->root.find(tables.key);
+    detail::TextEdits edits;
+    if (node != nullptr && node->is_inline)
+      detail::rearrange_list(text, *node, tables, origins, edits);
+    else
+      detail::rearrange_tables(*layout, text, node, tables, origins, edits);
+    auto rearranged = edits.apply(text);
+    if (!rearranged) return std::nullopt;
+    text = std::move(*rearranged);
+    std::vector<Value> elements;
+    for (std::size_t i = 0; i < origins.size(); ++i)
+      elements.push_back(origins[i] ? before->children[*origins[i]] : tables.children[i]);
+    before->children = std::move(elements);
+  }
+  const auto layout = detail::scan_toml(text);
+  if (!layout) return std::nullopt;
+  detail::TextEdits edits;
+  detail::merge_values(*layout, text, old, now, edits);
+  return edits.apply(text);
+}
+
+}  // namespace
+
+Result<std::string> format_scene(const Scene& scene, std::string_view previous_text) {
+  const Value now = detail::values_of(scene);
+  // Reading what was written is the proof that nothing is lost, and the check of the scene itself.
+  const auto holds_scene = [&](const Result<SceneDocument>& written) {
+    return written && detail::values_of(written->scene) == now;
+  };
+  if (!previous_text.empty()) {
+    const bool windows = has_windows_lines(previous_text);
+    const std::string previous = windows ? with_unix_lines(std::string(previous_text)) : std::string(previous_text);
+    if (const auto old = parse_scene(previous, "")) {
+      auto text = merged(previous, detail::values_of(old->scene), now);
+      if (text && windows) text = with_windows_lines(*text);
+      if (text && holds_scene(parse_scene(*text, ""))) return *text;
+    }
+  }
+  const std::string text = detail::section_text(now, "");
+  const auto written = parse_scene(text, "the scene to be written");
+  if (!written) return tl::unexpected(written.error());
+  if (!holds_scene(written))
+    return tl::unexpected(Error{"", 0, 0, "the scene cannot be written without loss", "change what was edited last"});
+  return text;
+}
+
+Result<void> write_scene(SceneDocument& document, const std::string& path) {
+  auto text = format_scene(document.scene, document.text);
+  if (!text) {
+    // The place in a text that nobody has seen says nothing; the message names the key and the object.
+    Error error = text.error();
+    error.file = path;
+    error.line = error.column = 0;
+    return tl::unexpected(error);
+  }
+  if (const auto written = write_file_atomically(path, *text); !written) return written;
+  document.text = std::move(*text);
+  return {};
+}
+
+}  // namespace raywalk

@@ -1,0 +1,204 @@
+#include "random_scene.h"
+
+#include <cmath>
+#include <string_view>
+
+#include "io/scene_values.h"
+
+namespace raywalk::test {
+
+namespace {
+
+Vec3d random_point(Random& random) {
+  return {random.number(), random.number(), random.chance(0.5) ? 0.0 : random.number()};
+}
+
+Vec3d random_direction(Random& random) {
+  return {random.unit() - 0.5, random.chance(0.3) ? 0.0 : random.unit(), random.unit() + 0.01};
+}
+
+Rgbd random_colour(Random& random) {
+  if (random.chance(0.3)) return Rgbd(random.unit());
+  if (random.chance(0.2)) return Rgbd(static_cast<double>(random.below(3)) / 2);
+  return {random.unit(), random.unit(), random.unit()};
+}
+
+/// Corners around a circle at rising angles: their edges cannot cross.
+std::vector<Vec2d> random_corners(Random& random) {
+  const std::size_t count = 3 + random.below(9);
+  const Vec2d centre{random.unit() * 10, random.unit() * 10};
+  std::vector<Vec2d> corners;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = (static_cast<double>(i) + 0.8 * random.unit()) * 6.28 / static_cast<double>(count);
+    corners.push_back(centre + (1 + random.unit()) * Vec2d(std::cos(angle), std::sin(angle)));
+  }
+  return corners;
+}
+
+Shape<double> random_shape(Random& random) {
+  switch (random.below(3)) {
+    case 0:
+      return Sphere<double>{random_point(random), random.positive()};
+    case 1:
+      return Plane<double>{random_point(random), random_direction(random)};
+    default:
+      return Prism<double>{random_corners(random), random.chance(0.3) ? 1.0 : random.positive()};
+  }
+}
+
+void random_view(Camera& camera, Random& random) {
+  camera.fov.reset();
+  camera.screen.width.reset();
+  if (random.chance(0.5))
+    camera.fov = FieldOfView{1 + 178 * random.unit(), random.chance(0.5) ? FovAxis::x : FovAxis::y};
+  else
+    camera.screen.width = random.positive();
+}
+
+std::string random_text(Random& random) {
+  constexpr std::string_view pieces[] = {"ball", "\"quoted\"", "back\\slash", "é", "漢字", "#", "=", "[x]", "'", " "};
+  std::string text = "t";
+  for (std::size_t i = random.below(6); i > 0; --i) text += pieces[random.below(std::size(pieces))];
+  return text;
+}
+
+}  // namespace
+
+double Random::number() {
+  switch (below(6)) {
+    case 0:
+      return static_cast<double>(below(21)) - 10;
+    case 1:
+      return (static_cast<double>(below(201)) - 100) / 10;
+    case 2:
+      return std::ldexp(unit() - 0.5, static_cast<int>(below(98)) - 49);
+    case 3:
+      return chance(0.5) ? 0.0 : -0.0;
+    case 4:
+      return chance(0.5) ? 5e-324 : -2.2250738585072011e-308;
+    default:
+      return 20 * unit() - 10;
+  }
+}
+
+double Random::positive() {
+  return chance(0.5) ? static_cast<double>(1 + below(40)) / 10
+                     : std::ldexp(1 + unit(), static_cast<int>(below(98)) - 49);
+}
+
+Material random_material(Random& random) {
+  Material material;
+  const auto maybe = [&](Rgbd& colour) {
+    if (random.chance(0.4)) colour = random_colour(random);
+  };
+  maybe(material.ambient);
+  maybe(material.diffuse);
+  maybe(material.specular);
+  maybe(material.reflection);
+  maybe(material.transmission);
+  maybe(material.emission);
+  if (random.chance(0.3)) material.shininess = 100 * random.unit();
+  if (random.chance(0.3)) material.ior = 1 + random.unit();
+  material.dielectric = random.chance(0.2);
+  if (random.chance(0.2)) material.shadow = ShadowKind::filtered;
+  if (random.chance(0.2)) material.checker = Checker{random_colour(random), random_colour(random), random.positive()};
+  return material;
+}
+
+Object random_object(Random& random, const std::string& name) {
+  Object object{name, random_shape(random), {}};
+  if (random.chance(0.8)) object.material = random_material(random);
+  return object;
+}
+
+Light random_light(Random& random, const std::string& name) {
+  Light light{name, Rgbd(1.0), {}};
+  if (random.chance(0.5)) light.strength = random_colour(random);
+  if (random.chance(0.3))
+    light.kind = DirectionalLight{random_direction(random)};
+  else
+    light.kind = PointLight{random_point(random),
+                            random.chance(0.5) ? Attenuation{} : Attenuation{random.unit(), 0, random.unit() + 0.1}};
+  return light;
+}
+
+Scene random_scene(Random& random) {
+  Scene scene;
+  if (random.chance(0.7)) scene.title = random_text(random);
+  if (random.chance(0.4)) scene.description = random_text(random);
+  scene.camera.eye = random_point(random);
+  scene.camera.look_at = scene.camera.eye + Vec3d(1 + random.unit(), random.unit(), 0.1);
+  if (!(length(scene.camera.look_at - scene.camera.eye) > 1e-3)) scene.camera.eye = Vec3d(0.0);
+  if (random.chance(0.3)) scene.camera.up = {0.1 * random.unit(), -0.0, 1 + random.unit()};
+  if (random.chance(0.5)) scene.camera.screen.distance = random.positive();
+  if (random.chance(0.3)) scene.camera.screen.cells = 1 + static_cast<int>(random.below(500));
+  random_view(scene.camera, random);
+  if (random.chance(0.3))
+    scene.image = {1 + static_cast<int>(random.below(999)), 1 + static_cast<int>(random.below(999))};
+  if (random.chance(0.3)) scene.limits = {1 + static_cast<int>(random.below(20)), random.unit()};
+  if (random.chance(0.3)) scene.background = random_colour(random);
+  if (random.chance(0.3)) scene.ambient = random_colour(random);
+  for (std::size_t i = random.below(4); i > 0; --i)
+    scene.lights.push_back(random_light(random, "light " + std::to_string(i) + random_text(random)));
+  for (std::size_t i = random.below(6); i > 0; --i)
+    scene.objects.push_back(random_object(random, "object " + std::to_string(i) + random_text(random)));
+  return scene;
+}
+
+void change_something(Scene& scene, Random& random) {
+  Object* object = scene.objects.empty() ? nullptr : &scene.objects[random.below(scene.objects.size())];
+  Light* light = scene.lights.empty() ? nullptr : &scene.lights[random.below(scene.lights.size())];
+  switch (random.below(12)) {
+    case 0:
+      return random_view(scene.camera, random);
+    case 1:
+      scene.background = random_colour(random);
+      return;
+    case 2:
+      scene.limits.depth = 1 + static_cast<int>(random.below(9));
+      return;
+    case 3:
+      scene.camera.screen.distance = random.positive();
+      return;
+    case 4:
+      scene.title = random_text(random);
+      return;
+    case 5:
+      if (light != nullptr) light->strength = random_colour(random);
+      return;
+    case 6:
+      if (light != nullptr) light->kind = random_light(random, "").kind;
+      return;
+    case 7:
+      if (object != nullptr) object->shape = random_shape(random);
+      return;
+    case 8:
+      if (object != nullptr) object->material = random_material(random);
+      return;
+    case 9:
+      if (object != nullptr) object->material.diffuse = random_colour(random);
+      return;
+    default:
+      break;
+  }
+  if (object == nullptr) return;
+  if (auto* sphere = std::get_if<Sphere<double>>(&object->shape)) {
+    sphere->centre = random_point(random);
+  } else if (auto* plane = std::get_if<Plane<double>>(&object->shape)) {
+    plane->point = random_point(random);
+  } else if (auto* prism = std::get_if<Prism<double>>(&object->shape)) {
+    auto& corners = prism->corners;
+    const auto at = corners.begin() + static_cast<std::ptrdiff_t>(random.below(corners.size()));
+    if (random.chance(0.5) && corners.size() > 3)
+      corners.erase(at);
+    else
+      corners.insert(at, *at);
+    const auto changed = std::find(corners.begin(), corners.end(), corners.front());
+    *changed += Vec2d(1e-9, 1e-9);
+    if (!why_not_polygon(corners).empty()) corners = random_corners(random);
+  }
+}
+
+bool same_bits(const Scene& a, const Scene& b) { return detail::values_of(a) == detail::values_of(b) && a == b; }
+
+}  // namespace raywalk::test
