@@ -44,14 +44,14 @@ template <class T>
 
 namespace detail {
 
-/// The two roots of a t^2 + 2 b t + c, ascending; none when the discriminant is negative.
+/// The two roots of a t^2 + 2 b t + c, ascending, and b^2 - a c; no roots (NaN) when that is negative.
 struct Roots {
-  double near, far;
+  double near, far, discriminant;
 };
 
 /// The sphere's roots in double-double arithmetic on the ray as stored.
-[[nodiscard]] inline std::optional<Roots> sphere_roots_exactly(const Vec3d& origin, const Vec3d& direction,
-                                                               const Vec3d& centre, double radius) {
+[[nodiscard]] inline Roots sphere_roots_exactly(const Vec3d& origin, const Vec3d& direction, const Vec3d& centre,
+                                                double radius) {
   const DoubleDouble ox = two_sum(origin.x, -centre.x), oy = two_sum(origin.y, -centre.y),
                      oz = two_sum(origin.z, -centre.z);
   const DoubleDouble dx(direction.x), dy(direction.y), dz(direction.z);
@@ -60,13 +60,13 @@ struct Roots {
   const DoubleDouble c = ox * ox + oy * oy + oz * oz - two_product(radius, radius);
   const DoubleDouble cx = oy * dz - oz * dy, cy = oz * dx - ox * dz, cz = ox * dy - oy * dx;
   const DoubleDouble discriminant = a * two_product(radius, radius) - (cx * cx + cy * cy + cz * cz);
-  if (discriminant.hi < 0) return std::nullopt;
+  if (discriminant.hi < 0) return {NAN, NAN, discriminant.hi};
   const DoubleDouble root = sqrt(discriminant);
   // Add quantities of one sign only, so that neither root cancels.
   const DoubleDouble q = b.hi > 0 ? -(b + root) : root - b;
-  if (q.hi == 0) return Roots{0, 0};
+  if (q.hi == 0) return {0, 0, discriminant.hi};
   const double t0 = static_cast<double>(q / a), t1 = static_cast<double>(c / q);
-  return Roots{std::min(t0, t1), std::max(t0, t1)};
+  return {std::min(t0, t1), std::max(t0, t1), discriminant.hi};
 }
 
 }  // namespace detail
@@ -79,47 +79,47 @@ std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray,
   const Vec3d o = origin - centre;
   const double a = dot(d, d);
   const double b = dot(d, o);
+  double c = 0;
   detail::Roots roots{};
   if (departed_part != no_part) {
-    roots = {std::min(0.0, -2 * b / a), std::max(0.0, -2 * b / a)};
-    if constexpr (std::decay_t<Explain>::wanted) explain.quadratic(a, 2 * b, 0, 4 * b * b, roots.near, roots.far);
+    roots = {std::min(0.0, -2 * b / a), std::max(0.0, -2 * b / a), b * b};
   } else {
     const double r2 = radius * radius;
     const double oo = dot(o, o);
-    const double c = oo - r2;
     const Vec3d oxd = cross(o, d);
     const double discriminant = a * r2 - dot(oxd, oxd);
+    c = oo - r2;
     // The discriminant is wrong by at most about 20 a size ulp; c by 5 size ulp, and must keep half of its digits.
     constexpr double sign_bound = 32 * 1.1102230246251565e-16, digits_bound = 1e-8;
     const double size = oo + r2;
     if (std::abs(discriminant) <= sign_bound * a * size || std::abs(c) <= digits_bound * size) {
-      const auto exact = detail::sphere_roots_exactly(origin, d, centre, radius);
-      if (!exact) {
-        if constexpr (std::decay_t<Explain>::wanted) explain.quadratic(a, 2 * b, c, 4 * discriminant, NAN, NAN);
-        return std::nullopt;
-      }
-      roots = *exact;
+      roots = detail::sphere_roots_exactly(origin, d, centre, radius);
     } else if (discriminant < 0) {
-      if constexpr (std::decay_t<Explain>::wanted) explain.quadratic(a, 2 * b, c, 4 * discriminant, NAN, NAN);
-      return std::nullopt;
+      roots = {NAN, NAN, discriminant};
     } else {
       const double root = std::sqrt(discriminant);
       const double q = b > 0 ? -(b + root) : root - b;  // one sign only: no cancellation
       const double t0 = q / a, t1 = c / q;
-      roots = {std::min(t0, t1), std::max(t0, t1)};
+      roots = {std::min(t0, t1), std::max(t0, t1), discriminant};
     }
-    if constexpr (std::decay_t<Explain>::wanted)
-      explain.quadratic(a, 2 * b, c, 4 * discriminant, roots.near, roots.far);
   }
-  const T t = static_cast<T>(roots.near > 0 ? roots.near : roots.far);
-  if (!(t > 0 && t < t_max)) return std::nullopt;
+  if constexpr (std::decay_t<Explain>::wanted)
+    explain.quadratic(a, 2 * b, c, 4 * roots.discriminant, roots.near, roots.far);
+  // Rounded before they are compared: what is positive in double may be 0 in float, and is then no crossing.
+  const T near = static_cast<T>(roots.near), far = static_cast<T>(roots.far);
+  const T t = near > 0 ? near : far;
+  if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: no roots
   return Crossing<T>{t};
 }
 
 template <class T>
 SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Crossing<T> crossing) {
-  // The computed point is pulled back onto the sphere along the normal; on the plan it stays on the plan.
-  const Vec3<T> normal = normalize(ray.at(crossing.t) - sphere.centre);
+  // The computed point is pulled back onto the sphere along the normal; on the plan it stays on the plan. It is formed
+  // as seen from the centre: far from the origin of the scene, the point itself has too few digits for a normal.
+  const Vec3<T> offset = (ray.origin - sphere.centre) + crossing.t * ray.direction;
+  const T distance = length(offset);
+  // A sphere smaller than the last digit of t is met in its centre: the side that faces the ray is as good as any.
+  const Vec3<T> normal = distance > 0 ? offset / distance : -normalize(ray.direction);
   return {sphere.centre + sphere.radius * normal, normal};
 }
 
