@@ -1,0 +1,220 @@
+#pragma once
+// The commands, one row each: name, label, what it does, and the keys that ask for it.
+
+#include "gui/commands.h"
+#include "view/text.h"
+
+#include <GLFW/glfw3.h>
+
+#include <array>
+
+namespace raywalk {
+
+/// In which mode a key asks for its command. Digits and arrows mean different things in Move and in Trace.
+enum class When { always, move, not_move };
+
+struct Key {
+  int key = 0;  ///< GLFW_KEY_*; 0: none
+  bool ctrl = false, shift = false, alt = false;
+  When when = When::always;
+};
+
+struct CommandRow {
+  Command command;
+  const char* name;
+  /// From the catalogue; where a button carries more than one word of it, `label_text` is the whole.
+  std::optional<TextId> label;
+  const char* label_text;
+  const char* hint;
+  std::array<Key, 3> keys{};  ///< the first one stands in menus and tooltips
+};
+
+inline constexpr std::array<CommandRow, command_count> command_table{{
+    {Command::new_scene, "new", TextId::menu_new, "", "start a new scene", {{{GLFW_KEY_N, true}}}},
+    {Command::open, "open", TextId::menu_open, "", "open a scene file", {{{GLFW_KEY_O, true}}}},
+    {Command::save, "save", TextId::menu_save, "", "write the scene to its file", {{{GLFW_KEY_S, true}}}},
+    {Command::save_as,
+     "save-as",
+     TextId::menu_save_as,
+     "",
+     "write the scene to another file",
+     {{{GLFW_KEY_S, true, true}}}},
+    {Command::quit, "quit", TextId::menu_quit, "", "close the window", {{{GLFW_KEY_Q, true}}}},
+    {Command::undo, "undo", TextId::button_undo, "", "take the last change back", {{{GLFW_KEY_Z, true}}}},
+    {Command::redo,
+     "redo",
+     TextId::button_redo,
+     "",
+     "make the change again that was taken back",
+     {{{GLFW_KEY_Y, true}, {GLFW_KEY_Z, true, true}}}},
+    {Command::remove,
+     "remove",
+     TextId::button_remove,
+     "",
+     "remove what is selected",
+     {{{GLFW_KEY_DELETE, false, false, false, When::move}, {GLFW_KEY_BACKSPACE, false, false, false, When::move}}}},
+    {Command::deselect, "deselect", TextId::button_close, "", "select nothing; back to the code", {}},
+    {Command::select_next,
+     "select-next",
+     {},
+     "Select next",
+     "select the next thing",
+     {{{GLFW_KEY_TAB, false, false, false, When::move}}}},
+    {Command::select_previous,
+     "select-previous",
+     {},
+     "Select previous",
+     "select the thing before",
+     {{{GLFW_KEY_TAB, false, true, false, When::move}}}},
+    {Command::edit_properties,
+     "edit-properties",
+     TextId::properties,
+     "",
+     "type the numbers of what is selected; Tab goes from one to the next",
+     {{{GLFW_KEY_ENTER, false, false, false, When::move}, {GLFW_KEY_KP_ENTER, false, false, false, When::move}}}},
+    {Command::add_solid_sphere,
+     "add-solid-sphere",
+     TextId::solid_sphere,
+     "",
+     "add a solid sphere",
+     {{{GLFW_KEY_1, false, false, false, When::move}}}},
+    {Command::add_transparent_sphere,
+     "add-transparent-sphere",
+     TextId::transparent_sphere,
+     "",
+     "add a transparent sphere",
+     {{{GLFW_KEY_2, false, false, false, When::move}}}},
+    {Command::add_polygon,
+     "add-polygon",
+     TextId::polygon,
+     "",
+     "add a polygon",
+     {{{GLFW_KEY_3, false, false, false, When::move}}}},
+    {Command::add_light,
+     "add-light",
+     TextId::light_source,
+     "",
+     "add a light source",
+     {{{GLFW_KEY_4, false, false, false, When::move}}}},
+    {Command::mode_move, "mode-move", TextId::mode_move, "", "arrange the scene: drag, add, change", {{{GLFW_KEY_M}}}},
+    {Command::mode_trace, "mode-trace", TextId::mode_trace, "", "walk the rays through the scene", {{{GLFW_KEY_T}}}},
+    {Command::mode_help,
+     "mode-help",
+     TextId::mode_help,
+     "",
+     "read what everything is and does",
+     {{{GLFW_KEY_F1}, {GLFW_KEY_H}}}},
+    {Command::step,
+     "step",
+     TextId::button_step,
+     "",
+     "go one step forward",
+     {{{GLFW_KEY_SPACE}, {GLFW_KEY_RIGHT, false, false, false, When::not_move}, {GLFW_KEY_PAGE_DOWN}}}},
+    {Command::step_back,
+     "step-back",
+     TextId::button_back,
+     "",
+     "go one step back",
+     {{{GLFW_KEY_LEFT, false, false, false, When::not_move}, {GLFW_KEY_PAGE_UP}}}},
+    {Command::step_ray,
+     "step-ray",
+     {},
+     "Next ray",
+     "go on to where the next ray is formed",
+     {{{GLFW_KEY_RIGHT, false, true, false, When::not_move}, {GLFW_KEY_SPACE, false, true}}}},
+    {Command::step_ray_back,
+     "step-ray-back",
+     {},
+     "Previous ray",
+     "go back to where the ray before was formed",
+     {{{GLFW_KEY_LEFT, false, true, false, When::not_move}}}},
+    {Command::step_pixel,
+     "step-pixel",
+     {},
+     "Next pixel",
+     "go on until the pixel has its final shade",
+     {{{GLFW_KEY_RIGHT, true, false, false, When::not_move}, {GLFW_KEY_SPACE, true}}}},
+    {Command::step_pixel_back,
+     "step-pixel-back",
+     {},
+     "Previous pixel",
+     "go back to where the pixel before had its final shade",
+     {{{GLFW_KEY_LEFT, true, false, false, When::not_move}}}},
+    {Command::play, "play", TextId::button_auto, "", "go on by itself; once more: pause", {{{GLFW_KEY_A}}}},
+    {Command::clear, "clear", TextId::button_clear, "", "wipe all rays and start over", {{{GLFW_KEY_C}}}},
+    {Command::first, "first", {}, "To the start", "go to before the first step", {{{GLFW_KEY_HOME}}}},
+    {Command::last, "last", {}, "To the end", "go to after the last step", {{{GLFW_KEY_END}}}},
+    {Command::slower, "slower", {}, "Slower", "halve the speed of AUTO", {{{GLFW_KEY_MINUS}, {GLFW_KEY_KP_SUBTRACT}}}},
+    {Command::faster,
+     "faster",
+     {},
+     "Faster",
+     "double the speed of AUTO",
+     {{{GLFW_KEY_KP_ADD}, {GLFW_KEY_EQUAL}, {GLFW_KEY_EQUAL, false, true}}}},
+    {Command::grain_line,
+     "grain-line",
+     TextId::grain_line,
+     "",
+     "a step is one line of the code",
+     {{{GLFW_KEY_1, false, false, false, When::not_move}}}},
+    {Command::grain_ray,
+     "grain-ray",
+     TextId::grain_ray,
+     "",
+     "a step goes on to the next ray",
+     {{{GLFW_KEY_2, false, false, false, When::not_move}}}},
+    {Command::grain_pixel,
+     "grain-pixel",
+     TextId::grain_pixel,
+     "",
+     "a step goes on to the next pixel",
+     {{{GLFW_KEY_3, false, false, false, When::not_move}}}},
+    {Command::tab_image, "tab-image", TextId::tab_image, "", "the picture that EYE sees", {{{GLFW_KEY_I}}}},
+    {Command::tab_tree, "tab-tree", TextId::tab_tree, "", "which ray led to which, for this pixel", {{{GLFW_KEY_R}}}},
+    {Command::tab_stack, "tab-stack", TextId::tab_stack, "", "the calls that wait for each other", {{{GLFW_KEY_K}}}},
+    {Command::tab_legend, "tab-legend", TextId::tab_legend, "", "what the lines and signs mean", {{{GLFW_KEY_L}}}},
+    {Command::zoom_in,
+     "zoom-in",
+     {},
+     "Zoom in",
+     "show less of the plan, larger",
+     {{{GLFW_KEY_UP, false, false, true}}}},
+    {Command::zoom_out,
+     "zoom-out",
+     {},
+     "Zoom out",
+     "show more of the plan, smaller",
+     {{{GLFW_KEY_DOWN, false, false, true}}}},
+    {Command::fit, "fit", TextId::button_fit, "", "show the whole scene", {{{GLFW_KEY_F}}}},
+    {Command::theme, "theme", TextId::theme, "", "dark, or light and large for a projector", {{{GLFW_KEY_D}}}},
+    {Command::scale_up,
+     "scale-up",
+     {},
+     "Larger",
+     "make letters and buttons larger",
+     {{{GLFW_KEY_KP_ADD, true}, {GLFW_KEY_EQUAL, true}, {GLFW_KEY_EQUAL, true, true}}}},
+    {Command::scale_down,
+     "scale-down",
+     {},
+     "Smaller",
+     "make letters and buttons smaller",
+     {{{GLFW_KEY_MINUS, true}, {GLFW_KEY_KP_SUBTRACT, true}}}},
+    {Command::scale_reset,
+     "scale-reset",
+     {},
+     "Usual size",
+     "letters and buttons as they were at first",
+     {{{GLFW_KEY_0, true}, {GLFW_KEY_KP_0, true}}}},
+    {Command::full_screen, "full-screen", {}, "Full screen", "fill the screen, or no longer", {{{GLFW_KEY_F11}}}},
+    {Command::menu, "menu", {}, "Menus", "open the menus; arrows and Enter choose", {{{GLFW_KEY_F10}}}},
+}};
+
+// The table is indexed by the enumeration.
+static_assert([] {
+  for (int i = 0; i < command_count; ++i) {
+    if (static_cast<int>(command_table[static_cast<std::size_t>(i)].command) != i) return false;
+  }
+  return true;
+}());
+
+}  // namespace raywalk

@@ -1,0 +1,298 @@
+#include "gui/commands.h"
+
+#include "gui/command_table.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+const CommandRow& row_of(Command command) { return command_table[static_cast<std::size_t>(command)]; }
+
+// What Tab goes through, in this order.
+std::vector<Target> selectable(const Scene& scene) {
+  std::vector<Target> targets;
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) targets.push_back({TargetKind::object, i});
+  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) targets.push_back({TargetKind::light, i});
+  targets.push_back({TargetKind::eye});
+  return targets;
+}
+
+void select_along(const Ui& ui, int direction) {
+  const std::vector<Target> targets = selectable(ui.state.scene());
+  const auto same = [&](const Target& t) {
+    return t.kind == ui.state.selected.kind && (t.kind == TargetKind::eye || t.index == ui.state.selected.index);
+  };
+  const auto at = std::find_if(targets.begin(), targets.end(), same);
+  const int count = static_cast<int>(targets.size());
+  int next = direction > 0 ? 0 : count - 1;
+  if (at != targets.end()) next = (static_cast<int>(at - targets.begin()) + direction + count) % count;
+  ui.act(action::Select{targets[static_cast<std::size_t>(next)]});
+}
+
+void step(const Ui& ui, bool forward, std::optional<Grain> grain) {
+  // Whoever asks for a step wants to see it.
+  if (ui.state.mode != Mode::trace) ui.act(action::SetMode{Mode::trace});
+  ui.act(action::Step{forward, grain});
+}
+
+void zoom(const Ui& ui, double factor) {
+  const Viewport& pane = ui.state.viewport;
+  ui.act(action::Zoom{{pane.width / 2, pane.height / 2}, factor});
+}
+
+constexpr double scale_step = 0.25;
+
+}  // namespace
+
+std::string_view command_name(Command command) { return row_of(command).name; }
+
+std::string command_label(Command command, const State& state) {
+  if (command == Command::play && state.playing) return std::string(text(TextId::button_pause));
+  const CommandRow& row = row_of(command);
+  return row.label ? std::string(text(*row.label)) : row.label_text;
+}
+
+std::string command_hint(Command command) { return row_of(command).hint; }
+
+bool enabled(Command command, const State& state) {
+  const bool at_start = state.position == 0, at_end = state.position >= state.timeline->steps();
+  switch (command) {
+    case Command::undo:
+      return !state.undo.empty();
+    case Command::redo:
+      return !state.redo.empty();
+    case Command::remove:
+      return state.mode == Mode::move &&
+             (state.selected.kind == TargetKind::object || state.selected.kind == TargetKind::light ||
+              state.selected.kind == TargetKind::corner);
+    case Command::deselect:
+      return static_cast<bool>(state.selected);
+    case Command::edit_properties:
+      return state.mode == Mode::move && static_cast<bool>(state.selected);
+    case Command::select_next:
+    case Command::select_previous:
+    case Command::add_solid_sphere:
+    case Command::add_transparent_sphere:
+    case Command::add_polygon:
+    case Command::add_light:
+      return state.mode == Mode::move;
+    case Command::step:
+    case Command::step_ray:
+    case Command::step_pixel:
+    case Command::last:
+      return !at_end;
+    case Command::play:
+      return !at_end || state.playing;
+    case Command::step_back:
+    case Command::step_ray_back:
+    case Command::step_pixel_back:
+    case Command::first:
+    case Command::clear:
+      return !at_start || state.playing;
+    case Command::slower:
+      return state.lines_per_second > min_speed;
+    case Command::faster:
+      return state.lines_per_second < max_speed;
+    case Command::scale_up:
+      return state.ui_scale < max_ui_scale;
+    case Command::scale_down:
+      return state.ui_scale > min_ui_scale;
+    case Command::scale_reset:
+      return state.ui_scale != 1;
+    case Command::new_scene:
+    case Command::open:
+    case Command::save:
+    case Command::save_as:
+    case Command::quit:
+    case Command::mode_move:
+    case Command::mode_trace:
+    case Command::mode_help:
+    case Command::grain_line:
+    case Command::grain_ray:
+    case Command::grain_pixel:
+    case Command::tab_image:
+    case Command::tab_tree:
+    case Command::tab_stack:
+    case Command::tab_legend:
+    case Command::zoom_in:
+    case Command::zoom_out:
+    case Command::fit:
+    case Command::theme:
+    case Command::full_screen:
+    case Command::menu:
+      return true;
+  }
+  return false;
+}
+
+bool chosen(Command command, const State& state) {
+  switch (command) {
+    case Command::mode_move:
+      return state.mode == Mode::move;
+    case Command::mode_trace:
+      return state.mode == Mode::trace;
+    case Command::mode_help:
+      return state.mode == Mode::help;
+    case Command::play:
+      return state.playing;
+    case Command::grain_line:
+      return state.grain == Grain::line;
+    case Command::grain_ray:
+      return state.grain == Grain::ray;
+    case Command::grain_pixel:
+      return state.grain == Grain::pixel;
+    case Command::tab_image:
+      return state.tab == Tab::image;
+    case Command::tab_tree:
+      return state.tab == Tab::tree;
+    case Command::tab_stack:
+      return state.tab == Tab::stack;
+    case Command::tab_legend:
+      return state.tab == Tab::legend;
+    case Command::theme:
+      return state.theme == Theme::projector;
+    case Command::new_scene:
+    case Command::open:
+    case Command::save:
+    case Command::save_as:
+    case Command::quit:
+    case Command::undo:
+    case Command::redo:
+    case Command::remove:
+    case Command::deselect:
+    case Command::select_next:
+    case Command::select_previous:
+    case Command::edit_properties:
+    case Command::add_solid_sphere:
+    case Command::add_transparent_sphere:
+    case Command::add_polygon:
+    case Command::add_light:
+    case Command::step:
+    case Command::step_back:
+    case Command::step_ray:
+    case Command::step_ray_back:
+    case Command::step_pixel:
+    case Command::step_pixel_back:
+    case Command::clear:
+    case Command::first:
+    case Command::last:
+    case Command::slower:
+    case Command::faster:
+    case Command::zoom_in:
+    case Command::zoom_out:
+    case Command::fit:
+    case Command::scale_up:
+    case Command::scale_down:
+    case Command::scale_reset:
+    case Command::full_screen:
+    case Command::menu:
+      return false;
+  }
+  return false;
+}
+
+void perform(Command command, const Ui& ui) {
+  const State& state = ui.state;
+  if (!enabled(command, state)) return;
+  switch (command) {
+    case Command::new_scene:
+      return ui.act(action::New{});
+    case Command::open:
+      return ui.act(action::AskOpen{});
+    case Command::save:
+      return ui.act(action::Save{});
+    case Command::save_as:
+      return ui.act(action::AskSaveAs{});
+    case Command::quit:
+      return ui.act(action::Quit{});
+    case Command::undo:
+      return ui.act(action::Undo{});
+    case Command::redo:
+      return ui.act(action::Redo{});
+    case Command::remove:
+      return ui.act(action::RemoveSelected{});
+    case Command::deselect:
+      return ui.act(action::Select{});
+    case Command::select_next:
+      return select_along(ui, 1);
+    case Command::select_previous:
+      return select_along(ui, -1);
+    case Command::edit_properties:
+      return ui.wish(WindowWish::properties);
+    case Command::add_solid_sphere:
+      return ui.act(action::AddObject{action::ObjectKind::solid_sphere});
+    case Command::add_transparent_sphere:
+      return ui.act(action::AddObject{action::ObjectKind::transparent_sphere});
+    case Command::add_polygon:
+      return ui.act(action::AddObject{action::ObjectKind::polygon});
+    case Command::add_light:
+      return ui.act(action::AddObject{action::ObjectKind::light});
+    case Command::mode_move:
+      return ui.act(action::SetMode{Mode::move});
+    case Command::mode_trace:
+      return ui.act(action::SetMode{Mode::trace});
+    case Command::mode_help:
+      return ui.act(action::SetMode{Mode::help});
+    case Command::step:
+      return step(ui, true, {});
+    case Command::step_back:
+      return step(ui, false, {});
+    case Command::step_ray:
+      return step(ui, true, Grain::ray);
+    case Command::step_ray_back:
+      return step(ui, false, Grain::ray);
+    case Command::step_pixel:
+      return step(ui, true, Grain::pixel);
+    case Command::step_pixel_back:
+      return step(ui, false, Grain::pixel);
+    case Command::play:
+      if (state.mode != Mode::trace) ui.act(action::SetMode{Mode::trace});
+      return ui.act(action::PlayPause{});
+    case Command::clear:
+      return ui.act(action::Clear{});
+    case Command::first:
+      return ui.act(action::Jump{0});
+    case Command::last:
+      return ui.act(action::Jump{state.timeline->steps()});
+    case Command::slower:
+      return ui.act(action::SetSpeed{state.lines_per_second / 2});
+    case Command::faster:
+      return ui.act(action::SetSpeed{state.lines_per_second * 2});
+    case Command::grain_line:
+      return ui.act(action::SetGrain{Grain::line});
+    case Command::grain_ray:
+      return ui.act(action::SetGrain{Grain::ray});
+    case Command::grain_pixel:
+      return ui.act(action::SetGrain{Grain::pixel});
+    case Command::tab_image:
+      return ui.act(action::SetTab{Tab::image});
+    case Command::tab_tree:
+      return ui.act(action::SetTab{Tab::tree});
+    case Command::tab_stack:
+      return ui.act(action::SetTab{Tab::stack});
+    case Command::tab_legend:
+      return ui.act(action::SetTab{Tab::legend});
+    case Command::zoom_in:
+      return zoom(ui, 1.25);
+    case Command::zoom_out:
+      return zoom(ui, 1 / 1.25);
+    case Command::fit:
+      return ui.act(action::FitView{});
+    case Command::theme:
+      return ui.act(action::SetTheme{state.theme == Theme::dark ? Theme::projector : Theme::dark});
+    case Command::scale_up:
+      return ui.act(action::SetUiScale{state.ui_scale + scale_step});
+    case Command::scale_down:
+      return ui.act(action::SetUiScale{state.ui_scale - scale_step});
+    case Command::scale_reset:
+      return ui.act(action::SetUiScale{1});
+    case Command::full_screen:
+      return ui.wish(WindowWish::full_screen);
+    case Command::menu:
+      return ui.wish(WindowWish::menu);
+  }
+}
+
+}  // namespace raywalk

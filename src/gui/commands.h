@@ -1,0 +1,87 @@
+#pragma once
+// Everything that can be asked for by a button, a menu entry or a key, each described once: what it is called, what it
+// does, which keys ask for it, when it can be asked for and what comes of it.
+
+#include "gui/ui.h"
+#include "gui/window.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace raywalk {
+
+enum class Command {
+  new_scene,
+  open,
+  save,
+  save_as,
+  quit,
+  undo,
+  redo,
+  remove,
+  deselect,
+  select_next,
+  select_previous,
+  edit_properties,
+  add_solid_sphere,
+  add_transparent_sphere,
+  add_polygon,
+  add_light,
+  mode_move,
+  mode_trace,
+  mode_help,
+  step,
+  step_back,
+  step_ray,
+  step_ray_back,
+  step_pixel,
+  step_pixel_back,
+  play,
+  clear,
+  first,
+  last,
+  slower,
+  faster,
+  grain_line,
+  grain_ray,
+  grain_pixel,
+  tab_image,
+  tab_tree,
+  tab_stack,
+  tab_legend,
+  zoom_in,
+  zoom_out,
+  fit,
+  theme,
+  scale_up,
+  scale_down,
+  scale_reset,
+  full_screen,
+  menu,
+};
+inline constexpr int command_count = static_cast<int>(Command::menu) + 1;
+
+/// Unique, for tests and for ImGui: "step-back".
+[[nodiscard]] std::string_view command_name(Command command);
+/// As on its button: "STEP". What it shows may depend on the state (AUTO or PAUSE).
+[[nodiscard]] std::string command_label(Command command, const State& state);
+/// What it does, in one clause, without the key.
+[[nodiscard]] std::string command_hint(Command command);
+/// The key that stands in menus and tooltips: "Ctrl+Shift+S"; empty when there is none.
+[[nodiscard]] std::string command_key(Command command);
+
+[[nodiscard]] bool enabled(Command command, const State& state);
+/// Whether it is what is chosen now, for those that choose.
+[[nodiscard]] bool chosen(Command command, const State& state);
+/// Asks for it; nothing happens when it is not enabled.
+void perform(Command command, const Ui& ui);
+
+/// What a key press means in this state; nothing when it means nothing.
+[[nodiscard]] std::optional<Command> command_of(const KeyPress& press, const State& state);
+/// Turns a key press into actions: a command's, or the arrows that nudge in Move mode, or Escape. Whether it meant
+/// anything.
+bool press_key(const KeyPress& press, const Ui& ui);
+
+}  // namespace raywalk

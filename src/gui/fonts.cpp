@@ -1,0 +1,139 @@
+#include "gui/fonts.h"
+
+#include <imgui.h>
+#if __has_include(<imgui_freetype.h>)
+#include <imgui_freetype.h>
+#define RAYWALK_FREETYPE 1
+#elif __has_include(<misc/freetype/imgui_freetype.h>)
+#include <misc/freetype/imgui_freetype.h>
+#define RAYWALK_FREETYPE 1
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+namespace raywalk {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Sizes at scale 1, in units.
+constexpr float text_size = 15, small_size = 13, title_size = 21, code_size = 15;
+
+// What the catalogue of texts and the panes write: Latin with its accents, the Greek of optics, typographic marks,
+// super- and subscripts, arrows, the mathematics of the sentences, and a few shapes.
+constexpr std::array<ImWchar, 25> glyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033, 0x2070,
+                                         0x209C, 0x2190, 0x2199, 0x21BA, 0x21BB, 0x2200, 0x2265, 0x22C5, 0x22C5,
+                                         0x25A0, 0x25CF, 0x2713, 0x2717, 0xFFFD, 0xFFFD, 0};
+
+struct Wanted {
+  std::string FontFiles::* use;
+  std::array<const char*, 3> names;  // best first; packages name the same face differently
+};
+
+constexpr std::array<Wanted, 4> wanted{{
+    {&FontFiles::text, {"Inter-Regular.otf", "Inter-Regular.ttf", "Inter.ttf"}},
+    {&FontFiles::strong, {"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "Inter-Bold.otf"}},
+    {&FontFiles::code, {"JetBrainsMono-Regular.ttf", "JetBrainsMono-Regular.otf", "JetBrainsMonoNL-Regular.ttf"}},
+    {&FontFiles::code_strong, {"JetBrainsMono-Bold.ttf", "JetBrainsMono-Bold.otf", "JetBrainsMonoNL-Bold.ttf"}},
+}};
+
+// Notes `path` where its name is a wanted one and no better was found.
+void note(FontFiles& found, const fs::path& path) {
+  const std::string name = path.filename().string();
+  for (const Wanted& want : wanted) {
+    const auto rank = [&](const std::string& file) {
+      return std::find(want.names.begin(), want.names.end(), file) - want.names.begin();
+    };
+    std::string& place = found.*want.use;
+    if (rank(name) < rank(fs::path(place).filename().string())) place = path.string();
+  }
+}
+
+bool complete(const FontFiles& files) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](const Wanted& want) { return !(files.*want.use).empty(); });
+}
+
+}  // namespace
+
+std::vector<std::string> font_folders(const std::string& data_dir) {
+  std::vector<std::string> folders;
+  if (!data_dir.empty()) folders.push_back(data_dir + "/fonts");
+  if (const char* home = std::getenv("HOME")) {
+    for (const char* folder : {"/.local/share/fonts", "/.fonts", "/Library/Fonts"})
+      folders.push_back(std::string(home) + folder);
+  }
+  // The folders of Debian's packages before the whole tree of fonts, which can be large.
+  for (const char* folder : {"/usr/share/fonts/opentype/inter", "/usr/share/fonts/truetype/inter",
+                             "/usr/share/fonts/truetype/jetbrains-mono", "/usr/local/share/fonts", "/usr/share/fonts",
+                             "/Library/Fonts", "C:/Windows/Fonts"})
+    folders.emplace_back(folder);
+  return folders;
+}
+
+FontFiles find_fonts(const std::vector<std::string>& folders) {
+  constexpr int deepest = 4, most_entries = 20000;
+  FontFiles found;
+  for (const std::string& folder : folders) {
+    FontFiles here;
+    std::error_code error;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+    for (int count = 0; !error && entry != fs::recursive_directory_iterator() && count < most_entries; ++count) {
+      if (entry.depth() >= deepest) entry.disable_recursion_pending();
+      std::error_code no_file;
+      if (entry->is_regular_file(no_file)) note(here, entry->path());
+      entry.increment(error);
+    }
+    for (const Wanted& want : wanted) {
+      if ((found.*want.use).empty()) found.*want.use = here.*want.use;
+    }
+    if (complete(found)) break;
+  }
+  return found;
+}
+
+Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density) {
+#ifdef RAYWALK_FREETYPE
+#if IMGUI_VERSION_NUM >= 19200
+  atlas.SetFontLoader(ImGuiFreeType::GetFontLoader());
+#else
+  atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+#endif
+#endif
+#if IMGUI_VERSION_NUM >= 19200
+  density = 1;  // glyphs are rasterised on demand, at the framebuffer's density
+#endif
+  // A file may be unreadable, or no font for all its name: then ImGui's own face.
+  const auto face = [&](const std::string& file, const std::string& fallback, float size) {
+    ImFontConfig config;
+    config.OversampleH = config.OversampleV = 1;
+    config.PixelSnapH = true;
+    const float pixels = std::round(size * scale * density);
+    for (const std::string& name : {file, fallback}) {
+      std::error_code error;
+      if (name.empty() || fs::file_size(name, error) == 0 || error) continue;
+      if (ImFont* font = atlas.AddFontFromFileTTF(name.c_str(), pixels, &config, glyphs.data())) return font;
+    }
+    config.SizePixels = pixels;
+    return atlas.AddFontDefault(&config);
+  };
+  Fonts fonts;
+  fonts.text = face(files.text, "", text_size);
+  fonts.strong = face(files.strong, files.text, text_size);
+  fonts.small = face(files.text, "", small_size);
+  fonts.title = face(files.strong, files.text, title_size);
+  fonts.code = face(files.code, files.text, code_size);
+  fonts.code_strong = face(files.code_strong, files.code, code_size);
+#if IMGUI_VERSION_NUM < 19200
+  atlas.Build();
+#endif
+  return fonts;
+}
+
+}  // namespace raywalk

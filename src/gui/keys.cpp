@@ -1,0 +1,111 @@
+#include "gui/command_table.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+std::string key_name(int key) {
+  if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9))
+    return {static_cast<char>(key)};
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  switch (key) {
+    case GLFW_KEY_SPACE:
+      return "Space";
+    case GLFW_KEY_ENTER:
+      return "Enter";
+    case GLFW_KEY_TAB:
+      return "Tab";
+    case GLFW_KEY_DELETE:
+      return "Del";
+    case GLFW_KEY_HOME:
+      return "Home";
+    case GLFW_KEY_END:
+      return "End";
+    case GLFW_KEY_LEFT:
+      return "\u2190";
+    case GLFW_KEY_RIGHT:
+      return "\u2192";
+    case GLFW_KEY_UP:
+      return "\u2191";
+    case GLFW_KEY_DOWN:
+      return "\u2193";
+    case GLFW_KEY_MINUS:
+      return "\u2212";
+    case GLFW_KEY_KP_ADD:
+      return "+";
+    default:
+      return "key " + std::to_string(key);
+  }
+}
+
+bool means(const Key& key, const KeyPress& press, Mode mode) {
+  if (key.key == 0 || key.key != press.key) return false;
+  if (key.ctrl != press.ctrl || key.shift != press.shift || key.alt != press.alt) return false;
+  switch (key.when) {
+    case When::always:
+      return true;
+    case When::move:
+      return mode == Mode::move;
+    case When::not_move:
+      return mode != Mode::move;
+  }
+  return false;
+}
+
+// The direction of an arrow key, x right and y up; nothing for other keys.
+std::optional<Vec2d> arrow(int key) {
+  if (key == GLFW_KEY_LEFT) return Vec2d{-1, 0};
+  if (key == GLFW_KEY_RIGHT) return Vec2d{1, 0};
+  if (key == GLFW_KEY_UP) return Vec2d{0, 1};
+  if (key == GLFW_KEY_DOWN) return Vec2d{0, -1};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string command_key(Command command) {
+  const Key& key = command_table[static_cast<std::size_t>(command)].keys[0];
+  if (key.key == 0) return {};
+  return std::string(key.ctrl ? "Ctrl+" : "") + (key.alt ? "Alt+" : "") + (key.shift ? "Shift+" : "") +
+         key_name(key.key);
+}
+
+std::optional<Command> command_of(const KeyPress& press, const State& state) {
+  for (const CommandRow& row : command_table) {
+    if (std::any_of(row.keys.begin(), row.keys.end(), [&](const Key& key) { return means(key, press, state.mode); }))
+      return row.command;
+  }
+  return std::nullopt;
+}
+
+bool press_key(const KeyPress& press, const Ui& ui) {
+  const State& state = ui.state;
+  if (press.key == GLFW_KEY_ESCAPE) {
+    // One thing at a time, the most passing one first.
+    if (state.drag) {
+      ui.act(action::CancelDrag{});
+    } else if (state.notice) {
+      ui.act(action::DismissNotice{});
+    } else if (state.playing) {
+      ui.act(action::PlayPause{});
+    } else if (state.mode == Mode::help) {
+      ui.act(action::SetMode{Mode::trace});
+    } else if (state.selected) {
+      ui.act(action::Select{});
+    } else {
+      return false;
+    }
+    return true;
+  }
+  if (const auto direction = arrow(press.key); direction && state.mode == Mode::move && !press.ctrl && !press.alt) {
+    ui.act(action::Nudge{*direction, press.shift});
+    return true;
+  }
+  const auto command = command_of(press, state);
+  if (command) perform(*command, ui);
+  return command.has_value();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,38 @@
+#pragma once
+
+namespace raywalk {
+
+/// In ImGui's units, origin in the window's top left corner.
+struct Rect {
+  float x = 0, y = 0, width = 0, height = 0;
+  friend bool operator==(const Rect&, const Rect&) = default;
+
+  [[nodiscard]] float right() const { return x + width; }
+  [[nodiscard]] float bottom() const { return y + height; }
+  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  [[nodiscard]] bool contains(float px, float py) const { return px >= x && px < right() && py >= y && py < bottom(); }
+};
+
+/// Where the panes stand. None overlaps another and none is outside the window, however small that is; a pane may be
+/// empty.
+struct Layout {
+  Rect bar;        ///< menus and modes, along the top
+  Rect palette;    ///< what can be added to the scene; empty unless asked for
+  Rect plan;       ///< or the help text
+  Rect transport;  ///< the step's sentence, buttons and scrub bar, below the plan
+  Rect side;       ///< the code, or the properties of what is selected
+  Rect tabs;       ///< 3-D image, ray tree, stack, legend: below the code
+};
+
+struct LayoutWishes {
+  float width = 1280, height = 720;  ///< of the window
+  float unit = 1;                    ///< units per unit at scale 1
+  bool palette = false;
+  float transport = 0;   ///< height that the transport asks for
+  float code = 0;        ///< height that the code asks for
+  float code_width = 0;  ///< width that the code asks for
+};
+
+[[nodiscard]] Layout lay_out(const LayoutWishes& wishes);
+
+}  // namespace raywalk

@@ -1,0 +1,51 @@
+#pragma once
+// What every pane is given: the state to show, and where to put the actions of the user.
+
+#include "gui/fonts.h"
+#include "gui/layout.h"
+#include "view/action.h"
+
+#include <imgui.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace raywalk {
+
+/// A wish that concerns the window and not the state.
+enum class WindowWish { full_screen, menu, properties };
+
+struct Ui {
+  const State& state;
+  const Fonts& fonts;
+  const Palette& colours;
+  float unit = 1;  ///< ImGui's units per unit at scale 1, for the interface around the plan
+  float dpi = 1;   ///< ImGui's units per pixel of `view`, which scales its drawings itself
+  std::vector<Action>& actions;
+  std::vector<WindowWish>& wishes;
+  /// Where things were drawn in this frame, by name: tests aim with it.
+  std::map<std::string, Rect, std::less<>>& items;
+
+  void act(Action action) const { actions.push_back(std::move(action)); }
+  void wish(WindowWish what) const { wishes.push_back(what); }
+  [[nodiscard]] float px(float units) const { return units * unit; }
+  /// Notes the rectangle of ImGui's last item.
+  void publish(std::string_view name) const;
+  void publish(std::string_view name, const Rect& where) const;
+};
+
+[[nodiscard]] inline ImU32 to_imgui(Colour c) { return IM_COL32(c.r, c.g, c.b, c.a); }
+[[nodiscard]] inline ImVec4 to_imgui4(Colour c) { return ImGui::ColorConvertU32ToFloat4(to_imgui(c)); }
+[[nodiscard]] inline ImVec2 corner(const Rect& r) { return {r.x, r.y}; }
+[[nodiscard]] inline ImVec2 opposite(const Rect& r) { return {r.right(), r.bottom()}; }
+[[nodiscard]] inline ImVec2 size(const Rect& r) { return {r.width, r.height}; }
+
+/// A pane: a child window that covers `where`, with a ground. False when nothing of it would be seen; end_pane is to
+/// be called in any case.
+bool begin_pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImGuiWindowFlags flags = 0);
+void end_pane();
+
+}  // namespace raywalk

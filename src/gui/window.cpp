@@ -1,0 +1,247 @@
+#include "gui/window.h"
+
+#include "io/srgb.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#ifndef GL_CLAMP_TO_EDGE
+#define GL_CLAMP_TO_EDGE 0x812F
+#endif
+
+namespace raywalk {
+
+namespace {
+
+/// What GLFW last complained of; it reports through a function without a context of ours.
+std::string& last_complaint() {
+  static std::string text;
+  return text;
+}
+
+std::string complaint() { return last_complaint().empty() ? "no reason given" : last_complaint(); }
+
+Error no_display() {
+  return {"", 0, 0, "no display to open a window on (" + complaint() + ")",
+          "without a screen: raywalk render SCENE -o IMAGE.png draws the 3-D image, raywalk step SCENE tells the "
+          "walk; over ssh try ssh -X; in a script try xvfb-run -a raywalk"};
+}
+
+Error no_opengl() {
+  return {"", 0, 0, "the window needs OpenGL 3.3, which this display does not offer (" + complaint() + ")",
+          "install the graphics driver, or Mesa's software one (libgl1-mesa-dri), and try "
+          "LIBGL_ALWAYS_SOFTWARE=1 raywalk; raywalk render SCENE -o IMAGE.png needs no OpenGL"};
+}
+
+Window* window_of(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
+  last_complaint().clear();
+  glfwSetErrorCallback([](int, const char* text) { last_complaint() = text; });
+  if (glfwInit() != GLFW_TRUE) return tl::unexpected(no_display());
+
+  std::unique_ptr<Window> window(new Window);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  // ImGui smooths its own edges; multisampling would only cost, most of all in software.
+  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "raywalk");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raywalk");
+
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    int x = 0, y = 0, most_width = 0, most_height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
+    if (most_width > 0 && most_height > 0) {
+      width = std::min(width, most_width);
+      height = std::min(height, most_height);
+    }
+  }
+  window->window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window->window_ == nullptr) return tl::unexpected(no_opengl());
+  glfwMakeContextCurrent(window->window_);
+  glfwSwapInterval(1);
+  window->listen();
+
+  IMGUI_CHECKVERSION();
+  window->imgui_ = ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;               // the panes stand where the layout puts them: nothing to remember
+  ImGui::GetIO().ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw for ever
+  // ImGui keeps the functions set above and calls them after its own.
+  if (!ImGui_ImplGlfw_InitForOpenGL(window->window_, true)) return tl::unexpected(no_opengl());
+  if (!ImGui_ImplOpenGL3_Init("#version 150")) {
+    ImGui_ImplGlfw_Shutdown();
+    return tl::unexpected(no_opengl());
+  }
+  window->backends_ = true;
+  return window;
+}
+
+Window::~Window() {
+  if (backends_) {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+  }
+  if (imgui_ != nullptr) ImGui::DestroyContext(imgui_);
+  if (window_ != nullptr) glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void Window::listen() {
+  glfwSetWindowUserPointer(window_, this);
+  // A function for each event; most need to say only that something happened.
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+    Window& self = *window_of(w);
+    self.happened_ = true;
+    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
+    self.keys_.push_back({.key = key,
+                          .ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
+                          .shift = (mods & GLFW_MOD_SHIFT) != 0,
+                          .alt = (mods & GLFW_MOD_ALT) != 0});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { window_of(w)->happened_ = true; });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { window_of(w)->happened_ = true; });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
+  glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int, int) { window_of(w)->happened_ = true; });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { window_of(w)->happened_ = true; });
+  glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
+  glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { window_of(w)->happened_ = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { window_of(w)->happened_ = true; });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+    Window& self = *window_of(w);
+    self.happened_ = self.close_requested_ = true;
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+  });
+}
+
+float Window::density() const {
+  int width = 0, height = 0, pixel_width = 0, pixel_height = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  glfwGetFramebufferSize(window_, &pixel_width, &pixel_height);
+  return width > 0 && pixel_width > 0 ? static_cast<float>(pixel_width) / static_cast<float>(width) : 1.0f;
+}
+
+float Window::scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return x > 0 ? x / density() : 1.0f;
+}
+
+bool Window::minimised() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return width <= 0 || height <= 0 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
+}
+
+bool Window::wait(double seconds) {
+  if (seconds < 0) {
+    glfwWaitEvents();
+  } else if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+  return std::exchange(happened_, false);
+}
+
+std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
+
+bool Window::take_close_request() { return std::exchange(close_requested_, false); }
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void Window::toggle_full_screen() {
+  if (glfwGetWindowMonitor(window_) != nullptr) {
+    glfwSetWindowMonitor(window_, nullptr, restore_[0], restore_[1], restore_[2], restore_[3], GLFW_DONT_CARE);
+    return;
+  }
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) return;
+  glfwGetWindowPos(window_, &restore_[0], &restore_[1]);
+  glfwGetWindowSize(window_, &restore_[2], &restore_[3]);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::upload_fonts() {
+#if IMGUI_VERSION_NUM < 19200  // from 1.92 on the backend sees by itself that the atlas changed
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
+}
+
+void Window::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Window::end_frame(const float (&background)[3], Image* picture) {
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  glViewport(0, 0, width, height);
+  glClearColor(background[0], background[1], background[2], 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (picture != nullptr && width > 0 && height > 0) {
+    const auto row_bytes = static_cast<std::size_t>(width) * 3;
+    std::vector<unsigned char> bytes(row_bytes * static_cast<std::size_t>(height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
+    std::array<float, 256> linear{};
+    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = static_cast<float>(srgb_decode(double(i) / 255));
+    *picture = {.width = width, .height = height, .pixels = {}};
+    picture->pixels.reserve(bytes.size() / 3);
+    for (int row = height - 1; row >= 0; --row) {  // OpenGL's first row is the bottom one
+      const unsigned char* at = bytes.data() + static_cast<std::size_t>(row) * row_bytes;
+      for (int column = 0; column < width; ++column, at += 3)
+        picture->pixels.emplace_back(linear[at[0]], linear[at[1]], linear[at[2]]);
+    }
+  }
+  glfwSwapBuffers(window_);
+  if (!shown_) {
+    // Shown only now, so that the first thing to be seen is the interface and not an empty frame.
+    shown_ = true;
+    glfwShowWindow(window_);
+  }
+}
+
+Texture::~Texture() {
+  if (id_ != 0) glDeleteTextures(1, &id_);
+}
+
+void Texture::upload(int width, int height, const unsigned char* rgba) {
+  if (id_ == 0) {
+    glGenTextures(1, &id_);
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  glBindTexture(GL_TEXTURE_2D, id_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (width == width_ && height == height_) {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  } else {
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    width_ = width;
+    height_ = height;
+  }
+}
+
+}  // namespace raywalk
