@@ -1,0 +1,50 @@
+#pragma once
+
+#include "io/image.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace raywalk {
+
+/// The picture while it is rendered: for each pixel the mean of its samples so far, in linear RGB and in the tracer's
+/// own scalar. Row 0 is the top one.
+template <class T>
+class Film {
+ public:
+  Film() = default;
+  /// Black, without a sample.
+  explicit Film(ImageSize size)
+      : size_(size), means_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), Rgb<T>(0)) {}
+
+  /// Takes in sample number `sample` of a pixel, from 0. Those before it must have been added, each once.
+  /// The mean moves by a step, m += (x - m) / n: unlike a sum over n it stays put when all samples are equal.
+  void add(int column, int row, int sample, const Rgb<T>& shade) {
+    Rgb<T>& mean = means_[index(column, row)];
+    mean += (shade - mean) / static_cast<T>(sample + 1);
+  }
+
+  [[nodiscard]] const Rgb<T>& at(int column, int row) const { return means_[index(column, row)]; }
+  [[nodiscard]] ImageSize size() const { return size_; }
+  [[nodiscard]] const std::vector<Rgb<T>>& pixels() const { return means_; }
+
+ private:
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(column);
+  }
+
+  ImageSize size_{0, 0};
+  std::vector<Rgb<T>> means_;
+};
+
+/// Each number rounded to float once.
+template <class T>
+[[nodiscard]] Image image_of(const Film<T>& film) {
+  Image image{film.size().width, film.size().height, {}};
+  image.pixels.reserve(film.pixels().size());
+  for (const Rgb<T>& mean : film.pixels()) image.pixels.emplace_back(mean);
+  return image;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,233 @@
+#include "render/preview.h"
+
+#include "io/srgb.h"
+#include "render/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <mutex>
+#include <numeric>
+
+namespace raywalk {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int coarsest = 8;
+
+using Rgba = std::array<std::uint8_t, 4>;
+
+template <class T>
+Rgba rgba_of(const Rgb<T>& colour) {
+  const Rgb<float> c(colour);
+  if (std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z)) return {255, 0, 255, 255};
+  return {to_srgb8(c.x), to_srgb8(c.y), to_srgb8(c.z), 255};
+}
+
+}  // namespace
+
+/// One preview under way. A *pass* visits every row of a grid once, in any order and in any thread: first the passes
+/// that trace each pixel's centre, of ever finer grids, then one pass a sample.
+class Preview::Work {
+ public:
+  explicit Work(const PreviewSettings& settings) : settings_(settings) {}
+  virtual ~Work() = default;
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+  void refine(double milliseconds, int threads, std::vector<std::uint8_t>& rgba);
+  [[nodiscard]] bool has_every_pixel() const { return sample_ >= 0; }
+  [[nodiscard]] bool finished() const { return has_every_pixel() && sample_ == samples_to_take(); }
+  [[nodiscard]] double done() const {
+    const double rows = static_cast<double>(rows_to_do_.size());
+    const double grid = rows_of_pass_ > 0 ? (rows_of_pass_ - rows) / rows_of_pass_ : 1;
+    // The grid of one pass is four times as fine as that of the one before: 1/64, 1/16, 1/4, 1.
+    const auto up_to = [](int stride) { return 1.0 / (stride * stride); };
+    const double centres = has_every_pixel()     ? 1
+                           : stride_ == coarsest ? grid * up_to(stride_)
+                                                 : up_to(2 * stride_) + grid * (up_to(stride_) - up_to(2 * stride_));
+    const double samples = finished() ? samples_to_take() : has_every_pixel() ? sample_ + grid : 0;
+    return (centres + samples) / (1 + samples_to_take());
+  }
+  [[nodiscard]] const PreviewSettings& settings() const { return settings_; }
+  [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+
+ protected:
+  /// Traces what is new in row `row` of the grid of this stride.
+  virtual Statistics trace_centres(int row, int stride) = 0;
+  virtual Statistics trace_sample(int row, int sample) = 0;
+  [[nodiscard]] virtual Rgba shown(int column, int row, int samples_taken) const = 0;
+
+  [[nodiscard]] const ImageSize& size() const { return settings_.size; }
+  /// After the centres. One sample a pixel is the centre itself.
+  [[nodiscard]] int samples_to_take() const { return settings_.samples > 1 ? settings_.samples : 0; }
+  void begin_pass();
+
+ private:
+  void trace_row(int row, std::vector<std::uint8_t>& rgba);
+  void show_row(int row, int stride, int samples_taken, std::vector<std::uint8_t>& rgba) const;
+  void end_pass();
+
+  PreviewSettings settings_;
+  int stride_ = coarsest;  ///< of the pass under way, while centres are traced
+  int sample_ = -1;        ///< of the pass under way, after that
+  std::vector<int> rows_to_do_;
+  double rows_of_pass_ = 0;
+  Statistics statistics_;
+  std::mutex statistics_mutex_;
+};
+
+template <class T>
+class Preview::WorkIn final : public Preview::Work {
+ public:
+  WorkIn(const Scene& scene, const PreviewSettings& settings)
+      : Work(settings),
+        world_(scene, settings.accelerator),
+        centres_(scene.camera, settings.size, settings.size),
+        spread_(scene.camera, settings.size, settings.size, Sampling{settings.samples}),
+        first_(settings.size),
+        mean_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}) {
+    begin_pass();
+  }
+
+  [[nodiscard]] const Film<T>& film() const { return finished() && samples_to_take() > 0 ? mean_ : first_; }
+
+ private:
+  Statistics trace_centres(int row, int stride) override {
+    // A row that the grid before had too has every second of its pixels already.
+    const bool old_row = stride < coarsest && row % (2 * stride) == 0;
+    const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride};
+    return trace(world_, centres_, block,
+                 [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); });
+  }
+
+  Statistics trace_sample(int row, int sample) override {
+    return trace(world_, spread_, {0, size().width, row, row + 1, sample},
+                 [this](const Pixel& p, const Rgb<T>& shade) { mean_.add(p.column, p.row, p.sample, shade); });
+  }
+
+  /// While samples are missing, the centre counts as one more: the first samples alone lie in one corner of the pixel.
+  [[nodiscard]] Rgba shown(int column, int row, int samples_taken) const override {
+    const Rgb<T>& centre = first_.at(column, row);
+    if (samples_taken == 0) return rgba_of(centre);
+    const Rgb<T>& mean = mean_.at(column, row);
+    if (samples_taken == samples_to_take()) return rgba_of(mean);
+    return rgba_of(mean + (centre - mean) / static_cast<T>(samples_taken + 1));
+  }
+
+  World<T> world_;
+  RayGenerator<T> centres_, spread_;
+  Film<T> first_, mean_;
+};
+
+void Preview::Work::begin_pass() {
+  const int stride = has_every_pixel() ? 1 : stride_;
+  rows_to_do_.clear();
+  for (int row = 0; row < size().height; row += stride) rows_to_do_.push_back(row);
+  rows_of_pass_ = static_cast<double>(rows_to_do_.size());
+}
+
+void Preview::Work::end_pass() {
+  if (has_every_pixel()) {
+    ++sample_;
+  } else if (stride_ == 1) {
+    sample_ = 0;
+  } else {
+    stride_ /= 2;
+  }
+  if (!finished()) begin_pass();
+}
+
+void Preview::Work::refine(double milliseconds, int threads, std::vector<std::uint8_t>& rgba) {
+  const auto deadline = Clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
+  bool first = true;  // one row at least, so that whoever refines without time still gets there
+  while (!finished() && (first || Clock::now() < deadline)) {
+    // Which rows the deadline leaves undone depends on the threads; each row is marked for itself.
+    std::vector<std::uint8_t> traced(rows_to_do_.size(), 0);
+    parallel_for(static_cast<int>(rows_to_do_.size()), threads, [&](int i) {
+      const auto index = static_cast<std::size_t>(i);
+      if (!(first && i == 0) && Clock::now() >= deadline) return;
+      trace_row(rows_to_do_[index], rgba);
+      traced[index] = 1;
+    });
+    first = false;
+    std::vector<int> left;
+    for (std::size_t i = 0; i < traced.size(); ++i)
+      if (traced[i] == 0) left.push_back(rows_to_do_[i]);
+    rows_to_do_ = std::move(left);
+    if (rows_to_do_.empty()) end_pass();
+  }
+}
+
+void Preview::Work::trace_row(int row, std::vector<std::uint8_t>& rgba) {
+  const bool centres = !has_every_pixel();
+  const Statistics statistics = centres ? trace_centres(row, stride_) : trace_sample(row, sample_);
+  show_row(row, centres ? stride_ : 1, centres ? 0 : sample_ + 1, rgba);
+  const std::lock_guard lock(statistics_mutex_);
+  statistics_ += statistics;
+}
+
+/// Paints the blocks of the row's pixels on a grid of this stride. The blocks of different rows do not overlap, and the
+/// last ones reach to the border.
+void Preview::Work::show_row(int row, int stride, int samples_taken, std::vector<std::uint8_t>& rgba) const {
+  const auto [width, height] = size();
+  const auto begin_of = [&](int at) { return std::max(0, at - stride / 2); };
+  const auto end_of = [&](int at, int limit) { return at + stride >= limit ? limit : at + stride - stride / 2; };
+  const auto row_of = [&, line = static_cast<std::ptrdiff_t>(width) * 4](int at) { return rgba.begin() + at * line; };
+  auto to = row_of(begin_of(row));
+  for (int column = 0; column < width; column += stride) {
+    const Rgba colour = shown(column, row, samples_taken);
+    for (int i = begin_of(column); i < end_of(column, width); ++i) to = std::copy(colour.begin(), colour.end(), to);
+  }
+  for (int copy = begin_of(row) + 1; copy < end_of(row, height); ++copy)
+    std::copy(row_of(begin_of(row)), row_of(begin_of(row) + 1), row_of(copy));
+}
+
+Preview::Preview() = default;
+Preview::Preview(const Scene& scene, const PreviewSettings& settings) { reset(scene, settings); }
+Preview::~Preview() = default;
+Preview::Preview(Preview&&) noexcept = default;
+Preview& Preview::operator=(Preview&&) noexcept = default;
+
+void Preview::reset(const Scene& scene, const PreviewSettings& settings) {
+  const bool keep_picture = work_ && work_->settings().size == settings.size;
+  switch (settings.precision) {
+    case Precision::float_:
+      work_ = std::make_unique<WorkIn<float>>(scene, settings);
+      break;
+    case Precision::double_:
+      work_ = std::make_unique<WorkIn<double>>(scene, settings);
+      break;
+  }
+  if (keep_picture) return;
+  const auto pixels = static_cast<std::size_t>(settings.size.width) * static_cast<std::size_t>(settings.size.height);
+  rgba_.assign(pixels * 4, 0);
+  for (std::size_t i = 0; i < pixels; ++i) rgba_[4 * i + 3] = 255;
+  ++revision_;
+}
+
+bool Preview::refine(double milliseconds, int threads) {
+  if (finished()) return false;
+  work_->refine(milliseconds, threads, rgba_);
+  ++revision_;
+  return !finished();
+}
+
+bool Preview::finished() const { return !work_ || work_->finished(); }
+bool Preview::has_every_pixel() const { return work_ && work_->has_every_pixel(); }
+double Preview::done() const { return work_ ? work_->done() : 1; }
+ImageSize Preview::size() const { return work_ ? work_->settings().size : ImageSize{0, 0}; }
+Statistics Preview::statistics() const { return work_ ? work_->statistics() : Statistics{}; }
+
+template <class T>
+const Film<T>& Preview::film() const {
+  static const Film<T> none;
+  const auto* work = dynamic_cast<const WorkIn<T>*>(work_.get());
+  return work ? work->film() : none;
+}
+
+template const Film<float>& Preview::film<float>() const;
+template const Film<double>& Preview::film<double>() const;
+
+}  // namespace raywalk

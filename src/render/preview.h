@@ -1,0 +1,75 @@
+#pragma once
+// A picture that comes into being while a person looks on: coarse at once, then fine, then smooth.
+
+#include "render/film.h"
+#include "trace/kernel.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace raywalk {
+
+/// What a preview shows.
+struct PreviewSettings {
+  ImageSize size{};  ///< each side >= 1
+  Precision precision = Precision::double_;
+  int samples = 16;  ///< of each pixel in the end, >= 1
+  AcceleratorKind accelerator = AcceleratorKind::automatic;
+  friend bool operator==(const PreviewSettings&, const PreviewSettings&) = default;
+};
+
+/// A render in slices of time.
+///
+/// First every eighth column of every eighth row is traced, then every fourth, second and first; no pixel is traced
+/// twice on the way, and while pixels are missing each traced one is shown as a block around it. The film then equals
+/// that of render() at one sample bit for bit. After that come the samples of an antialiased render at `samples`, shown
+/// together with the first picture until all are in; the film then equals that of render() at `samples`.
+class Preview {
+ public:
+  Preview();
+  Preview(const Scene& scene, const PreviewSettings& settings);
+  ~Preview();
+  Preview(Preview&&) noexcept;
+  Preview& operator=(Preview&&) noexcept;
+
+  /// Starts afresh. Costs the building of the world; the picture shown stays until the first refine when its size is
+  /// the same, so that an edit does not flicker.
+  void reset(const Scene& scene, const PreviewSettings& settings);
+
+  /// Works for about `milliseconds`, in up to `threads` threads (0: as many as the machine runs at once): at least one
+  /// row, and no longer than that by more than one row. Whether anything is left to do.
+  bool refine(double milliseconds, int threads = 0);
+  [[nodiscard]] bool finished() const;
+  /// Every pixel has been traced once: the film is that of render() at one sample.
+  [[nodiscard]] bool has_every_pixel() const;
+  /// Share of all samples taken, 0..1.
+  [[nodiscard]] double done() const;
+
+  [[nodiscard]] ImageSize size() const;
+  /// size().width * size().height pixels of four bytes: sRGB and 255, top row first. What is not a number is magenta.
+  [[nodiscard]] const std::vector<std::uint8_t>& rgba() const { return rgba_; }
+  /// Another number whenever rgba() has changed.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// What has been traced since the last reset.
+  [[nodiscard]] Statistics statistics() const;
+
+  /// The picture in full: the film of one sample a pixel, and once finished() that of all samples. `T` as in the
+  /// settings' precision; before has_every_pixel() the pixels not yet traced are black.
+  template <class T>
+  [[nodiscard]] const Film<T>& film() const;
+
+ private:
+  class Work;
+  template <class T>
+  class WorkIn;
+
+  std::unique_ptr<Work> work_;  ///< null before the first reset
+  std::vector<std::uint8_t> rgba_;
+  std::uint64_t revision_ = 0;
+};
+
+extern template const Film<float>& Preview::film<float>() const;
+extern template const Film<double>& Preview::film<double>() const;
+
+}  // namespace raywalk

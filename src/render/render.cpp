@@ -1,0 +1,139 @@
+#include "render/render.h"
+
+#include "render/parallel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+namespace raywalk {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// The rectangles that threads take one after the other: large enough that taking one costs nothing, small enough that
+/// all threads end together and a cancel is heeded at once.
+class Tiles {
+ public:
+  explicit Tiles(ImageSize size) : size_(size), across_((size.width + edge - 1) / edge) {}
+
+  [[nodiscard]] int count() const { return across_ * ((size_.height + edge - 1) / edge); }
+  [[nodiscard]] PixelBlock block(int tile) const {
+    const int column = tile % across_ * edge, row = tile / across_ * edge;
+    return {column, std::min(column + edge, size_.width), row, std::min(row + edge, size_.height)};
+  }
+
+ private:
+  static constexpr int edge = 32;
+  ImageSize size_;
+  int across_;
+};
+
+/// Calls the progress callback at most a few times a second, in the one thread that may.
+class Reporter {
+ public:
+  Reporter(const RenderSettings& settings, Clock::time_point start) : settings_(settings), start_(start) {}
+
+  void report(double done) {
+    if (!settings_.progress || std::this_thread::get_id() != caller_) return;
+    const double seconds = seconds_since(start_);
+    if (done < 1 && seconds < next_) return;
+    next_ = seconds + interval;
+    settings_.progress({done, seconds, done > 0 ? seconds * (1 - done) / done : 0});
+  }
+
+ private:
+  static constexpr double interval = 0.1;
+  const RenderSettings& settings_;
+  Clock::time_point start_;
+  std::thread::id caller_ = std::this_thread::get_id();
+  double next_ = interval;
+};
+
+/// `size` pixels, which are the image `whole` or a strip of it.
+template <class T>
+Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
+  const auto build_start = Clock::now();
+  const World<T> world(scene, settings.accelerator);
+  const RayGenerator<T> camera(scene.camera, size, whole, settings.sampling);
+  Film<T> film(size);
+  Rendering rendering;
+  rendering.effects = effects_of(scene, settings.sampling.per_pixel);
+  rendering.accelerator = world.primitives.kind();
+  rendering.structure = world.primitives.statistics();
+  rendering.build_seconds = seconds_since(build_start);
+
+  const auto trace_start = Clock::now();
+  const Tiles tiles(size);
+  std::vector<int> order(static_cast<std::size_t>(tiles.count()));
+  std::iota(order.begin(), order.end(), 0);
+  if (settings.reorder_tiles) settings.reorder_tiles(order);
+
+  const auto cancelled = [&] { return settings.cancel != nullptr && settings.cancel->load(std::memory_order_relaxed); };
+  const std::uint64_t all = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                            static_cast<std::uint64_t>(settings.sampling.per_pixel);
+  std::atomic<std::uint64_t> taken{0};
+  std::mutex statistics_mutex;
+  Reporter reporter(settings, trace_start);
+  constexpr double almost = 0.9999;  // that all is done is said once, when no thread is at work any more
+  // A tile's pixels are written by nobody else, its statistics are whole numbers: neither the order of the tiles nor
+  // the thread that takes one can show in what comes out.
+  const auto trace_tile = [&](int position) {
+    Statistics statistics;
+    PixelBlock block = tiles.block(order[static_cast<std::size_t>(position)]);
+    const auto put = [&film](const Pixel& p, const Rgb<T>& shade) { film.add(p.column, p.row, p.sample, shade); };
+    const auto pixels = static_cast<std::uint64_t>(block.column_end - block.column_begin) *
+                        static_cast<std::uint64_t>(block.row_end - block.row_begin);
+    for (block.sample = 0; block.sample < settings.sampling.per_pixel && !cancelled(); ++block.sample) {
+      statistics += trace(world, camera, block, put);
+      reporter.report(std::min(almost, static_cast<double>(taken += pixels) / static_cast<double>(all)));
+    }
+    const std::lock_guard lock(statistics_mutex);
+    rendering.statistics += statistics;
+  };
+  rendering.threads = parallel_for(tiles.count(), settings.threads, trace_tile);
+
+  rendering.finished = taken == all;
+  rendering.done = static_cast<double>(taken) / static_cast<double>(all);
+  rendering.trace_seconds = seconds_since(trace_start);
+  if (rendering.finished) reporter.report(1);
+  rendering.film = std::move(film);
+  return rendering;
+}
+
+Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
+  try {
+    switch (settings.precision) {
+      case Precision::float_:
+        return render_in<float>(scene, settings, size, whole);
+      case Precision::double_:
+        return render_in<double>(scene, settings, size, whole);
+    }
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return tl::unexpected(Error{"", 0, 0,
+                              "a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                                  " pixels does not fit into memory",
+                              "choose a smaller size"});
+}
+
+}  // namespace
+
+Result<Rendering> render(const Scene& scene, const RenderSettings& settings) {
+  const ImageSize size = settings.size.value_or(scene.image);
+  return render_pixels(scene, settings, size, size);
+}
+
+Result<Rendering> render_strip(const Scene& scene, const RenderSettings& settings) {
+  return render_pixels(scene, settings, {scene.camera.screen.cells, 1}, settings.size.value_or(scene.image));
+}
+
+}  // namespace raywalk

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "render/film.h"
+#include "trace/kernel.h"
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace raywalk {
+
+/// How far a render has come.
+struct Progress {
+  double done = 0;          ///< share of the work, 0..1
+  double seconds = 0;       ///< since the trace began
+  double seconds_left = 0;  ///< an estimate from the above; 0 while there is none
+};
+
+/// How to render. Nothing here but `size`, `sampling` and `precision` can change a bit of the picture.
+struct RenderSettings {
+  std::optional<ImageSize> size{};  ///< of the whole image, each side >= 1; absent: the scene's own
+  Sampling sampling{};
+  Precision precision = Precision::double_;
+  AcceleratorKind accelerator = AcceleratorKind::automatic;
+  int threads = 0;  ///< 0: as many as the machine runs at once
+
+  /// Told now and then, in the thread that called `render`.
+  std::function<void(const Progress&)> progress{};
+  /// Once true, the render stops soon and returns what is done. May be set from another thread or a signal handler.
+  const std::atomic<bool>* cancel = nullptr;
+  /// For tests: brings the tiles, numbered from 0 on, into another order.
+  std::function<void(std::vector<int>& tiles)> reorder_tiles{};
+};
+
+/// A picture and what it took.
+struct Rendering {
+  std::variant<Film<double>, Film<float>> film;  ///< the alternative that the precision asked for
+  Statistics statistics;
+  Effects effects;
+  AcceleratorKind accelerator = AcceleratorKind::none;  ///< what was built
+  AcceleratorStatistics structure;
+  double build_seconds = 0, trace_seconds = 0;
+  int threads = 1;       ///< that took part
+  double done = 1;       ///< share of the samples taken; below 1 only when cancelled. What is missing is black
+  bool finished = true;  ///< every sample was taken
+
+  template <class T>
+  [[nodiscard]] const Film<T>& film_of() const {
+    return std::get<Film<T>>(film);
+  }
+  [[nodiscard]] Image image() const {
+    return std::visit([](const auto& of) { return image_of(of); }, film);
+  }
+};
+
+/// The scene's image. Fails only when it does not fit into memory.
+[[nodiscard]] Result<Rendering> render(const Scene& scene, const RenderSettings& settings = {});
+
+/// The strip: one row of as many pixels as SCREEN has cells. For a planar scene, at one sample a pixel, cell i equals
+/// bit for bit pixel k i + (k - 1) / 2 of the middle row of every image of that size that has an odd number of rows and
+/// k times the cells in columns, k odd. With more samples that holds for k = 1. `settings.size` is that of the image.
+[[nodiscard]] Result<Rendering> render_strip(const Scene& scene, const RenderSettings& settings = {});
+
+}  // namespace raywalk

@@ -1,0 +1,183 @@
+#include "render/preview.h"
+
+#include "io/srgb.h"
+#include "render/render.h"
+#include "render/scenes.h"
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+// Refines with no time to spend: one row a call. Calls needed.
+int refine_to_the_end(Preview& preview, int threads = 1) {
+  int calls = 0;
+  while (preview.refine(0, threads)) ++calls;
+  return calls;
+}
+
+template <class T>
+Film<T> rendered(const Scene& scene, ImageSize size, int samples, Statistics* statistics = nullptr) {
+  const auto rendering = render(scene, {size, Sampling{samples}, precision_of<T>()}).value();
+  if (statistics) *statistics += rendering.statistics;
+  return rendering.template film_of<T>();
+}
+
+template <class T>
+std::vector<std::uint8_t> rgba_of(const Film<T>& film) {
+  std::vector<std::uint8_t> bytes;
+  for (const Rgb<T>& pixel : film.pixels()) {
+    for (int channel = 0; channel < 3; ++channel) bytes.push_back(to_srgb8(static_cast<float>(pixel[channel])));
+    bytes.push_back(255);
+  }
+  return bytes;
+}
+
+std::uint32_t pixel_at(const Preview& preview, int column, int row) {
+  std::uint32_t pixel = 0;
+  const std::size_t index =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(preview.size().width) + static_cast<std::size_t>(column);
+  std::memcpy(&pixel, preview.rgba().data() + 4 * index, 4);
+  return pixel;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a finished preview is the render, bit for bit, and has traced nothing twice", "", float, double) {
+  for (const NamedScene& named : planar_scenes()) {
+    INFO(named.name);
+    for (const ImageSize size :
+         {ImageSize{63, 41}, ImageSize{64, 48}, ImageSize{7, 3}, ImageSize{1, 1}, ImageSize{1, 30}}) {
+      CAPTURE(size.width, size.height);
+      Preview preview(named.scene, {size, precision_of<TestType>(), 1});
+      CHECK_FALSE(preview.finished());
+      refine_to_the_end(preview);
+      CHECK(preview.finished());
+      CHECK(preview.done() == 1);
+      Statistics statistics;
+      const auto expected = rendered<TestType>(named.scene, size, 1, &statistics);
+      CHECK(pixels_that_differ(preview.film<TestType>(), expected) == 0);
+      CHECK(preview.rgba() == rgba_of(expected));
+      CHECK(text_of(preview.statistics()) == text_of(statistics));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("with more samples a preview passes the plain render and ends as the antialiased one", "", float,
+                   double) {
+  const Scene scene = busy_scene();
+  const ImageSize size{45, 31};
+  const int threads = GENERATE(1, 3);
+  Preview preview(scene, {size, precision_of<TestType>(), 5});
+  Statistics statistics;
+  const auto plain = rendered<TestType>(scene, size, 1, &statistics);
+  while (!preview.has_every_pixel()) REQUIRE(preview.refine(0, threads));
+  CHECK(pixels_that_differ(preview.film<TestType>(), plain) == 0);
+  CHECK(preview.rgba() == rgba_of(plain));
+  refine_to_the_end(preview, threads);
+  const auto smooth = rendered<TestType>(scene, size, 5, &statistics);
+  CHECK(pixels_that_differ(preview.film<TestType>(), smooth) == 0);
+  CHECK(preview.rgba() == rgba_of(smooth));
+  CHECK(text_of(preview.statistics()) == text_of(statistics));
+  // The comparison can fail.
+  CHECK(pixels_that_differ(preview.film<TestType>(), plain) > 0);
+  CHECK(pixels_that_differ(preview.film<TestType>(), rendered<TestType>(scene, size, 4)) > 0);
+}
+
+TEST_CASE("a preview is coarse first: blocks around the pixels traced so far") {
+  const ImageSize size{45, 31};
+  const Scene scene = busy_scene();
+  const Film<double> whole = rendered<double>(scene, size, 1);
+  const std::vector<std::uint8_t> bytes = rgba_of(whole);
+  Preview preview(scene, {size, Precision::double_, 1});
+  for (const int stride : {8, 4, 2, 1}) {
+    // One row a call, so that the pass ends after as many calls as it has rows.
+    for (int row = 0; row < size.height; row += stride) preview.refine(0, 1);
+    CAPTURE(stride);
+    const int columns = (size.width + stride - 1) / stride, rows = (size.height + stride - 1) / stride;
+    CHECK(preview.statistics().formed(RayKind::primary) == static_cast<std::uint64_t>(columns * rows));
+    // Each pixel shows the traced one nearest to it (of two as near the later), the last one towards the border.
+    const auto traced_for = [&](int at, int count) { return std::min((at + stride / 2) / stride, count - 1) * stride; };
+    int wrong = 0;
+    for (int row = 0; row < size.height; ++row) {
+      for (int column = 0; column < size.width; ++column) {
+        const int from = traced_for(row, rows) * size.width + traced_for(column, columns);
+        std::uint32_t expected = 0;
+        std::memcpy(&expected, bytes.data() + 4 * static_cast<std::ptrdiff_t>(from), 4);
+        if (pixel_at(preview, column, row) != expected) ++wrong;
+      }
+    }
+    CHECK(wrong == 0);
+  }
+  CHECK(preview.finished());
+}
+
+TEST_CASE("a preview's work is bounded and never goes back") {
+  const ImageSize size{700, 500};
+  Preview preview(busy_scene(), {size, Precision::float_, 16});
+  REQUIRE(preview.done() == 0);
+  double done = 0;
+  std::uint64_t revision = preview.revision();
+  for (int i = 0; i < 20; ++i) {
+    REQUIRE(preview.refine(0.01, 2));
+    CHECK(preview.done() > done);
+    CHECK(preview.revision() != revision);
+    done = preview.done();
+    revision = preview.revision();
+  }
+  // 5.6 million samples do not fit into 20 times a hundredth of a millisecond and a row.
+  CHECK(done < 0.5);
+}
+
+TEST_CASE("a preview that is done stays as it is") {
+  Preview preview(busy_scene(), {{9, 9}, Precision::double_, 2});
+  refine_to_the_end(preview);
+  const auto revision = preview.revision();
+  const auto picture = preview.rgba();
+  CHECK_FALSE(preview.refine(1000, 2));
+  CHECK(preview.revision() == revision);
+  CHECK(preview.rgba() == picture);
+}
+
+TEST_CASE("a preview starts afresh after an edit, with the old picture until the new one comes") {
+  Scene scene = busy_scene();
+  Preview preview(scene, {{33, 21}, Precision::double_, 1});
+  refine_to_the_end(preview);
+  const auto old_picture = preview.rgba();
+  const auto revision = preview.revision();
+  scene.background = Rgbd(0.9, 0.1, 0.1);
+  preview.reset(scene, {{33, 21}, Precision::double_, 1});
+  CHECK(preview.rgba() == old_picture);
+  CHECK(preview.done() == 0);
+  REQUIRE(preview.refine(0, 1));
+  CHECK(preview.revision() != revision);
+  refine_to_the_end(preview);
+  CHECK(preview.rgba() != old_picture);
+  CHECK(preview.rgba() == rgba_of(rendered<double>(scene, {33, 21}, 1)));
+
+  preview.reset(scene, {{5, 4}, Precision::float_, 1});
+  CHECK(preview.size() == ImageSize{5, 4});
+  CHECK(preview.rgba() == rgba_of(Film<float>({5, 4})));
+  refine_to_the_end(preview);
+  CHECK(preview.rgba() == rgba_of(rendered<float>(scene, {5, 4}, 1)));
+}
+
+TEST_CASE("a preview of nothing is finished") {
+  Preview preview;
+  CHECK(preview.finished());
+  CHECK_FALSE(preview.refine(1, 1));
+  CHECK(preview.rgba().empty());
+  CHECK(preview.film<double>().pixels().empty());
+  CHECK(preview.size() == ImageSize{0, 0});
+}
+
+TEST_CASE("a preview shows what is not a number in magenta") {
+  Scene scene;
+  scene.background = Rgbd(std::nan(""), 0.5, 0.5);
+  Preview preview(scene, {{2, 2}, Precision::double_, 1});
+  refine_to_the_end(preview);
+  CHECK(preview.rgba() ==
+        std::vector<std::uint8_t>{255, 0, 255, 255, 255, 0, 255, 255, 255, 0, 255, 255, 255, 0, 255, 255});
+}
