@@ -130,12 +130,12 @@ std::optional<double> SceneReader::number_of(const toml::node& node, std::string
   if (!std::isfinite(value)) {
     fail_type(node, key, expected, "every number of a scene is finite");
   } else if (std::abs(value) > scene_keys::most_magnitude) {
-    fail_type(node, key, fmt::format("at most {}", scene_keys::most_magnitude), "choose another unit of length");
+    fail_type(node, key, fmt::format("at most {:g}", scene_keys::most_magnitude), "choose another unit of length");
   } else if (value < rule.low || (rule.above_low && value == rule.low) || value > rule.high ||
              (rule.below_high && value == rule.high)) {
     fail_type(node, key, expected, std::string(rule.hint));
   } else if (rule.low == 0 && rule.above_low && value < least) {
-    fail_type(node, key, fmt::format("at least {}", least), "choose another unit of length");
+    fail_type(node, key, fmt::format("at least {:g}", least), "choose another unit of length");
   } else {
     return value;
   }
@@ -203,8 +203,8 @@ void SceneReader::direction(std::string_view key, Vec3d& value, Presence presenc
   const double least = 1 / scene_keys::most_magnitude;
   if (const double size = length(value); !(size >= least))
     fail(*table_.get(key), key,
-         size == 0 ? "found a direction of length 0 (expected any other length)"
-                   : fmt::format("found a direction of length {} (expected at least {})", size, least),
+         value == Vec3d(0.0) ? "found a direction of length 0 (expected any other length)"
+                             : fmt::format("found a direction of length {:g} (expected at least {:g})", size, least),
          "only where it points matters, so [0, 0, 1] and [0, 0, 5] are the same");
 }
 

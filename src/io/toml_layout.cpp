@@ -172,8 +172,8 @@ class Scanner {
     for (std::size_t i = 0; i < sections.size(); ++i) {
       if (i > 0) {
         std::size_t lead = sections[i].header_begin;
-        while (lead > sections[i - 1].body_end && is_comment_line(line_begin(text_, lead - 1)))
-          lead = line_begin(text_, lead - 1);
+        const auto line_above = [&] { return std::max(line_begin(text_, lead - 1), sections[i - 1].body_end); };
+        while (lead > sections[i - 1].body_end && is_comment_line(line_above())) lead = line_above();
         sections[i].lead_begin = lead;
       }
     }
