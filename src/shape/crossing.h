@@ -3,6 +3,7 @@
 #include "math/bounds.h"
 #include "math/ray.h"
 
+#include <cmath>
 #include <optional>
 
 namespace raywalk {
@@ -20,6 +21,24 @@ struct SurfacePoint {
   Vec3<T> position;
   Vec3<T> normal;
 };
+
+/// Two unit directions at right angles in a plane, the same for a normal and its opposite.
+template <class T>
+struct Frame {
+  Vec3<T> u, v;
+};
+
+/// For a level plane u and v are x and y; for an upright one u is level and v is z.
+template <class T>
+[[nodiscard]] Frame<T> frame_of(const Vec3<T>& unit_normal) {
+  const bool level = std::abs(unit_normal.z) >= T(0.5);
+  const Vec3<T> guide = level ? Vec3<T>(1, 0, 0) : Vec3<T>(0, 0, 1);
+  const Vec3<T> along = normalize(guide - dot(guide, unit_normal) * unit_normal);
+  const bool up =
+      unit_normal.z > 0 || (unit_normal.z == 0 && (unit_normal.y < 0 || (unit_normal.y == 0 && unit_normal.x > 0)));
+  const Vec3<T> side = cross(up ? unit_normal : -unit_normal, along);
+  return level ? Frame<T>{along, side} : Frame<T>{-side, along};
+}
 
 /// No part of a shape: the ray does not depart from it.
 inline constexpr int no_part = -1;

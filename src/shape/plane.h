@@ -35,17 +35,12 @@ template <class T>
   return {position - dot(position - plane.point, normal) * normal, normal};
 }
 
-/// Two fixed directions of the plane, from its `point`; for a level plane they are x and y.
+/// The plane's own two directions, from its `point`; for a level plane they are x and y.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point, int /*part*/) {
-  const Vec3<T>& normal = point.normal;
+  const Frame<T> frame = frame_of(point.normal);
   const Vec3<T> offset = point.position - plane.point;
-  const bool level = std::abs(normal.z) >= T(0.5);
-  // The tangent is the part of x (of an upright plane: of z) that lies in the plane.
-  const Vec3<T> guide = level ? Vec3<T>(1, 0, 0) : Vec3<T>(0, 0, 1);
-  const Vec3<T> along = normalize(guide - dot(guide, normal) * normal);
-  if (level) return {dot(offset, along), dot(offset, cross(normal.z > 0 ? normal : -normal, along))};
-  return {dot(offset, cross(along, normal)), dot(offset, along)};
+  return {dot(offset, frame.u), dot(offset, frame.v)};
 }
 
 template <class T>

@@ -1,0 +1,225 @@
+#pragma once
+
+#include "math/double_double.h"
+#include "shape/crossing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace raywalk {
+
+enum class QuadricKind {
+  ellipsoid,               ///< x^2/rx^2 + y^2/ry^2 + z^2/rz^2 = 1
+  elliptic_paraboloid,     ///< x^2/rx^2 + y^2/ry^2 = z
+  cone,                    ///< x^2/rx^2 + y^2/ry^2 = z^2; both sheets unless clipped
+  cylinder,                ///< x^2/rx^2 + y^2/ry^2 = 1
+  hyperboloid_one_sheet,   ///< x^2/rx^2 + y^2/ry^2 - z^2/rz^2 = 1
+  hyperboloid_two_sheets,  ///< x^2/rx^2 + y^2/ry^2 - z^2/rz^2 = -1
+};
+
+/// A quadric about the z axis, cut to z_min <= z <= z_max and closed by flat caps on request. Parts: 0 the wall, 1 the
+/// cap at z_min, 2 the cap at z_max. An open wall ends before its limits (they belong to the caps); with caps the rim
+/// is met once. Inside is where the left side is smaller than the right one.
+template <class T>
+struct Quadric {
+  QuadricKind kind = QuadricKind::ellipsoid;
+  Vec3<T> radii{1};                             ///< rx, ry, rz, each > 0; rz only where the equation has it
+  T z_min = -infinity<T>, z_max = infinity<T>;  ///< z_min < z_max; infinite: not cut there
+  bool capped = false;                          ///< caps where the cut is finite and meets the inside
+  friend bool operator==(const Quadric&, const Quadric&) = default;
+
+  static constexpr int wall = 0, low_cap = 1, high_cap = 2;
+};
+
+/// Nearest t in (0, t_max) at which the ray crosses the wall or a cap; a tangent ray counts.
+///
+/// Along the ray the left side minus the right one is a t^2 + 2 b t + c: negative inside. Its roots are found in double
+/// (Kahan's form, no cancellation); where an error bound does not settle the sign of the discriminant or of a (a ray
+/// parallel to a cone's side), or the origin lies almost on the wall, again in double-double. Caps and wall are told
+/// apart by t alone, as in the prism, so no ray slips through a rim. A ray that departs from the wall has c = 0
+/// exactly.
+template <class T, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Crossing<T>> intersect(const Quadric<T>& quadric, const Ray<T>& ray, T t_max,
+                                                   int departed_part = no_part, Explain&& explain = {});
+
+template <class T>
+[[nodiscard]] SurfacePoint<T> surface_at(const Quadric<T>& quadric, const Ray<T>& ray, Crossing<T> crossing);
+
+/// The wall: the angle from +x times rx, and z. Caps: x and y.
+template <class T>
+[[nodiscard]] Vec2<T> uv_at(const Quadric<T>& quadric, const SurfacePoint<T>& point, int part) {
+  if (part != Quadric<T>::wall) return plan(point.position);
+  const T angle = std::atan2(point.position.y / quadric.radii.y, point.position.x / quadric.radii.x);
+  return {quadric.radii.x * angle, point.position.z};
+}
+
+/// Infinite where the quadric is.
+template <class T>
+[[nodiscard]] Bounds<T> bounds(const Quadric<T>& quadric);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// x^2 xx + y^2 yy + z^2 zz + z linear + constant: negative inside.
+struct QuadricEquation {
+  double xx, yy, zz, linear, constant;
+};
+
+template <class T>
+[[nodiscard]] QuadricEquation equation_of(const Quadric<T>& quadric) {
+  const Vec3d r(quadric.radii);
+  const double xx = 1 / (r.x * r.x), yy = 1 / (r.y * r.y), zz = 1 / (r.z * r.z);
+  switch (quadric.kind) {
+    case QuadricKind::ellipsoid:
+      return {xx, yy, zz, 0, -1};
+    case QuadricKind::elliptic_paraboloid:
+      return {xx, yy, 0, -1, 0};
+    case QuadricKind::cone:
+      return {xx, yy, -1, 0, 0};
+    case QuadricKind::cylinder:
+      return {xx, yy, 0, 0, -1};
+    case QuadricKind::hyperboloid_one_sheet:
+      return {xx, yy, -zz, 0, -1};
+    case QuadricKind::hyperboloid_two_sheets:
+      return {xx, yy, -zz, 0, 1};
+  }
+  return {};
+}
+
+/// Where a t^2 + 2 b t + c vanishes, near <= far, and whether it is negative between (else outside of them). A root at
+/// infinity is infinite. Without roots near and far are NaN and `inside_everywhere` tells the sign.
+struct QuadraticRoots {
+  double near = NAN, far = NAN;
+  bool inside_between = true, inside_everywhere = false;
+
+  [[nodiscard]] bool inside(double t) const {
+    if (std::isnan(near)) return inside_everywhere;
+    return inside_between ? near <= t && t <= far : t <= near || far <= t;
+  }
+};
+
+/// Real is double or DoubleDouble; `discriminant` is b^2 - a c.
+template <class Real>
+[[nodiscard]] QuadraticRoots roots_of(Real a, Real b, Real c, Real discriminant) {
+  using std::sqrt;
+  const double a_hi = static_cast<double>(a), b_hi = static_cast<double>(b);
+  if (static_cast<double>(discriminant) < 0) return {NAN, NAN, true, a_hi < 0};
+  const Real root = sqrt(discriminant);
+  const Real q = b_hi > 0 ? -(b + root) : root - b;
+  if (static_cast<double>(q) == 0) {
+    if (a_hi == 0) return {NAN, NAN, true, static_cast<double>(c) < 0};
+    return {0, 0, a_hi > 0, false};
+  }
+  const double t0 = a_hi == 0 ? static_cast<double>(q) / a_hi : static_cast<double>(q / a);
+  const double t1 = static_cast<double>(c / q);
+  return {std::min(t0, t1), std::max(t0, t1), !std::signbit(a_hi), false};
+}
+
+/// The equation along the ray, and its roots.
+struct QuadricRoots {
+  double a, b, c, discriminant;
+  QuadraticRoots roots;
+};
+
+[[nodiscard]] inline QuadricRoots quadric_roots(const QuadricEquation& e, const Vec3d& o, const Vec3d& d,
+                                                bool on_wall) {
+  const double axx = e.xx * d.x * d.x, ayy = e.yy * d.y * d.y, azz = e.zz * d.z * d.z;
+  const double bxx = e.xx * o.x * d.x, byy = e.yy * o.y * d.y, bzz = e.zz * o.z * d.z, bl = e.linear * d.z / 2;
+  const double cxx = e.xx * o.x * o.x, cyy = e.yy * o.y * o.y, czz = e.zz * o.z * o.z, cl = e.linear * o.z;
+  const double a = axx + ayy + azz, b = bxx + byy + bzz + bl;
+  const double c = on_wall ? 0 : cxx + cyy + czz + cl + e.constant;
+  const double discriminant = b * b - a * c;
+  // Each sum errs by a few ulps of its largest term.
+  constexpr double ulps = 16 * 1.1102230246251565e-16, digits = 1e-8;
+  const double a_size = axx + ayy + std::abs(azz);
+  const double b_size = std::abs(bxx) + std::abs(byy) + std::abs(bzz) + std::abs(bl);
+  const double c_size = on_wall ? 0 : cxx + cyy + std::abs(czz) + std::abs(cl) + std::abs(e.constant);
+  const bool sure = std::abs(discriminant) > ulps * (b_size * b_size + a_size * c_size) &&
+                    std::abs(a) > ulps * a_size && (on_wall || std::abs(c) > digits * c_size);
+  if (sure) return {a, b, c, discriminant, roots_of(a, b, c, discriminant)};
+  const DoubleDouble xx(e.xx), yy(e.yy), zz(e.zz), half(e.linear / 2), ox(o.x), oy(o.y), oz(o.z), dx(d.x), dy(d.y),
+      dz(d.z);
+  const DoubleDouble wide_a = xx * dx * dx + yy * dy * dy + zz * dz * dz;
+  const DoubleDouble wide_b = xx * ox * dx + yy * oy * dy + zz * oz * dz + half * dz;
+  const DoubleDouble wide_c =
+      on_wall ? DoubleDouble()
+              : xx * ox * ox + yy * oy * oy + zz * oz * oz + half * oz + half * oz + DoubleDouble(e.constant);
+  return {a, b, c, discriminant, roots_of(wide_a, wide_b, wide_c, wide_b * wide_b - wide_a * wide_c)};
+}
+
+}  // namespace detail
+
+template <class T, class Explain>
+std::optional<Crossing<T>> intersect(const Quadric<T>& quadric, const Ray<T>& ray, T t_max, int departed_part,
+                                     Explain&& explain) {
+  using Part = Quadric<T>;
+  const Vec3d o(ray.origin), d(ray.direction);
+  const detail::QuadricRoots wall =
+      detail::quadric_roots(detail::equation_of(quadric), o, d, departed_part == Part::wall);
+  if constexpr (std::decay_t<Explain>::wanted)
+    explain.quadratic(wall.a, 2 * wall.b, wall.c, 4 * wall.discriminant, wall.roots.near, wall.roots.far);
+
+  // The slab between the cuts, as stretches of t.
+  double slab_in = -infinity<double>, slab_out = infinity<double>;
+  int in_part = Part::low_cap, out_part = Part::high_cap;
+  const double z_min = static_cast<double>(quadric.z_min), z_max = static_cast<double>(quadric.z_max);
+  if (d.z != 0) {
+    slab_in = departed_part == Part::low_cap ? 0 : (z_min - o.z) / d.z;
+    slab_out = departed_part == Part::high_cap ? 0 : (z_max - o.z) / d.z;
+    if (d.z < 0) std::swap(slab_in, slab_out), std::swap(in_part, out_part);
+  } else if (!(z_min < o.z && o.z < z_max)) {
+    return std::nullopt;
+  }
+
+  std::optional<Crossing<T>> nearest;
+  const auto consider = [&](double t_wide, int part) {
+    const T t = static_cast<T>(t_wide);
+    if (t > 0 && t < t_max && (!nearest || t < nearest->t)) nearest = Crossing<T>{t, part};
+  };
+  // On the wall a point must lie strictly between the cuts: their own t belongs to the caps.
+  for (const double t : {wall.roots.near, wall.roots.far})
+    if (slab_in < t && t < slab_out) consider(t, Part::wall);
+  if (quadric.capped) {
+    if (wall.roots.inside(slab_in)) consider(slab_in, in_part);
+    if (wall.roots.inside(slab_out)) consider(slab_out, out_part);
+  }
+  return nearest;
+}
+
+template <class T>
+SurfacePoint<T> surface_at(const Quadric<T>& quadric, const Ray<T>& ray, Crossing<T> crossing) {
+  Vec3<T> position = ray.at(crossing.t);
+  if (crossing.part == Quadric<T>::low_cap) return {{position.x, position.y, quadric.z_min}, {0, 0, -1}};
+  if (crossing.part == Quadric<T>::high_cap) return {{position.x, position.y, quadric.z_max}, {0, 0, 1}};
+  const detail::QuadricEquation e = detail::equation_of(quadric);
+  Vec3d gradient(2 * e.xx * position.x, 2 * e.yy * position.y, 2 * e.zz * position.z + e.linear);
+  const double size = length(gradient);
+  if (!(size > 0)) return {position, {0, 0, 1}};  // a cone's apex has no normal: any will do
+  // One Newton step onto the wall along the gradient: a ray may meet it far away, at a slant.
+  const Vec3d p(position);
+  const double off = e.xx * p.x * p.x + e.yy * p.y * p.y + (e.zz * p.z + e.linear) * p.z + e.constant;
+  return {Vec3<T>(p - off / (size * size) * gradient), Vec3<T>(gradient / size)};
+}
+
+template <class T>
+Bounds<T> bounds(const Quadric<T>& quadric) {
+  // At height z the cross section has radii rx, ry times sqrt(widest(z)), where that is not negative.
+  const detail::QuadricEquation e = detail::equation_of(quadric);
+  const auto widest = [&](double z) { return -((e.zz * z + e.linear) * z + e.constant); };
+  double low = static_cast<double>(quadric.z_min), high = static_cast<double>(quadric.z_max);
+  const double rz = static_cast<double>(quadric.radii.z);
+  if (quadric.kind == QuadricKind::ellipsoid) low = std::max(low, -rz), high = std::min(high, rz);
+  if (quadric.kind == QuadricKind::elliptic_paraboloid) low = std::max(low, 0.0);
+  double square = std::max(quadric.kind == QuadricKind::ellipsoid && low < 0 && high > 0 ? 1.0 : 0.0,
+                           std::isfinite(low) && std::isfinite(high) ? std::max(widest(low), widest(high)) : 0.0);
+  if (quadric.kind == QuadricKind::cylinder) square = 1;
+  if (quadric.kind != QuadricKind::cylinder && !(std::isfinite(low) && std::isfinite(high))) square = infinity<double>;
+  if (square < 0 || low > high) return {};
+  const double reach = std::sqrt(square);
+  const Vec3d corner(static_cast<double>(quadric.radii.x) * reach, static_cast<double>(quadric.radii.y) * reach, 0);
+  return {Vec3<T>(Vec3d(-corner.x, -corner.y, low)), Vec3<T>(Vec3d(corner.x, corner.y, high))};
+}
+
+}  // namespace raywalk

@@ -1,0 +1,25 @@
+// The compiler must round where the program says so; the tracer's bits depend on it (see the flags in CMakeLists.txt).
+
+#include "support/catch.h"
+
+namespace {
+
+struct Doubles {
+  double x, y;
+};
+
+// A function of its own, so that nothing is known of the numbers.
+[[gnu::noinline]] Doubles through_float(double x, double y) {
+  struct {
+    float x, y;
+  } const rounded{static_cast<float>(x), static_cast<float>(y)};
+  return {static_cast<double>(rounded.x), static_cast<double>(rounded.y)};
+}
+
+}  // namespace
+
+TEST_CASE("a number that was rounded to float stays rounded", "[math]") {
+  const Doubles rounded = through_float(0.1, 0.2);
+  CHECK(rounded.x == static_cast<double>(0.1F));
+  CHECK(rounded.y == static_cast<double>(0.2F));
+}

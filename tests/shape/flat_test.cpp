@@ -1,0 +1,129 @@
+// Triangle, polygon and disk.
+
+#include "shape/disk.h"
+#include "shape/polygon.h"
+#include "shape/triangle.h"
+#include "support/catch.h"
+
+#include <array>
+#include <random>
+
+using namespace raywalk;
+
+namespace {
+
+/// A closed mesh: an icosahedron's 20 faces, each cut into 16, moved and scaled.
+template <class T>
+std::vector<Triangle<T>> ball(const Vec3<T>& centre, T radius) {
+  const T g = (1 + std::sqrt(T(5))) / 2;
+  const std::array<Vec3<T>, 12> v{{{-1, g, 0},
+                                   {1, g, 0},
+                                   {-1, -g, 0},
+                                   {1, -g, 0},
+                                   {0, -1, g},
+                                   {0, 1, g},
+                                   {0, -1, -g},
+                                   {0, 1, -g},
+                                   {g, 0, -1},
+                                   {g, 0, 1},
+                                   {-g, 0, -1},
+                                   {-g, 0, 1}}};
+  const int f[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                        {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                        {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  std::vector<Triangle<T>> mesh;
+  for (const auto& face : f)
+    mesh.push_back({v[static_cast<std::size_t>(face[0])], v[static_cast<std::size_t>(face[1])],
+                    v[static_cast<std::size_t>(face[2])]});
+  for (int round = 0; round < 2; ++round) {
+    std::vector<Triangle<T>> finer;
+    for (const auto& [a, b, c] : mesh) {
+      // The middle of an edge must be the same bits from both sides: addition commutes.
+      const Vec3<T> ab = (a + b) / T(2), bc = (b + c) / T(2), ca = (c + a) / T(2);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    mesh = finer;
+  }
+  for (auto& t : mesh)
+    for (Vec3<T>* corner : {&t.a, &t.b, &t.c}) *corner = centre + radius * normalize(*corner);
+  return mesh;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a closed mesh has no gaps and each edge is crossed once", "[shape]", float, double) {
+  using T = TestType;
+  std::mt19937 engine(3);
+  const auto unit = [&] { return static_cast<T>(engine() >> 8) / static_cast<T>(1 << 24); };
+  for (const T scale : {T(1), T(1e-3), T(1e4)}) {
+    const Vec3<T> centre = scale * Vec3<T>(T(0.3), T(-7.1), T(2.9));
+    const auto mesh = ball<T>(centre, scale);
+    int leaks = 0, odd = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const Triangle<T>& aimed = mesh[engine() % mesh.size()];
+      const T s = unit();
+      const Vec3<T> target = i % 2 ? aimed.a : aimed.a + s * (aimed.b - aimed.a);
+      const T x = unit();
+      const T y = unit();
+      const T z = unit();
+      // From inside: exactly one crossing ahead. From outside through the same point: an even number.
+      const Vec3<T> within = centre + T(0.4) * scale * (Vec3<T>(x, y, z) - T(0.5));
+      const auto count = [&](const Ray<T>& ray) {
+        int crossings = 0;
+        for (const auto& triangle : mesh) crossings += intersect(triangle, ray, infinity<T>).has_value();
+        return crossings;
+      };
+      if (count({within, target - within}) != 1) ++leaks;
+      const Vec3<T> outside = centre + T(3) * scale * normalize(Vec3<T>(x, y, z) + T(0.01));
+      if (count({outside, target - outside}) % 2 != 0) ++odd;
+    }
+    CHECK(leaks == 0);
+    CHECK(odd == 0);
+  }
+}
+
+TEST_CASE("a triangle is hit from both sides, never along its plane, never without area", "[shape]") {
+  const Triangle<double> t{{0, 1, 0}, {-1, 0, 0}, {1, 0, 0}};
+  CHECK(intersect(t, Ray<double>{{0, 0.5, -2}, {0, 0, 1}}, infinity<double>)->t == 2);
+  CHECK(intersect(t, Ray<double>{{0, 0.5, 2}, {0, 0, -0.5}}, infinity<double>)->t == 4);
+  CHECK_FALSE(intersect(t, Ray<double>{{0, 0.5, -2}, {0, 0, -1}}, infinity<double>));
+  CHECK_FALSE(intersect(t, Ray<double>{{0, -1, -2}, {0, 1, 0}}, infinity<double>));
+  CHECK_FALSE(intersect(t, Ray<double>{{0, -1, 0}, {0, 1, 0}}, infinity<double>));
+  CHECK_FALSE(intersect(t, Ray<double>{{0, 0.5, -2}, {0, 0, 1}}, infinity<double>, 0));
+  CHECK_FALSE(intersect(Triangle<double>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, Ray<double>{{1, 0, -2}, {0, 0, 1}},
+                        infinity<double>));
+  // A sliver is no reason to miss: only an area of exactly 0 is.
+  const Triangle<double> sliver{{-1, 0, 0}, {1, 0, 0}, {0, 1e-200, 0}};
+  CHECK(intersect(sliver, Ray<double>{{0, 5e-201, -2}, {0, 0, 1}}, infinity<double>));
+  const Vec2d weights = barycentric(t, Vec3d(0.25, 0.25, 0));
+  CHECK(weights.x == Approx(0.25));
+  CHECK(weights.y == Approx(0.5));
+}
+
+TEST_CASE("a polygon may be concave and have holes", "[shape]") {
+  const Polygon<double> u{{{{0, 0, 1}, {3, 0, 1}, {3, 3, 1}, {2, 3, 1}, {2, 1, 1}, {1, 1, 1}, {1, 3, 1}, {0, 3, 1}},
+                           {{0.25, 0.25, 1}, {0.75, 0.25, 1}, {0.75, 0.75, 1}, {0.25, 0.75, 1}}}};
+  const auto hits = [&](double x, double y) {
+    return intersect(u, Ray<double>{{x, y, 5}, {0, 0, -2}}, infinity<double>).has_value();
+  };
+  CHECK(intersect(u, Ray<double>{{0.1, 0.1, 5}, {0, 0, -2}}, infinity<double>)->t == 2);
+  CHECK(hits(2.5, 2.5));
+  CHECK(hits(0.5, 2));
+  CHECK_FALSE(hits(1.5, 2));    // between the arms
+  CHECK_FALSE(hits(0.5, 0.5));  // in the hole
+  CHECK_FALSE(hits(-0.5, 1));   // level with two corners, outside
+  CHECK(hits(2.5, 1));          // level with two corners, inside
+  CHECK_FALSE(intersect(u, Ray<double>{{-1, 1, 1}, {1, 0, 0}}, infinity<double>));
+  const auto hit = intersect(u, Ray<double>{{0.1, 0.1, 5}, {0, 0, -2}}, infinity<double>);
+  CHECK(surface_at(u, Ray<double>{{0.1, 0.1, 5}, {0, 0, -2}}, *hit).normal == Vec3d(0, 0, 1));
+}
+
+TEST_CASE("a disk ends at its rim", "[shape]") {
+  const Disk<double> disk{{1, 2, 3}, {0, 0, -4}, 2};
+  CHECK(intersect(disk, Ray<double>{{1, 2, 0}, {0, 0, 1}}, infinity<double>)->t == 3);
+  CHECK(intersect(disk, Ray<double>{{3, 2, 0}, {0, 0, 1}}, infinity<double>));
+  CHECK_FALSE(intersect(disk, Ray<double>{{3.0000001, 2, 0}, {0, 0, 1}}, infinity<double>));
+  const Bounds<double> box = bounds(Disk<double>{{0, 0, 0}, {1, 0, 1}, 1});
+  CHECK(box.max.x == Approx(std::sqrt(0.5)));
+  CHECK(box.max.y == Approx(1));
+}
