@@ -30,8 +30,16 @@ bool segments_meet(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& 
 
 }  // namespace
 
-std::string why_not_polygon(const std::vector<Vec2d>& corners) {
-  const std::size_t n = corners.size();
+std::string why_not_polygon(const std::vector<Vec2d>& given) {
+  const std::size_t n = given.size();
+  // Scaled by a power of two, which changes no bit, to coordinates whose products neither over- nor underflow.
+  double largest = 0;
+  for (const Vec2d& corner : given) largest = std::fmax(largest, std::fmax(std::abs(corner.x), std::abs(corner.y)));
+  const int exponent = std::isfinite(largest) && largest > 0 ? std::ilogb(largest) : 0;
+  std::vector<Vec2d> corners;
+  for (const Vec2d& corner : given)
+    corners.emplace_back(std::scalbn(corner.x, -exponent), std::scalbn(corner.y, -exponent));
+
   if (n < 3) return "a polygon needs at least 3 corners, this one has " + std::to_string(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;

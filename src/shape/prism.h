@@ -2,8 +2,8 @@
 
 #include "shape/crossing.h"
 
+#include <algorithm>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,6 +22,8 @@ struct Prism {
   [[nodiscard]] int bottom() const { return sides() + 1; }
   [[nodiscard]] const Vec2<T>& corner(int i) const { return corners[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Vec2<T>& corner_after(int i) const { return corner(i + 1 == sides() ? 0 : i + 1); }
+  /// Along side i, from its first corner to its second.
+  [[nodiscard]] Vec2<T> edge(int i) const { return corner_after(i) - corner(i); }
 
   /// Twice the area, positive when the corners turn counter-clockwise.
   [[nodiscard]] T twice_signed_area() const;
@@ -30,9 +32,11 @@ struct Prism {
 /// The nearest t in (0, t_max) at which the ray crosses the prism's surface.
 ///
 /// The prism is an extrusion: along the ray it is the polygon's intervals cut with the slab's. A corner's side of the
-/// ray is computed once and shared by both of its edges (half-open rule, so an edge's end belongs to one of the two),
-/// and a cap is hit where an odd number of side crossings lies before it. Every decision is made in t alone, so no
-/// ray slips between two faces. The face that the ray departs from is crossed at exactly t = 0.
+/// ray is computed once and shared by both of its edges (half-open rule, so an edge's end belongs to one of the two).
+/// The number of edges crossed before the ray enters the slab tells whether it is inside there, and so whether the next
+/// crossing leads out or in; one that leads the other way is rounding's, at a corner, and is passed over. Every
+/// decision is made in t alone, so no ray slips between two faces. A face that the ray departs from is crossed at
+/// exactly t = 0, and then that face says whether the ray starts inside.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
@@ -70,76 +74,136 @@ T Prism<T>::twice_signed_area() const {
   return area;
 }
 
-template <class T, class Explain>
-std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max, int departed_part,
-                                     Explain&& explain) {
-  const Vec2<T> o = plan(ray.origin), d = plan(ray.direction);
+namespace detail {
 
-  // The slab between the caps.
-  const T half = prism.height / 2;
-  T slab_in = -infinity<T>, slab_out = infinity<T>;
-  int in_part = prism.bottom(), out_part = prism.top();
-  if (ray.direction.z != 0) {
-    slab_in = departed_part == prism.bottom() ? T(0) : (-half - ray.origin.z) / ray.direction.z;
-    slab_out = departed_part == prism.top() ? T(0) : (half - ray.origin.z) / ray.direction.z;
-    if (ray.direction.z < 0) {
-      std::swap(slab_in, slab_out);
-      std::swap(in_part, out_part);
-    }
-  } else if (!(-half <= ray.origin.z && ray.origin.z <= half)) {
-    return std::nullopt;
+/// The stretch of a ray between the planes of a prism's caps, and the caps that bound it.
+template <class T>
+struct Slab {
+  T in = -infinity<T>, out = infinity<T>;
+  int in_part, out_part;
+};
+
+template <class T>
+Slab<T> slab_along(const Prism<T>& prism, const Ray<T>& ray, int departed_part) {
+  const T half = prism.height / 2, z = ray.origin.z, slope = ray.direction.z;
+  Slab<T> slab{-infinity<T>, infinity<T>, prism.bottom(), prism.top()};
+  if (slope != 0) {
+    slab.in = departed_part == prism.bottom() ? T(0) : (-half - z) / slope;
+    slab.out = departed_part == prism.top() ? T(0) : (half - z) / slope;
+  } else if (!(-half <= z && z <= half)) {
+    slab.out = -infinity<T>;
   }
+  if (slope < 0) {
+    std::swap(slab.in, slab.out);
+    std::swap(slab.in_part, slab.out_part);
+  }
+  return slab;
+}
 
-  // The sides: which are crossed, at which t, and whether an odd number of crossings lies before each cap.
-  const bool upright = d.x == 0 && d.y == 0;
-  const Vec2<T> across = upright ? Vec2<T>(1, 0) : d;  // an upright ray asks only whether it is inside
-  std::optional<Crossing<T>> nearest;
+/// A face crossed at t = numerator / denominator; at infinity when there is none.
+template <class T>
+struct FaceCrossing {
+  T t = infinity<T>;
+  int part = no_part;
   T numerator{0}, denominator{0};
-  bool inside_at_in = false, inside_at_out = false;
-  T side = cross(across, prism.corner(0) - o);
+};
+
+/// How a line of the plan crosses a polygon: whether it is inside at `start`, and the first edges after it that lead
+/// into the polygon and out of it.
+template <class T>
+struct SideCrossings {
+  bool inside = false;
+  FaceCrossing<T> in, out;
+};
+
+template <class T>
+SideCrossings<T> cross_sides(const Prism<T>& prism, const Vec2<T>& o, const Vec2<T>& d, T start, int departed_part) {
+  SideCrossings<T> crossings;
+  FaceCrossing<T>& leftwards = crossings.out;  // edges that the line crosses from its right to its left
+  FaceCrossing<T>& rightwards = crossings.in;
+  T side = cross(d, prism.corner(0) - o);
   for (int i = 0; i < prism.sides(); ++i) {
-    const T next_side = cross(across, prism.corner_after(i) - o);
+    const T next_side = cross(d, prism.corner_after(i) - o);
     if ((side >= 0) != (next_side >= 0)) {
-      const Vec2<T> edge = prism.corner_after(i) - prism.corner(i);
-      const T above = cross(prism.corner(i) - o, edge), below = next_side - side;
+      // The rate at which the line nears the edge's is computed from the edge itself: the difference of its ends' sides
+      // loses digits when the edge is short and far. Its sign, though, is that of the difference.
+      const Vec2<T> edge = prism.edge(i);
+      const T rate = cross(d, edge), difference = next_side - side;
+      const T above = cross(prism.corner(i) - o, edge), below = rate * difference > 0 ? rate : difference;
       const T t = departed_part == i ? T(0) : above / below;
-      if (t < (upright ? T(0) : slab_in)) inside_at_in = !inside_at_in;
-      if (t < (upright ? T(0) : slab_out)) inside_at_out = !inside_at_out;
-      if (!upright && t > 0 && t < t_max && slab_in <= t && t <= slab_out && (!nearest || t < nearest->t)) {
-        nearest = Crossing<T>{t, i};
-        numerator = above, denominator = below;
-      }
+      FaceCrossing<T>& first = below > 0 ? leftwards : rightwards;
+      if (t <= start)
+        crossings.inside = !crossings.inside;
+      else if (t < first.t)
+        first = {t, i, above, below};
     }
     side = next_side;
   }
-  for (const auto& [t, part, inside] :
-       {std::tuple{slab_in, in_part, inside_at_in}, std::tuple{slab_out, out_part, inside_at_out}}) {
-    if (inside && t > 0 && t < t_max && (!nearest || t < nearest->t)) {
-      nearest = Crossing<T>{t, part};
-      denominator = ray.direction.z;
-      numerator = t * denominator;
-    }
+  // Around a counter-clockwise polygon the edges run to the left where the line leaves it.
+  const bool none = leftwards.part == no_part && rightwards.part == no_part;
+  if (!none && prism.twice_signed_area() < 0) std::swap(crossings.in, crossings.out);
+  return crossings;
+}
+
+/// Whether a ray that departs from a part of the prism starts inwards.
+template <class T>
+bool departs_inwards(const Prism<T>& prism, const Vec3<T>& direction, int part) {
+  if (part == prism.top()) return direction.z < 0;
+  if (part == prism.bottom()) return direction.z > 0;
+  return (cross(plan(direction), prism.edge(part)) < 0) == (prism.twice_signed_area() > 0);
+}
+
+}  // namespace detail
+
+template <class T, class Explain>
+std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max, int departed_part,
+                                     Explain&& explain) {
+  const auto slab = detail::slab_along(prism, ray, departed_part);
+  if (!(slab.in <= slab.out && slab.out > 0)) return std::nullopt;
+
+  // An upright ray stays where it is on the plan: any line through that point tells whether it is inside.
+  const bool upright = ray.direction.x == 0 && ray.direction.y == 0;
+  const T start = upright ? T(0) : std::max(slab.in, T(0));
+  const auto sides =
+      detail::cross_sides(prism, plan(ray.origin), upright ? Vec2<T>(1, 0) : plan(ray.direction), start, departed_part);
+  const bool inside =
+      departed_part == no_part ? sides.inside : detail::departs_inwards(prism, ray.direction, departed_part);
+
+  detail::FaceCrossing<T> next;
+  const auto meet_cap = [&](T t, int part) { next = {t, part, t * ray.direction.z, ray.direction.z}; };
+  if (inside && slab.in > 0) {
+    meet_cap(slab.in, slab.in_part);
+  } else if (inside && upright) {
+    meet_cap(slab.out, slab.out_part);
+  } else if (inside) {
+    // A departing ray that rounding puts outside the polygon, beside a corner, has left it already: none.
+    next = sides.out.part != no_part ? sides.out : sides.in;
+    if (next.part != no_part && slab.out < next.t) meet_cap(slab.out, slab.out_part);
+  } else if (!upright && sides.in.t < slab.out) {
+    next = sides.in;
   }
   if constexpr (std::decay_t<Explain>::wanted)
-    explain.plane(static_cast<double>(numerator), static_cast<double>(denominator));
-  return nearest;
+    explain.plane(static_cast<double>(next.numerator), static_cast<double>(next.denominator));
+  if (!(next.t < t_max)) return std::nullopt;
+  return Crossing<T>{next.t, next.part};
 }
 
 template <class T>
 SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Crossing<T> crossing) {
-  Vec3<T> position = ray.at(crossing.t);
+  const T half = prism.height / 2;
+  const Vec3<T> reached = ray.at(crossing.t);
   if (crossing.part >= prism.sides()) {
     const T up = crossing.part == prism.top() ? T(1) : T(-1);
-    position.z = up * (prism.height / 2);
-    return {position, {0, 0, up}};
+    return {{plan(reached), up * half}, {0, 0, up}};
   }
-  const Vec2<T> first = prism.corner(crossing.part);
-  const Vec2<T> edge = prism.corner_after(crossing.part) - first;
-  const Vec2<T> along = edge / length(edge);
+  // The computed point is pulled back onto the face, also where rounding took it past an edge.
+  const Vec2<T> first = prism.corner(crossing.part), edge = prism.edge(crossing.part);
+  const T size = length(edge);
+  const Vec2<T> along = edge / size;
   const T turn = prism.twice_signed_area() < 0 ? T(-1) : T(1);
-  const Vec2<T> outwards = turn * Vec2<T>(along.y, -along.x);
-  const Vec2<T> onto = plan(position) - dot(plan(position) - first, outwards) * outwards;
-  return {{onto, position.z}, {outwards, 0}};
+  const Vec2<T> offset = (plan(ray.origin) - first) + crossing.t * plan(ray.direction);
+  const Vec2<T> onto = first + std::clamp(dot(offset, along), T(0), size) * along;
+  return {{onto, std::clamp(reached.z, -half, half)}, {turn * along.y, turn * -along.x, 0}};
 }
 
 }  // namespace raywalk
