@@ -52,19 +52,22 @@ EffectUse use_if(const Scene& scene, Calls calls, const std::string& because, co
 
 Effects effects_of(const Scene& scene, int samples_per_pixel) {
   Effects effects;
-  const bool lit = std::any_of(scene.lights.begin(), scene.lights.end(),
-                               [](const Light& light) { return !is_black(light.strength); });
-  effects[Effect::shadows] = !lit ? EffectUse{false, "none: no light shines"}
-                             : scene.objects.empty()
-                                 ? EffectUse{false, "none: nothing casts or catches a shadow"}
-                                 : EffectUse{true, scene.lights.front().name + " shines on objects"};
+  const auto lamp = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                 [](const Light& light) { return !is_black(light.strength); });
+  effects[Effect::shadows] = lamp == scene.lights.end() ? EffectUse{false, "none: no light shines"}
+                             : scene.objects.empty()    ? EffectUse{false, "none: nothing casts or catches a shadow"}
+                                                        : EffectUse{true, lamp->name + " shines on objects"};
   effects[Effect::refraction] =
       use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
-  effects[Effect::reflection] =
-      use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
-  if (!effects.used(Effect::reflection) && effects.used(Effect::refraction))
-    effects[Effect::reflection] =
-        use_if(scene, [](const Material& m) { return m.transmits(); }, "can reflect totally inside", "");
+  // Whatever transmits reflects too: a share by Fresnel's equations, or all of it beyond the critical angle.
+  EffectUse& reflection = effects[Effect::reflection];
+  reflection = use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
+  if (!reflection.used && effects.used(Effect::refraction)) {
+    const auto shares = [](const Material& m) { return m.transmits() && m.dielectric; };
+    reflection = use_if(scene, shares, "reflects a share of the light as a dielectric", "");
+    if (!reflection.used)
+      reflection = use_if(scene, [](const Material& m) { return m.transmits(); }, "can reflect totally inside", "");
+  }
   effects[Effect::textures] = use_if(
       scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "no material has a pattern");
   effects[Effect::antialiasing] =

@@ -7,18 +7,21 @@ namespace raywalk {
 namespace {
 
 /// A sphere meets the plan with level normals only if its centre lies there.
-bool is_planar(const Sphere<double>& sphere) {
-  return sphere.centre.z == 0 || std::abs(sphere.centre.z) > sphere.radius;
+std::string why_not_planar(const Sphere<double>& sphere) {
+  const bool off_centre = sphere.centre.z != 0 && std::abs(sphere.centre.z) <= sphere.radius;
+  return off_centre ? "is cut by z = 0, but not through its centre" : "";
 }
 
 /// A plane must stand upright, or lie level and off the plan.
-bool is_planar(const Plane<double>& plane) {
+std::string why_not_planar(const Plane<double>& plane) {
+  if (plane.normal.z == 0) return "";
   const bool level = plane.normal.x == 0 && plane.normal.y == 0;
-  return plane.normal.z == 0 || (level && plane.point.z != 0);
+  if (!level) return "meets z = 0 aslant";
+  return plane.point.z == 0 ? "lies in z = 0" : "";
 }
 
 /// A prism is centred on the plan and its sides are upright; its caps lie off it.
-bool is_planar(const Prism<double>& prism) { return prism.height > 0; }
+std::string why_not_planar(const Prism<double>& prism) { return prism.height > 0 ? "" : "is flat and lies in z = 0"; }
 
 }  // namespace
 
@@ -32,9 +35,10 @@ std::string why_not_planar(const Scene& scene) {
     if (const auto* sun = std::get_if<DirectionalLight>(&light.kind); sun && sun->direction.z != 0)
       return light.name + " does not shine along z = 0";
   }
-  for (const Object& object : scene.objects)
-    if (!std::visit([](const auto& shape) { return is_planar(shape); }, object.shape))
-      return object.name + " meets z = 0 with a slanted surface";
+  for (const Object& object : scene.objects) {
+    const std::string why = std::visit([](const auto& shape) { return why_not_planar(shape); }, object.shape);
+    if (!why.empty()) return object.name + " " + why;
+  }
   return {};
 }
 

@@ -1,0 +1,101 @@
+#include "scene/effects.h"
+
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+constexpr Effect all_effects[] = {Effect::shadows,        Effect::reflection,   Effect::refraction,
+                                  Effect::gloss,          Effect::translucency, Effect::penumbra,
+                                  Effect::depth_of_field, Effect::motion_blur,  Effect::antialiasing,
+                                  Effect::indirect_light, Effect::textures};
+
+Scene scene_of(const Material& material) {
+  Scene scene;
+  scene.objects.push_back({"Plain", Sphere<double>{}, Material{}});
+  scene.objects.push_back({"Ball", Sphere<double>{{3, 0, 0}, 1}, material});
+  scene.lights.push_back({"Lamp", Rgbd(1.0), PointLight{}});
+  return scene;
+}
+
+std::set<Effect> used(const Effects& effects) {
+  std::set<Effect> names;
+  for (const Effect effect : all_effects)
+    if (effects.used(effect)) names.insert(effect);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("effects have names of their own, as the statistics write them") {
+  std::set<std::string_view> names;
+  for (const Effect effect : all_effects) names.insert(effect_name(effect));
+  CHECK(names.size() == static_cast<std::size_t>(effect_count));
+  CHECK(effect_name(Effect::depth_of_field) == "depth_of_field");
+  CHECK(effect_name(Effect::indirect_light) == "indirect_light");
+}
+
+TEST_CASE("each effect has a reason, used or not") {
+  for (const Scene& scene : {Scene{}, scene_of({})}) {
+    const Effects effects = effects_of(scene);
+    for (const Effect effect : all_effects) {
+      INFO(effect_name(effect));
+      CHECK_FALSE(effects[effect].why.empty());
+      CHECK((effects[effect].why.rfind("none: ", 0) == 0) == !effects.used(effect));
+    }
+  }
+}
+
+TEST_CASE("shadows need a light that shines and an object to catch it") {
+  CHECK(effects_of(Scene{})[Effect::shadows].why == "none: no light shines");
+  Scene scene = scene_of({});
+  CHECK(effects_of(scene)[Effect::shadows].why == "Lamp shines on objects");
+  scene.lights.insert(scene.lights.begin(), {"Dark", Rgbd(0.0), DirectionalLight{}});
+  CHECK(effects_of(scene)[Effect::shadows].why == "Lamp shines on objects");
+  scene.lights.pop_back();
+  CHECK(effects_of(scene)[Effect::shadows].why == "none: no light shines");
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{}}};
+  scene.objects.clear();
+  CHECK(effects_of(scene)[Effect::shadows].why == "none: nothing casts or catches a shadow");
+}
+
+TEST_CASE("reflection is called for by mirrors, and by whatever transmits") {
+  Material material;
+  CHECK(effects_of(scene_of(material))[Effect::reflection].why == "none: nothing reflects");
+  CHECK(used(effects_of(scene_of(material))) == std::set<Effect>{Effect::shadows});
+
+  material.transmission = Rgbd(0, 0, 0.5);
+  CHECK(effects_of(scene_of(material))[Effect::reflection].why == "Ball can reflect totally inside");
+  CHECK(effects_of(scene_of(material))[Effect::refraction].why == "Ball transmits");
+  material.dielectric = true;
+  CHECK(effects_of(scene_of(material))[Effect::reflection].why == "Ball reflects a share of the light as a dielectric");
+  material.reflection = Rgbd(0.1, 0, 0);
+  CHECK(effects_of(scene_of(material))[Effect::reflection].why == "Ball reflects");
+  CHECK(used(effects_of(scene_of(material))) ==
+        std::set<Effect>{Effect::shadows, Effect::reflection, Effect::refraction});
+
+  material.transmission = Rgbd(0.0);
+  CHECK(used(effects_of(scene_of(material))) == std::set<Effect>{Effect::shadows, Effect::reflection});
+}
+
+TEST_CASE("what is enabled but does nothing is not used") {
+  Material material;
+  material.dielectric = true;  // with nothing to share
+  material.shadow = ShadowKind::filtered;
+  material.ior = 2;
+  CHECK(used(effects_of(scene_of(material))) == std::set<Effect>{Effect::shadows});
+  CHECK(effects_of(scene_of(material), 1)[Effect::antialiasing].why == "none: one sample in the centre of each pixel");
+}
+
+TEST_CASE("textures and samples") {
+  Material material;
+  CHECK(effects_of(scene_of(material))[Effect::textures].why == "none: no material has a pattern");
+  material.checker = Checker{};
+  CHECK(effects_of(scene_of(material))[Effect::textures].why == "Ball is checkered");
+  CHECK(effects_of(scene_of(material), 16)[Effect::antialiasing].why == "16 samples are taken in each pixel");
+  CHECK(used(effects_of(scene_of(material), 16)) ==
+        std::set<Effect>{Effect::shadows, Effect::textures, Effect::antialiasing});
+}
