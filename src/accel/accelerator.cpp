@@ -2,38 +2,58 @@
 
 namespace raywalk {
 
+namespace {
+
 /// A handful of primitives is searched faster than any structure is entered; beyond that a BVH is never far from the
 /// best and never bad.
-template <class T>
-AcceleratorKind Accelerator<T>::resolve(AcceleratorKind kind, const Primitives<T>& primitives) {
+AcceleratorKind resolve(AcceleratorKind kind, std::size_t bounded) {
   constexpr std::size_t few = 8;
   if (kind != AcceleratorKind::automatic) return kind;
-  return primitives.bounded.size() <= few ? AcceleratorKind::none : AcceleratorKind::bvh;
+  return bounded <= few ? AcceleratorKind::none : AcceleratorKind::bvh;
 }
 
 template <class T>
-auto Accelerator<T>::build(AcceleratorKind kind, const Primitives<T>& primitives) -> Structure {
+std::variant<List<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>> build(AcceleratorKind kind, const Boxes<T>& boxes) {
   switch (kind) {
     case AcceleratorKind::automatic:
     case AcceleratorKind::none:
-      return List<T>(primitives);
+      return List<T>(static_cast<int>(boxes.boxes.size()));
     case AcceleratorKind::bvh:
-      return Bvh<T>(primitives);
+      return Bvh<T>(boxes);
     case AcceleratorKind::grid:
-      return Grid<T>(primitives);
+      return Grid<T>(boxes);
     case AcceleratorKind::octree:
-      return Octree<T>(primitives);
+      return Octree<T>(boxes);
     case AcceleratorKind::kdtree:
-      return KdTree<T>(primitives);
+      return KdTree<T>(boxes);
   }
-  return List<T>(primitives);
+  return List<T>(static_cast<int>(boxes.boxes.size()));
+}
+
+}  // namespace
+
+template <class T>
+Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind)
+    : primitives_(std::move(primitives)), structure_(List<T>(0)) {
+  const Boxes<T> boxes(primitives_);
+  kind_ = resolve(kind, boxes.bounded.size());
+  structure_ = build(kind_, boxes);
+  if (kind_ != AcceleratorKind::none) unbounded_ = boxes.unbounded;
+}
+
+template <class T>
+template <class Query>
+void Accelerator<T>::search(const Ray<T>& ray, Query& query) const {
+  for (const int id : unbounded_)
+    if (query.test(primitives_, id)) return;
+  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_);
 }
 
 template <class T>
 template <class Accept>
 std::optional<Hit<T>> Accelerator<T>::closest(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept) const {
   ClosestQuery<T, Accept> query(ray, t_max, counts, accept);
-  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_);
+  search(ray, query);
   return query.nearest();
 }
 
@@ -41,7 +61,7 @@ template <class T>
 template <class Accept>
 bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept) const {
   AnyQuery<T, Accept> query(ray, t_max, counts, accept);
-  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_);
+  search(ray, query);
   return query.found();
 }
 

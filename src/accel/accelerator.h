@@ -36,8 +36,7 @@ enum class AcceleratorKind { automatic, none, bvh, grid, octree, kdtree };
 template <class T>
 class Accelerator {
  public:
-  explicit Accelerator(std::vector<Shape<T>> shapes, AcceleratorKind kind = AcceleratorKind::automatic)
-      : primitives_(std::move(shapes)), kind_(resolve(kind, primitives_)), structure_(build(kind_, primitives_)) {}
+  explicit Accelerator(Primitives<T> primitives, AcceleratorKind kind = AcceleratorKind::automatic);
 
   /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive or
   /// MarkedPrimitives.
@@ -48,10 +47,7 @@ class Accelerator {
   template <class Accept = AnyPrimitive>
   [[nodiscard]] bool any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
-  [[nodiscard]] int size() const { return static_cast<int>(primitives_.shapes.size()); }
-  [[nodiscard]] const Shape<T>& shape(int primitive) const {
-    return primitives_.shapes[static_cast<std::size_t>(primitive)];
-  }
+  [[nodiscard]] const Primitives<T>& primitives() const { return primitives_; }
   /// What was built: never `automatic`.
   [[nodiscard]] AcceleratorKind kind() const { return kind_; }
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -60,12 +56,13 @@ class Accelerator {
 
  private:
   using Structure = std::variant<List<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
-  static AcceleratorKind resolve(AcceleratorKind kind, const Primitives<T>& primitives);
-  static Structure build(AcceleratorKind kind, const Primitives<T>& primitives);
+  template <class Query>
+  void search(const Ray<T>& ray, Query& query) const;
 
   Primitives<T> primitives_;
-  AcceleratorKind kind_;
-  Structure structure_;
+  std::vector<int> unbounded_;  ///< ids that every ray is tested against
+  AcceleratorKind kind_ = AcceleratorKind::none;
+  Structure structure_;  ///< over the others; a List holds all
 };
 
 extern template class Accelerator<float>;

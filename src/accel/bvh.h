@@ -15,18 +15,16 @@ namespace raywalk {
 template <class T>
 class Bvh {
  public:
-  explicit Bvh(const Primitives<T>& primitives) : ids_(primitives.bounded) {
+  explicit Bvh(const Boxes<T>& boxes) : ids_(boxes.bounded) {
     if (ids_.empty()) return;
     nodes_.reserve(2 * ids_.size());
-    nodes_.push_back({primitives.whole, 0, static_cast<int>(ids_.size())});
-    split(0, primitives, 0);
+    nodes_.push_back({boxes.whole, 0, static_cast<int>(ids_.size())});
+    split(0, boxes, 0);
     nodes_.shrink_to_fit();
   }
 
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
-    for (const int id : primitives.unbounded)
-      if (query.test(primitives.shapes, id)) return;
     if (nodes_.empty()) return;
     const SlabRay<T> slabs(ray);
     struct Entry {
@@ -45,7 +43,7 @@ class Bvh {
       query.enter_node();
       if (node.leaf()) {
         for (int i = node.first; i < node.first + node.count; ++i)
-          if (query.test(primitives.shapes, ids_[static_cast<std::size_t>(i)])) return;
+          if (query.test(primitives, ids_[static_cast<std::size_t>(i)])) return;
         continue;
       }
       const Stretch<T> left = clip(slabs, nodes_[static_cast<std::size_t>(node.first)].box, {0, query.reach()});
@@ -84,14 +82,12 @@ class Bvh {
     return size.x * size.y + size.y * size.z + size.z * size.x;
   }
 
-  void split(int index, const Primitives<T>& primitives, int depth) {
+  void split(int index, const Boxes<T>& boxes, int depth) {
     depth_ = std::max(depth_, depth);
     const Node node = nodes_[static_cast<std::size_t>(index)];
     if (node.count == 1 || depth == max_depth - 1) return;
     const auto begin = ids_.begin() + node.first, end = begin + node.count;
-    const auto centre = [&](int id, int axis) {
-      return (primitives.box(id).min[axis] + primitives.box(id).max[axis]) / 2;
-    };
+    const auto centre = [&](int id, int axis) { return (boxes.box(id).min[axis] + boxes.box(id).max[axis]) / 2; };
 
     Bounds<T> centres;
     for (auto id = begin; id != end; ++id) centres.include(Vec3<T>(centre(*id, 0), centre(*id, 1), centre(*id, 2)));
@@ -109,7 +105,7 @@ class Bvh {
       std::array<Bin, bins> bin{};
       for (auto id = begin; id != end; ++id) {
         Bin& into = bin[static_cast<std::size_t>(bin_of(*id, axis))];
-        into.box.include(primitives.box(*id));
+        into.box.include(boxes.box(*id));
         ++into.count;
       }
       std::array<T, bins> below{};  // cost of bins 0..i
@@ -138,18 +134,18 @@ class Bvh {
     }
     const int left_count = static_cast<int>(middle - begin);
     const int left = static_cast<int>(nodes_.size());
-    nodes_.push_back({box_of(begin, middle, primitives), node.first, left_count});
-    nodes_.push_back({box_of(middle, end, primitives), node.first + left_count, node.count - left_count});
+    nodes_.push_back({box_of(begin, middle, boxes), node.first, left_count});
+    nodes_.push_back({box_of(middle, end, boxes), node.first + left_count, node.count - left_count});
     nodes_[static_cast<std::size_t>(index)].first = left;
     nodes_[static_cast<std::size_t>(index)].count = 0;
-    split(left, primitives, depth + 1);
-    split(left + 1, primitives, depth + 1);
+    split(left, boxes, depth + 1);
+    split(left + 1, boxes, depth + 1);
   }
 
   template <class Iterator>
-  static Bounds<T> box_of(Iterator begin, Iterator end, const Primitives<T>& primitives) {
+  static Bounds<T> box_of(Iterator begin, Iterator end, const Boxes<T>& boxes) {
     Bounds<T> box;
-    for (auto id = begin; id != end; ++id) box.include(primitives.box(*id));
+    for (auto id = begin; id != end; ++id) box.include(boxes.box(*id));
     return box;
   }
 

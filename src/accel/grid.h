@@ -15,13 +15,13 @@ namespace raywalk {
 template <class T>
 class Grid {
  public:
-  explicit Grid(const Primitives<T>& primitives) {
-    if (primitives.bounded.empty()) return;
-    box_ = primitives.whole;
+  explicit Grid(const Boxes<T>& boxes) {
+    if (boxes.bounded.empty()) return;
+    box_ = boxes.whole;
     const Vec3<T> size = box_.max - box_.min;
     // About `density` cells a primitive, as near to cubes as the box allows (flat boxes get one layer).
     const T longest = max_component(size);
-    const T count = static_cast<T>(primitives.bounded.size());
+    const T count = static_cast<T>(boxes.bounded.size());
     T volume = 1;
     int extended = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -31,13 +31,11 @@ class Grid {
       const T cells = size[axis] > longest * T(1e-4) ? std::ceil(size[axis] / cell) : T(1);
       cells_[axis] = static_cast<int>(std::clamp(cells, T(1), T(max_cells)));
     }
-    fill(primitives);
+    fill(boxes);
   }
 
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
-    for (const int id : primitives.unbounded)
-      if (query.test(primitives.shapes, id)) return;
     if (starts_.empty()) return;
     const Stretch<T> inside = clip(SlabRay<T>(ray), box_, {0, query.reach()});
     if (inside.empty()) return;
@@ -60,7 +58,7 @@ class Grid {
         int& box = mailbox[static_cast<std::size_t>(id) % mailbox_size];
         if (box == id) continue;
         box = id;
-        if (query.test(primitives.shapes, id)) return;
+        if (query.test(primitives, id)) return;
       }
       // Leave through the nearest of the three planes.
       const std::size_t axis = leave[0] <= leave[1] ? (leave[0] <= leave[2] ? 0 : 2) : (leave[1] <= leave[2] ? 1 : 2);
@@ -118,15 +116,13 @@ class Grid {
   }
 
   /// Counts, then places: all cells' lists lie one after the other.
-  void fill(const Primitives<T>& primitives) {
+  void fill(const Boxes<T>& boxes) {
     starts_.assign(index(cells_.x - 1, cells_.y - 1, cells_.z - 1) + 2, 0);
-    for (const int id : primitives.bounded)
-      for_cells(primitives.box(id), [&](std::size_t cell) { ++starts_[cell + 1]; });
+    for (const int id : boxes.bounded) for_cells(boxes.box(id), [&](std::size_t cell) { ++starts_[cell + 1]; });
     for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
     ids_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (const int id : primitives.bounded)
-      for_cells(primitives.box(id), [&](std::size_t cell) { ids_[next[cell]++] = id; });
+    for (const int id : boxes.bounded) for_cells(boxes.box(id), [&](std::size_t cell) { ids_[next[cell]++] = id; });
   }
 
   Bounds<T> box_;

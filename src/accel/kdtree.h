@@ -14,19 +14,17 @@ namespace raywalk {
 template <class T>
 class KdTree {
  public:
-  explicit KdTree(const Primitives<T>& primitives) {
-    if (primitives.bounded.empty()) return;
-    box_ = primitives.whole;
-    const int count = static_cast<int>(primitives.bounded.size());
+  explicit KdTree(const Boxes<T>& boxes) {
+    if (boxes.bounded.empty()) return;
+    box_ = boxes.whole;
+    const int count = static_cast<int>(boxes.bounded.size());
     limit_ = std::min(max_depth, static_cast<int>(8 + 1.3 * std::log2(count)));
     nodes_.emplace_back();
-    split(0, primitives.bounded, box_, primitives, 0, 0);
+    split(0, boxes.bounded, box_, boxes, 0, 0);
   }
 
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
-    for (const int id : primitives.unbounded)
-      if (query.test(primitives.shapes, id)) return;
     if (nodes_.empty()) return;
     const SlabRay<T> slabs(ray);
     const Stretch<T> inside = clip(slabs, box_, {0, query.reach()});
@@ -46,7 +44,7 @@ class KdTree {
         query.enter_node();
         if (node.axis == leaf) {
           for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-            if (query.test(primitives.shapes, ids_[i])) return;
+            if (query.test(primitives, ids_[i])) return;
           break;
         }
         const int axis = node.axis;
@@ -98,8 +96,8 @@ class KdTree {
     return size.x * size.y + size.y * size.z + size.z * size.x;
   }
 
-  void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const Primitives<T>& primitives,
-             int depth, int bad_cuts) {
+  void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const Boxes<T>& boxes, int depth,
+             int bad_cuts) {
     depth_ = std::max(depth_, depth);
     constexpr T cost_of_node = T(0.8), bonus_for_empty = T(0.2);
     const T count = static_cast<T>(ids.size()), area = half_area(box);
@@ -110,8 +108,8 @@ class KdTree {
       for (int axis = 0; axis < 3; ++axis) {
         faces.clear();
         for (const int id : ids) {
-          faces.push_back({primitives.box(id).min[axis], true});
-          faces.push_back({primitives.box(id).max[axis], false});
+          faces.push_back({boxes.box(id).min[axis], true});
+          faces.push_back({boxes.box(id).max[axis], false});
         }
         std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
           return a.place < b.place || (a.place == b.place && a.begins && !b.begins);
@@ -139,16 +137,16 @@ class KdTree {
     }
     std::vector<int> low_ids, high_ids;
     for (const int id : ids) {
-      if (primitives.box(id).min[best_axis] <= plane) low_ids.push_back(id);
-      if (primitives.box(id).max[best_axis] >= plane) high_ids.push_back(id);
+      if (boxes.box(id).min[best_axis] <= plane) low_ids.push_back(id);
+      if (boxes.box(id).max[best_axis] >= plane) high_ids.push_back(id);
     }
     Bounds<T> low = box, high = box;
     low.max[best_axis] = high.min[best_axis] = plane;
     const std::size_t first = nodes_.size();
     nodes_.resize(first + 2);
     nodes_[index] = {plane, best_axis, static_cast<std::uint32_t>(first), 0};
-    split(first, low_ids, low, primitives, depth + 1, bad_cuts);
-    split(first + 1, high_ids, high, primitives, depth + 1, bad_cuts);
+    split(first, low_ids, low, boxes, depth + 1, bad_cuts);
+    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts);
   }
 
   Bounds<T> box_;

@@ -8,12 +8,12 @@ namespace raywalk {
 template <class T>
 class List {
  public:
-  explicit List(const Primitives<T>& primitives) : count_(static_cast<int>(primitives.shapes.size())) {}
+  explicit List(int count) : count_(count) {}
 
   template <class Query>
   void search(const Ray<T>& /*ray*/, const Primitives<T>& primitives, Query& query) const {
     for (int id = 0; id < count_; ++id)
-      if (query.test(primitives.shapes, id)) return;
+      if (query.test(primitives, id)) return;
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const { return {0, static_cast<std::size_t>(count_), 0, 0}; }

@@ -13,16 +13,14 @@ namespace raywalk {
 template <class T>
 class Octree {
  public:
-  explicit Octree(const Primitives<T>& primitives) {
-    if (primitives.bounded.empty()) return;
-    nodes_.push_back({primitives.whole, 0, 0, false});
-    split(0, primitives.bounded, primitives, 0);
+  explicit Octree(const Boxes<T>& boxes) {
+    if (boxes.bounded.empty()) return;
+    nodes_.push_back({boxes.whole, 0, 0, false});
+    split(0, boxes.bounded, boxes, 0);
   }
 
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
-    for (const int id : primitives.unbounded)
-      if (query.test(primitives.shapes, id)) return;
     if (nodes_.empty()) return;
     const SlabRay<T> slabs(ray);
     Entry waiting[7 * max_depth + 8];
@@ -36,7 +34,7 @@ class Octree {
       query.enter_node();
       if (!node.inner) {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-          if (query.test(primitives.shapes, ids_[i])) return;
+          if (query.test(primitives, ids_[i])) return;
         continue;
       }
       // Push the children that are met, the farthest first.
@@ -68,20 +66,20 @@ class Octree {
     T in;
   };
 
-  void split(std::size_t index, const std::vector<int>& ids, const Primitives<T>& primitives, int depth) {
+  void split(std::size_t index, const std::vector<int>& ids, const Boxes<T>& boxes, int depth) {
     depth_ = std::max(depth_, depth);
     const Bounds<T> box = nodes_[index].box;
     const Vec3<T> middle = box.min + (box.max - box.min) / T(2);
     std::array<std::vector<int>, 8> parts;
-    std::array<Bounds<T>, 8> boxes;
+    std::array<Bounds<T>, 8> cubes;
     std::size_t references = 0;
     if (ids.size() > max_leaf && depth < max_depth) {
       for (std::size_t octant = 0; octant < 8; ++octant) {
-        boxes[octant] = box;
+        cubes[octant] = box;
         for (int axis = 0; axis < 3; ++axis)
-          ((octant >> axis & 1) != 0 ? boxes[octant].min : boxes[octant].max)[axis] = middle[axis];
+          ((octant >> axis & 1) != 0 ? cubes[octant].min : cubes[octant].max)[axis] = middle[axis];
         for (const int id : ids)
-          if (overlap(primitives.box(id), boxes[octant])) parts[octant].push_back(id);
+          if (overlap(boxes.box(id), cubes[octant])) parts[octant].push_back(id);
         references += parts[octant].size();
       }
     }
@@ -97,13 +95,13 @@ class Octree {
     for (std::size_t octant = 0; octant < 8; ++octant) {
       if (parts[octant].empty()) continue;
       child[octant] = nodes_.size();
-      nodes_.push_back({boxes[octant], 0, 0, false});
+      nodes_.push_back({cubes[octant], 0, 0, false});
     }
     nodes_[index].first = static_cast<std::uint32_t>(first);
     nodes_[index].count = static_cast<std::uint32_t>(nodes_.size() - first);
     nodes_[index].inner = true;
     for (std::size_t octant = 0; octant < 8; ++octant)
-      if (!parts[octant].empty()) split(child[octant], parts[octant], primitives, depth + 1);
+      if (!parts[octant].empty()) split(child[octant], parts[octant], boxes, depth + 1);
   }
 
   static bool overlap(const Bounds<T>& a, const Bounds<T>& b) {

@@ -3,7 +3,7 @@
 // skipped. An accelerator only chooses which primitives are tested and in which order; since every test and every
 // comparison is made here, the answer is the same bits for all of them.
 
-#include "shape/shape.h"
+#include "accel/primitives.h"
 
 #include <cstdint>
 #include <limits>
@@ -36,12 +36,6 @@ struct MarkedPrimitives {
   bool operator()(int primitive) const { return marks[static_cast<std::size_t>(primitive)] != 0; }
 };
 
-/// The part of primitive `primitive` that the ray departs from, or no_part.
-template <class T>
-[[nodiscard]] int departed_part(const Ray<T>& ray, int primitive) {
-  return ray.departure.primitive == primitive ? ray.departure.part : no_part;
-}
-
 /// A search for the nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id.
 template <class T, class Accept>
 class ClosestQuery {
@@ -51,11 +45,11 @@ class ClosestQuery {
       : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
 
   /// Tests one primitive; true when the search is over.
-  bool test(const std::vector<Shape<T>>& shapes, int id) {
+  bool test(const Primitives<T>& primitives, int id) {
     if (!accept_(id)) return false;
     ++counts_.primitives;
     // The full reach, not the nearest t so far: a tie must be seen to be decided.
-    const auto crossing = intersect(shapes[static_cast<std::size_t>(id)], ray_, t_max_, departed_part(ray_, id));
+    const auto crossing = primitives.intersect(id, ray_, t_max_);
     if (crossing &&
         (!nearest_ || crossing->t < nearest_->t || (crossing->t == nearest_->t && id < nearest_->primitive)))
       nearest_ = Hit<T>{crossing->t, id, crossing->part};
@@ -87,10 +81,10 @@ class AnyQuery {
   AnyQuery(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept)
       : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
 
-  bool test(const std::vector<Shape<T>>& shapes, int id) {
+  bool test(const Primitives<T>& primitives, int id) {
     if (!accept_(id)) return false;
     ++counts_.primitives;
-    found_ = intersect(shapes[static_cast<std::size_t>(id)], ray_, t_max_, departed_part(ray_, id)).has_value();
+    found_ = primitives.intersect(id, ray_, t_max_).has_value();
     return found_;
   }
   [[nodiscard]] T reach() const { return t_max_; }
@@ -138,43 +132,6 @@ template <class T>
   }
   return within;
 }
-
-/// A primitive's box, widened by a few ulps so that it holds every point that rounding may report.
-template <class T>
-[[nodiscard]] Bounds<T> padded_bounds(const Shape<T>& shape) {
-  Bounds<T> box = bounds(shape);
-  for (int axis = 0; axis < 3; ++axis) {
-    const T pad = 8 * std::numeric_limits<T>::epsilon() * std::fmax(std::abs(box.min[axis]), std::abs(box.max[axis]));
-    box.min[axis] -= pad;
-    box.max[axis] += pad;
-  }
-  return box;
-}
-
-/// The primitives of an accelerator: those with a finite box, and those without, which every ray is tested against.
-template <class T>
-struct Primitives {
-  explicit Primitives(std::vector<Shape<T>> all) : shapes(std::move(all)) {
-    boxes.reserve(shapes.size());
-    for (const Shape<T>& shape : shapes) {
-      boxes.push_back(padded_bounds(shape));
-      const int id = static_cast<int>(boxes.size()) - 1;
-      if (boxes.back().bounded()) {
-        bounded.push_back(id);
-        whole.include(boxes.back());
-      } else {
-        unbounded.push_back(id);
-      }
-    }
-  }
-
-  [[nodiscard]] const Bounds<T>& box(int id) const { return boxes[static_cast<std::size_t>(id)]; }
-
-  std::vector<Shape<T>> shapes;
-  std::vector<Bounds<T>> boxes;
-  std::vector<int> bounded, unbounded;  ///< ids, ascending
-  Bounds<T> whole;                      ///< of all bounded primitives
-};
 
 /// Size and cost of a built structure.
 struct AcceleratorStatistics {

@@ -66,8 +66,8 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   Film<T> film(size);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);
-  rendering.accelerator = world.primitives.kind();
-  rendering.structure = world.primitives.statistics();
+  rendering.accelerator = world.accelerator.kind();
+  rendering.structure = world.accelerator.statistics();
   rendering.build_seconds = seconds_since(build_start);
 
   const auto trace_start = Clock::now();

@@ -25,10 +25,10 @@ struct Nothing {};
 /// Describes a hit for an event.
 template <class T>
 Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T>& ray, const Hit<T>& hit) {
-  const Shape<T>& shape = world.primitives.shape(hit.primitive);
-  const SurfacePoint<T> point = surface_at(shape, ray, Crossing<T>{hit.t, hit.part});
+  const Primitives<T>& primitives = world.accelerator.primitives();
+  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Crossing<T>{hit.t, hit.part});
   Explanation explanation;
-  static_cast<void>(intersect(shape, ray, infinity<T>, departed_part(ray, hit.primitive), explanation));
+  static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
   return {ray_number,          ending,    static_cast<double>(hit.t), hit.primitive, hit.part, Vec3d(point.position),
           Vec3d(point.normal), Rgbd(1.0), explanation.numbers};
 }
@@ -82,7 +82,7 @@ auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
 
 template <class Policy>
 auto Tracer<Policy>::find_closest(Line line, int depth, const Traced& ray) -> Nearest {
-  const Nearest nearest = world_.primitives.closest(ray.ray, infinity<T>, statistics_.tests);
+  const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(line, depth, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
@@ -112,9 +112,9 @@ void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& 
 
 template <class Policy>
 auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
-  const Shape<T>& shape = world_.primitives.shape(hit.primitive);
+  const Primitives<T>& primitives = world_.accelerator.primitives();
   const Surface& surface = world_.surface(hit.primitive);
-  const SurfacePoint<T> point = surface_at(shape, ray.ray, Crossing<T>{hit.t, hit.part});
+  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
   const bool entering = dot(point.normal, ray.ray.direction) < 0;
   Shading at{{hit.primitive, hit.part},
              point.position,
@@ -126,7 +126,7 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
              surface.transmission};
   if constexpr (Policy::effects.textures) {
     if (surface.checker) {
-      const bool even = detail::even_square(uv_at(shape, point, hit.part), surface.checker->size);
+      const bool even = detail::even_square(primitives.uv_at(hit.primitive, point, hit.part), surface.checker->size);
       const Rgb<T>& colour = even ? surface.checker->even : surface.checker->odd;
       at.ambient *= colour;
       at.diffuse *= colour;
@@ -178,16 +178,16 @@ auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const La
   const T t_max = lamp.directional ? infinity<T> : T(1);
   const bool all_stop = world_.stops_shadows.empty();
   const MarkedPrimitives stops{world_.stops_shadows};
-  const bool blocked = all_stop ? world_.primitives.any(shadow.ray, t_max, statistics_.tests)
-                                : world_.primitives.any(shadow.ray, t_max, statistics_.tests, stops);
+  const bool blocked = all_stop ? world_.accelerator.any(shadow.ray, t_max, statistics_.tests)
+                                : world_.accelerator.any(shadow.ray, t_max, statistics_.tests, stops);
   const Rgb<T> passed = blocked ? Rgb<T>(0) : all_stop ? Rgb<T>(1) : light_passed(shadow.ray, t_max);
   ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
   note(Line::find_intersection, depth, [&] {
     // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
     TestCounts uncounted;
     const Nearest blocker = !blocked   ? std::nullopt
-                            : all_stop ? world_.primitives.closest(shadow.ray, t_max, uncounted)
-                                       : world_.primitives.closest(shadow.ray, t_max, uncounted, stops);
+                            : all_stop ? world_.accelerator.closest(shadow.ray, t_max, uncounted)
+                                       : world_.accelerator.closest(shadow.ray, t_max, uncounted, stops);
     Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
                           : Found{shadow.number, Ending::reached_light};
     found.passed = Rgbd(passed);
@@ -204,11 +204,11 @@ auto Tracer<Policy>::light_passed(const Ray<T>& shadow, T t_max) -> Rgb<T> {
   Rgb<T> passed{1};
   Ray<T> rest = shadow;
   for (int crossings = 0; crossings < crossings_limit; ++crossings) {
-    const Nearest nearest = world_.primitives.closest(rest, t_max, statistics_.tests, filters);
+    const Nearest nearest = world_.accelerator.closest(rest, t_max, statistics_.tests, filters);
     if (!nearest) return passed;
     passed *= world_.surface(nearest->primitive).transmission;
-    const Shape<T>& shape = world_.primitives.shape(nearest->primitive);
-    rest.origin = surface_at(shape, rest, Crossing<T>{nearest->t, nearest->part}).position;
+    const Crossing<T> crossing{nearest->t, nearest->part};
+    rest.origin = world_.accelerator.primitives().surface_at(nearest->primitive, rest, crossing).position;
     rest.departure = {nearest->primitive, nearest->part};
     t_max -= nearest->t;
   }

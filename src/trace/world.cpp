@@ -40,18 +40,17 @@ typename World<T>::Lamp lamp_of(int index, const Light& light) {
 }
 
 template <class T>
-std::vector<Shape<T>> shapes_of(const Scene& scene) {
-  std::vector<Shape<T>> shapes;
-  shapes.reserve(scene.objects.size());
-  for (const Object& object : scene.objects) shapes.push_back(shape_cast<T>(object.shape));
-  return shapes;
+Primitives<T> primitives_of(const Scene& scene) {
+  Primitives<T> primitives;
+  for (const Object& object : scene.objects) primitives.add(shape_cast<T>(object.shape));
+  return primitives;
 }
 
 }  // namespace
 
 template <class T>
-World<T>::World(const Scene& scene, AcceleratorKind accelerator)
-    : primitives(shapes_of<T>(scene), accelerator),
+World<T>::World(const Scene& scene, AcceleratorKind kind)
+    : accelerator(primitives_of<T>(scene), kind),
       background(scene.background),
       ambient(scene.ambient),
       depth(scene.limits.depth),

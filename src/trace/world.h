@@ -32,9 +32,9 @@ struct World {
     T constant, linear, quadratic;
   };
 
-  explicit World(const Scene& scene, AcceleratorKind accelerator = AcceleratorKind::automatic);
+  explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic);
 
-  Accelerator<T> primitives;
+  Accelerator<T> accelerator;
   std::vector<Surface> surfaces;
   std::vector<Lamp> lamps;
   Rgb<T> background, ambient;

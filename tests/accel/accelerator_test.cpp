@@ -45,6 +45,20 @@ std::vector<Shape<T>> shapes(int count, bool mixed, Random<T>& random) {
   return all;
 }
 
+/// Every seventh one stretched, turned and mirrored.
+template <class T>
+Primitives<T> primitives(const std::vector<Shape<T>>& shapes) {
+  const Affine<double> map =
+      translation<double>({0.25, 0, 0}) * rotation<double>({1, 2, 3}, 50) * scaling<double>({-1.5, 0.75, 1});
+  Primitives<T> all;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (i % 7 == 6)
+      all.add(shapes[i], *placement<T>(map));
+    else
+      all.add(shapes[i]);
+  return all;
+}
+
 /// Rays in general, rays along the axes (signed zeros), and rays that run in the faces of boxes.
 template <class T>
 std::vector<Ray<T>> rays(int count, const std::vector<Shape<T>>& targets, Random<T>& random) {
@@ -77,11 +91,11 @@ void compare(int count, bool mixed) {
   Random<T> random;
   const std::vector<Shape<T>> all = shapes<T>(count, mixed, random);
   const std::vector<Ray<T>> probes = rays<T>(4000, all, random);
-  const Accelerator<T> list(all, AcceleratorKind::none);
+  const Accelerator<T> list(primitives(all), AcceleratorKind::none);
   std::vector<std::uint8_t> marks(all.size());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 3 != 0;
   for (const AcceleratorKind kind : structures) {
-    const Accelerator<T> structure(all, kind);
+    const Accelerator<T> structure(primitives(all), kind);
     REQUIRE(structure.kind() == kind);
     int differing = 0, hits = 0;
     TestCounts brute, counts;
@@ -120,11 +134,11 @@ TEMPLATE_TEST_CASE("accelerators hold nothing, one thing, and a thousand in one 
   TestCounts counts;
   for (const AcceleratorKind kind : structures) {
     INFO(accelerator_name(kind));
-    const Accelerator<T> empty({}, kind);
+    const Accelerator<T> empty(Primitives<T>(), kind);
     CHECK_FALSE(empty.closest({Vec3<T>(0), {1, 0, 0}}, infinity<T>, counts));
-    const Accelerator<T> plane({Plane<T>{}}, kind);
+    const Accelerator<T> plane(Primitives<T>({Plane<T>{}}), kind);
     CHECK(plane.closest({{0, 0, 2}, {0, 0, -1}}, infinity<T>, counts)->t == 2);
-    const Accelerator<T> heap(std::vector<Shape<T>>(1000, Sphere<T>{}), kind);
+    const Accelerator<T> heap(Primitives<T>(std::vector<Shape<T>>(1000, Sphere<T>{})), kind);
     const auto hit = heap.closest({{-3, 0, 0}, {1, 0, 0}}, infinity<T>, counts);
     REQUIRE(hit);
     CHECK(hit->primitive == 0);
@@ -133,6 +147,8 @@ TEMPLATE_TEST_CASE("accelerators hold nothing, one thing, and a thousand in one 
 }
 
 TEST_CASE("the automatic choice builds a structure only where one pays", "[accel]") {
-  CHECK(Accelerator<double>(std::vector<Shape<double>>(5, Sphere<double>{})).kind() == AcceleratorKind::none);
-  CHECK(Accelerator<double>(std::vector<Shape<double>>(50, Sphere<double>{})).kind() == AcceleratorKind::bvh);
+  CHECK(Accelerator<double>(Primitives<double>(std::vector<Shape<double>>(5, Sphere<double>{}))).kind() ==
+        AcceleratorKind::none);
+  CHECK(Accelerator<double>(Primitives<double>(std::vector<Shape<double>>(50, Sphere<double>{}))).kind() ==
+        AcceleratorKind::bvh);
 }
