@@ -18,7 +18,7 @@ enum class MessageId {
   found_hit,                ///< [ray kind, object, distance]
   found_missed,             ///< [ray kind]
   left_through_surface,     ///< a ray inside its own object met it from inside: [ray kind, object, distance]
-  intersected,              ///< []
+  intersected,              ///< [object]
   intersected_nothing,      ///< []
   shade_called,             ///< [depth of the call, object, ray kind]
   shade_missed,             ///< a secondary ray that missed: the background returns: [ray kind, colour]
@@ -47,8 +47,14 @@ enum class MessageId {
   pixel_put,                ///< [cell from 1, colour]
 };
 
+/// A part of the whole, 0..1.
+struct Share {
+  double value;
+  friend bool operator==(const Share&, const Share&) = default;
+};
+
 /// A name is a string as it stands in the scene.
-using Argument = std::variant<int, double, Rgbd, RayKind, std::string>;
+using Argument = std::variant<int, double, Rgbd, Share, RayKind, std::string>;
 
 struct Message {
   MessageId id = MessageId::start;

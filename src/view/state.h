@@ -45,12 +45,13 @@ enum class Intent { new_scene, open, quit };
 
 struct Question {
   enum class Kind {
-    unsaved,  ///< answers: save, discard, cancel
-    recover,  ///< an autosave was found at the start; answers: recover, discard
+    unsaved,    ///< answers: save, discard, cancel
+    recover,    ///< an autosave was found at the start; answers: recover, discard
+    overwrite,  ///< SaveAs names another file that exists; answers: save, cancel
   };
   Kind kind = Kind::unsaved;
   Intent intent = Intent::quit;  ///< goes on with this after save or discard
-  std::string path;              ///< of Intent::open, or of the file that the autosave belongs to (may be empty)
+  std::string path;  ///< of Intent::open, of the file that the autosave belongs to (may be empty), or to overwrite
 };
 
 /// A path that the window has to ask for; answered by Open or SaveAs, or taken back by CancelPrompt.
@@ -59,7 +60,8 @@ enum class PathPrompt { none, open, save_as };
 /// What a drag holds on to. All of it is from the moment of the press, so that a drag is a pure function of where the
 /// pointer is now and does not depend on the way there.
 struct Drag {
-  Target target;          ///< nothing: the plan itself is panned
+  Target target;          ///< what was pressed on
+  bool pans = false;      ///< moves the plan under the pointer; else the target
   Vec2d grabbed_px{0.0};  ///< where the pointer was pressed, pixels
   Vec2d grabbed{0.0};     ///< the same in scene units
   Scene scene;            ///< as it was
@@ -67,14 +69,22 @@ struct Drag {
   bool moved = false;     ///< beyond the few pixels that a click trembles
 };
 
+/// Which edit an entry of undo came from: edits that continue each other have equal marks.
+struct EditMark {
+  std::size_t edit = 0;  ///< index in Action
+  int index = -1;
+  friend bool operator==(const EditMark&, const EditMark&) = default;
+};
+
 struct State {
   // The scene and where it is kept.
   SceneDocument document;
-  std::string path;                 ///< empty: never saved
-  Scene saved;                      ///< the scene as the file holds it
-  bool dirty = false;               ///< document.scene differs from `saved`
-  std::uint64_t revision = 0;       ///< changes with every change of document.scene: the 3-D image is rendered anew
-  std::vector<Scene> undo, redo;    ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::string path;               ///< empty: never saved
+  Scene saved;                    ///< the scene as the file holds it
+  bool dirty = false;             ///< document.scene differs from `saved`
+  std::uint64_t revision = 0;     ///< changes with every change of document.scene: the 3-D image is rendered anew
+  std::vector<Scene> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::optional<EditMark> last_edit;
   std::vector<std::string> recent;  ///< paths, the latest first
   /// Folder for the autosave and the list of recent files; empty: neither is kept.
   std::string state_dir;

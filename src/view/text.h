@@ -83,11 +83,13 @@ enum class TextId {
   answer_discard,
   answer_recover,
   answer_throw_away,
+  answer_overwrite,
   answer_cancel,
   ask_unsaved_new,   ///< {0} file
   ask_unsaved_open,  ///< {0} file, {1} the file to open
   ask_unsaved_quit,  ///< {0} file
   ask_recover,       ///< {0} file
+  ask_overwrite,     ///< {0} file
 
   // Properties.
   properties,
@@ -133,9 +135,11 @@ enum class TextId {
   waits_final,     ///< MAIN ALGORITHM waits for a SHADE
   waits_refl,
   waits_refr,
-  works_on,  ///< {0} the line's text
+  works_on,    ///< {0} the line's text
+  name_final,  ///< what calls return, as the pseudocode calls it
+  name_refl,
+  name_refr,
   tree_empty,
-  tree_future,
   stack_empty,
   image_waiting,
   image_row_marked,
@@ -163,8 +167,6 @@ enum class TextId {
   refused_name_empty,
   refused_name_taken,  ///< {0} name
   refused_last_corners,
-  refused_eye_on_look_at,
-  refused_not_found,
   nothing_to_undo,
   nothing_to_redo,
   select_first,
@@ -184,6 +186,8 @@ enum class TextId {
 [[nodiscard]] std::string percent_text(double share);  ///< "45%", "0.2%"
 [[nodiscard]] std::string colour_text(const Rgbd& c);  ///< "(0.2, 0.5, 1)", or one number when it is a grey
 
+/// The sentence of a message, with {0}, {1}, ... for its arguments.
+[[nodiscard]] std::string_view template_of(MessageId id);
 /// A message of the timeline as one sentence.
 [[nodiscard]] std::string sentence_of(const Message& message);
 

@@ -1,0 +1,192 @@
+#include "timeline/message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raywalk {
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+double degrees_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
+/// Looks things up for the line that leads to one position.
+class Describer {
+ public:
+  Describer(const Scene& scene, const Timeline& timeline, int position)
+      : scene_(scene), timeline_(timeline), position_(position) {}
+
+  [[nodiscard]] Message message() const {
+    const Event* event = timeline_.just_run(position_);
+    if (event == nullptr) return {MessageId::start, {}};
+    return std::visit([&](const auto& detail) { return describe(*event, detail); }, event->detail);
+  }
+
+ private:
+  [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(position_)); }
+  [[nodiscard]] const FrameRecord& frame(int index) const {
+    return timeline_.frames()[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] std::string object(int index) const {
+    return index < 0 ? std::string() : scene_.objects[static_cast<std::size_t>(index)].name;
+  }
+  [[nodiscard]] std::string light(int index) const {
+    return index < 0 ? std::string() : scene_.lights[static_cast<std::size_t>(index)].name;
+  }
+  /// The object whose surface the executing SHADE shades.
+  [[nodiscard]] std::string shaded() const { return object(ray(frame(timeline_.current_frame(position_)).ray).object); }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
+    return {MessageId::pixel_begun, {begun.column + 1, static_cast<int>(timeline_.pixels().size())}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const RayFormed& formed) const {
+    switch (formed.kind) {
+      case RayKind::primary: {
+        const int pixel = timeline_.current_pixel(position_);
+        return {MessageId::primary_formed, {timeline_.pixels()[static_cast<std::size_t>(pixel)].column + 1}};
+      }
+      case RayKind::shadow:
+        return {MessageId::shadow_formed, {shaded(), light(formed.light)}};
+      case RayKind::reflect:
+        return {MessageId::reflect_formed, {shaded(), Share{max_component(formed.share)}}};
+      case RayKind::refract: {
+        const SnellNumbers snell = formed.snell.value_or(SnellNumbers{1, 1, 1, 1, 0});
+        // The ray that was shaded came from outside when it met the surface against its outward normal.
+        const RayRecord& parent = ray(current().parent);
+        const bool goes_in = dot(parent.normal, parent.direction) < 0;
+        return {goes_in ? MessageId::refract_formed_in : MessageId::refract_formed_out,
+                {shaded(), degrees_of(snell.cos_in), degrees_of(snell.cos_out)}};
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const RayNotFormed& stub) const {
+    const bool reflect = stub.kind == RayKind::reflect;
+    switch (stub.why) {
+      case Ending::facing_away:
+        return {MessageId::shadow_facing_away, {shaded(), light(stub.light)}};
+      case Ending::depth: {
+        const int deepest = frame(timeline_.current_frame(position_)).depth;
+        return {reflect ? MessageId::reflect_depth : MessageId::refract_depth, {deepest}};
+      }
+      case Ending::threshold:
+        return {reflect ? MessageId::reflect_threshold : MessageId::refract_threshold,
+                {Share{max_component(stub.share)}, Share{scene_.limits.threshold}}};
+      case Ending::path_length:
+        return {MessageId::path_length, {stub.kind}};
+      case Ending::total_internal_reflection:
+        return {MessageId::totally_reflected, {shaded()}};
+      case Ending::hit:
+      case Ending::missed:
+      case Ending::blocked:
+      case Ending::reached_light:
+        break;  // these rays are formed
+    }
+    return {};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const Found& found) const {
+    const RayRecord& record = current();
+    const std::string met = object(found.object);
+    switch (found.ending) {
+      case Ending::hit: {
+        const bool from_inside =
+            dot(found.normal, record.direction) > 0 && record.parent >= 0 && ray(record.parent).object == found.object;
+        return {from_inside ? MessageId::left_through_surface : MessageId::found_hit,
+                {record.kind, met, length(found.point - record.origin)}};
+      }
+      case Ending::missed:
+        return {MessageId::found_missed, {record.kind}};
+      case Ending::blocked: {
+        const bool by_itself = ray(record.parent).object == found.object;
+        return {by_itself ? MessageId::light_blocked_by_itself : MessageId::light_blocked, {light(record.light), met}};
+      }
+      case Ending::reached_light:
+        if (found.passed == Rgbd(1.0)) return {MessageId::light_reached, {light(record.light)}};
+        return {MessageId::light_filtered, {light(record.light), Share{max_component(found.passed)}}};
+      case Ending::depth:
+      case Ending::threshold:
+      case Ending::total_internal_reflection:
+      case Ending::path_length:
+      case Ending::facing_away:
+        break;  // these rays are not formed
+    }
+    return {};
+  }
+
+  [[nodiscard]] Message describe(const Event& event, const Decided& decided) const {
+    switch (event.line) {
+      case Line::if_intersect_something:
+        if (!decided.holds) return {MessageId::intersected_nothing, {}};
+        return {MessageId::intersected, {object(current().object)}};
+      case Line::if_reflective: {
+        if (!decided.holds) return {MessageId::not_reflective, {shaded()}};
+        // Under total internal reflection kt goes to kr.
+        const Material& material = scene_.objects[static_cast<std::size_t>(current().object)].material;
+        const Rgbd above = decided.weight - material.reflection, missing = above - material.transmission;
+        constexpr double rounding = 1e-6;  // of a recording in float
+        const bool totally =
+            material.transmits() && std::abs(missing.x) + std::abs(missing.y) + std::abs(missing.z) < rounding;
+        return {totally ? MessageId::reflective_totally : MessageId::reflective, {shaded(), decided.weight}};
+      }
+      case Line::if_transparent:
+        if (decided.why == Ending::total_internal_reflection) return {MessageId::totally_reflected, {shaded()}};
+        if (!decided.holds) return {MessageId::not_transparent, {shaded()}};
+        return {MessageId::transparent, {shaded(), decided.weight}};
+      case Line::for_each_pixel:
+      case Line::form_primary_ray:
+      case Line::find_closest_intersection:
+      case Line::shade_final:
+      case Line::put_final_shade:
+      case Line::form_shadow_ray:
+      case Line::find_intersection:
+      case Line::form_reflect_ray:
+      case Line::find_reflect_intersect:
+      case Line::shade_reflect:
+      case Line::form_refract_ray:
+      case Line::find_refract_intersect:
+      case Line::shade_refract:
+      case Line::compute_rtnshade:
+        break;  // these decide nothing
+    }
+    return {};
+  }
+
+  [[nodiscard]] Message describe(const Event& event, const ShadeCalled& called) const {
+    const RayRecord& record = current();
+    if (called.missed) return {MessageId::shade_missed, {record.kind, called.background}};
+    return {MessageId::shade_called, {event.depth + 1, object(record.object), record.kind}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const ShadeComputed& computed) const {
+    const FrameRecord& own = frame(timeline_.current_frame(position_));
+    if (own.parent < 0) return {MessageId::rtnshade_to_main, {shaded(), computed.total}};
+    return {MessageId::rtnshade_to_caller, {shaded(), computed.total, ray(own.ray).kind, frame(own.parent).depth}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PixelPut& put) const {
+    return {MessageId::pixel_put, {put.column + 1, put.shade}};
+  }
+
+  const Scene& scene_;
+  const Timeline& timeline_;
+  int position_;
+};
+
+}  // namespace
+
+Message describe(const Scene& scene, const Timeline& timeline, int position) {
+  return Describer(scene, timeline, position).message();
+}
+
+}  // namespace raywalk

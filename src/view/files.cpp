@@ -1,0 +1,144 @@
+#include "view/plan_view.h"
+#include "view/text.h"
+#include "view/update_parts.h"
+
+#include <filesystem>
+
+namespace raywalk::detail {
+
+namespace {
+
+void complain(State& state, const Error& error) { detail::complain(state, error.text()); }
+
+void open_file(State& state, const std::string& path) {
+  Result<SceneDocument> document = read_scene(path);
+  if (!document) return complain(state, document.error());
+  const std::string warning = document->warnings.empty() ? std::string() : document->warnings.front();
+  forget_autosave(state);
+  show_document(state, std::move(*document), path);
+  add_recent(state, path);
+  inform(state, warning.empty() ? fill(TextId::opened, {path}) : warning);
+}
+
+/// What was asked for, now that nothing unsaved stands in its way.
+void carry_out(State& state, Intent intent, const std::string& path) {
+  switch (intent) {
+    case Intent::new_scene:
+      forget_autosave(state);
+      show_document(state, {new_scene(), {}, {}}, {});
+      return;
+    case Intent::open:
+      return open_file(state, path);
+    case Intent::quit:
+      forget_autosave(state);
+      state.quit = true;
+      return;
+  }
+}
+
+/// True when the file was written; goes on with what waited for it.
+bool write_to(State& state, const std::string& path) {
+  const Result<void> written = write_scene(state.document, path);
+  if (!written) {
+    state.after_save.reset();
+    complain(state, written.error());
+    return false;
+  }
+  state.path = path;
+  state.saved = state.scene();
+  state.dirty = false;
+  state.last_edit.reset();
+  forget_autosave(state);
+  add_recent(state, path);
+  inform(state, fill(TextId::saved_as, {path}));
+  if (const std::optional<Intent> intent = std::exchange(state.after_save, std::nullopt))
+    carry_out(state, *intent, state.after_save_path);
+  return true;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code failed;
+  return a == b || std::filesystem::equivalent(a, b, failed);
+}
+
+}  // namespace
+
+void show_document(State& state, SceneDocument document, std::string path) {
+  state.document = std::move(document);
+  state.path = std::move(path);
+  state.saved = state.scene();
+  state.dirty = false;
+  state.undo.clear();
+  state.redo.clear();
+  state.last_edit.reset();
+  state.drag.reset();
+  state.selected = {};
+  state.hovered = {};
+  state.hovered_ray = -1;
+  state.position = 0;
+  state.playing = false;
+  state.question.reset();
+  state.notice.reset();
+  ++state.revision;
+  record_again(state);
+  state.position = 0;
+  state.camera = fit(state.scene(), state.viewport);
+}
+
+void ask_or_do(State& state, Intent intent, const std::string& path) {
+  state.playing = false;
+  if (!state.dirty) return carry_out(state, intent, path);
+  state.question = Question{Question::Kind::unsaved, intent, path};
+}
+
+void save(State& state) {
+  if (state.path.empty()) {
+    state.prompt = PathPrompt::save_as;
+    return;
+  }
+  static_cast<void>(write_to(state, state.path));
+}
+
+void save_as(State& state, const std::string& path) {
+  if (path.empty()) return;
+  state.prompt = PathPrompt::none;
+  const bool has_ending = std::filesystem::path(path).has_extension();
+  const std::string whole = has_ending ? path : path + ".toml";
+  std::error_code failed;
+  if (std::filesystem::exists(whole, failed) && !same_file(whole, state.path)) {
+    state.question = Question{Question::Kind::overwrite, Intent::quit, whole};
+    return;
+  }
+  static_cast<void>(write_to(state, whole));
+}
+
+void answer(State& state, action::Answer answer) {
+  if (!state.question) return;
+  const Question question = *state.question;
+  switch (question.kind) {
+    case Question::Kind::unsaved:
+      if (answer == action::Answer::recover) return;
+      state.question.reset();
+      if (answer == action::Answer::discard) carry_out(state, question.intent, question.path);
+      if (answer != action::Answer::save) return;
+      state.after_save = question.intent;
+      state.after_save_path = question.path;
+      return save(state);
+    case Question::Kind::recover:
+      if (answer == action::Answer::save || answer == action::Answer::cancel) return;
+      state.question.reset();
+      if (answer == action::Answer::recover) return recover(state, question.path);
+      return forget_autosave(state);
+    case Question::Kind::overwrite:
+      if (answer == action::Answer::discard || answer == action::Answer::recover) return;
+      state.question.reset();
+      if (answer == action::Answer::save) {
+        static_cast<void>(write_to(state, question.path));
+      } else {
+        state.after_save.reset();
+      }
+      return;
+  }
+}
+
+}  // namespace raywalk::detail

@@ -1,0 +1,87 @@
+// The text of help mode.
+
+#include "view/text.h"
+
+namespace raywalk {
+
+std::vector<HelpSection> help() {
+  return {
+      {"What this is",
+       {{"",
+         "A ray tracer finds the colour of a pixel by asking which light comes back along a ray from the eye. Here "
+         "it works on a plan, seen from above, and runs one line at a time. Every ray is drawn when its line forms "
+         "it. The same program draws the 3-D picture: the column of pixels is that picture's middle row."}}},
+      {"What stands in the plan",
+       {{"EYE", "Where all primary rays start."},
+        {"SCREEN",
+         "A column of pixels in front of EYE. One ray goes through the middle of each; a pixel fills with its "
+         "final shade when that is known."},
+        {"Solid Sphere", "Mirrors a part of its surroundings and lets nothing through."},
+        {"Transparent Sphere", "Glass: one ray is mirrored, another is bent and goes on inside."},
+        {"Polygon", "A block with straight sides. Its corners can be moved, added and removed."},
+        {"Light Source", "A shadow ray to it tells whether its light arrives at a point."}}},
+      {"Modes",
+       {{"Move",
+         "Arrange the scene. Drag bodies to move them, and the small circles to change radius, corners, "
+         "rotation, the direction of the view, and the length and distance of SCREEN. Everything can be undone. "
+         "Rays are left out so that they are not in the way."},
+        {"Trace",
+         "Walk through the algorithm. The highlighted line has just run; the outlined one runs next. Click on a "
+         "pixel or a ray to go to the step where it began."},
+        {"Help", "This page."}}},
+      {"Buttons",
+       {{"STEP",
+         "Runs one line and draws the ray that it forms. With \"a ray\" or \"a pixel\" chosen it runs up to the "
+         "next ray or to the end of the pixel."},
+        {"BACK", "Takes the last step back."},
+        {"AUTO", "Steps by itself at the chosen speed, until PAUSE or the last pixel."},
+        {"CLEAR", "Wipes rays and pixels and starts again with the first line."},
+        {"The bar", "Drag along it to see any moment of the walk."}}},
+      {"Panels",
+       {{"Code",
+         "MAIN ALGORITHM and SHADE. DEPTH counts how many SHADEs are open. Click on a line to run on until it has "
+         "run again."},
+        {"3-D image", "The same scene as a picture. The marked row is SCREEN; the marked pixel is being traced."},
+        {"Ray tree",
+         "All rays of the pixel: each stands below the ray at whose hit it was formed. Point at one to see it "
+         "in the plan and in the code; click to go to it."},
+        {"Stack", "The SHADEs that wait for others to return, the innermost on top."},
+        {"Legend", "What the colours, dashes and signs mean."}}},
+      {"Why rays end",
+       {{"hit", "It met an object; that point is shaded."},
+        {"left the scene", "It met nothing and brings the background."},
+        {"blocked", "A shadow ray met something before the light: a cross marks where."},
+        {"reached the light", "A shadow ray met nothing before it."},
+        {"depth limit",
+         "SHADE may not call itself deeper than this, so the ray was not formed; a short piece with a bar "
+         "shows where it would have gone."},
+        {"share too small", "It could have changed the pixel by less than the threshold, so it was not formed."},
+        {"total internal reflection",
+         "Light inside glass meets the surface at so flat an angle that nothing gets out: "
+         "no refract ray exists, and all of it is mirrored."},
+        {"faces away", "The light is behind the surface and cannot reach it, so no shadow ray is formed."}}},
+      {"Keys",
+       {{"Right, Space", "STEP"},
+        {"Left", "BACK"},
+        {"Shift with Right or Left", "to the next or previous ray"},
+        {"Control with Right or Left", "to the next or previous pixel"},
+        {"Home, End", "to the start or the end"},
+        {"A", "AUTO or PAUSE"},
+        {"+ and -", "faster and slower"},
+        {"C", "CLEAR"},
+        {"M, T, F1", "Move, Trace, Help"},
+        {"Arrow keys in Move", "move what is selected; with Shift in larger steps"},
+        {"Delete", "removes what is selected"},
+        {"Shift while dragging", "along one axis; lengths and angles in round numbers"},
+        {"Control while dragging", "places on the grid"},
+        {"Escape", "takes a drag back"},
+        {"Mouse wheel", "zooms; drag the empty plan to move it; F fits everything in"},
+        {"Control with Z or Y", "undo, redo"},
+        {"Control with N, O, S", "new, open, save; with Shift and S: save as"},
+        {"Control with + or -", "larger or smaller letters"},
+        {"P", "light colours for a projector, or dark ones"},
+        {"Control with Q", "quit"}}},
+  };
+}
+
+}  // namespace raywalk

@@ -1,0 +1,84 @@
+#include "view/text.h"
+#include "view/update_parts.h"
+
+namespace raywalk::detail {
+
+namespace {
+
+std::size_t bytes_of(const Scene& scene) {
+  std::size_t bytes = sizeof(Scene) + scene.lights.size() * sizeof(Light) + scene.objects.size() * sizeof(Object);
+  for (const Object& object : scene.objects)
+    if (const auto* prism = std::get_if<Prism<double>>(&object.shape)) bytes += prism->corners.size() * sizeof(Vec2d);
+  return bytes;
+}
+
+/// Drops the oldest entries beyond the bounds. Both stacks hold neighbouring versions of one scene, so the size of the
+/// present one stands for all.
+void trim(State& state) {
+  const std::size_t by_bytes = undo_bytes / bytes_of(state.scene());
+  const std::size_t most = std::max<std::size_t>(1, std::min(undo_entries, by_bytes));
+  if (state.undo.size() > most)
+    state.undo.erase(state.undo.begin(), state.undo.end() - static_cast<std::ptrdiff_t>(most));
+}
+
+void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to, TextId when_empty) {
+  if (from.empty()) return inform(state, std::string(text(when_empty)));
+  Scene next = std::move(from.back());
+  from.pop_back();
+  to.push_back(state.scene());
+  state.last_edit.reset();
+  replace_scene(state, std::move(next));
+}
+
+}  // namespace
+
+void replace_scene(State& state, Scene next) {
+  state.document.scene = std::move(next);
+  ++state.revision;
+  state.dirty = state.document.scene != state.saved;
+  record_again(state);
+  if (!exists(state, state.selected)) state.selected = {};
+  if (!exists(state, state.hovered)) state.hovered = {};
+}
+
+void remember(State& state, Scene before) {
+  state.undo.push_back(std::move(before));
+  state.redo.clear();
+  trim(state);
+}
+
+void commit(State& state, Scene next, EditMark mark, bool continues) {
+  if (next == state.scene()) return;
+  const bool joins = continues && !state.undo.empty() && state.last_edit && *state.last_edit == mark;
+  if (!joins) remember(state, state.scene());
+  state.last_edit = mark;
+  state.notice.reset();
+  replace_scene(state, std::move(next));
+}
+
+std::string why_refused(const Scene& scene, int object, int light) {
+  // The format's own reader and writer know every rule: ask them about a scene of just these parts.
+  Scene part = scene;
+  part.objects.clear();
+  part.lights.clear();
+  if (object >= 0) part.objects.push_back(scene.objects[static_cast<std::size_t>(object)]);
+  if (light >= 0) part.lights.push_back(scene.lights[static_cast<std::size_t>(light)]);
+  const Result<std::string> written = format_scene(part);
+  return written ? std::string() : written.error().message;
+}
+
+bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark, bool continues) {
+  const std::string why = why_refused(next, object, light);
+  if (!why.empty()) {
+    complain(state, fill(TextId::refused, {why}));
+    return false;
+  }
+  commit(state, std::move(next), mark, continues);
+  return true;
+}
+
+void undo(State& state) { step_history(state, state.undo, state.redo, TextId::nothing_to_undo); }
+
+void redo(State& state) { step_history(state, state.redo, state.undo, TextId::nothing_to_redo); }
+
+}  // namespace raywalk::detail

@@ -1,0 +1,119 @@
+#include "view/painter.h"
+#include "view/update_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raywalk::detail {
+
+namespace {
+
+constexpr double most_pixels = 1e5;  // circles beyond it are drawn as straight as they look
+
+/// A line through `point` along `along` (pixels, unit length) from one end of the pane to the other.
+LineItem across_pane(const Painter& painter, const Vec2d& point, const Vec2d& along) {
+  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
+  const Vec2d nearest = point + dot(middle - point, along) * along;
+  const double far = painter.viewport.width + painter.viewport.height;
+  return {nearest - far * along, nearest + far * along, {}};
+}
+
+void draw_plane(Painter& painter, const Plane<double>& plane, const Target& target, Colour body) {
+  const std::optional<PlanLine> cut = plan_line(plane);
+  if (!cut) return;  // level: above or below the plan
+  const Vec2d along(cut->along.x, -cut->along.y);
+  LineItem line = across_pane(painter, painter.pixels(cut->point), along);
+  const Stroke outline = painter.outline(target, body, 2);
+  line.stroke = outline;
+  painter.add_clipped(line, target);
+  // Hatches on the back: the front is to the left of `along` in the scene.
+  const Vec2d back = Vec2d(-along.y, along.x);
+  const double spacing = 12 * painter.sizes.unit, size = 9 * painter.sizes.unit;
+  const double whole = length(line.to - line.from);
+  for (double at = 0; at < whole; at += spacing) {
+    const Vec2d foot = line.from + at * along;
+    painter.add_clipped({foot, foot + size * (back - along) * std::numbers::sqrt2 / 2.0, painter.stroke(body)});
+  }
+}
+
+void draw_sphere(Painter& painter, const Sphere<double>& sphere, const Target& target, Colour body) {
+  const Vec2d centre = painter.pixels(plan(sphere.centre));
+  const double radius = painter.pixels(plan_radius(sphere));
+  const Box box{centre - radius, centre + radius};
+  if (radius > most_pixels || box.overlap(painter.pane()) <= 0) return;
+  Stroke outline = painter.outline(target, mix(body.with_alpha(255), painter.colours.ink, 0.5), body.a < 255 ? 1.6 : 1);
+  CircleItem circle{centre, std::max(radius, 1.0), body, outline};
+  if (!meets_plan(sphere)) {
+    // Wholly above or below the plan: only its outline is to be seen from here, and no ray of the plan meets it.
+    circle.fill = body.with_alpha(body.a / 5);
+    circle.stroke->dash = painter.scaled({{2, 3}, 2});
+  }
+  painter.add(circle, target);
+}
+
+void draw_prism(Painter& painter, const Prism<double>& prism, const Target& target, Colour body) {
+  std::vector<Vec2d> points;
+  Box box{Vec2d(1e300), Vec2d(-1e300)};
+  for (const Vec2d& corner : prism.corners) {
+    const Vec2d at = painter.pixels(corner);
+    points.push_back(at);
+    box = {{std::min(box.min.x, at.x), std::min(box.min.y, at.y)},
+           {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
+  }
+  if (box.overlap(painter.pane()) <= 0) return;
+  const Stroke outline =
+      painter.outline(target, mix(body.with_alpha(255), painter.colours.ink, 0.5), body.a < 255 ? 1.6 : 1);
+  painter.add(PolygonItem{points, body, outline}, target);
+  if (painter.state.mode != Mode::move) return;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    painter.add(LineItem{points[i], points[(i + 1) % points.size()], outline},
+                {TargetKind::edge, target.index, static_cast<int>(i)});
+}
+
+}  // namespace
+
+Colour body_colour(const Scene& scene, const Material& material) {
+  // Not lit: what a white light would bring back, and a part of what is mirrored and let through, so that a mirror is
+  // not black.
+  Rgbd colour = scene.ambient * material.ambient + material.diffuse;
+  if (material.checker) colour *= (material.checker->even + material.checker->odd) / 2.0;
+  colour += material.emission + 0.25 * material.reflection;
+  if (material.transmits()) {
+    const Rgbd tinted = colour + 0.6 * material.transmission;
+    return display_colour(tinted).with_alpha(56);
+  }
+  return display_colour(colour);
+}
+
+void draw_objects(Painter& painter) {
+  for (std::size_t i = 0; i < painter.scene().objects.size(); ++i) {
+    const Object& object = painter.scene().objects[i];
+    const Target target{TargetKind::object, static_cast<int>(i)};
+    const Colour body = body_colour(painter.scene(), object.material);
+    std::visit(Overloaded{
+                   [&](const Sphere<double>& sphere) { draw_sphere(painter, sphere, target, body); },
+                   [&](const Plane<double>& plane) { draw_plane(painter, plane, target, body); },
+                   [&](const Prism<double>& prism) { draw_prism(painter, prism, target, body); },
+               },
+               object.shape);
+  }
+}
+
+void draw_grid(Painter& painter) {
+  double step = grid_step(painter.state.camera);
+  while (painter.pixels(step) < 36 * painter.sizes.unit) step *= 10;
+  const Vec2d first = to_scene(painter.state.camera, painter.viewport, {0, painter.viewport.height});
+  const Vec2d last = to_scene(painter.state.camera, painter.viewport, {painter.viewport.width, 0});
+  const Stroke faint{painter.colours.grid, painter.sizes.unit};
+  for (double i = std::ceil(first.x / step); i * step <= last.x; ++i) {
+    const double x = painter.pixels(Vec2d(i * step, 0)).x;
+    painter.add(LineItem{{x, 0}, {x, painter.viewport.height}, faint});
+  }
+  for (double i = std::ceil(first.y / step); i * step <= last.y; ++i) {
+    const double y = painter.pixels(Vec2d(0, i * step)).y;
+    painter.add(LineItem{{0, y}, {painter.viewport.width, y}, faint});
+  }
+}
+
+}  // namespace raywalk::detail

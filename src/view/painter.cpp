@@ -1,0 +1,54 @@
+#include "view/painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk::detail {
+
+double Box::overlap(const Box& other) const {
+  const double width = std::min(max.x, other.max.x) - std::max(min.x, other.min.x);
+  const double height = std::min(max.y, other.max.y) - std::max(min.y, other.min.y);
+  return width > 0 && height > 0 ? width * height : 0;
+}
+
+DashPattern Painter::scaled(DashPattern dash) const {
+  for (double& part : dash.lengths) part *= sizes.unit;
+  return dash;
+}
+
+Stroke Painter::outline(const Target& target, Colour colour, double width) const {
+  const bool selected =
+      state.mode == Mode::move && state.selected.kind == target.kind && state.selected.index == target.index;
+  const bool hovered = state.hovered.kind == target.kind && state.hovered.index == target.index;
+  if (selected) return stroke(colours.selected, std::max(width, 2.0));
+  if (hovered) return stroke(colours.hovered, std::max(width, 1.6));
+  return stroke(colour, width);
+}
+
+void Painter::add_clipped(LineItem line, const Target& target) {
+  const double margin = 20 * sizes.unit;
+  const Vec2d low(-margin), high = Vec2d(viewport.width, viewport.height) + margin;
+  const Vec2d along = line.to - line.from;
+  // Y.-D. Liang and B. Barsky, "A new concept and method for line clipping", ACM TOG 3(1), 1984.
+  double begin = 0, end = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (along[axis] == 0) {
+      if (line.from[axis] < low[axis] || line.from[axis] > high[axis]) return;
+      continue;
+    }
+    const double a = (low[axis] - line.from[axis]) / along[axis], b = (high[axis] - line.from[axis]) / along[axis];
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  if (!(begin < end)) return;
+  LineItem clipped = line;
+  clipped.from = line.from + begin * along;
+  clipped.to = line.from + end * along;
+  clipped.stroke.phase += begin * length(along);
+  // The arrowhead stays where it was, or goes when it is cut off.
+  clipped.arrow_at = (line.arrow_at - begin) / (end - begin);
+  if (clipped.arrow_at < 0 || clipped.arrow_at > 1) clipped.arrow = 0;
+  add(std::move(clipped), target);
+}
+
+}  // namespace raywalk::detail

@@ -1,0 +1,62 @@
+#pragma once
+// What the parts of the plan are painted with. Included by the files of this folder that draw, and by nobody else.
+
+#include "view/plan_geometry.h"
+#include "view/plan_view.h"
+
+namespace raywalk::detail {
+
+/// An axis-parallel rectangle in pixels.
+struct Box {
+  Vec2d min, max;
+  [[nodiscard]] double overlap(const Box& other) const;  ///< area in common
+};
+
+class Painter {
+ public:
+  Painter(const State& the_state, const Viewport& the_viewport)
+      : state(the_state), viewport(the_viewport), sizes(the_state), colours(palette(the_state.theme)) {}
+
+  const State& state;
+  const Viewport& viewport;
+  const Sizes sizes;
+  const Palette& colours;
+  DisplayList list;
+  std::vector<Box> kept_free;  ///< where labels do not go
+
+  [[nodiscard]] const Scene& scene() const { return state.scene(); }
+  [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.camera, viewport, point); }
+  [[nodiscard]] double pixels(double scene_units) const { return scene_units * state.camera.pixels_per_unit; }
+  [[nodiscard]] Box pane() const { return {Vec2d(0.0), {viewport.width, viewport.height}}; }
+  [[nodiscard]] Stroke stroke(Colour colour, double width = 1) const { return {colour, width * sizes.line}; }
+  [[nodiscard]] DashPattern scaled(DashPattern dash) const;
+  /// Outline of something that can be selected and pointed at.
+  [[nodiscard]] Stroke outline(const Target& target, Colour colour, double width = 1) const;
+
+  void add(Shape2d shape, const Target& target = {}) { list.push_back({std::move(shape), target}); }
+  /// A line that keeps its dashes in place when what lies outside the pane is cut off; nothing if all does.
+  void add_clipped(LineItem line, const Target& target = {});
+  void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
+};
+
+// objects_view.cpp
+void draw_grid(Painter& painter);
+void draw_objects(Painter& painter);
+/// The colour that stands for a material in the plan; its alpha says how solid it is.
+[[nodiscard]] Colour body_colour(const Scene& scene, const Material& material);
+
+// symbols_view.cpp
+void draw_screen(Painter& painter);
+void draw_eye(Painter& painter);
+void draw_lights(Painter& painter);
+
+// rays_view.cpp
+void draw_rays(Painter& painter);
+
+// handles_view.cpp
+void draw_handles(Painter& painter);
+
+// labels_view.cpp
+void draw_labels(Painter& painter);
+
+}  // namespace raywalk::detail

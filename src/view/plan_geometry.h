@@ -1,0 +1,62 @@
+#pragma once
+// Where the things of a scene stand in the plan, in scene units: shared by what draws them and what drags them.
+
+#include "view/state.h"
+
+#include <optional>
+
+namespace raywalk::detail {
+
+/// SCREEN as seen from above. `forward` and `left` are the plan parts of unit vectors: of unit length in planar scenes.
+struct ScreenPlace {
+  Vec2d forward, left;
+  Vec2d centre;
+  Vec2d first, last;  ///< the ends: of cell 0 (the left end as EYE sees it) and of the last cell
+  [[nodiscard]] Vec2d at(double t) const { return first + t * (last - first); }  ///< 0 at first, 1 at last
+};
+
+[[nodiscard]] ScreenPlace screen_place(const Camera& camera);
+
+/// Radius of the circle that a sphere shows in the plan: where it is cut, or its outline when it is not.
+[[nodiscard]] double plan_radius(const Sphere<double>& sphere);
+[[nodiscard]] bool meets_plan(const Sphere<double>& sphere);
+
+/// Centre of the area of a simple polygon.
+[[nodiscard]] Vec2d centroid(const Prism<double>& prism);
+
+/// The line in which a plane cuts the plan: a point of it and its unit direction, the front to its left; none when the
+/// plane is level.
+struct PlanLine {
+  Vec2d point, along;
+};
+[[nodiscard]] std::optional<PlanLine> plan_line(const Plane<double>& plane);
+
+/// Where the symbol of a light stands. A directional light's hangs in its direction, within sight.
+[[nodiscard]] Vec2d light_place(const Light& light, const PlanCamera& camera, const Viewport& viewport);
+
+/// Where a target can be taken hold of; `target` must exist. Cells and rays: their middle.
+[[nodiscard]] Vec2d place_of(const State& state, const Target& target, const Viewport& viewport);
+
+/// The nearest of 1, 2, 5 times a power of ten that is at least 10 pixels: what snapping snaps to.
+[[nodiscard]] double grid_step(const PlanCamera& camera);
+
+/// `from` turned about `pivot` by `angle` radians, counter-clockwise.
+[[nodiscard]] Vec2d turned(const Vec2d& from, const Vec2d& pivot, double angle);
+
+/// How a grip on a target changes the scene.
+struct Grip {
+  const Scene& scene;  ///< before
+  Target target;
+  Vec2d from, to;          ///< of the pointer, scene units
+  bool constrain = false;  ///< Shift: along one axis; lengths to the grid, angles to 15 degrees
+  bool snap = false;       ///< Control: places to the grid
+  double grid = 0.1;
+  double smallest = 0.01;  ///< no length becomes less
+  Vec2d sun_pivot{0.0};    ///< about which directional lights turn
+};
+
+/// The scene after the drag; none where the target cannot be moved. The result may break rules of the scene format
+/// (edges that cross): the caller asks why_refused.
+[[nodiscard]] std::optional<Scene> dragged(const Grip& grip);
+
+}  // namespace raywalk::detail

@@ -1,0 +1,119 @@
+#include "view/plan_view.h"
+
+#include "view/painter.h"
+#include "view/update_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+Vec2d to_pixels(const PlanCamera& camera, const Viewport& viewport, const Vec2d& point) {
+  const Vec2d from_centre = (point - camera.centre) * camera.pixels_per_unit;
+  return {viewport.width / 2 + from_centre.x, viewport.height / 2 - from_centre.y};
+}
+
+Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& pixels) {
+  const Vec2d from_centre(pixels.x - viewport.width / 2, viewport.height / 2 - pixels.y);
+  return camera.centre + from_centre / camera.pixels_per_unit;
+}
+
+PlanCamera fit(const Scene& scene, const Viewport& viewport) {
+  Bounds<double> box;
+  const auto include = [&](const Vec2d& p) { box.include(Vec3d(p, 0)); };
+  const detail::ScreenPlace screen = detail::screen_place(scene.camera);
+  include(plan(scene.camera.eye));
+  include(screen.first);
+  include(screen.last);
+  for (const Light& light : scene.lights)
+    if (const auto* point = std::get_if<PointLight>(&light.kind)) include(plan(point->position));
+  for (const Object& object : scene.objects)
+    std::visit(detail::Overloaded{
+                   [&](const Sphere<double>& sphere) {
+                     include(plan(sphere.centre) - detail::plan_radius(sphere));
+                     include(plan(sphere.centre) + detail::plan_radius(sphere));
+                   },
+                   [](const Plane<double>&) {},  // without end
+                   [&](const Prism<double>& prism) {
+                     for (const Vec2d& corner : prism.corners) include(corner);
+                   },
+               },
+               object.shape);
+  const Vec2d size = plan(box.max) - plan(box.min);
+  constexpr double margin = 0.86;  // the rest is for labels and handles
+  const double widest = std::max({size.x / viewport.width, size.y / viewport.height, 1e-9});
+  return {plan(box.min) + size / 2.0, std::clamp(margin / widest, 1e-6, 1e9), true};
+}
+
+Sizes::Sizes(const State& state)
+    : unit(state.ui_scale * theme_scale(state.theme)),
+      text(15 * unit),
+      line(1.5 * unit),
+      handle(4.5 * unit),
+      reach(6 * unit) {}
+
+DisplayList plan_view(const State& state, const Viewport& viewport) {
+  detail::Painter painter(state, viewport);
+  const bool moving = state.mode == Mode::move;
+  if (moving) detail::draw_grid(painter);
+  detail::draw_objects(painter);
+  detail::draw_screen(painter);
+  if (!moving) detail::draw_rays(painter);
+  detail::draw_eye(painter);
+  detail::draw_lights(painter);
+  detail::draw_labels(painter);
+  if (moving) detail::draw_handles(painter);
+  return std::move(painter.list);
+}
+
+namespace {
+
+/// Small things are taken hold of before what lies around them.
+int rank_of(TargetKind kind) {
+  switch (kind) {
+    case TargetKind::radius:
+    case TargetKind::corner:
+    case TargetKind::rotation:
+    case TargetKind::view_direction:
+    case TargetKind::screen_height:
+    case TargetKind::screen_distance:
+      return 5;
+    case TargetKind::eye:
+    case TargetKind::light:
+      return 4;
+    case TargetKind::edge:
+      return 3;
+    case TargetKind::cell:
+      return 2;
+    case TargetKind::ray:
+      return 1;
+    case TargetKind::object:
+    case TargetKind::nothing:
+      return 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Target pick(const State& state, const Viewport& viewport, const Vec2d& at) {
+  const DisplayList list = plan_view(state, viewport);
+  const double reach = Sizes(state).reach;
+  Target best;
+  int best_rank = -1;
+  double best_distance = 0;
+  for (const DisplayItem& item : list) {
+    if (!item.target) continue;
+    const double distance = distance_to(item, at);
+    const int rank = rank_of(item.target.kind);
+    if (!(distance <= reach) || rank < best_rank) continue;
+    // What is drawn later lies on top, so it wins where both are equally near.
+    if (rank == best_rank && distance > best_distance) continue;
+    best = item.target;
+    best_rank = rank;
+    best_distance = distance;
+  }
+  return best;
+}
+
+}  // namespace raywalk

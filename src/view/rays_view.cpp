@@ -1,0 +1,144 @@
+#include "view/painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk::detail {
+
+namespace {
+
+/// How a ray stands out: what the line just run speaks of, its pixel's others, and those of pixels before.
+enum class Prominence { earlier, of_pixel, current };
+
+struct RayLook {
+  Prominence prominence;
+  bool hovered;
+};
+
+/// Where the ray is drawn to, in scene units, at a position where its end may not be known yet; none when it goes on
+/// for ever.
+std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool known) {
+  if (known) return ray.endless ? std::nullopt : std::optional(plan(ray.end));
+  const bool to_a_place = ray.light >= 0 && ray.light < static_cast<int>(scene.lights.size()) &&
+                          std::holds_alternative<PointLight>(scene.lights[static_cast<std::size_t>(ray.light)].kind);
+  return to_a_place ? std::optional(plan(ray.origin + ray.direction)) : std::nullopt;
+}
+
+Stroke stroke_of(const Painter& painter, const RayRecord& ray, const RayLook& look) {
+  const RayStyle& style = ray_style(painter.state.theme, ray.kind);
+  Stroke stroke{style.colour, painter.sizes.unit, painter.scaled(style.dash)};
+  switch (look.prominence) {
+    case Prominence::earlier:
+      stroke.colour.a = 100;
+      break;
+    case Prominence::of_pixel:
+      stroke.width = 1.7 * painter.sizes.unit;
+      stroke.colour.a = 225;
+      break;
+    case Prominence::current:
+      stroke.width = 3.2 * painter.sizes.unit;
+      break;
+  }
+  if (look.hovered) {
+    stroke.width = std::max(stroke.width, 3.2 * painter.sizes.unit);
+    stroke.colour.a = 255;
+  }
+  return stroke;
+}
+
+double arrow_length(const Painter& painter, const RayLook& look) {
+  if (look.hovered || look.prominence == Prominence::current) return 12 * painter.sizes.unit;
+  return (look.prominence == Prominence::of_pixel ? 8 : 6) * painter.sizes.unit;
+}
+
+/// A cross where a shadow ray is stopped.
+void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray) {
+  const Vec2d across(-along.y, along.x);
+  const double size = 5 * painter.sizes.unit;
+  const Stroke stroke{ray.colour, std::max(ray.width, 1.6 * painter.sizes.unit)};
+  painter.add_clipped({at - size * (along + across), at + size * (along + across), stroke});
+  painter.add_clipped({at - size * (along - across), at + size * (along - across), stroke});
+}
+
+/// A ray that was not formed: a short piece of it, ended by a bar.
+void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target) {
+  const double size = 24 * painter.sizes.unit, bar = 6 * painter.sizes.unit;
+  const Vec2d to = from + size * along, across(-along.y, along.x);
+  painter.add_clipped({from, to, stroke}, target);
+  painter.add_clipped(
+      {to - bar * across, to + bar * across, {stroke.colour, std::max(stroke.width, 1.6 * painter.sizes.unit)}},
+      target);
+}
+
+void draw_ray(Painter& painter, int index, const RayLook& look) {
+  const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
+  const bool known = ray.found_at <= painter.state.position;
+  const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
+  const double size = length(towards);
+  if (!(size > 0)) return;  // straight up or down: a point of the plan
+  const Vec2d along = towards / size;
+  const Vec2d from = painter.pixels(plan(ray.origin));
+  const Stroke stroke = stroke_of(painter, ray, look);
+  const Target target{TargetKind::ray, index};
+  if (!ray.formed) return draw_stub(painter, from, along, stroke, target);
+
+  const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
+  // Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
+  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
+  const double beyond = painter.viewport.width + painter.viewport.height + length(middle - from);
+  const Vec2d to = end ? painter.pixels(*end) : from + beyond * along;
+  if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
+  LineItem line{from, to, stroke, arrow_length(painter, look), 0.55};
+  const double visible = length(to - from);
+  if (!end) {
+    // In the middle of what is to be seen of it.
+    const double reach = std::min(painter.viewport.width, painter.viewport.height) / 3;
+    line.arrow_at = std::min(reach / visible, 1.0);
+  }
+  if (visible < 3 * line.arrow) line.arrow = visible / 3;
+  painter.add_clipped(line, target);
+  if (known && ray.ending == Ending::blocked) draw_blocked(painter, to, along, stroke);
+}
+
+void draw_normal(Painter& painter, const RayRecord& ray) {
+  const Vec2d normal(ray.normal.x, -ray.normal.y);
+  if (!(length(normal) > 1e-6)) return;
+  const Vec2d at = painter.pixels(plan(ray.end));
+  LineItem line{at, at + 26 * painter.sizes.unit * normal, painter.stroke(painter.colours.normal),
+                5 * painter.sizes.unit};
+  painter.add_clipped(line);
+}
+
+}  // namespace
+
+void draw_rays(Painter& painter) {
+  const Timeline& timeline = *painter.state.timeline;
+  const int position = painter.state.position;
+  const auto count = static_cast<int>(timeline.rays_at(position).size());
+  const int pixel = timeline.current_pixel(position);
+  const int current = timeline.current_ray(position);
+  const int hovered = painter.state.hovered_ray;
+
+  const auto is_drawn = [&](int index) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+    // A light behind the surface is no limit that was met: its stub goes with its pixel.
+    return ray.pixel == pixel || ray.formed || ray.ending != Ending::facing_away;
+  };
+  for (int index = 0; index < count; ++index) {
+    if (index == current || index == hovered || !is_drawn(index)) continue;
+    const bool of_pixel = timeline.rays()[static_cast<std::size_t>(index)].pixel == pixel;
+    draw_ray(painter, index, {of_pixel ? Prominence::of_pixel : Prominence::earlier, false});
+  }
+  for (int index = 0; index < count; ++index) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+    if (ray.pixel == pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= position)
+      draw_normal(painter, ray);
+  }
+  if (current >= 0 && current < count && current != hovered) draw_ray(painter, current, {Prominence::current, false});
+  if (hovered >= 0 && hovered < count) {
+    const Prominence prominence = hovered == current ? Prominence::current : Prominence::of_pixel;
+    draw_ray(painter, hovered, {prominence, true});
+  }
+}
+
+}  // namespace raywalk::detail

@@ -1,0 +1,74 @@
+#include "timeline/recorder.h"
+#include "view/text.h"
+#include "view/update_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk::detail {
+
+namespace {
+
+/// A recording of this length takes some tens of milliseconds and less than 200 MB.
+constexpr double most_events = 400'000;
+
+struct Recorded {
+  Timeline timeline;
+  int depth;  ///< of the recording; below the scene's where that would have been too long
+};
+
+bool ended_by_depth(const Timeline& timeline) {
+  return std::any_of(timeline.rays().begin(), timeline.rays().end(),
+                     [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
+}
+
+/// The strip to the scene's depth, or to the deepest that is not too long. A tree can double with every level, so a
+/// deep limit is approached in steps that the growth seen so far allows.
+Recorded record_within(const Scene& scene) {
+  constexpr int harmless_depth = 6;
+  constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
+  const int wanted = scene.limits.depth;
+  Scene limited = scene;
+  limited.limits.depth = std::min(wanted, harmless_depth);
+  Recorded recorded{record_strip(limited), limited.limits.depth};
+  double growth = worst_growth;
+  while (recorded.depth < wanted) {
+    if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
+    const double events = recorded.timeline.steps();
+    const double room = std::log(most_events / events) / std::log(std::min(worst_growth, 1.2 * growth));
+    if (!(room >= 1)) return recorded;
+    const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
+    limited.limits.depth = recorded.depth + levels;
+    recorded = {record_strip(limited), limited.limits.depth};
+    growth = std::max(1.0, std::pow(recorded.timeline.steps() / events, 1.0 / levels));
+  }
+  return recorded;
+}
+
+/// The place in `after` that corresponds to `position` in `before`.
+int same_place(const Timeline& before, int position, const Timeline& after) {
+  if (position <= 0) return 0;
+  if (position >= before.steps()) return after.steps();
+  const int pixel = before.current_pixel(position);
+  if (pixel < 0 || pixel >= static_cast<int>(after.pixels().size())) return after.steps();
+  const PixelRecord& old_pixel = before.pixels()[static_cast<std::size_t>(pixel)];
+  const PixelRecord& new_pixel = after.pixels()[static_cast<std::size_t>(pixel)];
+  if (position == old_pixel.done_at) return new_pixel.done_at;
+  return std::min(new_pixel.begun_at + (position - old_pixel.begun_at), new_pixel.done_at);
+}
+
+}  // namespace
+
+void record_again(State& state) {
+  Recorded recorded = record_within(state.scene());
+  if (recorded.depth < state.scene().limits.depth)
+    inform(state, fill(TextId::too_many_steps, {std::to_string(recorded.depth)}));
+  const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
+  state.position = same_place(*state.timeline, state.position, *after);
+  state.timeline = after;
+  state.hovered_ray = -1;
+  if (state.hovered.kind == TargetKind::ray) state.hovered = {};
+  if (state.position == state.timeline->steps()) state.playing = false;
+}
+
+}  // namespace raywalk::detail

@@ -1,0 +1,89 @@
+#include "view/panels.h"
+#include "view/text.h"
+
+namespace raywalk {
+
+namespace {
+
+std::string str(TextId id) { return std::string(text(id)); }
+
+const RayRecord& ray_of(const Timeline& timeline, int index) {
+  return timeline.rays()[static_cast<std::size_t>(index)];
+}
+
+/// What a call that was made for this kind of ray returns, and what its caller does meanwhile.
+struct ReturnName {
+  TextId name, waiting;
+};
+ReturnName returns(RayKind kind) {
+  switch (kind) {
+    case RayKind::primary:
+    case RayKind::shadow:
+      return {TextId::name_final, TextId::waits_final};
+    case RayKind::reflect:
+      return {TextId::name_refl, TextId::waits_refl};
+    case RayKind::refract:
+      return {TextId::name_refr, TextId::waits_refr};
+  }
+  return {TextId::name_final, TextId::waits_final};
+}
+
+std::string ray_text(const State& state, const RayRecord& ray) {
+  const Timeline& timeline = *state.timeline;
+  if (ray.parent < 0)
+    return fill(TextId::stack_primary_ray,
+                {std::to_string(timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column + 1)});
+  const int from = ray_of(timeline, ray.parent).object;
+  const std::string name = from < 0 ? std::string() : state.scene().objects[static_cast<std::size_t>(from)].name;
+  return fill(TextId::stack_ray_from, {std::string(text(ray.kind)), name});
+}
+
+/// The SHADE at the end of `ray`'s hit has returned by now: what it brought.
+void add_returned(const State& state, int ray_index, std::vector<StackRow::Returned>& returned) {
+  const Timeline& timeline = *state.timeline;
+  const RayRecord& ray = ray_of(timeline, ray_index);
+  if (ray.shade < 0) return;
+  const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
+  const bool done = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
+  if (done) returned.push_back({str(returns(ray.kind).name), frame.returned, display_colour(frame.returned)});
+}
+
+}  // namespace
+
+StackPanel stack_panel(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  StackPanel panel;
+  const int pixel = timeline.current_pixel(state.position);
+  if (pixel < 0) return panel;
+  const Timeline::Range range = timeline.rays_of_pixel(pixel);
+  const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
+  const Event* next = timeline.next(state.position);
+  const bool running = next != nullptr && !timeline.pixel_done(pixel, state.position);
+  const std::string at = running ? fill(TextId::works_on, {std::string(pseudocode_of(next->line).text)}) : "";
+
+  // What the row below the present one waits for; the innermost call waits for nothing, it works.
+  std::optional<RayKind> waits_for;
+  const auto waiting = [&] { return waits_for ? str(returns(*waits_for).waiting) : at; };
+  for (const int call : timeline.stack(state.position)) {
+    const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(call)];
+    const RayRecord& ray = ray_of(timeline, frame.ray);
+    StackRow row;
+    row.title = fill(TextId::stack_shade, {std::to_string(frame.depth)});
+    row.ray = ray_text(state, ray);
+    row.ray_index = frame.ray;
+    if (ray.object >= 0) row.object = state.scene().objects[static_cast<std::size_t>(ray.object)].name;
+    row.waiting = waiting();
+    for (int i = range.first; i < std::min(range.last, formed); ++i)
+      if (ray_of(timeline, i).parent == frame.ray) add_returned(state, i, row.returned);
+    waits_for = ray.kind;
+    panel.rows.push_back(std::move(row));
+  }
+  StackRow main;
+  main.title = str(TextId::stack_main);
+  main.waiting = waiting();
+  if (range.first < formed && range.first < range.last) add_returned(state, range.first, main.returned);
+  panel.rows.push_back(std::move(main));
+  return panel;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,31 @@
+#include "view/state.h"
+
+#include "view/plan_view.h"
+#include "view/text.h"
+#include "view/update_parts.h"
+
+namespace raywalk {
+
+State make_state(SceneDocument document, std::string path, std::string state_dir) {
+  State state;
+  state.timeline = std::make_shared<const Timeline>();
+  state.state_dir = std::move(state_dir);
+  detail::show_document(state, std::move(document), std::move(path));
+  state.notice.reset();
+  return state;
+}
+
+int current_cell(const State& state) {
+  const int pixel = state.timeline->current_pixel(state.position);
+  return pixel < 0 ? -1 : state.timeline->pixels()[static_cast<std::size_t>(pixel)].column;
+}
+
+std::string document_title(const State& state) {
+  const std::size_t slash = state.path.find_last_of('/');
+  const std::string name = state.path.empty()           ? std::string(text(TextId::untitled))
+                           : slash == std::string::npos ? state.path
+                                                        : state.path.substr(slash + 1);
+  return (state.dirty ? "*" : "") + name;
+}
+
+}  // namespace raywalk

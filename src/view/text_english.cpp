@@ -1,0 +1,442 @@
+// The English texts. A further language is a file like this one.
+
+#include "view/text.h"
+
+namespace raywalk {
+
+std::string_view text(TextId id) {
+  switch (id) {
+    case TextId::solid_sphere:
+      return "Solid Sphere";
+    case TextId::transparent_sphere:
+      return "Transparent Sphere";
+    case TextId::polygon:
+      return "Polygon";
+    case TextId::light_source:
+      return "Light Source";
+    case TextId::plane:
+      return "Floor";
+    case TextId::eye:
+      return "EYE";
+    case TextId::screen:
+      return "SCREEN";
+    case TextId::untitled:
+      return "Untitled";
+    case TextId::new_scene_title:
+      return "A new scene";
+    case TextId::drag_move:
+      return "{0}: drag to move it";
+    case TextId::drag_eye:
+      return "EYE: drag to move the eye and the screen";
+    case TextId::drag_view_direction:
+      return "Drag to turn the view";
+    case TextId::drag_screen_height:
+      return "Drag to make SCREEN longer or shorter";
+    case TextId::drag_screen_distance:
+      return "Drag to move SCREEN nearer to EYE or farther away";
+    case TextId::drag_radius:
+      return "{0}: drag to change the radius";
+    case TextId::drag_corner:
+      return "{0}: drag to move this corner; Delete removes it";
+    case TextId::drag_edge:
+      return "{0}: drag to move it; a double click adds a corner here";
+    case TextId::drag_rotation:
+      return "{0}: drag to turn it";
+    case TextId::cell_number:
+      return "Pixel {0} of SCREEN";
+    case TextId::cell_with_shade:
+      return "Pixel {0} of SCREEN: final shade {1}";
+    case TextId::ray_from:
+      return "{0} from {1}";
+    case TextId::ray_of_cell:
+      return "{0} of pixel {1}";
+    case TextId::mode_move:
+      return "Move";
+    case TextId::mode_trace:
+      return "Trace";
+    case TextId::mode_help:
+      return "Help";
+    case TextId::tab_image:
+      return "3-D image";
+    case TextId::tab_tree:
+      return "Ray tree";
+    case TextId::tab_stack:
+      return "Stack";
+    case TextId::tab_legend:
+      return "Legend";
+    case TextId::button_step:
+      return "STEP";
+    case TextId::button_back:
+      return "BACK";
+    case TextId::button_auto:
+      return "AUTO";
+    case TextId::button_pause:
+      return "PAUSE";
+    case TextId::button_clear:
+      return "CLEAR";
+    case TextId::button_fit:
+      return "Fit";
+    case TextId::button_undo:
+      return "Undo";
+    case TextId::button_redo:
+      return "Redo";
+    case TextId::button_add:
+      return "Add";
+    case TextId::button_remove:
+      return "Remove";
+    case TextId::button_close:
+      return "Close";
+    case TextId::grain:
+      return "One step is";
+    case TextId::grain_line:
+      return "a line";
+    case TextId::grain_ray:
+      return "a ray";
+    case TextId::grain_pixel:
+      return "a pixel";
+    case TextId::speed:
+      return "Speed";
+    case TextId::speed_unit:
+      return "steps a second";
+    case TextId::theme:
+      return "Theme";
+    case TextId::theme_dark:
+      return "Dark";
+    case TextId::theme_projector:
+      return "Projector";
+    case TextId::ui_scale:
+      return "Size";
+    case TextId::menu_file:
+      return "File";
+    case TextId::menu_edit:
+      return "Edit";
+    case TextId::menu_view:
+      return "View";
+    case TextId::menu_new:
+      return "New";
+    case TextId::menu_open:
+      return "Open...";
+    case TextId::menu_recent:
+      return "Open recent";
+    case TextId::menu_save:
+      return "Save";
+    case TextId::menu_save_as:
+      return "Save as...";
+    case TextId::menu_quit:
+      return "Quit";
+    case TextId::path_label:
+      return "File";
+    case TextId::answer_save:
+      return "Save";
+    case TextId::answer_discard:
+      return "Don't save";
+    case TextId::answer_recover:
+      return "Recover";
+    case TextId::answer_throw_away:
+      return "Throw away";
+    case TextId::answer_overwrite:
+      return "Replace it";
+    case TextId::answer_cancel:
+      return "Cancel";
+    case TextId::ask_unsaved_new:
+      return "{0} has changes that are not saved. Save them before starting a new scene?";
+    case TextId::ask_unsaved_open:
+      return "{0} has changes that are not saved. Save them before opening {1}?";
+    case TextId::ask_unsaved_quit:
+      return "{0} has changes that are not saved. Save them before leaving?";
+    case TextId::ask_recover:
+      return "Raywalk ended last time without saving {0}. Recover what was done?";
+    case TextId::ask_overwrite:
+      return "{0} exists already. Replace it?";
+    case TextId::properties:
+      return "Properties";
+    case TextId::nothing_selected:
+      return "Click on something in the plan to see its numbers here.";
+    case TextId::name:
+      return "Name";
+    case TextId::material:
+      return "Material";
+    case TextId::ambient:
+      return "Ambient (ka)";
+    case TextId::diffuse:
+      return "Diffuse (kd)";
+    case TextId::specular:
+      return "Specular (ks)";
+    case TextId::shininess:
+      return "Shininess (s)";
+    case TextId::reflection:
+      return "Reflection (kr)";
+    case TextId::transmission:
+      return "Transmission (kt)";
+    case TextId::ior:
+      return "Index of refraction";
+    case TextId::dielectric:
+      return "Fresnel shares kr + kt";
+    case TextId::filtered_shadow:
+      return "Lets light through to shadows";
+    case TextId::emission:
+      return "Emission";
+    case TextId::checker:
+      return "Checker";
+    case TextId::position:
+      return "Position";
+    case TextId::direction:
+      return "Direction";
+    case TextId::centre:
+      return "Centre";
+    case TextId::radius:
+      return "Radius";
+    case TextId::height:
+      return "Height in 3-D";
+    case TextId::corner:
+      return "Corner {0}";
+    case TextId::normal:
+      return "Normal";
+    case TextId::strength:
+      return "Strength";
+    case TextId::attenuation:
+      return "Attenuation (c, l, q)";
+    case TextId::view_angle:
+      return "View angle";
+    case TextId::look_at:
+      return "Looks at";
+    case TextId::screen_distance:
+      return "Distance of SCREEN";
+    case TextId::screen_width:
+      return "Length of SCREEN";
+    case TextId::screen_cells:
+      return "Pixels of SCREEN";
+    case TextId::background:
+      return "Background";
+    case TextId::ambient_light:
+      return "Ambient light";
+    case TextId::depth_limit:
+      return "Deepest SHADE";
+    case TextId::threshold:
+      return "Least share of a ray";
+    case TextId::depth_badge:
+      return "DEPTH {0}";
+    case TextId::stack_main:
+      return "MAIN ALGORITHM";
+    case TextId::stack_shade:
+      return "SHADE (DEPTH {0})";
+    case TextId::stack_primary_ray:
+      return "primary ray of pixel {0}";
+    case TextId::stack_ray_from:
+      return "{0} from {1}";
+    case TextId::waits_final:
+      return "waits for the final shade";
+    case TextId::waits_refl:
+      return "waits for REFLSHADE";
+    case TextId::waits_refr:
+      return "waits for REFRSHADE";
+    case TextId::works_on:
+      return "at: {0}";
+    case TextId::name_final:
+      return "final";
+    case TextId::name_refl:
+      return "REFLSHADE";
+    case TextId::name_refr:
+      return "REFRSHADE";
+    case TextId::tree_empty:
+      return "The rays of a pixel will stand here as a tree. Press STEP.";
+    case TextId::stack_empty:
+      return "Nothing is running yet. Press STEP.";
+    case TextId::image_waiting:
+      return "Rendering...";
+    case TextId::image_row_marked:
+      return "The marked row is SCREEN.";
+    case TextId::legend_primary:
+      return "from EYE through a pixel of SCREEN";
+    case TextId::legend_shadow:
+      return "from a surface to a light: does it arrive?";
+    case TextId::legend_reflect:
+      return "mirrored at a surface";
+    case TextId::legend_refract:
+      return "bent on its way into or out of a body";
+    case TextId::sign_hit:
+      return "hit an object, which is shaded";
+    case TextId::sign_missed:
+      return "left the scene: background";
+    case TextId::sign_blocked:
+      return "blocked: the light does not arrive (a cross on the plan)";
+    case TextId::sign_reached_light:
+      return "reached the light";
+    case TextId::sign_stub:
+      return "not formed, because of a limit (a short piece with a bar on the plan)";
+    case TextId::sign_normal:
+      return "thin arrow at a hit: the surface's normal";
+    case TextId::status:
+      return "step {0} of {1} \u00b7 pixel {2} of {3} \u00b7 rays {4}";
+    case TextId::first_step_trace:
+      return "Press STEP to run the first line, or AUTO to let it walk by itself.";
+    case TextId::first_step_move:
+      return "Drag the objects, the light and the eye; then choose Trace.";
+    case TextId::first_step_help:
+      return "Choose Move to arrange the scene, or Trace to walk through it.";
+    case TextId::after_last_step:
+      return "Every pixel of SCREEN has its final shade. CLEAR starts again.";
+    case TextId::saved_as:
+      return "Saved as {0}";
+    case TextId::opened:
+      return "Opened {0}";
+    case TextId::recovered:
+      return "Recovered {0}. It is not saved yet.";
+    case TextId::refused:
+      return "Not done: {0}";
+    case TextId::refused_name_empty:
+      return "Not done: a name cannot be empty";
+    case TextId::refused_name_taken:
+      return "Not done: there is already something called {0}";
+    case TextId::refused_last_corners:
+      return "Not done: a polygon needs at least three corners";
+    case TextId::nothing_to_undo:
+      return "Nothing to undo";
+    case TextId::nothing_to_redo:
+      return "Nothing to redo";
+    case TextId::select_first:
+      return "Click on an object or a light first";
+    case TextId::too_many_steps:
+      return "The trace is too long to walk: it is shown only down to DEPTH {0}";
+    case TextId::autosave_failed:
+      return "The work could not be autosaved: {0}";
+  }
+  return "";
+}
+
+std::string_view text(RayKind kind) {
+  switch (kind) {
+    case RayKind::primary:
+      return "primary ray";
+    case RayKind::shadow:
+      return "shadow ray";
+    case RayKind::reflect:
+      return "reflect ray";
+    case RayKind::refract:
+      return "refract ray";
+  }
+  return "";
+}
+
+std::string_view text(Ending ending) {
+  switch (ending) {
+    case Ending::hit:
+      return "hit";
+    case Ending::missed:
+      return "left the scene";
+    case Ending::blocked:
+      return "blocked";
+    case Ending::reached_light:
+      return "reached the light";
+    case Ending::depth:
+      return "not formed: depth limit";
+    case Ending::threshold:
+      return "not formed: share too small";
+    case Ending::total_internal_reflection:
+      return "not formed: total internal reflection";
+    case Ending::path_length:
+      return "not formed: path length";
+    case Ending::facing_away:
+      return "not formed: faces away from the light";
+  }
+  return "";
+}
+
+/// Only letters that every font has.
+std::string_view symbol(Ending ending) {
+  switch (ending) {
+    case Ending::hit:
+      return "o";
+    case Ending::missed:
+      return "~";
+    case Ending::blocked:
+      return "x";
+    case Ending::reached_light:
+      return "*";
+    case Ending::depth:
+      return "D";
+    case Ending::threshold:
+      return "%";
+    case Ending::total_internal_reflection:
+      return "T";
+    case Ending::path_length:
+      return "L";
+    case Ending::facing_away:
+      return "/";
+  }
+  return "";
+}
+
+std::string_view template_of(MessageId id) {
+  switch (id) {
+    case MessageId::start:
+      return "Nothing has run yet.";
+    case MessageId::pixel_begun:
+      return "Pixel {0} of {1} is next.";
+    case MessageId::primary_formed:
+      return "A primary ray leaves EYE through pixel {0} of SCREEN.";
+    case MessageId::found_hit:
+      return "The {0} hits {1} at distance {2}.";
+    case MessageId::left_through_surface:
+      return "Inside {1}, the {0} reaches its surface again after {2}.";
+    case MessageId::found_missed:
+      return "The {0} hits nothing: it leaves the scene.";
+    case MessageId::intersected:
+      return "It hit {0}, so that has to be shaded.";
+    case MessageId::intersected_nothing:
+      return "It hit nothing, so there is nothing to shade: the pixel gets the background.";
+    case MessageId::shade_called:
+      return "SHADE is called with DEPTH {0} for the point of {1} that the {2} hit.";
+    case MessageId::shade_missed:
+      return "The {0} left the scene, so SHADE returns the background {1}.";
+    case MessageId::shadow_formed:
+      return "A shadow ray leaves {0} towards {1}.";
+    case MessageId::shadow_facing_away:
+      return "No shadow ray is formed: here {0} faces away from {1}, which cannot light it.";
+    case MessageId::light_reached:
+      return "The shadow ray reaches {0}: its light arrives.";
+    case MessageId::light_filtered:
+      return "The shadow ray reaches {0} through something transparent: {1} of its light arrives.";
+    case MessageId::light_blocked:
+      return "The shadow ray is blocked by {1}: no light arrives from {0}.";
+    case MessageId::light_blocked_by_itself:
+      return "The shadow ray is blocked by {1} itself: no light arrives from {0}.";
+    case MessageId::reflective:
+      return "{0} reflects with weight {1}, so a reflect ray will be formed.";
+    case MessageId::reflective_totally:
+      return "Total internal reflection: {0} reflects everything here, with weight {1}.";
+    case MessageId::not_reflective:
+      return "{0} does not reflect here: these lines are skipped.";
+    case MessageId::reflect_formed:
+      return "A reflect ray leaves {0}; it can bring at most {1} of the pixel.";
+    case MessageId::reflect_depth:
+      return "No reflect ray is formed: SHADE may not go deeper than DEPTH {0}.";
+    case MessageId::reflect_threshold:
+      return "No reflect ray is formed: it could bring only {0} of the pixel, less than the threshold of {1}.";
+    case MessageId::transparent:
+      return "{0} lets light through with weight {1}, so a refract ray will be formed.";
+    case MessageId::not_transparent:
+      return "{0} lets no light through: these lines are skipped.";
+    case MessageId::totally_reflected:
+      return "No refract ray is formed: total internal reflection lets nothing out of {0} here.";
+    case MessageId::refract_formed_in:
+      return "A refract ray goes into {0}: {1} degrees to the normal become {2}.";
+    case MessageId::refract_formed_out:
+      return "A refract ray comes out of {0}: {1} degrees to the normal become {2}.";
+    case MessageId::refract_depth:
+      return "No refract ray is formed: SHADE may not go deeper than DEPTH {0}.";
+    case MessageId::refract_threshold:
+      return "No refract ray is formed: it could bring only {0} of the pixel, less than the threshold of {1}.";
+    case MessageId::path_length:
+      return "No {0} is formed: the path is as long as it may be.";
+    case MessageId::rtnshade_to_main:
+      return "All parts are added up: SHADE returns {1} for {0} to MAIN ALGORITHM.";
+    case MessageId::rtnshade_to_caller:
+      return "All parts are added up: SHADE returns {1} for {0} to the SHADE of DEPTH {3}, which waited for its {2}.";
+    case MessageId::pixel_put:
+      return "Pixel {0} of SCREEN gets its final shade {1}.";
+  }
+  return "";
+}
+
+}  // namespace raywalk

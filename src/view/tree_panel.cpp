@@ -1,0 +1,101 @@
+#include "view/panels.h"
+#include "view/text.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+std::string name_of(const Scene& scene, const RayRecord& ray) {
+  if (ray.object >= 0) return scene.objects[static_cast<std::size_t>(ray.object)].name;
+  if (ray.light >= 0) return scene.lights[static_cast<std::size_t>(ray.light)].name;
+  return {};
+}
+
+std::string label_of(const Scene& scene, const RayRecord& ray) {
+  const std::string name = name_of(scene, ray);
+  switch (ray.ending) {
+    case Ending::hit:
+    case Ending::reached_light:
+      return name;
+    case Ending::blocked:
+    case Ending::missed:
+    case Ending::depth:
+    case Ending::threshold:
+    case Ending::total_internal_reflection:
+    case Ending::path_length:
+    case Ending::facing_away:
+      break;
+  }
+  const std::string why(text(ray.ending));
+  return ray.ending == Ending::blocked ? why + ": " + name : why;
+}
+
+/// Columns from the leaves up: leaves stand side by side in the order in which they were formed, a parent above the
+/// middle of its children.
+void lay_out(TreePanel& panel) {
+  std::vector<std::vector<std::size_t>> children(panel.nodes.size());
+  for (std::size_t i = 0; i < panel.nodes.size(); ++i) {
+    TreeNode& node = panel.nodes[i];
+    if (node.parent < 0) continue;
+    children[static_cast<std::size_t>(node.parent)].push_back(i);
+    node.y = panel.nodes[static_cast<std::size_t>(node.parent)].y + 1;
+    panel.levels = std::max(panel.levels, static_cast<int>(node.y) + 1);
+  }
+  // Nodes are in the order of a walk in depth, so a walk backwards sees children before their parents; leaves are
+  // counted from the right and turned over at the end.
+  double leaves = 0;
+  for (std::size_t i = panel.nodes.size(); i-- > 0;) {
+    const auto& below = children[i];
+    panel.nodes[i].x = below.empty() ? leaves++ : (panel.nodes[below.front()].x + panel.nodes[below.back()].x) / 2;
+  }
+  panel.columns = leaves;
+  for (TreeNode& node : panel.nodes) node.x = leaves - 1 - node.x;
+}
+
+}  // namespace
+
+TreePanel tree_panel(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  TreePanel panel;
+  const int pixel = timeline.current_pixel(state.position);
+  if (pixel < 0) return panel;
+  panel.cell = current_cell(state);
+  panel.levels = 1;
+  const Timeline::Range range = timeline.rays_of_pixel(pixel);
+  const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
+  const int current = timeline.current_ray(state.position);
+  for (int i = range.first; i < range.last; ++i) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
+    TreeNode node{};
+    node.ray = i;
+    node.parent = ray.parent < 0 ? -1 : ray.parent - range.first;
+    node.kind = ray.kind;
+    node.formed = ray.formed;
+    node.future = i >= formed;
+    node.known = !node.future && ray.found_at <= state.position;
+    node.current = i == current;
+    node.hovered = i == state.hovered_ray;
+    node.colour = ray_style(state.theme, ray.kind).colour;
+    node.shade = palette(state.theme).empty_cell;
+    if (node.known) {
+      node.symbol = symbol(ray.ending);
+      node.label = label_of(state.scene(), ray);
+    }
+    if (!node.future) node.share = percent_text(max_component(ray.share));
+    if (ray.shade >= 0) {
+      const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
+      node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
+      if (node.returned) node.shade = display_colour(frame.returned);
+    }
+    // The line pointed at in the code lights up its ray when it is the line just run.
+    const Event* just_run = timeline.just_run(state.position);
+    if (node.current && just_run != nullptr && state.hovered_line == just_run->line) node.hovered = true;
+    panel.nodes.push_back(std::move(node));
+  }
+  lay_out(panel);
+  return panel;
+}
+
+}  // namespace raywalk

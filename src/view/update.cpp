@@ -1,0 +1,250 @@
+#include "view/action.h"
+#include "view/plan_view.h"
+#include "view/text.h"
+#include "view/update_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+using namespace action;
+using detail::Overloaded;
+
+bool finite(double value) { return std::isfinite(value); }
+bool finite(const Vec2d& v) { return finite(v.x) && finite(v.y); }
+
+/// Whether every number that the action carries for the plan, the speed and the scale is finite. Whole values (a
+/// material, a shape) are judged by the rules of the scene format.
+bool is_finite(const Action& action) {
+  return std::visit(Overloaded{
+                        [](const SetSpeed& a) { return finite(a.lines_per_second); },
+                        [](const Tick& a) { return finite(a.seconds) && a.seconds >= 0; },
+                        [](const ResizePlan& a) { return finite(a.viewport.width) && finite(a.viewport.height); },
+                        [](const PointerMoved& a) { return finite(a.at); },
+                        [](const PointerPressed& a) { return finite(a.at); },
+                        [](const PointerReleased& a) { return finite(a.at); },
+                        [](const Zoom& a) { return finite(a.at) && finite(a.factor) && a.factor > 0; },
+                        [](const Pan& a) { return finite(a.by); },
+                        [](const InsertCorner& a) { return finite(a.at); },
+                        [](const Nudge& a) { return finite(a.direction); },
+                        [](const SetUiScale& a) { return finite(a.scale); },
+                        [](const auto&) { return true; },
+                    },
+                    action);
+}
+
+template <class T, class... Kinds>
+constexpr bool one_of = (std::is_same_v<T, Kinds> || ...);
+
+/// Actions that go through while something is being asked.
+bool goes_through(const State& state, const Action& action) {
+  return std::visit(
+      [&]<class T>(const T&) {
+        if constexpr (one_of<T, Tick, ResizePlan, SetTheme, SetUiScale, PointerLeft, PointerReleased, DismissNotice>)
+          return true;
+        if (state.question) return one_of<T, AnswerQuestion>;
+        if (state.prompt != PathPrompt::none) return one_of<T, Open, SaveAs, CancelPrompt, Quit>;
+        return true;
+      },
+      action);
+}
+
+/// Actions during which a drag goes on; any other ends it first.
+bool leaves_drag(const Action& action) {
+  return std::visit(
+      []<class T>(const T&) {
+        return one_of<T, Tick, ResizePlan, SetTheme, SetUiScale, PointerMoved, PointerReleased, PointerLeft, CancelDrag,
+                      Zoom, HoverRay, HoverLine, SetTab, DismissNotice, SetSpeed, SetGrain>;
+      },
+      action);
+}
+
+bool has_object(const State& state, int object) { return exists(state, {TargetKind::object, object}); }
+
+void set_material(State& state, const SetMaterial& set) {
+  if (!has_object(state, set.object)) return;
+  Scene next = state.scene();
+  next.objects[static_cast<std::size_t>(set.object)].material = set.material;
+  detail::commit_if_valid(state, std::move(next), set.object, -1, {Action(set).index(), set.object}, set.continues);
+}
+
+void set_shape(State& state, const SetShape& set) {
+  if (!has_object(state, set.object)) return;
+  Scene next = state.scene();
+  next.objects[static_cast<std::size_t>(set.object)].shape = set.shape;
+  detail::commit_if_valid(state, std::move(next), set.object, -1, {Action(set).index(), set.object}, set.continues);
+}
+
+void set_light(State& state, const SetLight& set) {
+  if (!exists(state, {TargetKind::light, set.light})) return;
+  Scene next = state.scene();
+  Light& light = next.lights[static_cast<std::size_t>(set.light)];
+  const std::string name = light.name;  // a name changes through Rename, which keeps it unique
+  light = set.value;
+  light.name = name;
+  detail::commit_if_valid(state, std::move(next), -1, set.light, {Action(set).index(), set.light}, set.continues);
+}
+
+void ask_path(State& state, PathPrompt prompt) {
+  state.prompt = prompt;
+  state.playing = false;
+}
+
+/// What each action does once it is known to be sensible here.
+void apply(State& state, const Action& action) {
+  std::visit(
+      Overloaded{
+          [&](const SetMode& a) {
+            state.mode = a.mode;
+            if (a.mode != Mode::trace) state.playing = false;
+            detail::hover(state);
+          },
+          [&](const Step& a) { detail::walk(state, a); },
+          [&](const Jump& a) { detail::go_to(state, a.position); },
+          [&](const JumpToRay& a) {
+            if (exists(state, {TargetKind::ray, a.ray}))
+              detail::go_to(state, state.timeline->rays()[static_cast<std::size_t>(a.ray)].formed_at);
+          },
+          [&](const JumpToCell& a) {
+            for (const PixelRecord& pixel : state.timeline->pixels())
+              if (pixel.column == a.cell) return detail::go_to(state, pixel.begun_at);
+          },
+          [&](const RunToLine& a) { detail::run_to_line(state, a.line); },
+          [&](const PlayPause&) {
+            state.owed = 0;
+            state.mode = Mode::trace;
+            const bool at_end = state.position == state.timeline->steps();
+            state.playing = !state.playing && !at_end;
+          },
+          [&](const SetSpeed& a) { state.lines_per_second = std::clamp(a.lines_per_second, min_speed, max_speed); },
+          [&](const SetGrain& a) { state.grain = a.grain; },
+          [&](const Clear&) { detail::go_to(state, 0); },
+          [&](const Tick& a) {
+            detail::play(state, a.seconds);
+            detail::autosave(state, a.seconds);
+          },
+          [&](const ResizePlan& a) {
+            state.viewport = {std::clamp(a.viewport.width, 1.0, 1e5), std::clamp(a.viewport.height, 1.0, 1e5)};
+            if (state.camera.fitted) state.camera = fit(state.scene(), state.viewport);
+          },
+          [&](const PointerMoved& a) { detail::pointer_moved(state, a); },
+          [&](const PointerPressed& a) { detail::pointer_pressed(state, a); },
+          [&](const PointerReleased& a) { detail::pointer_released(state, a); },
+          [&](const PointerLeft&) {
+            state.pointer.reset();
+            if (state.drag) return;
+            state.hovered = {};
+            state.hovered_ray = -1;
+          },
+          [&](const CancelDrag&) { detail::cancel_drag(state); },
+          [&](const Zoom& a) { detail::zoom(state, a.at, a.factor); },
+          [&](const Pan& a) { detail::pan(state, a.by); },
+          [&](const FitView&) { state.camera = fit(state.scene(), state.viewport); },
+          [&](const HoverRay& a) { state.hovered_ray = exists(state, {TargetKind::ray, a.ray}) ? a.ray : -1; },
+          [&](const HoverLine& a) { state.hovered_line = a.line; },
+          [&](const Select& a) {
+            if (exists(state, a.target)) state.selected = a.target;
+          },
+          [&](const AddObject& a) { detail::add_object(state, a.kind); },
+          [&](const RemoveSelected&) { detail::remove_selected(state); },
+          [&](const InsertCorner& a) { detail::insert_corner(state, a); },
+          [&](const RemoveCorner& a) { detail::remove_corner(state, a.object, a.corner); },
+          [&](const Rename& a) { detail::rename(state, a); },
+          [&](const SetMaterial& a) { set_material(state, a); },
+          [&](const SetShape& a) { set_shape(state, a); },
+          [&](const SetLight& a) { set_light(state, a); },
+          [&](const SetCamera& a) {
+            Scene next = state.scene();
+            next.camera = a.camera;
+            detail::commit_if_valid(state, std::move(next), -1, -1, {action.index(), -1}, a.continues);
+          },
+          [&](const SetLimits& a) {
+            Scene next = state.scene();
+            next.limits = a.limits;
+            detail::commit_if_valid(state, std::move(next), -1, -1, {action.index(), -1}, a.continues);
+          },
+          [&](const SetSurroundings& a) {
+            Scene next = state.scene();
+            next.background = a.background;
+            next.ambient = a.ambient;
+            detail::commit_if_valid(state, std::move(next), -1, -1, {action.index(), -1}, a.continues);
+          },
+          [&](const Nudge& a) { detail::nudge(state, a); },
+          [&](const Undo&) { detail::undo(state); },
+          [&](const Redo&) { detail::redo(state); },
+          [&](const New&) { detail::ask_or_do(state, Intent::new_scene, {}); },
+          [&](const Open& a) {
+            state.prompt = PathPrompt::none;
+            detail::ask_or_do(state, Intent::open, a.path);
+          },
+          [&](const Save&) { detail::save(state); },
+          [&](const SaveAs& a) { detail::save_as(state, a.path); },
+          [&](const AskOpen&) { ask_path(state, PathPrompt::open); },
+          [&](const AskSaveAs&) { ask_path(state, PathPrompt::save_as); },
+          [&](const CancelPrompt&) {
+            state.prompt = PathPrompt::none;
+            state.after_save.reset();
+          },
+          [&](const AnswerQuestion& a) { detail::answer(state, a.answer); },
+          [&](const Quit&) {
+            state.prompt = PathPrompt::none;
+            detail::ask_or_do(state, Intent::quit, {});
+          },
+          [&](const SetTheme& a) { state.theme = a.theme; },
+          [&](const SetUiScale& a) { state.ui_scale = std::clamp(a.scale, min_ui_scale, max_ui_scale); },
+          [&](const SetTab& a) { state.tab = a.tab; },
+          [&](const DismissNotice&) { state.notice.reset(); },
+      },
+      action);
+}
+
+}  // namespace
+
+void update(State& state, const Action& action) {
+  if (!is_finite(action) || !goes_through(state, action)) return;
+  if (state.drag && !leaves_drag(action)) detail::end_drag(state);
+  apply(state, action);
+}
+
+bool exists(const State& state, const Target& target) {
+  const Scene& scene = state.scene();
+  const auto within = [&](std::size_t size) {
+    return target.index >= 0 && static_cast<std::size_t>(target.index) < size;
+  };
+  const auto shape = [&]<class S>(std::in_place_type_t<S>) -> const S* {
+    return within(scene.objects.size()) ? std::get_if<S>(&scene.objects[static_cast<std::size_t>(target.index)].shape)
+                                        : nullptr;
+  };
+  switch (target.kind) {
+    case TargetKind::nothing:
+    case TargetKind::eye:
+    case TargetKind::view_direction:
+    case TargetKind::screen_distance:
+      return true;
+    case TargetKind::screen_height:
+      return target.part == 0 || target.part == 1;
+    case TargetKind::cell:
+      return target.index >= 0 && target.index < scene.camera.screen.cells;
+    case TargetKind::object:
+      return within(scene.objects.size());
+    case TargetKind::radius:
+      return shape(std::in_place_type<Sphere<double>>) != nullptr;
+    case TargetKind::corner:
+    case TargetKind::edge: {
+      const auto* prism = shape(std::in_place_type<Prism<double>>);
+      return prism != nullptr && target.part >= 0 && target.part < prism->sides();
+    }
+    case TargetKind::rotation:
+      return shape(std::in_place_type<Prism<double>>) != nullptr;
+    case TargetKind::light:
+      return within(scene.lights.size());
+    case TargetKind::ray:
+      return within(state.timeline->rays().size());
+  }
+  return false;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,82 @@
+#pragma once
+// What update() is made of. Included by the files of this folder that implement it, and by nobody else.
+
+#include "view/action.h"
+
+#include <string>
+#include <utility>
+
+namespace raywalk::detail {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+inline void inform(State& state, std::string text) { state.notice = Notice{Notice::Kind::info, std::move(text)}; }
+inline void complain(State& state, std::string text) { state.notice = Notice{Notice::Kind::error, std::move(text)}; }
+
+// record.cpp
+/// Records the strip of the scene, and keeps the place: the same line of the same pixel as far as it still exists.
+void record_again(State& state);
+
+// history.cpp
+/// Puts `next` in place of the scene without an entry of undo; records again, and lets go of what no longer exists.
+void replace_scene(State& state, Scene next);
+/// The same as one entry of undo; none when nothing changed.
+void commit(State& state, Scene next, EditMark mark = {}, bool continues = false);
+/// Adds an entry that leads back to `before`.
+void remember(State& state, Scene before);
+void undo(State& state);
+void redo(State& state);
+/// Why `scene` cannot be saved because of the parts named; empty when it can. -1: that part is not looked at.
+[[nodiscard]] std::string why_refused(const Scene& scene, int object, int light);
+/// Commits `next` unless the part that changed breaks a rule; then says why.
+bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark = {}, bool continues = false);
+
+// playback.cpp
+void walk(State& state, const action::Step& step);
+void go_to(State& state, int position);
+void run_to_line(State& state, Line line);
+void play(State& state, double seconds);
+/// The position that one step of `grain` leads to.
+[[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);
+
+// pointer.cpp
+void pointer_moved(State& state, const action::PointerMoved& moved);
+void pointer_pressed(State& state, const action::PointerPressed& pressed);
+void pointer_released(State& state, const action::PointerReleased& released);
+void end_drag(State& state);
+void cancel_drag(State& state);
+void zoom(State& state, const Vec2d& at, double factor);
+void pan(State& state, const Vec2d& by);
+void nudge(State& state, const action::Nudge& nudge);
+void hover(State& state);
+
+// edit.cpp
+void add_object(State& state, action::ObjectKind kind);
+void remove_selected(State& state);
+void insert_corner(State& state, const action::InsertCorner& insert);
+void remove_corner(State& state, int object, int corner);
+void rename(State& state, const action::Rename& rename);
+
+// files.cpp
+void show_document(State& state, SceneDocument document, std::string path);
+void ask_or_do(State& state, Intent intent, const std::string& path);
+void save(State& state);
+void save_as(State& state, const std::string& path);
+void answer(State& state, action::Answer answer);
+
+// session.cpp
+void autosave(State& state, double seconds);
+void forget_autosave(State& state);
+void recover(State& state, const std::string& original);
+void add_recent(State& state, const std::string& path);
+
+// new_scene.cpp
+[[nodiscard]] Scene new_scene();
+[[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted);
+
+}  // namespace raywalk::detail
