@@ -1,0 +1,197 @@
+#include "trace/optics.h"
+
+#include <map>
+
+#include "shape/numbers.h"
+#include "support/catch.h"
+#include "support/table.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// A unit ray at `angle` (radians from the normal) onto a surface whose normal is +z.
+template <class T = double>
+Refraction<T> at_angle(double angle, double n1, double n2) {
+  const Vec3<T> incident(static_cast<T>(std::sin(angle)), 0, static_cast<T>(-std::cos(angle)));
+  return refraction_at(incident, Vec3<T>(0, 0, 1), static_cast<T>(n1), static_cast<T>(n2));
+}
+
+}  // namespace
+
+TEST_CASE("optics is what the shared table says") {
+  const auto file = conformance_file("optics.tsv");
+  if (!std::filesystem::exists(file)) RAYWALK_SKIP("no " << file);
+  std::map<std::string, int> rows;
+  for (const Row& row : read_table(file)) {
+    const std::string& quantity = row.text("quantity");
+    ++rows[quantity];
+    INFO(row.text("id") << " " << quantity);
+    const double tolerance = row.number("tol");
+    const auto expect = [&](double got) { CHECK(got == Approx(row.number("expected")).margin(tolerance).epsilon(0)); };
+    if (quantity == "reflect_dir") {
+      CHECK(length(reflect(row.vector("incident"), row.vector("normal")) - row.vector("expected")) <= tolerance);
+      continue;
+    }
+    const double n1 = row.number("n1"), n2 = row.number("n2");
+    if (quantity == "refract_dir") {
+      const Vec3d incident = normalize(row.vector("incident")), normal = row.vector("normal");
+      const Refraction<double> at = refraction_at(incident, normal, n1, n2);
+      const auto direction = refract(incident, normal, at);
+      REQUIRE(direction.has_value() == (row.text("expected") != "TIR"));
+      if (direction) CHECK(length(*direction - row.vector("expected")) <= tolerance);
+      continue;
+    }
+    if (quantity == "critical_deg") {
+      const double critical = row.number("expected") * pi / 180;
+      CHECK_FALSE(at_angle(critical - 1e-6, n1, n2).total());
+      CHECK(at_angle(critical + 1e-6, n1, n2).total());
+      continue;
+    }
+    if (quantity == "schlick_F") continue;  // an approximation that we have no use for
+    const Refraction<double> at = at_angle(row.number("angle_deg") * pi / 180, n1, n2);
+    if (quantity == "refract_deg") {
+      REQUIRE(at.total() == (row.text("expected") == "TIR"));
+      if (!at.total()) expect(std::acos(at.cos_out) * 180 / pi);
+    } else if (quantity == "fresnel_F") {
+      expect(at.fresnel);
+    } else {
+      // Amplitudes are not handed out; they are recomputed from the cosines, which checks those.
+      const bool s = quantity == "fresnel_rs";
+      REQUIRE((s || quantity == "fresnel_rp"));
+      const double a = s ? n1 * at.cos_in : n2 * at.cos_in, b = s ? n2 * at.cos_out : n1 * at.cos_out;
+      expect(at.total() ? 1 : std::abs((a - b) / (a + b)));
+    }
+  }
+  CHECK(rows["reflect_dir"] >= 4);
+  CHECK(rows["refract_dir"] >= 6);
+  CHECK(rows["refract_deg"] >= 6);
+  CHECK(rows["fresnel_F"] >= 6);
+  CHECK(rows["critical_deg"] >= 1);
+}
+
+TEMPLATE_TEST_CASE("mirrored directions keep their length and their angle", "", float, double) {
+  using T = TestType;
+  Numbers next(1);
+  const T eps = 8 * std::numeric_limits<T>::epsilon();
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3<T> incident = next.in_box<T>(2), normal = next.unit<T>();
+    const Vec3<T> mirrored = reflect(incident, normal);
+    if (std::abs(length(mirrored) - length(incident)) > eps * 2) FAIL("length at " << i);
+    if (std::abs(dot(mirrored, normal) + dot(incident, normal)) > eps * 2) FAIL("angle at " << i);
+    if (length(reflect(mirrored, normal) - incident) > 2 * eps) FAIL("not back at " << i);
+  }
+  CHECK(reflect(Vec3<T>(1, 2, -3), Vec3<T>(0, 0, 1)) == Vec3<T>(1, 2, 3));
+}
+
+TEMPLATE_TEST_CASE("refraction obeys Snell's law in the plane of incidence", "", float, double) {
+  using T = TestType;
+  Numbers next(2);
+  const T eps = 64 * std::numeric_limits<T>::epsilon();
+  int refracted = 0, total = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3<T> normal = next.unit<T>();
+    Vec3<T> incident = next.unit<T>();
+    if (dot(incident, normal) > 0) incident = -incident;
+    const T n1 = static_cast<T>(next.real(0.5, 3)), n2 = static_cast<T>(next.real(0.5, 3));
+    const Refraction<T> at = refraction_at(incident, normal, n1, n2);
+    const T sin_in = length(cross(incident, normal));
+    const auto out = refract(incident, normal, at);
+    if (at.total()) {
+      ++total;
+      if (out) FAIL("refracted under total internal reflection");
+      if (n1 * sin_in < n2 * (1 - eps)) FAIL("total too early");
+      if (at.fresnel != 1 || at.cos_out != 0) FAIL("not all reflected");
+      continue;
+    }
+    ++refracted;
+    REQUIRE(out);
+    if (std::abs(length(*out) - 1) > eps) FAIL("not a unit at " << i);
+    const T sin_out = length(cross(*out, normal));
+    if (std::abs(n1 * sin_in - n2 * sin_out) > 4 * eps) FAIL("Snell at " << i);
+    if (std::abs(dot(cross(incident, normal), *out)) > eps) FAIL("out of plane at " << i);
+    if (dot(*out, normal) > eps) FAIL("not beyond at " << i);
+    if (!(at.fresnel >= 0 && at.fresnel <= 1)) FAIL("reflectance " << at.fresnel);
+  }
+  CHECK(refracted > 2500);
+  CHECK(total > 500);
+}
+
+TEST_CASE("reflected and transmitted power add up, amplitudes by amplitudes") {
+  // Fresnel's transmission coefficients, computed independently of the reflection coefficients.
+  Numbers next(3);
+  for (int i = 0; i < 2000; ++i) {
+    const double n1 = next.real(0.8, 2.5), n2 = next.real(0.8, 2.5);
+    const Refraction<double> at = at_angle(next.real(0, pi / 2), n1, n2);
+    if (at.total()) continue;
+    const double ts = 2 * n1 * at.cos_in / (n1 * at.cos_in + n2 * at.cos_out);
+    const double tp = 2 * n1 * at.cos_in / (n2 * at.cos_in + n1 * at.cos_out);
+    const double passes = n2 * at.cos_out / (n1 * at.cos_in) * (ts * ts + tp * tp) / 2;
+    CHECK(at.fresnel + passes == Approx(1).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("the way back reflects as much") {
+  Numbers next(4);
+  for (int i = 0; i < 1000; ++i) {
+    const double n1 = next.real(1, 2.5), n2 = next.real(1, 2.5);
+    const Refraction<double> there = at_angle(next.real(0, pi / 2), n1, n2);
+    if (there.total()) continue;
+    const Refraction<double> back = at_angle(std::acos(there.cos_out), n2, n1);
+    CHECK(back.fresnel == Approx(there.fresnel).margin(1e-6));
+  }
+}
+
+TEST_CASE("special angles of glass") {
+  CHECK(at_angle(0, 1, 1.5).fresnel == Approx(0.04));
+  CHECK(at_angle(0, 1.5, 1).fresnel == Approx(0.04));
+  // At Brewster's angle nothing parallel is reflected: half of rs^2 remains.
+  const double brewster = std::atan(1.5);
+  const double rs = (std::cos(brewster) - 1.5 * std::cos(pi / 2 - brewster)) /
+                    (std::cos(brewster) + 1.5 * std::cos(pi / 2 - brewster));
+  CHECK(at_angle(brewster, 1, 1.5).fresnel == Approx(rs * rs / 2));
+  // Grazing: everything is reflected, and nothing is NaN.
+  const Refraction<double> grazing = refraction_at(Vec3d(1, 0, 0), Vec3d(0, 0, 1), 1.0, 1.5);
+  CHECK(grazing.fresnel == 1);
+  CHECK(grazing.cos_in == 0);
+  CHECK(refract(Vec3d(1, 0, 0), Vec3d(0, 0, 1), grazing).has_value());
+}
+
+TEST_CASE("equal indices bend nothing and reflect nothing, grazing or not") {
+  const Vec3d incident = normalize(Vec3d(1, 2, -2));
+  const Refraction<double> at = refraction_at(incident, Vec3d(0, 0, 1), 1.3, 1.3);
+  CHECK(at.fresnel == 0);
+  CHECK(length(*refract(incident, Vec3d(0, 0, 1), at) - incident) < 1e-15);
+  const Refraction<double> along = refraction_at(Vec3d(1, 0, 0), Vec3d(0, 0, 1), 1.3, 1.3);
+  CHECK(std::isfinite(along.fresnel));
+  CHECK(*refract(Vec3d(1, 0, 0), Vec3d(0, 0, 1), along) == Vec3d(1, 0, 0));
+}
+
+TEST_CASE("at exactly the critical angle the ray leaves along the surface") {
+  // n1 / n2 = 5 / 4 and a cosine of 3 / 5: k is exactly 0 by integers, and in double too.
+  const Refraction<double> at = refraction_at(Vec3d(0.8, 0, -0.6), Vec3d(0, 0, 1), 1.25, 1.0);
+  CHECK(at.k == 0);
+  CHECK_FALSE(at.total());
+  CHECK(at.cos_out == 0);
+  CHECK(at.fresnel == 1);
+  const auto out = refract(Vec3d(0.8, 0, -0.6), Vec3d(0, 0, 1), at);
+  REQUIRE(out);
+  CHECK(out->x == 1);
+  CHECK(out->z == 0);
+  // One step of the cosine to either side decides.
+  CHECK(refraction_at(Vec3d(0.8, 0, -std::nextafter(0.6, 0.0)), Vec3d(0, 0, 1), 1.25, 1.0).k <= 0);
+  CHECK_FALSE(refraction_at(Vec3d(0.8, 0, -(0.6 + 1e-15)), Vec3d(0, 0, 1), 1.25, 1.0).total());
+  CHECK(refraction_at(Vec3d(0.8, 0, -(0.6 - 1e-15)), Vec3d(0, 0, 1), 1.25, 1.0).total());
+}
+
+TEST_CASE("near equal indices the cosine keeps its digits") {
+  // 1 - eta^2 (1 - cos^2) would lose half of them.
+  const double n2 = 1 + 0x1p-40, cosine = 0x1p-20;
+  const Refraction<double> at =
+      refraction_at(Vec3d(std::sqrt(1 - cosine * cosine), 0, -cosine), Vec3d(0, 0, 1), 1.0, n2);
+  // k = cos^2 + (1 - eta^2)(1 - cos^2), 1 - eta^2 = 2^-39 to 12 digits.
+  CHECK(at.k == Approx(0x1p-40 + 0x1p-39).epsilon(1e-10));
+}

@@ -1,0 +1,144 @@
+#include "trace/ray_generator.h"
+
+#include <map>
+
+#include "support/catch.h"
+#include "support/table.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+template <class T>
+Vec3<T> direction(const RayGenerator<T>& camera, int column, int row, int sample = 0) {
+  std::uint64_t draws = 0;
+  return camera.primary_ray({column, row, sample}, draws).direction;
+}
+
+// Looks along +x with +z up: right is -y.
+Camera angle_camera(double degrees, FovAxis axis) {
+  Camera camera;
+  camera.screen.width = std::nullopt;
+  camera.fov = FieldOfView{degrees, axis};
+  return camera;
+}
+
+}  // namespace
+
+TEST_CASE("primary rays are what the shared table says") {
+  const auto file = conformance_file("camera.tsv");
+  if (!std::filesystem::exists(file)) RAYWALK_SKIP("no " << file);
+  int rows = 0;
+  for (const Row& row : read_table(file)) {
+    ++rows;
+    INFO(row.text("id") << " " << row.text("quantity"));
+    const ImageSize size{static_cast<int>(row.number("width")), static_cast<int>(row.number("height"))};
+    const FovAxis axis = row.text("fov_axis") == "x" ? FovAxis::x : FovAxis::y;
+    const RayGenerator<double> camera(angle_camera(row.number("fov_deg"), axis), size, size);
+    const double tolerance = row.number("tol");
+    if (row.text("quantity") == "pitch") {
+      const Vec3d a = direction(camera, 3, 5), b = direction(camera, 4, 5), c = direction(camera, 3, 6);
+      CHECK(length(b / b.x - a / a.x) == Approx(row.number("expected")).margin(tolerance).epsilon(0));
+      CHECK(length(c / c.x - a / a.x) == Approx(row.number("expected")).margin(tolerance).epsilon(0));
+      continue;
+    }
+    const Vec3d d = direction(camera, static_cast<int>(row.number("column")), static_cast<int>(row.number("row")));
+    if (row.text("quantity") == "abs_dir") {
+      CHECK(length(Vec3d(std::abs(d.y), std::abs(d.z), std::abs(d.x)) - row.vector("expected")) <= tolerance);
+    } else {
+      REQUIRE(row.text("quantity") == "axis_deg");
+      CHECK(std::acos(d.x) * 180 / pi == Approx(row.number("expected")).margin(1e-6).epsilon(0));
+    }
+  }
+  CHECK(rows >= 5);
+}
+
+TEST_CASE("column 0 is to the left of the view, row 0 at the top") {
+  const RayGenerator<double> camera(angle_camera(90, FovAxis::x), {4, 2}, {4, 2});
+  // At distance 1 the picture is 2 wide, so pixel centres lie at +-0.75 and +-0.25.
+  const Vec3d first = direction(camera, 0, 0), last = direction(camera, 3, 1);
+  CHECK(first.y / first.x == Approx(0.75));
+  CHECK(first.z / first.x == Approx(0.25));
+  CHECK(last.y / last.x == Approx(-0.75));
+  CHECK(last.z / last.x == Approx(-0.25));
+  CHECK(length(first) == Approx(1));
+}
+
+TEST_CASE("a screen of given width spans the picture's width") {
+  Camera camera;
+  camera.eye = {1, 2, 3};
+  camera.look_at = {1, 2, -5};  // down, with y up
+  camera.up = {0, 1, 0};
+  camera.screen = {2, 3.0, 21};
+  const RayGenerator<double> generator(camera, {5, 5}, {5, 5});
+  std::uint64_t draws = 0;
+  const Ray<double> ray = generator.primary_ray({4, 2, 0}, draws);
+  CHECK(ray.origin == camera.eye);
+  // The rightmost centre: 4/5 of half of 3, at distance 2.
+  CHECK(ray.direction.x / -ray.direction.z == Approx(0.8 * 1.5 / 2));
+  CHECK(draws == 0);
+  CHECK(generator.size() == ImageSize{5, 5});
+}
+
+TEMPLATE_TEST_CASE("the strip's rays are the middle row's, bit for bit", "", float, double) {
+  using T = TestType;
+  Camera camera;
+  camera.eye = {-7.3, 0.41, 0};
+  camera.look_at = {1.7, -0.13, 0};
+  camera.screen = {1.3, 0.77, 21};
+  const int cells = GENERATE(1, 2, 21, 40, 401);
+  const int k = GENERATE(1, 3, 5, 21);
+  const int height = GENERATE(1, 3, 331);
+  for (const bool angle_along_y : {false, true}) {
+    if (angle_along_y) camera.screen.width = std::nullopt, camera.fov = FieldOfView{37, FovAxis::y};
+    const ImageSize whole{cells * k, height};
+    const RayGenerator<T> image(camera, whole, whole), strip(camera, {cells, 1}, whole);
+    for (int cell = 0; cell < cells; ++cell) {
+      const Vec3<T> in_strip = direction(strip, cell, 0);
+      const Vec3<T> in_row = direction(image, cell * k + (k - 1) / 2, (height - 1) / 2);
+      if (in_strip != in_row) FAIL("cell " << cell << " of " << cells << ", k = " << k);
+      if (in_strip.z != 0) FAIL("cell " << cell << " leaves the plan");
+    }
+  }
+}
+
+TEST_CASE("samples stay in their pixel, one in each stratum") {
+  // Pixels of width 2/3 at distance 1.
+  const RayGenerator<double> centre(angle_camera(90, FovAxis::x), {3, 3}, {3, 3});
+  const int samples = GENERATE(2, 4, 9, 10, 16);
+  const RayGenerator<double> camera(angle_camera(90, FovAxis::x), {3, 3}, {3, 3}, {samples, 99});
+  int k = 1;
+  while ((k + 1) * (k + 1) <= samples) ++k;
+  for (const auto& [column, row] : {std::pair{0, 0}, {1, 1}, {2, 0}}) {
+    const Vec3d c = direction(centre, column, row);
+    std::vector<int> strata(static_cast<std::size_t>(k * k));
+    for (int sample = 0; sample < samples; ++sample) {
+      const Vec3d d = direction(camera, column, row, sample);
+      // In pixels from the pixel's upper left corner.
+      const double x = (c.y / c.x - d.y / d.x) * 1.5 + 0.5, y = (c.z / c.x - d.z / d.x) * 1.5 + 0.5;
+      CHECK((x > -1e-12 && x < 1 + 1e-12 && y > -1e-12 && y < 1 + 1e-12));
+      if (sample >= k * k) continue;
+      const int cell = static_cast<int>((1 - y) * k) * k + static_cast<int>(x * k);
+      ++strata[static_cast<std::size_t>(cell)];
+    }
+    for (const int count : strata) CHECK(count == 1);
+  }
+}
+
+TEST_CASE("samples depend on the seed and on nothing else, and are counted") {
+  const Camera camera = angle_camera(90, FovAxis::x);
+  const RayGenerator<double> a(camera, {8, 6}, {8, 6}, {4, 1}), same(camera, {8, 6}, {8, 6}, {4, 1}),
+      other(camera, {8, 6}, {8, 6}, {4, 2});
+  std::uint64_t draws = 0;
+  const Ray<double> later = a.primary_ray({5, 2, 3}, draws);
+  const Ray<double> again = same.primary_ray({5, 2, 3}, draws);
+  CHECK(later.direction == again.direction);
+  CHECK(draws == 4);
+  CHECK(other.primary_ray({5, 2, 3}, draws).direction != again.direction);
+  // The same pixel from the centre in a larger picture of the same pitch draws the same numbers: its strip or crop.
+  const RayGenerator<double> strip(camera, {9, 1}, {9, 9}, {4, 1}), row(camera, {9, 9}, {9, 9}, {4, 1});
+  CHECK(strip.primary_ray({3, 0, 2}, draws).direction == row.primary_ray({3, 4, 2}, draws).direction);
+}
