@@ -35,6 +35,7 @@ std::variant<List<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>> build(AcceleratorKi
 template <class T>
 Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind)
     : primitives_(std::move(primitives)), structure_(List<T>(0)) {
+  primitives_.find_equals();
   const Boxes<T> boxes(primitives_);
   kind_ = resolve(kind, boxes.bounded.size());
   structure_ = build(kind_, boxes);

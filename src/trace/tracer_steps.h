@@ -115,7 +115,7 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
   const Primitives<T>& primitives = world_.accelerator.primitives();
   const Surface& surface = world_.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
-  const bool entering = dot(point.normal, ray.ray.direction) < 0;
+  const bool entering = dot(point.normal, ray.ray.direction) <= 0;  // 0: a tangent ray, which touches from outside
   Shading at{{hit.primitive, hit.part},
              point.position,
              entering ? point.normal : -point.normal,
@@ -196,23 +196,30 @@ auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const La
   return passed;
 }
 
-/// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission.
+/// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission. One object
+/// after the other, each by itself: where surfaces of two touch, rounding could else hand the ray to and fro for ever.
 template <class Policy>
 auto Tracer<Policy>::light_passed(const Ray<T>& shadow, T t_max) -> Rgb<T> {
-  const MarkedPrimitives filters{world_.filters_shadows};
-  constexpr int crossings_limit = 1000;  // coincident surfaces could otherwise hand a ray to and fro for ever
   Rgb<T> passed{1};
-  Ray<T> rest = shadow;
-  for (int crossings = 0; crossings < crossings_limit; ++crossings) {
-    const Nearest nearest = world_.accelerator.closest(rest, t_max, statistics_.tests, filters);
-    if (!nearest) return passed;
-    passed *= world_.surface(nearest->primitive).transmission;
-    const Crossing<T> crossing{nearest->t, nearest->part};
-    rest.origin = world_.accelerator.primitives().surface_at(nearest->primitive, rest, crossing).position;
-    rest.departure = {nearest->primitive, nearest->part};
-    t_max -= nearest->t;
+  if (!world_.accelerator.any(shadow, t_max, statistics_.tests, MarkedPrimitives{world_.filters_shadows}))
+    return passed;
+  const Primitives<T>& primitives = world_.accelerator.primitives();
+  for (int id = 0; id < primitives.size(); ++id) {
+    if (!world_.filters_shadows[static_cast<std::size_t>(id)]) continue;
+    Ray<T> rest = shadow;
+    T reach = t_max;
+    constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
+    for (int crossings = 0; crossings < crossings_limit; ++crossings) {
+      ++statistics_.tests.primitives;
+      const auto crossing = primitives.intersect(id, rest, reach);
+      if (!crossing) break;
+      passed *= world_.surface(id).transmission;
+      rest.origin = primitives.surface_at(id, rest, *crossing).position;
+      rest.departure = {id, crossing->part};
+      reach -= crossing->t;
+    }
   }
-  return Rgb<T>(0);
+  return passed;
 }
 
 template <class Policy>

@@ -58,8 +58,11 @@ World<T>::World(const Scene& scene, AcceleratorKind kind)
       effects(effects_of(scene)) {
   for (const Object& object : scene.objects) {
     surfaces.push_back(surface_of<T>(object.material));
-    filters_shadows.push_back(surfaces.back().filters_shadows);
-    stops_shadows.push_back(!surfaces.back().filters_shadows);
+    const bool filters = surfaces.back().filters_shadows;
+    const int id = static_cast<int>(filters_shadows.size()), same = accelerator.primitives().first_equal(id);
+    // Of two that filter in the same place, only the first is there.
+    filters_shadows.push_back(filters && (same == id || !surface(same).filters_shadows));
+    stops_shadows.push_back(!filters);
   }
   const bool all_stop = std::all_of(stops_shadows.begin(), stops_shadows.end(), [](auto stops) { return stops != 0; });
   if (all_stop) filters_shadows.clear(), stops_shadows.clear();
