@@ -1,0 +1,38 @@
+#pragma once
+// Reads the values of options that are more than one number.
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace raywalk {
+
+/// Digits, and nothing else; a number from `low` to `high`.
+[[nodiscard]] std::optional<int> parse_whole(std::string_view text, int low, int high);
+/// Digits, and nothing else; up to 2^64 - 1.
+[[nodiscard]] std::optional<std::uint64_t> parse_seed(std::string_view text);
+/// A finite number that is 0 or more.
+[[nodiscard]] std::optional<double> parse_share(const std::string& text);
+
+/// "640x480": two whole numbers in the range that a scene file may state.
+[[nodiscard]] std::optional<ImageSize> parse_size(const std::string& text);
+
+/// Which pixel to step through: a cell of the strip, or a pixel of the image, all from 0.
+struct Cell {
+  int index;
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+struct ImagePixel {
+  int column, row;
+  friend bool operator==(const ImagePixel&, const ImagePixel&) = default;
+};
+using PixelChoice = std::variant<Cell, ImagePixel>;
+
+/// "7", or "40,12".
+[[nodiscard]] std::optional<PixelChoice> parse_pixel(const std::string& text);
+
+}  // namespace raywalk

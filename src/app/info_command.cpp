@@ -1,0 +1,95 @@
+#include "app/info_command.h"
+
+#include "app/scene_lookup.h"
+#include "scene/effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace raywalk {
+
+namespace {
+
+// One overload a kind: a kind without one does not compile.
+std::string_view kind_of(const Sphere<double>& /*shape*/) { return "sphere"; }
+std::string_view kind_of(const Plane<double>& /*shape*/) { return "plane"; }
+std::string_view kind_of(const Prism<double>& /*shape*/) { return "polygon"; }
+std::string_view kind_of(const PointLight& /*light*/) { return "point light"; }
+std::string_view kind_of(const DirectionalLight& /*light*/) { return "directional light"; }
+
+std::string count_of(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// "2 spheres, 1 plane", in the order in which the kinds first come.
+std::string counts_of(const std::vector<std::string_view>& kinds) {
+  std::string text;
+  std::vector<std::string_view> named;
+  for (const std::string_view kind : kinds) {
+    if (std::find(named.begin(), named.end(), kind) != named.end()) continue;
+    named.push_back(kind);
+    const auto count = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), kind));
+    text += (text.empty() ? "" : ", ") + count_of(count, kind);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string row(std::string_view name, std::string_view value) { return fmt::format("{:<17} {}\n", name, value); }
+
+std::string point(const Vec3d& p) { return fmt::format("({:g}, {:g}, {:g})", p.x, p.y, p.z); }
+
+/// How the cells of the strip lie in the image.
+std::string cells_text(const Scene& scene) {
+  const int cells = scene.camera.screen.cells, width = scene.image.width;
+  const int multiple = width / cells;
+  if (width % cells == 0 && multiple % 2 == 1 && scene.image.height % 2 == 1)
+    return count_of(static_cast<std::size_t>(cells), "cell") +
+           (multiple == 1 ? ", the pixels of the image's middle row"
+                          : fmt::format(", each the middle one of {} pixels in the image's middle row", multiple));
+  return count_of(static_cast<std::size_t>(cells), "cell") +
+         "; they are no pixels of this image (for that its width is an odd multiple of the cells and its height odd)";
+}
+
+}  // namespace
+
+std::string info_text(const Scene& scene, const std::string& path) {
+  std::string text = path + "\n";
+  if (!scene.title.empty()) text += row("title", scene.title);
+  if (!scene.description.empty()) text += row("description", scene.description);
+
+  const std::string slanted = why_not_planar(scene);
+  text += row("planar", slanted.empty() ? "yes: the strip is the middle row of the image" : "no: " + slanted);
+  text += row("eye", point(scene.camera.eye) + ", looking at " + point(scene.camera.look_at));
+  text += row("image", fmt::format("{} x {} pixels", scene.image.width, scene.image.height));
+  text += row("screen", cells_text(scene));
+  text += row("limits", fmt::format("depth {}, threshold {:g}", scene.limits.depth, scene.limits.threshold));
+
+  std::vector<std::string_view> kinds;
+  for (const Object& object : scene.objects)
+    kinds.push_back(std::visit([](const auto& shape) { return kind_of(shape); }, object.shape));
+  text += row("objects", counts_of(kinds));
+  kinds.clear();
+  for (const Light& light : scene.lights)
+    kinds.push_back(std::visit([](const auto& kind) { return kind_of(kind); }, light.kind));
+  text += row("lights", counts_of(kinds));
+
+  text += "\neffects\n";
+  const Effects effects = effects_of(scene);
+  for (int i = 0; i < effect_count; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    const EffectUse& use = effects[effect];
+    text += row("  " + std::string(effect_name(effect)), (use.used ? "used: " : "") + use.why);
+  }
+  return text;
+}
+
+ExitCode info_command(const std::string& scene) {
+  const auto document = load_scene(scene);
+  if (!document) return fail(document.error());
+  if (const auto printed = print(info_text(document->scene, scene_path(scene))); !printed) return fail(printed.error());
+  return ExitCode::done;
+}
+
+}  // namespace raywalk

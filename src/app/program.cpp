@@ -1,0 +1,247 @@
+// The command line: every subcommand and option is declared here and nowhere else.
+#include "app/program.h"
+
+#include "app/arguments.h"
+#include "app/info_command.h"
+#include "app/names.h"
+#include "app/render_command.h"
+#include "app/window_command.h"
+#include "io/image.h"
+#include "io/scene_keys.h"
+#include "io/spelling.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <new>
+#include <sstream>
+
+namespace raywalk {
+
+namespace {
+
+using Run = std::function<ExitCode()>;
+constexpr const char* scene_help = "A scene file, or the name of a scene that comes with Raywalk";
+
+/// An option that takes one of a few words.
+template <class Choice, std::size_t Count, class NameOf>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& target,
+                        const std::array<Choice, Count>& choices, NameOf name_of, const std::string& help) {
+  std::vector<std::string_view> words;
+  std::string type;
+  for (const Choice choice : choices) {
+    words.push_back(name_of(choice));
+    type += (type.empty() ? "" : "|") + std::string(words.back());
+  }
+  const auto check = [words](const std::string& word) {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
+    const std::string meant = nearest_word(word, words);
+    return "\"" + word + "\" is not known (expected " + one_of(words) + ")" +
+           (meant.empty() ? "" : "; did you mean " + meant + "?");
+  };
+  const auto take = [&target, words, choices](const std::string& word) {
+    const auto found = std::find(words.begin(), words.end(), word) - words.begin();
+    target = choices[static_cast<std::size_t>(found)];
+  };
+  return command.add_option_function<std::string>(name, take, help)
+      ->check(CLI::Validator(check, "", name))
+      ->type_name(type);
+}
+
+/// An option whose value a function reads, or refuses with "expected ...".
+template <class Target, class Parse>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
+                        const std::string& type, const std::string& expected, const std::string& help) {
+  const auto check = [parse, expected](const std::string& text) {
+    return parse(text) ? std::string() : "\"" + text + "\" is not understood (expected " + expected + ")";
+  };
+  const auto take = [&target, parse](const std::string& text) { target = *parse(text); };
+  return command.add_option_function<std::string>(name, take, help)
+      ->check(CLI::Validator(check, "", name))
+      ->type_name(type);
+}
+
+CLI::Option* add_whole(CLI::App& command, const std::string& name, auto& target, int low, int high,
+                       const std::string& help) {
+  return add_parsed(
+      command, name, target, [=](const std::string& text) { return parse_whole(text, low, high); }, "N",
+      "a whole number from " + std::to_string(low) + " to " + std::to_string(high), help);
+}
+
+void add_precision(CLI::App& command, Precision& target) {
+  add_choice(command, "--precision", target, std::array{Precision::float_, Precision::double_}, precision_name,
+             "Numbers of 24 or of 53 bits (double when left out)");
+}
+
+void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<double>& threshold) {
+  constexpr auto range = scene_keys::depth_count;
+  add_whole(command, "--depth", depth, range.low, range.high, "The deepest SHADE; the primary ray's is 1");
+  add_parsed(command, "--threshold", threshold, parse_share, "X", "a number that is 0 or more",
+             "A ray that would bring less than this share of its pixel is not formed");
+}
+
+void add_size(CLI::App& command, std::optional<ImageSize>& size) {
+  const std::string most = std::to_string(scene_keys::pixel_count.high);
+  add_parsed(command, "--size", size, parse_size, "WxH", "two whole numbers up to " + most + ", such as 640x480",
+             "Pixels of the image");
+}
+
+void declare_render(CLI::App& program, Run& run) {
+  CLI::App& command = *program.add_subcommand("render", "Render the scene's 3-D image to a file");
+  const auto options = std::make_shared<RenderOptions>();
+  RenderOptions& to = *options;
+  command.add_option("SCENE", to.scene, scene_help)->required()->type_name("");
+  const auto ending = [](const std::string& path) {
+    const auto format = image_format_of(path);
+    return format ? std::string() : format.error().text();
+  };
+  command.add_option("-o,--output", to.image, "The picture: .png (8-bit) or .pfm (linear float)")
+      ->required()
+      ->check(CLI::Validator(ending, "", "ending"))
+      ->type_name("IMAGE");
+  add_size(command, to.size);
+  constexpr int most_samples = 1 << 20, most_threads = 1024;
+  add_whole(command, "--spp", to.sampling.per_pixel, 1, most_samples, "Samples of each pixel (1 when left out)");
+  add_limits(command, to.depth, to.threshold);
+  add_whole(command, "--threads", to.threads, 0, most_threads,
+            "Threads; 0, as when left out: as many as the machine runs at once");
+  add_parsed(command, "--seed", to.sampling.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
+             "Which random numbers are drawn, where any are (0 when left out)");
+  using enum AcceleratorKind;
+  add_choice(command, "--accel", to.accelerator, std::array{automatic, none, bvh, grid, octree, kdtree},
+             accelerator_name, "How the objects that a ray may meet are found; the picture is the same");
+  add_precision(command, to.precision);
+  command.add_option("--stats", to.statistics, "Write what was done and how long it took, as JSON")->type_name("FILE");
+  command.footer(
+      "What is left out is as the scene says. Neither --threads nor --accel changes a bit of the picture.\n"
+      "Ctrl-C writes what is done to NAME.partial.png and leaves an old image whole; twice, it ends at once.\n\n"
+      "Examples:\n"
+      "  raywalk render scenes/classic.toml -o classic.png\n"
+      "  raywalk render classic -o large.png --size 1921x1081 --spp 16\n"
+      "  raywalk render classic -o classic.pfm --precision float --stats classic.json");
+  command.callback([options, &run] { run = [options] { return render_command(*options); }; });
+}
+
+void declare_info(CLI::App& program, Run& run) {
+  CLI::App& command = *program.add_subcommand("info", "Say what a scene holds, the effects it calls for, and why");
+  const auto scene = std::make_shared<std::string>();
+  command.add_option("SCENE", *scene, scene_help)->required()->type_name("");
+  command.footer(
+      "Examples:\n"
+      "  raywalk info classic\n"
+      "  raywalk info my/scene.toml");
+  command.callback([scene, &run] { run = [scene] { return info_command(*scene); }; });
+}
+
+/// What pictures and tests need of the window; people find it in the window itself.
+void declare_window(CLI::App& program, Run& run) {
+  const auto options = std::make_shared<GuiOptions>();
+  GuiOptions& to = *options;
+  program.add_option("SCENE", to.scene_path, std::string(scene_help) + "; left out: the classic scene")->type_name("");
+  program.add_option("--demo", to.demo_path, "Replay the actions in a file, one a line")->type_name("FILE");
+  const auto hide = [](CLI::Option* option) { option->group(""); };
+  hide(program.add_option("--state-dir", to.state_dir));
+  hide(program.add_option("--screenshot", to.screenshot_path));
+  hide(program.add_option("--start-mode", to.start_mode));
+  hide(program.add_option("--start-tab", to.start_tab));
+  hide(program.add_option("--start-position", to.start_position));
+  hide(program.add_option("--theme", to.theme));
+  hide(program.add_option("--ui-scale", to.ui_scale));
+  hide(program.add_option("--report", to.report_path));
+  const auto take_size = [&to](const std::string& text) {
+    if (const auto size = parse_size(text)) to.width = size->width, to.height = size->height;
+  };
+  const auto check = [](const std::string& text) {
+    return parse_size(text) ? std::string() : "\"" + text + "\" is not understood (expected such as 1280x720)";
+  };
+  hide(program.add_option_function<std::string>("--window", take_size)->check(CLI::Validator(check, "")));
+  program.callback([options, &program, &run] {
+    if (program.get_subcommands().empty()) {
+      run = [options] { return window_command(*options); };
+      return;
+    }
+    for (const CLI::Option* option : program.get_options())
+      if (option->count() > 0)
+        throw CLI::ExcludesError(option->get_name() + " belongs to the window and does not go with a command",
+                                 CLI::ExitCodes::ExcludesError);
+  });
+}
+
+/// "raywalk render" while that is parsed.
+std::string command_name(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? "raywalk" : "raywalk " + chosen.back()->get_name();
+}
+
+/// A word of the command line that nobody expected is most likely misspelt.
+std::string hint_for(const CLI::App& program, const CLI::ParseError& error, int argc, const char* const* argv) {
+  const auto chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.back();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    if (chosen.empty())
+      for (const CLI::App* sub : program.get_subcommands({})) known.push_back(sub->get_name());
+    for (int i = 1; i < argc; ++i) {
+      const std::string_view argument = argv[i];
+      const std::string word(argument.substr(0, argument.find('=')));
+      if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+      const std::string meant = nearest_word(word, {known.begin(), known.end()});
+      if (!meant.empty()) return "did you mean " + meant + " for " + word + "?";
+    }
+  }
+  return command_name(program) + " --help says what there is";
+}
+
+ExitCode printed(const std::string& text) {
+  const auto result = print(text);
+  return result ? ExitCode::done : fail(result.error());
+}
+
+ExitCode parse_and_run(int argc, const char* const* argv) {
+  CLI::App program("Walk a ray tracer one line of pseudocode at a time: without a command, opens the visualiser.",
+                   "raywalk");
+  program.set_version_flag("--version", "raywalk " RAYWALK_VERSION);
+  program.require_subcommand(0, 1);
+  program.footer(
+      "Examples:\n"
+      "  raywalk                                  opens the visualiser on the classic scene\n"
+      "  raywalk my/scene.toml                    opens it on a scene of yours\n"
+      "  raywalk render classic -o classic.png    renders the scene's 3-D image\n"
+      "  raywalk COMMAND --help                   says all about a command\n\n"
+      "Exit codes: 0 done, 1 the input or the machine failed, 2 wrong use.");
+  Run run;
+  declare_window(program, run);
+  declare_render(program, run);
+  declare_info(program, run);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return printed(program.help());
+  } catch (const CLI::CallForVersion& version) {
+    return printed(version.what() + std::string("\n"));
+  } catch (const CLI::ParseError& error) {
+    return refuse({"", 0, 0, command_name(program) + ": " + error.what(), hint_for(program, error, argc, argv)});
+  }
+  return run();
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  ExitCode code = ExitCode::failed;
+  try {
+    code = parse_and_run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    code = fail({"", 0, 0, "there is not enough memory", "close other programs, or use a smaller scene or image"});
+  } catch (const std::exception& error) {
+    code =
+        fail({"", 0, 0, std::string("unexpected: ") + error.what(), "this is a defect of Raywalk; please report it"});
+  }
+  return static_cast<int>(code);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/console.h"
+#include "render/render.h"
+
+#include <optional>
+#include <string>
+
+namespace raywalk {
+
+/// What `raywalk render` was asked for; what is absent is the scene's own.
+struct RenderOptions {
+  std::string scene, image, statistics;  ///< paths; no statistics: empty
+  std::optional<ImageSize> size{};
+  std::optional<int> depth{};
+  std::optional<double> threshold{};
+  Sampling sampling{};
+  int threads = 0;
+  AcceleratorKind accelerator = AcceleratorKind::automatic;
+  Precision precision = Precision::double_;
+};
+
+[[nodiscard]] ExitCode render_command(const RenderOptions& options);
+
+/// NAME.partial.EXT, where an interrupted render leaves what is done of NAME.EXT. `image` has an ending.
+[[nodiscard]] std::string partial_path(const std::string& image);
+
+/// Why a file at `path` could not be written, found out before hours of work and without touching it. What only shows
+/// when writing, such as a full disk, is not found out.
+[[nodiscard]] std::optional<Error> why_not_writable(const std::string& path);
+
+}  // namespace raywalk

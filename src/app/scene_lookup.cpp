@@ -1,0 +1,61 @@
+#include "app/scene_lookup.h"
+
+#include "app/console.h"
+#include "io/spelling.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace raywalk {
+
+namespace fs = std::filesystem;
+
+std::string data_dir() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path() / RAYWALK_INSTALL_DATA_DIR;
+  if (!program.empty() && fs::is_directory(installed / "scenes", ignored)) return installed.lexically_normal().string();
+  return RAYWALK_DATA_DIR;
+}
+
+std::vector<std::string> shipped_scenes() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(fs::path(data_dir()) / "scenes", error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".toml") names.push_back(entry->path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string scene_path(const std::string& scene) {
+  std::error_code ignored;
+  if (fs::exists(scene, ignored) || fs::path(scene).has_parent_path()) return scene;
+  const fs::path file = fs::path(scene).extension() == ".toml" ? scene : scene + ".toml";
+  const fs::path shipped = fs::path(data_dir()) / "scenes" / file;
+  return fs::exists(shipped, ignored) ? shipped.string() : scene;
+}
+
+Result<SceneDocument> load_scene(const std::string& scene) {
+  const std::string path = scene_path(scene);
+  auto document = read_scene(path);
+  if (document) {
+    warn(document->warnings);
+    return document;
+  }
+  Error error = document.error();
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(path, ignored))) {
+    const std::vector<std::string> names = shipped_scenes();
+    const std::string meant = nearest_word(fs::path(scene).stem().string(), {names.begin(), names.end()});
+    if (!meant.empty()) {
+      error.hint = "did you mean \"" + meant + "\", which comes with Raywalk?";
+    } else if (!names.empty()) {
+      error.hint = "give the path of a scene file, or the name of a scene that comes with Raywalk: " +
+                   one_of({names.begin(), names.end()});
+    }
+  }
+  return tl::unexpected(error);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "io/scene_file.h"
+
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// The folder that holds `scenes` and `lessons`: beside an installed program, else in the source tree.
+[[nodiscard]] std::string data_dir();
+
+/// The names of the scenes in data_dir()/scenes, sorted: "classic".
+[[nodiscard]] std::vector<std::string> shipped_scenes();
+
+/// The file that a SCENE of the command line means: a path, or else the name of a shipped scene.
+[[nodiscard]] std::string scene_path(const std::string& scene);
+
+/// Reads the scene, and says its warnings on standard error. Where there is no such file the hint names what there is.
+[[nodiscard]] Result<SceneDocument> load_scene(const std::string& scene);
+
+}  // namespace raywalk

@@ -1,0 +1,53 @@
+#include "app/statistics_json.h"
+
+#include "app/names.h"
+
+#include <nlohmann/json.hpp>
+
+namespace raywalk {
+
+std::string statistics_json(const Rendering& rendering, const RenderReport& report) {
+  using Json = nlohmann::ordered_json;
+  const Statistics& statistics = rendering.statistics;
+  Json json;
+  json["version"] = RAYWALK_VERSION;
+  json["scene"] = report.scene;
+  json["image"] = {{"path", report.image},
+                   {"width", report.size.width},
+                   {"height", report.size.height},
+                   {"samples", report.sampling.per_pixel},
+                   {"seed", report.sampling.seed},
+                   {"depth", report.limits.depth},
+                   {"threshold", report.limits.threshold},
+                   {"precision", precision_name(report.precision)}};
+  for (int i = 0; i < ray_kind_count; ++i) {
+    const auto kind = static_cast<RayKind>(i);
+    json["rays"][std::string(ray_kind_name(kind))] = statistics.formed(kind);
+  }
+  for (int i = 0; i < ending_count; ++i) {
+    const auto ending = static_cast<Ending>(i);
+    json["ended"][std::string(ending_name(ending))] = statistics.ends(ending);
+  }
+  json["tests"] = {{"nodes", statistics.tests.nodes}, {"primitives", statistics.tests.primitives}};
+  json["random_draws"] = statistics.random_draws;
+  json["not_finite"] = statistics.not_finite;
+  json["accelerator"] = {{"name", accelerator_name(rendering.accelerator)},
+                         {"nodes", rendering.structure.nodes},
+                         {"references", rendering.structure.references},
+                         {"depth", rendering.structure.depth},
+                         {"bytes", rendering.structure.bytes}};
+  json["seconds"] = {{"load", report.load_seconds},
+                     {"build", rendering.build_seconds},
+                     {"trace", rendering.trace_seconds},
+                     {"write", report.write_seconds}};
+  json["threads"] = rendering.threads;
+  for (int i = 0; i < effect_count; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    const EffectUse& use = rendering.effects[effect];
+    json["effects"][std::string(effect_name(effect))] = {{"used", use.used}, {"why", use.why}};
+  }
+  // A path need not be UTF-8; what is not becomes the replacement character.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace raywalk

@@ -1,0 +1,15 @@
+#include "app/window_command.h"
+
+#include "app/scene_lookup.h"
+
+namespace raywalk {
+
+ExitCode window_command(GuiOptions options) {
+  options.data_dir = data_dir();
+  if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);
+  const std::string scene = options.scene_path.empty() ? "classic" : options.scene_path;
+  return fail({"", 0, 0, "this raywalk was built without the window",
+               "render the scene instead: raywalk render " + scene + " -o picture.png"});
+}
+
+}  // namespace raywalk

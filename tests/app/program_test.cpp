@@ -1,0 +1,171 @@
+// The command line as a person meets it: help, mistakes, and scenes that are not there.
+#include "app/process.h"
+
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk::test;
+
+namespace {
+
+const std::string classic = std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml";
+
+}  // namespace
+
+TEST_CASE("there is help at every level, with examples") {
+  const Folder folder;
+  const Outcome top = folder.run({"--help"});
+  CHECK(top.exit_code == 0);
+  CHECK(top.err == "");
+  for (const std::string command : {"render", "info"}) {
+    INFO(command);
+    CHECK_THAT(top.out, contains("\n  " + command + " "));
+    const Outcome help = folder.run({command, "--help"});
+    CHECK(help.exit_code == 0);
+    CHECK(help.err == "");
+    CHECK_THAT(help.out, contains("Usage: raywalk " + command) && contains("Examples:\n  raywalk " + command));
+    CHECK(folder.run({command, "-h"}).out == help.out);
+  }
+  CHECK_THAT(top.out, contains("Examples:\n  raywalk ") && contains("Exit codes"));
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("--version says the version") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"--version"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out == "raywalk " RAYWALK_VERSION "\n");
+}
+
+TEST_CASE("wrong use exits with 2 and says what was expected") {
+  struct Mistake {
+    std::vector<std::string> arguments;
+    std::string said;
+  };
+  const std::vector<Mistake> mistakes{
+      {{"render"}, "required"},
+      {{"render", classic}, "--output is required"},
+      {{"render", "-o", "x.png"}, "SCENE is required"},
+      {{"render", classic, "-o"}, "--output"},
+      {{"render", classic, "-o", "x.jpg"}, "expected .png or .pfm"},
+      {{"render", classic, "-o", "x"}, "no ending"},
+      {{"render", classic, "-o", "x.png", "--size", "640"}, "such as 640x480"},
+      {{"render", classic, "-o", "x.png", "--size", "0x480"}, "such as 640x480"},
+      {{"render", classic, "-o", "x.png", "--size", "640x-1"}, "such as 640x480"},
+      {{"render", classic, "-o", "x.png", "--size", "99999x99999"}, "up to 32768"},
+      {{"render", classic, "-o", "x.png", "--size", "6x4x3"}, "such as 640x480"},
+      {{"render", classic, "-o", "x.png", "--spp", "0"}, "a whole number from 1"},
+      {{"render", classic, "-o", "x.png", "--spp", "-4"}, "a whole number from 1"},
+      {{"render", classic, "-o", "x.png", "--spp", "many"}, "a whole number from 1"},
+      {{"render", classic, "-o", "x.png", "--spp", "99999999999999999999"}, "a whole number from 1"},
+      {{"render", classic, "-o", "x.png", "--depth", "0"}, "a whole number from 1 to 1000"},
+      {{"render", classic, "-o", "x.png", "--depth", "1.5"}, "a whole number from 1 to 1000"},
+      {{"render", classic, "-o", "x.png", "--threshold", "-0.1"}, "0 or more"},
+      {{"render", classic, "-o", "x.png", "--threshold", "nan"}, "0 or more"},
+      {{"render", classic, "-o", "x.png", "--threshold", "inf"}, "0 or more"},
+      {{"render", classic, "-o", "x.png", "--threads", "-1"}, "a whole number from 0"},
+      {{"render", classic, "-o", "x.png", "--seed", "-3"}, "2^64 - 1"},
+      {{"render", classic, "-o", "x.png", "--seed", "18446744073709551616"}, "2^64 - 1"},
+      {{"render", classic, "-o", "x.png", "--accel", "bhv"}, "did you mean bvh?"},
+      {{"render", classic, "-o", "x.png", "--precision", "half"}, "expected float or double"},
+      {{"render", classic, "-o", "x.png", "--thread", "2"}, "did you mean --threads"},
+      {{"render", classic, "-o", "x.png", "more"}, "more"},
+      {{"render", classic, "-o", "x.png", "-o", "y.png"}, "--output"},
+      {{"info"}, "SCENE is required"},
+      {{"info", classic, "--spp", "3"}, "--spp"},
+      {{"rendr", classic}, "did you mean render"},
+      {{"--no-such-option"}, "--no-such-option"},
+      {{classic, "info", classic}, "does not go with a command"},
+      {{"--theme", "dark", "info", classic}, "does not go with a command"},
+  };
+  const Folder folder;
+  for (const Mistake& mistake : mistakes) {
+    std::string line = "raywalk";
+    for (const std::string& word : mistake.arguments) line += " " + word;
+    INFO(line);
+    const Outcome outcome = folder.run(mistake.arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out == "");
+    CHECK_THAT(outcome.err, contains(mistake.said) && contains("hint: "));
+  }
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("options of features that do not exist yet are not taken silently") {
+  const Folder folder;
+  for (const std::string option : {"--integrator=path", "--numerics=robust", "--sampler=sobol", "--light-grid=3",
+                                   "--tolerance=0.1", "--corner-samples"}) {
+    INFO(option);
+    CHECK(folder.run({"render", classic, "-o", "x.png", option}).exit_code == 2);
+  }
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("bad scenes exit with 1 and name file and line") {
+  const Folder folder;
+  folder.write("bad.toml", "title = \"x\"\nbackgruond = 1\n[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n");
+  folder.write("empty.toml", "");
+  folder.write("binary.toml", std::string("\x7f"
+                                          "ELF\0\1\2",
+                                          7));
+  const auto fails_everywhere = [&](const std::string& scene, const std::string& said) {
+    INFO(scene);
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"info", scene}, {"render", scene, "-o", "x.png"}}) {
+      const Outcome outcome = folder.run(words);
+      CHECK(outcome.exit_code == 1);
+      CHECK(outcome.out == "");
+      CHECK_THAT(outcome.err, contains(said) && contains("hint: "));
+    }
+  };
+  fails_everywhere("bad.toml", "bad.toml:2:1: ");
+  fails_everywhere("bad.toml", "background");
+  fails_everywhere("empty.toml", "empty.toml");
+  fails_everywhere("binary.toml", "binary.toml");
+  fails_everywhere(".", ".: ");
+  fails_everywhere("nowhere.toml", "nowhere.toml: cannot read");
+  fails_everywhere("clasic", "did you mean \"classic\"");
+  fails_everywhere("folder/clasic.toml", "folder/clasic.toml: cannot read");
+  CHECK_FALSE(folder.holds("x.png"));
+}
+
+TEST_CASE("scenes that come along are found by name, files of that name come first") {
+  const Folder folder;
+  const Outcome shipped = folder.run({"info", "classic"});
+  CHECK(shipped.exit_code == 0);
+  CHECK_THAT(shipped.out, contains("/scenes/classic.toml\n"));
+  CHECK(folder.run({"info", "classic.toml"}).out == shipped.out);
+  folder.write("classic", "background = 0.25\n[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n");
+  const Outcome own = folder.run({"info", "classic"});
+  CHECK(own.exit_code == 0);
+  CHECK(own.out.starts_with("classic\n"));
+}
+
+TEST_CASE("a warning of the scene is shown and does not stop the command") {
+  const Folder folder;
+  folder.write("warm.toml",
+               "[camera]\neye = [-5, 0]\nlook_at = [0, 0]\nfov = 45\n[[object]]\nname = \"Ball\"\ntype = \"sphere\"\n"
+               "centre = [0, 0]\nradius = 1\n[object.material]\ndiffuse = 0.8\nreflection = 0.9\n");
+  const Outcome outcome = folder.run({"info", "warm.toml"});
+  CHECK(outcome.exit_code == 0);
+  CHECK_THAT(outcome.err, contains("warm.toml:") && contains("Ball"));
+}
+
+TEST_CASE("standard output that takes nothing is a failure") {
+  const Folder folder;
+  const Outcome outcome = [&] {
+    Process process("/bin/sh", {"-c", "\"$0\" info classic > /dev/full", raywalk_program()}, folder.path());
+    return process.wait();
+  }();
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("cannot write to standard output: No space left on device"));
+}
+
+TEST_CASE("without a display the window says what to do instead") {
+  const Folder folder;
+  const Outcome outcome = folder.run({});
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("hint: ") && contains("raywalk render"));
+  CHECK(folder.names().empty());
+}

@@ -1,0 +1,204 @@
+#include "app/render_command.h"
+
+#include "app/process.h"
+#include "io/image.h"
+#include "io/scene_file.h"
+
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+const std::string classic = std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml";
+
+Scene classic_scene() { return read_scene(classic).value().scene; }
+
+}  // namespace
+
+TEST_CASE("render writes the picture that the renderer makes") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"render", classic, "-o", "out.pfm", "--size", "63x41"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out == "");
+  CHECK(outcome.err == "");
+  const auto image = read_pfm(folder / "out.pfm");
+  REQUIRE(image.has_value());
+  RenderSettings settings{ImageSize{63, 41}};
+  CHECK(*image == render(classic_scene(), settings).value().image());
+
+  // Every option that may change the picture does.
+  const std::vector<std::pair<std::vector<std::string>, std::string>> options{{{"--spp", "3"}, "spp"},
+                                                                              {{"--depth", "1"}, "depth"},
+                                                                              {{"--threshold", "0.3"}, "thr"},
+                                                                              {{"--precision", "float"}, "float"},
+                                                                              {{"--spp", "3", "--seed", "5"}, "seed"}};
+  std::vector<std::string> pictures{folder.read("out.pfm")};
+  for (const auto& [words, name] : options) {
+    std::vector<std::string> arguments{"render", classic, "-o", name + ".pfm", "--size", "63x41"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    INFO(name);
+    REQUIRE(folder.run(arguments).exit_code == 0);
+    const std::string picture = folder.read(name + ".pfm");
+    REQUIRE_FALSE(picture.empty());
+    CHECK(std::count(pictures.begin(), pictures.end(), picture) == 0);
+    pictures.push_back(picture);
+  }
+
+  settings.sampling = {3, 5};
+  settings.precision = Precision::float_;
+  REQUIRE(folder.run({"render", classic, "-o", "all.pfm", "--size=63x41", "--spp=3", "--seed=5", "--precision=float"})
+              .exit_code == 0);
+  CHECK(read_pfm(folder / "all.pfm").value() == render(classic_scene(), settings).value().image());
+}
+
+TEST_CASE("neither threads nor the accelerator change a byte of the picture") {
+  const Folder folder;
+  REQUIRE(folder.run({"render", classic, "-o", "one.pfm", "--threads", "1", "--spp", "2"}).exit_code == 0);
+  const std::string expected = folder.read("one.pfm");
+  REQUIRE(expected.size() > 441 * 331 * 12);
+  for (const std::string threads : {"0", "2", "3"}) {
+    REQUIRE(folder.run({"render", classic, "-o", "other.pfm", "--threads", threads, "--spp", "2"}).exit_code == 0);
+    CHECK(folder.read("other.pfm") == expected);
+  }
+  for (const std::string name : {"none", "bvh", "grid", "octree", "kdtree", "auto"}) {
+    REQUIRE(folder.run({"render", classic, "-o", "other.pfm", "--accel", name, "--spp", "2"}).exit_code == 0);
+    CHECK(folder.read("other.pfm") == expected);
+  }
+}
+
+TEST_CASE("a PNG has the size of the scene, and replaces the old one") {
+  const Folder folder;
+  folder.write("out.png", "old");
+  REQUIRE(folder.run({"render", "classic", "-o", "out.png"}).exit_code == 0);
+  const std::string png = folder.read("out.png");
+  REQUIRE(png.size() > 24);
+  CHECK(png.substr(1, 3) == "PNG");
+  CHECK(static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]) == 441);
+  CHECK(static_cast<unsigned char>(png[22]) * 256 + static_cast<unsigned char>(png[23]) == 331);
+  CHECK(folder.names() == std::vector<std::string>{"out.png"});
+}
+
+TEST_CASE("the statistics hold what is promised, and add up") {
+  const Folder folder;
+  REQUIRE(
+      folder.run({"render", "classic", "-o", "a.png", "--stats", "a.json", "--threads", "2", "--spp", "4"}).exit_code ==
+      0);
+  const auto json = nlohmann::json::parse(folder.read("a.json"));
+  const auto& rays = json.at("rays");
+  const auto& ended = json.at("ended");
+  std::uint64_t formed = 0;
+  for (const std::string kind : {"primary", "shadow", "reflect", "refract"}) {
+    CHECK(rays.at(kind).get<std::uint64_t>() > 0);
+    formed += rays.at(kind).get<std::uint64_t>();
+  }
+  CHECK(rays.size() == 4);
+  CHECK(rays.at("primary") == 441 * 331 * 4);
+  std::uint64_t endings = 0;
+  for (const std::string ending : {"hit", "missed", "blocked", "reached_light"})
+    endings += ended.at(ending).get<std::uint64_t>();
+  CHECK(formed == endings);
+  for (const std::string ending : {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away"})
+    CHECK(ended.at(ending).is_number_unsigned());
+  CHECK(ended.size() == 9);
+  CHECK(json.at("tests").at("primitives").get<std::uint64_t>() > 0);
+  CHECK(json.at("tests").at("nodes").is_number_unsigned());
+  CHECK(json.at("random_draws") == 2 * 441 * 331 * 4);
+  for (const std::string phase : {"load", "build", "trace", "write"})
+    CHECK(json.at("seconds").at(phase).get<double>() >= 0);
+  CHECK(json.at("seconds").at("trace").get<double>() > 0);
+  CHECK(json.at("threads") == 2);
+  CHECK(json.at("effects").size() == effect_count);
+  for (const auto& [name, effect] : json.at("effects").items()) {
+    INFO(name);
+    CHECK(effect.at("used").is_boolean());
+    CHECK_FALSE(effect.at("why").get<std::string>().empty());
+  }
+  CHECK(json.at("effects").at("antialiasing").at("used") == true);
+  CHECK(json.at("effects").at("motion_blur").at("used") == false);
+}
+
+TEST_CASE("Ctrl-C leaves what is done in a file of its own and the old picture whole") {
+  const int signal = GENERATE(SIGINT, SIGTERM);
+  const Folder folder;
+  folder.write("long.pfm", "an old picture");
+  Process process(raywalk_program(),
+                  {"render", classic, "-o", "long.pfm", "--spp", "1000000", "--threads", "2", "--stats", "long.json"},
+                  folder.path());
+  process.wait_until_busy_and_catching(signal);
+  process.send(signal);
+  const Outcome outcome = process.wait();
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("interrupted with ") && contains("% done") && contains("long.partial.pfm"));
+  CHECK(folder.read("long.pfm") == "an old picture");
+  CHECK(folder.names() == std::vector<std::string>{"long.partial.pfm", "long.pfm"});
+  const auto partial = read_pfm(folder / "long.partial.pfm");
+  REQUIRE(partial.has_value());
+  CHECK(partial->width == 441);
+  CHECK(partial->at(0, 0) != Rgb<float>(0));
+  CHECK(partial->at(440, 330) == Rgb<float>(0));
+}
+
+TEST_CASE("a picture that cannot be written is refused before the render") {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "folder.png");
+  // The render itself would take hours.
+  const auto refused = [&](const std::string& image) {
+    const Outcome outcome = folder.run({"render", classic, "-o", image, "--spp", "1000000"});
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.err, contains(image + ": cannot write") && contains("hint: "));
+  };
+  refused("folder.png");
+  refused("nowhere/out.png");
+  refused("/proc/out.png");
+  const Outcome statistics =
+      folder.run({"render", classic, "-o", "out.png", "--spp", "1000000", "--stats", "nowhere/a.json"});
+  CHECK(statistics.exit_code == 1);
+  CHECK_THAT(statistics.err, contains("nowhere/a.json: cannot write"));
+  CHECK(folder.names() == std::vector<std::string>{"folder.png"});
+}
+
+TEST_CASE("a full disk is said") {
+  const Folder folder;
+  std::filesystem::create_symlink("/dev/full", folder / "full.png");
+  const Outcome outcome = folder.run({"render", classic, "-o", "full.png", "--size", "8x8"});
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("full.png: cannot write: No space left on device") && contains("hint: "));
+}
+
+TEST_CASE("a picture of more pixels than a file takes is refused before the render") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"render", classic, "-o", "out.png", "--size", "32768x32768"});
+  CHECK(outcome.exit_code == 2);
+  CHECK_THAT(outcome.err, contains("32768 x 32768") && contains("too large") && contains("--size"));
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("samples that are no finite number are reported") {
+  const Folder folder;
+  // Bright beyond what a float can hold, though each number of the file is allowed.
+  folder.write("bright.toml",
+               "background = 1e15\n[camera]\neye = [-5, 0]\nlook_at = [0, 0]\nfov = 45\n"
+               "[[object]]\nname = \"Ball\"\ntype = \"sphere\"\ncentre = [0, 0]\nradius = 1\n"
+               "[object.material]\nreflection = 1e15\nambient = 1e15\ndiffuse = 1e15\n"
+               "[[light]]\nname = \"Lamp\"\ntype = \"point\"\nposition = [-5, 1]\nstrength = 1e15\n"
+               "attenuation = [1e-15, 0, 0]\n");
+  const Outcome outcome =
+      folder.run({"render", "bright.toml", "-o", "bright.png", "--size", "9x9", "--precision", "float"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("samples are no finite number") && contains("bright.png"));
+  CHECK(folder.holds("bright.png"));
+}
+
+TEST_CASE("the partial file's name keeps the folder and the ending") {
+  CHECK(partial_path("out.png") == "out.partial.png");
+  CHECK(partial_path("a.b/c.d.PFM") == "a.b/c.d.partial.PFM");
+  CHECK(partial_path("./.png") == "./.partial.png");
+}
