@@ -1,6 +1,6 @@
 #pragma once
 // Actions as lines of text, for demo files: a word and its arguments, such as `step forward line`,
-// `press 120 80 left`, `set-speed 8`. Empty lines and what follows a # are ignored.
+// `press 120 80 left`, `speed 8`. Empty lines and those that begin with # are ignored.
 
 #include "io/error.h"
 #include "view/action.h"

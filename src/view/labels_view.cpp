@@ -69,8 +69,8 @@ std::vector<Labelled> labelled_things(const Painter& painter) {
   const ScreenPlace screen = screen_place(camera);
   const Vec2d first = painter.pixels(screen.first), last = painter.pixels(screen.last);
   std::vector<Labelled> things;
-  things.push_back({std::string(text(TextId::eye)), painter.pixels(plan(camera.eye)) - Vec2d(8 * unit, 0),
-                    Vec2d(16 * unit), false, painter.colours.text});
+  things.push_back({std::string(text(TextId::eye)), painter.pixels(plan(camera.eye)) - Vec2d(12 * unit, 0),
+                    Vec2d(17 * unit), false, painter.colours.text});
   things.push_back({std::string(text(TextId::screen)),
                     (first + last) / 2.0,
                     {std::abs(first.x - last.x) / 2 + 8 * unit, std::abs(first.y - last.y) / 2 + 8 * unit},
@@ -85,7 +85,7 @@ std::vector<Labelled> labelled_things(const Painter& painter) {
 
 /// Middles that a label of this half size can have, the best first.
 std::vector<Vec2d> candidates(const Labelled& thing, const Vec2d& half, double gap) {
-  const double dx = thing.half.x + half.x + gap, dy = thing.half.y + half.y + gap / 2;
+  const double dx = thing.half.x + half.x + gap, dy = thing.half.y + half.y + gap;
   std::vector<Vec2d> places;
   if (thing.inside) places.push_back(thing.at);
   for (const Vec2d& side : {Vec2d(0, 1), Vec2d(0, -1), Vec2d(1, 0), Vec2d(-1, 0), Vec2d(0.7, 0.8), Vec2d(-0.7, 0.8),

@@ -29,7 +29,7 @@ void draw_screen(Painter& painter) {
   const Vec2d first = painter.pixels(screen.first), last = painter.pixels(screen.last);
   const Vec2d forward = frame_of(screen).forward;
   const double cell = length(last - first) / cells;
-  const Vec2d half = std::clamp(cell, 7 * painter.sizes.unit, 16 * painter.sizes.unit) / 2 * forward;
+  const Vec2d half = std::clamp(cell, 14 * painter.sizes.unit, 22 * painter.sizes.unit) / 2 * forward;
   const auto along = [&](double t) { return first + t * (last - first); };
 
   // The edges of the view, from EYE through the ends of SCREEN.
@@ -47,7 +47,7 @@ void draw_screen(Painter& painter) {
     if (pixel.column >= 0 && pixel.column < cells)
       shades[static_cast<std::size_t>(pixel.column)] = display_colour(pixel.shade);
   }
-  const bool room_for_lines = cell >= 4 * painter.sizes.unit;
+  const bool room_for_lines = cell >= 3 * painter.sizes.unit;
   for (int i = 0; i < cells; ++i) {
     const double t0 = static_cast<double>(i) / cells, t1 = static_cast<double>(i + 1) / cells;
     const std::optional<Colour>& shade = shades[static_cast<std::size_t>(i)];
@@ -81,7 +81,7 @@ void draw_screen(Painter& painter) {
 void draw_eye(Painter& painter) {
   const Frame frame = frame_of(screen_place(painter.scene().camera));
   const Vec2d at = painter.pixels(plan(painter.scene().camera.eye));
-  const double unit = painter.sizes.unit;
+  const double unit = 1.35 * painter.sizes.unit;
   const Target target{TargetKind::eye};
   const auto place = [&](double forward, double left) {
     return at + unit * (forward * frame.forward + left * frame.left);

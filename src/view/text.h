@@ -1,6 +1,6 @@
 #pragma once
-// Everything that a person reads, by id and in one place: text_english.cpp. A further language is one more file with
-// the same exhaustive switches; the compiler then finds what it has not translated.
+// Everything that a person reads, by id and in one place: the files *_english.cpp. A further language is more
+// files with the same exhaustive switches; the compiler then finds what it has not translated.
 
 #include "scene/scene.h"
 #include "timeline/message.h"

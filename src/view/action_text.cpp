@@ -1,0 +1,213 @@
+#include "view/action_text.h"
+
+#include "view/action_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+using namespace action_text;
+
+class Writer {
+ public:
+  explicit Writer(std::string_view word) : line_(word) {}
+  [[nodiscard]] std::string take() { return std::move(line_); }
+
+  template <class Number>
+  void number(const Number& value) {
+    line_ += fmt::format(" {}", value);
+  }
+  template <class Value>
+  void choice(const Value& value, Words<Value> words) {
+    for (const auto& [each, word] : words)
+      if (each == value) rest(std::string(word));
+  }
+  template <class Value>
+  void maybe_choice(const std::optional<Value>& value, Words<Value> words) {
+    if (value) choice(*value, words);
+  }
+  void line(Line value) { number(static_cast<int>(value) + 1); }
+  void maybe_line(const std::optional<Line>& value) { value ? line(*value) : rest("none"); }
+  void flag(bool value, std::string_view word) {
+    if (value) rest(std::string(word));
+  }
+  void rest(const std::string& text) { line_ += " " + text; }
+
+ private:
+  std::string line_;
+};
+
+class Reader {
+ public:
+  /// `text`: what follows the word.
+  explicit Reader(std::string_view text) : text_(text) {}
+
+  /// What was wrong; what is left over is wrong too.
+  [[nodiscard]] std::string error() {
+    if (error_.empty() && !peek().empty()) fail("nothing more");
+    return error_;
+  }
+
+  void number(int& value) {
+    double number = 0;
+    if (!parse(number) || number != std::floor(number) || std::abs(number) > 1e9) return fail("a whole number");
+    value = static_cast<int>(number);
+  }
+  void number(double& value) {
+    if (!parse(value)) fail("a number");
+  }
+  template <class Value>
+  void choice(Value& value, Words<Value> words) {
+    if (try_choice(value, words)) return;
+    std::string expected;
+    for (const auto& [each, word] : words) expected += (expected.empty() ? "" : ", ") + std::string(word);
+    fail("one of " + expected);
+  }
+  template <class Value>
+  void maybe_choice(std::optional<Value>& value, Words<Value> words) {
+    Value found{};
+    if (try_choice(found, words)) value = found;
+  }
+  void line(Line& value) {
+    int row = 0;
+    number(row);
+    if (row < 1 || row > line_count) return fail(fmt::format("a line's number from 1 to {}", line_count));
+    value = static_cast<Line>(row - 1);
+  }
+  void maybe_line(std::optional<Line>& value) {
+    value.reset();
+    if (peek() == "none") return static_cast<void>(next());
+    Line found{};
+    line(found);
+    value = found;
+  }
+  void flag(bool& value, std::string_view word) {
+    value = peek() == word;
+    if (value) static_cast<void>(next());
+  }
+  void rest(std::string& text) {
+    static_cast<void>(peek());
+    text = text_;
+    text_ = {};
+    if (text.empty()) fail("a text");
+  }
+
+ private:
+  static constexpr std::string_view blanks = " \t\r";
+
+  std::string_view peek() {
+    const std::size_t begin = text_.find_first_not_of(blanks);
+    text_ = begin == std::string_view::npos ? std::string_view() : text_.substr(begin);
+    return text_.substr(0, text_.find_first_of(blanks));
+  }
+  std::string_view next() {
+    const std::string_view word = peek();
+    text_ = text_.substr(word.size());
+    return word;
+  }
+  bool parse(double& value) {
+    // Not strtod, whose decimal point depends on the user's locale.
+    std::istringstream in{std::string(peek())};
+    in.imbue(std::locale::classic());
+    if (!(in >> value) || !(in >> std::ws).eof()) return false;
+    static_cast<void>(next());
+    return true;
+  }
+  template <class Value>
+  bool try_choice(Value& value, Words<Value> words) {
+    for (const auto& [each, word] : words)
+      if (peek() == word) {
+        value = each;
+        static_cast<void>(next());
+        return true;
+      }
+    return false;
+  }
+  void fail(const std::string& expected) {
+    if (!error_.empty()) return;
+    const std::string_view found = peek();
+    error_ = (found.empty() ? "the line ends" : "'" + std::string(found) + "' stands") + " where " + expected +
+             " was expected";
+  }
+
+  std::string_view text_;
+  std::string error_;
+};
+
+std::string_view trimmed(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t begin = line.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
+}
+
+tl::unexpected<Error> wrong(std::string message, std::string hint) {
+  return tl::unexpected(Error{{}, 0, 0, std::move(message), std::move(hint)});
+}
+
+template <std::size_t... Is>
+Result<Action> read_as(std::string_view word, std::string_view text, std::index_sequence<Is...>) {
+  std::optional<Action> action;
+  std::string error;
+  const auto attempt = [&]<class A>(A value) {
+    if (word_of<A>.empty() || word != word_of<A>) return false;
+    Reader reader(text);
+    arguments(reader, value);
+    error = reader.error();
+    action = std::move(value);
+    return true;
+  };
+  static_cast<void>((attempt(std::variant_alternative_t<Is, Action>{}) || ...));
+  if (!action) return wrong("'" + std::string(word) + "' is no action", "such as: step forward, press 120 80 left");
+  if (!error.empty()) return wrong(std::string(word) + ": " + error, {});
+  return *action;
+}
+
+}  // namespace
+
+std::string write_action(const Action& action) {
+  return std::visit(
+      []<class A>(A copy) {
+        if (word_of<A>.empty()) return std::string();
+        Writer writer(word_of<A>);
+        arguments(writer, copy);
+        return writer.take();
+      },
+      action);
+}
+
+Result<Action> parse_action(std::string_view line) {
+  const std::string_view whole = trimmed(line);
+  const std::string_view word = whole.substr(0, whole.find_first_of(" \t"));
+  return read_as(word, whole.substr(word.size()), std::make_index_sequence<std::variant_size_v<Action>>());
+}
+
+Result<std::vector<Action>> parse_demo(std::string_view text, const std::string& file_name) {
+  std::vector<Action> actions;
+  int number = 0;
+  while (!text.empty()) {
+    ++number;
+    const std::string_view line = trimmed(text.substr(0, text.find('\n')));
+    text = text.substr(std::min(text.size(), text.find('\n')) + (text.find('\n') == std::string_view::npos ? 0 : 1));
+    if (line.empty() || line.front() == '#') continue;
+    Result<Action> action = parse_action(line);
+    if (!action) {
+      Error error = action.error();
+      error.file = file_name;
+      error.line = number;
+      return tl::unexpected(error);
+    }
+    actions.push_back(std::move(*action));
+  }
+  return actions;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,142 @@
+// The English names of rays and of how they end, and the sentences of the walk.
+
+#include "view/text.h"
+
+namespace raywalk {
+
+std::string_view text(RayKind kind) {
+  switch (kind) {
+    case RayKind::primary:
+      return "primary ray";
+    case RayKind::shadow:
+      return "shadow ray";
+    case RayKind::reflect:
+      return "reflect ray";
+    case RayKind::refract:
+      return "refract ray";
+  }
+  return "";
+}
+
+std::string_view text(Ending ending) {
+  switch (ending) {
+    case Ending::hit:
+      return "hit";
+    case Ending::missed:
+      return "left the scene";
+    case Ending::blocked:
+      return "blocked";
+    case Ending::reached_light:
+      return "reached the light";
+    case Ending::depth:
+      return "not formed: depth limit";
+    case Ending::threshold:
+      return "not formed: share too small";
+    case Ending::total_internal_reflection:
+      return "not formed: total internal reflection";
+    case Ending::path_length:
+      return "not formed: path length";
+    case Ending::facing_away:
+      return "not formed: faces away from the light";
+  }
+  return "";
+}
+
+/// Only letters that every font has.
+std::string_view symbol(Ending ending) {
+  switch (ending) {
+    case Ending::hit:
+      return "o";
+    case Ending::missed:
+      return "~";
+    case Ending::blocked:
+      return "x";
+    case Ending::reached_light:
+      return "*";
+    case Ending::depth:
+      return "D";
+    case Ending::threshold:
+      return "%";
+    case Ending::total_internal_reflection:
+      return "T";
+    case Ending::path_length:
+      return "L";
+    case Ending::facing_away:
+      return "/";
+  }
+  return "";
+}
+
+std::string_view template_of(MessageId id) {
+  switch (id) {
+    case MessageId::start:
+      return "Nothing has run yet.";
+    case MessageId::pixel_begun:
+      return "Pixel {0} of {1} is next.";
+    case MessageId::primary_formed:
+      return "A primary ray leaves EYE through pixel {0} of SCREEN.";
+    case MessageId::found_hit:
+      return "The {0} hits {1} at distance {2}.";
+    case MessageId::left_through_surface:
+      return "Inside {1}, the {0} reaches its surface again after {2}.";
+    case MessageId::found_missed:
+      return "The {0} hits nothing: it leaves the scene.";
+    case MessageId::intersected:
+      return "It hit {0}, so that has to be shaded.";
+    case MessageId::intersected_nothing:
+      return "It hit nothing, so there is nothing to shade: the pixel gets the background.";
+    case MessageId::shade_called:
+      return "SHADE is called with DEPTH {0} for the point of {1} that the {2} hit.";
+    case MessageId::shade_missed:
+      return "The {0} left the scene, so SHADE returns the background {1}.";
+    case MessageId::shadow_formed:
+      return "A shadow ray leaves {0} towards {1}.";
+    case MessageId::shadow_facing_away:
+      return "No shadow ray is formed: here {0} faces away from {1}, which cannot light it.";
+    case MessageId::light_reached:
+      return "The shadow ray reaches {0}: its light arrives.";
+    case MessageId::light_filtered:
+      return "The shadow ray reaches {0} through something transparent: {1} of its light arrives.";
+    case MessageId::light_blocked:
+      return "The shadow ray is blocked by {1}: no light arrives from {0}.";
+    case MessageId::light_blocked_by_itself:
+      return "The shadow ray is blocked by {1} itself: no light arrives from {0}.";
+    case MessageId::reflective:
+      return "{0} reflects with weight {1}, so a reflect ray will be formed.";
+    case MessageId::reflective_totally:
+      return "Total internal reflection: {0} reflects everything here, with weight {1}.";
+    case MessageId::not_reflective:
+      return "{0} does not reflect here: these lines are skipped.";
+    case MessageId::reflect_formed:
+      return "A reflect ray leaves {0}; it can bring at most {1} of the pixel.";
+    case MessageId::reflect_depth:
+      return "No reflect ray is formed: SHADE may not go deeper than DEPTH {0}.";
+    case MessageId::reflect_threshold:
+      return "No reflect ray is formed: it could bring only {0} of the pixel, less than the threshold of {1}.";
+    case MessageId::transparent:
+      return "{0} lets light through with weight {1}, so a refract ray will be formed.";
+    case MessageId::not_transparent:
+      return "{0} lets no light through: these lines are skipped.";
+    case MessageId::totally_reflected:
+      return "No refract ray is formed: total internal reflection lets nothing out of {0} here.";
+    case MessageId::refract_formed_in:
+      return "A refract ray goes into {0}: {1} degrees to the normal become {2}.";
+    case MessageId::refract_formed_out:
+      return "A refract ray comes out of {0}: {1} degrees to the normal become {2}.";
+    case MessageId::refract_depth:
+      return "No refract ray is formed: SHADE may not go deeper than DEPTH {0}.";
+    case MessageId::refract_threshold:
+      return "No refract ray is formed: it could bring only {0} of the pixel, less than the threshold of {1}.";
+    case MessageId::path_length:
+      return "No {0} is formed: the path is as long as it may be.";
+    case MessageId::rtnshade_to_main:
+      return "All parts are added up: SHADE returns {1} for {0} to MAIN ALGORITHM.";
+    case MessageId::rtnshade_to_caller:
+      return "All parts are added up: SHADE returns {1} for {0} to the SHADE of DEPTH {3}, which waited for its {2}.";
+    case MessageId::pixel_put:
+      return "Pixel {0} of SCREEN gets its final shade {1}.";
+  }
+  return "";
+}
+
+}  // namespace raywalk

@@ -1,0 +1,52 @@
+// Scenes and helpers that the tests of `view` share.
+#pragma once
+
+#include "view/action.h"
+#include "view/plan_view.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace raywalk::test {
+
+/// Paths of all scenes that the program ships.
+std::vector<std::string> shipped_scenes();
+SceneDocument read_document(const std::string& path);
+
+/// The classic scene, in a pane of 800 x 600 pixels, in move mode.
+State classic_state();
+/// A scene of every kind of shape and light: a mirror, glass inside which light is totally reflected, a wall, a polygon
+/// with a notch, a point light and a directional one, and a threshold.
+Scene busy_scene();
+State busy_state();
+State state_of(const Scene& scene);
+
+int index_of_object(const Scene& scene, const std::string& name);
+
+Vec2d to_pixels(const State& state, const Vec2d& point);
+/// Where the handle or the middle of a target is, in pixels.
+Vec2d pixels_of(const State& state, const Target& target);
+
+void drag(State& state, const Vec2d& from, const Vec2d& to, action::Modifiers modifiers = {});
+/// Takes hold of a target's handle and moves the pointer by so many pixels.
+void drag_by(State& state, const Target& target, const Vec2d& by, action::Modifiers modifiers = {});
+
+/// What must hold after whatever action: empty when it does, else what does not.
+std::string broken_promise(const State& state);
+
+/// A folder of this process's own, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path() const { return folder_.string(); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace raywalk::test

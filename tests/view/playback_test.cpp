@@ -1,0 +1,212 @@
+#include "fixtures.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+/// Everything that the position decides, as text: two states that look the same at a position are the same here.
+std::string picture_of(const State& state) {
+  std::string picture = sentence(state) + "\n" + status_line(state);
+  for (const CodeBox& box : code_panel(state).boxes)
+    for (const CodeRow& row : box.rows) picture += row.just_run ? "#" : row.next ? ">" : ".";
+  for (const TreeNode& node : tree_panel(state).nodes) picture += node.symbol + node.label + node.share;
+  for (const StackRow& row : stack_panel(state).rows) picture += row.title + row.waiting;
+  for (const DisplayItem& item : plan_view(state))
+    if (const auto* line = std::get_if<LineItem>(&item.shape))
+      picture += number_text(line->from.x) + number_text(line->to.x) + number_text(line->to.y);
+  return picture;
+}
+
+}  // namespace
+
+TEST_CASE("STEP runs one line and BACK takes it back") {
+  State state = classic_state();
+  CHECK(state.position == 0);
+  update(state, action::Step{true, Grain::line});
+  CHECK(state.mode == Mode::trace);
+  CHECK(state.position == 1);
+  update(state, action::Step{true, {}});
+  CHECK(state.position == 2);
+  update(state, action::Step{false, {}});
+  update(state, action::Step{false, {}});
+  CHECK(state.position == 0);
+  update(state, action::Step{false, {}});
+  CHECK(state.position == 0);
+}
+
+TEST_CASE("k steps forward and k back is the identity") {
+  for (const auto& path : shipped_scenes()) {
+    INFO(path);
+    State state = make_state(read_document(path));
+    const int steps = state.timeline->steps();
+    for (const int start : {0, 1, steps / 3, steps / 2}) {
+      update(state, action::Jump{start});
+      const std::string before = picture_of(state);
+      const int k = std::min(57, steps - start);
+      for (int i = 0; i < k; ++i) update(state, action::Step{true, Grain::line});
+      CHECK(state.position == start + k);
+      for (int i = 0; i < k; ++i) update(state, action::Step{false, Grain::line});
+      CHECK(state.position == start);
+      CHECK(picture_of(state) == before);
+    }
+  }
+}
+
+TEST_CASE("the state at a position does not depend on the way there") {
+  State walked = busy_state(), jumped = busy_state();
+  const int steps = walked.timeline->steps();
+  REQUIRE(steps > 100);
+  for (int position = 1; position <= steps; ++position) {
+    update(walked, action::Step{true, Grain::line});
+    if (position % 23 != 0 && position != steps) continue;
+    // From the far end, through the middle, to the place.
+    update(jumped, action::Jump{steps});
+    update(jumped, action::Jump{steps / 2});
+    update(jumped, action::Jump{position});
+    REQUIRE(walked.position == position);
+    CHECK(picture_of(jumped) == picture_of(walked));
+  }
+}
+
+TEST_CASE("jumps are clamped to the timeline") {
+  State state = classic_state();
+  update(state, action::Jump{1 << 30});
+  CHECK(state.position == state.timeline->steps());
+  update(state, action::Jump{-(1 << 30)});
+  CHECK(state.position == 0);
+}
+
+TEST_CASE("each grain reaches the end forward and the start backward") {
+  for (const Grain grain : {Grain::line, Grain::ray, Grain::pixel}) {
+    State state = busy_state();
+    update(state, action::SetGrain{grain});
+    CHECK(state.grain == grain);
+    int forward = 0;
+    for (; state.position < state.timeline->steps() && forward < 100000; ++forward) {
+      const int before = state.position;
+      update(state, action::Step{});
+      REQUIRE(state.position > before);
+    }
+    if (grain == Grain::pixel) CHECK(forward == state.scene().camera.screen.cells);
+    if (grain == Grain::ray) CHECK(forward >= static_cast<int>(state.timeline->rays().size()));
+    for (int i = 0; state.position > 0 && i < 100000; ++i) {
+      const int before = state.position;
+      update(state, action::Step{false, {}});
+      REQUIRE(state.position < before);
+    }
+    CHECK(state.position == 0);
+  }
+}
+
+TEST_CASE("a step of grain pixel ends with the pixel's final shade") {
+  State state = classic_state();
+  for (int cell = 0; cell < state.scene().camera.screen.cells; ++cell) {
+    update(state, action::Step{true, Grain::pixel});
+    CHECK(state.timeline->just_run(state.position)->line == Line::put_final_shade);
+    CHECK(current_cell(state) == cell);
+  }
+}
+
+TEST_CASE("AUTO by ticks equals steps, however the time is cut") {
+  for (const double tick : {0.25, 0.1, 0.013}) {
+    State state = classic_state();
+    update(state, action::SetSpeed{8});
+    update(state, action::PlayPause{});
+    REQUIRE(state.playing);
+    CHECK(state.mode == Mode::trace);
+    const int ticks = static_cast<int>(5 / tick);
+    for (int i = 0; i < ticks; ++i) update(state, action::Tick{tick});
+    // 8 lines a second for 5 seconds; sums of ticks may round one line away.
+    CHECK(state.position >= 39);
+    CHECK(state.position <= 40);
+    State stepped = classic_state();
+    for (int i = 0; i < state.position; ++i) update(stepped, action::Step{true, Grain::line});
+    CHECK(picture_of(stepped) == picture_of(state));
+  }
+}
+
+TEST_CASE("AUTO pauses at once, changes speed while it runs, and stops by itself at the end") {
+  State state = classic_state();
+  update(state, action::SetSpeed{10});
+  update(state, action::PlayPause{});
+  update(state, action::Tick{1});
+  CHECK(state.position == 10);
+  update(state, action::SetSpeed{100});
+  update(state, action::Tick{1});
+  CHECK(state.position == 110);
+  update(state, action::PlayPause{});
+  CHECK_FALSE(state.playing);
+  update(state, action::Tick{1});
+  CHECK(state.position == 110);
+  update(state, action::PlayPause{});
+  for (int i = 0; i < 100 && state.playing; ++i) update(state, action::Tick{1});
+  CHECK(state.position == state.timeline->steps());
+  CHECK_FALSE(state.playing);
+  update(state, action::PlayPause{});
+  CHECK_FALSE(state.playing);
+}
+
+TEST_CASE("AUTO walks in the chosen grain") {
+  State state = classic_state();
+  update(state, action::SetGrain{Grain::pixel});
+  update(state, action::SetSpeed{2});
+  update(state, action::PlayPause{});
+  update(state, action::Tick{1});
+  CHECK(current_cell(state) == 1);
+  CHECK(state.timeline->just_run(state.position)->line == Line::put_final_shade);
+}
+
+TEST_CASE("a step by hand and CLEAR end AUTO") {
+  State state = classic_state();
+  update(state, action::PlayPause{});
+  update(state, action::Step{});
+  CHECK_FALSE(state.playing);
+  update(state, action::PlayPause{});
+  update(state, action::Tick{1});
+  update(state, action::Clear{});
+  CHECK_FALSE(state.playing);
+  CHECK(state.position == 0);
+  CHECK(state.timeline->rays_at(state.position).empty());
+}
+
+TEST_CASE("the speed stays within its bounds") {
+  State state = classic_state();
+  update(state, action::SetSpeed{1e9});
+  CHECK(state.lines_per_second == max_speed);
+  update(state, action::SetSpeed{-1});
+  CHECK(state.lines_per_second == min_speed);
+  update(state, action::SetSpeed{std::nan("")});
+  CHECK(state.lines_per_second == min_speed);
+}
+
+TEST_CASE("going to a ray shows it just formed, going to a cell its first line") {
+  State state = busy_state();
+  for (std::size_t i = 0; i < state.timeline->rays().size(); i += 7) {
+    const int ray = static_cast<int>(i);
+    update(state, action::JumpToRay{ray});
+    CHECK(state.timeline->current_ray(state.position) == ray);
+    CHECK(static_cast<int>(state.timeline->rays_at(state.position).size()) == ray + 1);
+  }
+  update(state, action::JumpToCell{7});
+  CHECK(current_cell(state) == 7);
+  CHECK(state.timeline->just_run(state.position)->line == Line::for_each_pixel);
+  const int before = state.position;
+  update(state, action::JumpToCell{99});
+  update(state, action::JumpToRay{-1});
+  CHECK(state.position == before);
+}
+
+TEST_CASE("running to a line stops each time it has run") {
+  State state = busy_state();
+  int found = 0;
+  while (state.position < state.timeline->steps()) {
+    update(state, action::RunToLine{Line::compute_rtnshade});
+    if (state.timeline->just_run(state.position)->line == Line::compute_rtnshade) ++found;
+  }
+  CHECK(found == static_cast<int>(state.timeline->frames().size()));
+}
