@@ -35,6 +35,15 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   return 0;
 }
 
+/// The character at `at`, such as "U+00E9", for it may be invisible.
+std::string described(std::string_view text, std::size_t at) {
+  const std::size_t length = utf8_length(text, at);
+  const auto lead = static_cast<unsigned>(static_cast<unsigned char>(text[at]));
+  unsigned code = length == 1 ? lead : lead & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) code = code << 6 | (static_cast<unsigned char>(text[at + i]) & 0x3fU);
+  return fmt::format("U+{:04X}", code);
+}
+
 /// Where `at` lies, as people count: lines and characters from 1.
 Error error_at(std::string_view text, std::size_t at, const std::string& file, std::string message, std::string hint) {
   int line = 1, column = 1;
@@ -49,33 +58,36 @@ Error error_at(std::string_view text, std::size_t at, const std::string& file, s
   return {file, line, column, std::move(message), std::move(hint)};
 }
 
-/// The first place where more names are joined by dots than any sensible key has; the text's end when there is none.
-std::size_t too_deep_key(std::string_view text) {
-  constexpr int most_dots = 64;
-  int dots = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    switch (text[i]) {
-      case '"':
-      case '\'':
-        i = after_string(text, i) - 1;
-        break;
-      case '#':
-        i = std::min(text.find('\n', i), text.size()) - 1;
-        break;
-      case '\n':
-      case '=':
-      case ',':
-      case '{':
-        dots = 0;
-        break;
-      case '.':
-        if (++dots > most_dots) return i;
-        break;
-      default:
-        break;
-    }
+/// Calls `visit` with the position of every character outside of strings and comments, until it answers true; that
+/// position, or the text's end.
+template <class Visit>
+std::size_t first_outside(std::string_view text, Visit visit) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"' || text[at] == '\'')
+      at = after_string(text, at) - 1;
+    else if (text[at] == '#')
+      at = std::min(text.find('\n', at), text.size()) - 1;
+    else if (visit(text[at]))
+      return at;
   }
   return text.size();
+}
+
+/// The first place where more names are joined by dots than any sensible key has.
+std::size_t too_deep_key(std::string_view text) {
+  constexpr int most_dots = 64;
+  return first_outside(text, [dots = 0](char c) mutable {
+    if (c == '\n' || c == '=' || c == ',' || c == '{') dots = 0;
+    return c == '.' && ++dots > most_dots;
+  });
+}
+
+/// The first character that TOML allows only in strings and comments. (toml++ 3.3.0 does not take such a one well: its
+/// test for blanks runs into undefined behaviour.)
+std::size_t stray_character(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  const std::size_t skipped = text.substr(0, 3) == byte_order_mark ? 3 : 0;
+  return skipped + first_outside(text.substr(skipped), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
 }
 
 }  // namespace
@@ -128,6 +140,11 @@ Result<void> check(std::string_view text, const std::string& file) {
   if (const std::size_t deep = too_deep_key(text); deep < text.size())
     return refuse(deep, "keys are nested too deeply (expected at most 64 levels)",
                   "no scene needs more than three levels, as in object.material.checker");
+  if (const std::size_t stray = stray_character(text); stray < text.size())
+    return refuse(stray,
+                  fmt::format("the character {} stands outside of quotes (expected plain letters, digits and signs)",
+                              described(text, stray)),
+                  "put quotes around a text; a blank that came with a copied text may be a special one: type it anew");
   return {};
 }
 

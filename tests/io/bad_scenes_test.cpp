@@ -59,8 +59,13 @@ std::vector<BadScene> bad_scenes() {
       {"UTF-16", "\xff\xfe[\0c\0"s, 1, 1, "UTF-16", "encoding"},
       {"another format: NFF", "v\nfrom 2.1 1.3 1.7\n", 1, 0, "not valid TOML", "KEY = VALUE"},
       {"another format: JSON", "{ \"camera\": {} }", 1, 0, "not valid TOML", "KEY = VALUE"},
+      {"letter outside of quotes", camera + "n\xc3\xa9 = 1\n", 5, 2, "U+00E9 stands outside of quotes", "quotes"},
+      {"no-break space", camera + "up =\xc2\xa0[0, 0, 1]\n", 5, 5, "U+00A0", "type it anew"},
+      {"typographic quotes", "title = \xe2\x80\x9cT\xe2\x80\x9d\n", 1, 9, "U+201C", "quotes"},
+      {"emoji", "\xf0\x9f\x98\x80\n", 1, 1, "U+1F600", ""},
       // Not TOML.
       {"no value", camera + "fov_axis =\n", 5, 0, "not valid TOML", "KEY = VALUE"},
+      {"header without a name", "[=]\n", 1, 0, "not valid TOML", ""},
       {"open list", camera + "up = [0, 0\n", 5, 0, "not valid TOML", "brackets"},
       {"open text", "title = \"half\n" + camera, 1, 0, "not valid TOML", "quotes"},
       {"key twice", camera + "fov = 50\n", 5, 0, "redefine", ""},
