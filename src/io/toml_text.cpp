@@ -59,15 +59,17 @@ Error error_at(std::string_view text, std::size_t at, const std::string& file, s
 }
 
 /// Calls `visit` with the position of every character outside of strings and comments, until it answers true; that
-/// position, or the text's end.
+/// position, or the text's end. A quote within a word opens no string.
 template <class Visit>
 std::size_t first_outside(std::string_view text, Visit visit) {
+  constexpr std::string_view before_string = " \t\r\n=[{,.";
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text[at] == '"' || text[at] == '\'')
+    const char c = text[at];
+    if ((c == '"' || c == '\'') && (at == 0 || before_string.find(text[at - 1]) != std::string_view::npos))
       at = after_string(text, at) - 1;
-    else if (text[at] == '#')
+    else if (c == '#')
       at = std::min(text.find('\n', at), text.size()) - 1;
-    else if (visit(text[at]))
+    else if (visit(c))
       return at;
   }
   return text.size();

@@ -62,6 +62,7 @@ std::vector<BadScene> bad_scenes() {
       {"letter outside of quotes", camera + "n\xc3\xa9 = 1\n", 5, 2, "U+00E9 stands outside of quotes", "quotes"},
       {"no-break space", camera + "up =\xc2\xa0[0, 0, 1]\n", 5, 5, "U+00A0", "type it anew"},
       {"typographic quotes", "title = \xe2\x80\x9cT\xe2\x80\x9d\n", 1, 9, "U+201C", "quotes"},
+      {"quote after a number", camera + "fov_axis = 1\"\xc3\xa9\"\n", 5, 14, "U+00E9", ""},
       {"emoji", "\xf0\x9f\x98\x80\n", 1, 1, "U+1F600", ""},
       // Not TOML.
       {"no value", camera + "fov_axis =\n", 5, 0, "not valid TOML", "KEY = VALUE"},
