@@ -1,0 +1,318 @@
+#include "fixtures.h"
+#include "view/plan_geometry.h"
+
+#include <numbers>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+const Sphere<double>& sphere(const State& state, int object) {
+  return std::get<Sphere<double>>(state.scene().objects[static_cast<std::size_t>(object)].shape);
+}
+const Prism<double>& prism(const State& state, int object) {
+  return std::get<Prism<double>>(state.scene().objects[static_cast<std::size_t>(object)].shape);
+}
+double unit(const State& state) { return 1 / state.camera.pixels_per_unit; }
+
+constexpr action::Modifiers shift{true, false, false};
+constexpr action::Modifiers control{false, true, false};
+
+}  // namespace
+
+TEST_CASE("dragging a body moves it as far as the pointer") {
+  State state = busy_state();
+  const Vec3d before = sphere(state, 0).centre;
+  drag_by(state, {TargetKind::object, 0}, {40, -25});
+  CHECK(sphere(state, 0).centre.x == Approx(before.x + 40 * unit(state)));
+  CHECK(sphere(state, 0).centre.y == Approx(before.y + 25 * unit(state)));
+  CHECK(sphere(state, 0).centre.z == 0);
+  CHECK(state.selected == Target{TargetKind::object, 0});
+  CHECK(state.undo.size() == 1);
+}
+
+TEST_CASE("a drag is one entry of undo, whatever the way") {
+  State state = busy_state();
+  const Scene before = state.scene();
+  const Vec2d from = pixels_of(state, {TargetKind::object, 0});
+  update(state, action::PointerPressed{from});
+  for (int i = 0; i < 50; ++i) update(state, action::PointerMoved{from + Vec2d(i * 3 % 70, i * 5 % 60)});
+  update(state, action::PointerMoved{from + Vec2d(10, 20)});
+  update(state, action::PointerReleased{from + Vec2d(10, 20)});
+  CHECK(state.undo.size() == 1);
+  State straight = busy_state();
+  drag(straight, from, from + Vec2d(10, 20));
+  CHECK(straight.scene() == state.scene());
+  update(state, action::Undo{});
+  CHECK(state.scene() == before);
+}
+
+TEST_CASE("a click without a movement changes nothing and selects") {
+  State state = busy_state();
+  const Scene before = state.scene();
+  drag_by(state, {TargetKind::object, 1}, {1, 1});
+  CHECK(state.scene() == before);
+  CHECK(state.undo.empty());
+  CHECK(state.selected == Target{TargetKind::object, 1});
+}
+
+TEST_CASE("a drag that is taken back leaves no trace") {
+  State state = busy_state();
+  update(state, action::SetLimits{{3, 0}});
+  update(state, action::Undo{});
+  const Scene before = state.scene();
+  const Vec2d from = pixels_of(state, {TargetKind::object, 0});
+  update(state, action::PointerPressed{from});
+  update(state, action::PointerMoved{from + Vec2d(100, 0)});
+  CHECK(state.scene() != before);
+  update(state, action::CancelDrag{});
+  CHECK(state.scene() == before);
+  CHECK_FALSE(state.drag);
+  CHECK(state.undo.empty());
+  CHECK(state.redo.size() == 1);
+}
+
+TEST_CASE("an action in the middle of a drag ends it first") {
+  State state = busy_state();
+  const Scene before = state.scene();
+  const Vec2d from = pixels_of(state, {TargetKind::object, 0});
+  update(state, action::PointerPressed{from});
+  update(state, action::PointerMoved{from + Vec2d(100, 0)});
+  update(state, action::Undo{});
+  CHECK_FALSE(state.drag);
+  CHECK(state.scene() == before);
+  CHECK(state.redo.size() == 1);
+}
+
+TEST_CASE("Shift keeps a body on one axis, Control puts it on the grid") {
+  State state = busy_state();
+  const Vec3d before = sphere(state, 0).centre;
+  drag_by(state, {TargetKind::object, 0}, {40, -25}, shift);
+  CHECK(sphere(state, 0).centre.x == Approx(before.x + 40 * unit(state)));
+  CHECK(sphere(state, 0).centre.y == before.y);
+  drag_by(state, {TargetKind::object, 0}, {13, 44}, control);
+  const double grid = detail::grid_step(state.camera);
+  const Vec2d steps = plan(sphere(state, 0).centre) / grid;
+  CHECK(steps.x == Approx(std::round(steps.x)).margin(1e-9));
+  CHECK(steps.y == Approx(std::round(steps.y)).margin(1e-9));
+}
+
+TEST_CASE("the radius handle changes the radius and nothing goes below zero") {
+  State state = busy_state();
+  const double before = sphere(state, 0).radius;
+  const Vec2d outwards(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2);
+  drag_by(state, {TargetKind::radius, 0}, 30.0 * outwards);
+  CHECK(sphere(state, 0).radius == Approx(before + 30 * unit(state)));
+  const Vec2d centre = pixels_of(state, {TargetKind::object, 0});
+  drag(state, pixels_of(state, {TargetKind::radius, 0}), centre);
+  CHECK(sphere(state, 0).radius > 0);
+  CHECK(sphere(state, 0).radius < before);
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("a corner follows the pointer until edges would cross") {
+  State state = busy_state();
+  const Vec2d before = prism(state, 2).corner(1);
+  drag_by(state, {TargetKind::corner, 2, 1}, {20, 10});
+  CHECK(prism(state, 2).corner(1).x == Approx(before.x + 20 * unit(state)));
+  CHECK(state.selected == Target{TargetKind::corner, 2, 1});
+  // Straight through the opposite edge.
+  const Vec2d from = pixels_of(state, {TargetKind::corner, 2, 1});
+  drag(state, from, to_pixels(state, Vec2d(3.5, 0.5)));
+  CHECK(why_not_polygon(prism(state, 2).corners).empty());
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("a refused corner says why") {
+  State state = busy_state();
+  const Vec2d from = pixels_of(state, {TargetKind::corner, 2, 1});
+  update(state, action::PointerPressed{from});
+  update(state, action::PointerMoved{to_pixels(state, Vec2d(3.5, 0.5))});
+  REQUIRE(state.notice);
+  CHECK(state.notice->kind == Notice::Kind::error);
+  update(state, action::PointerMoved{from + Vec2d(20, 0)});
+  CHECK_FALSE(state.notice);
+}
+
+TEST_CASE("the rotation handle turns the polygon about its middle, with Shift by multiples of 15 degrees") {
+  State state = busy_state();
+  const Vec2d centre = detail::centroid(prism(state, 2));
+  const Prism<double> before = prism(state, 2);
+  const Vec2d from = pixels_of(state, {TargetKind::rotation, 2});
+  const Vec2d pivot = to_pixels(state, centre);
+  const double arm = length(from - pivot);
+  // A quarter turn clockwise, not quite hit.
+  drag(state, from, pivot + Vec2d(arm, 0.04 * arm), shift);
+  CHECK(length(detail::centroid(prism(state, 2)) - centre) < 1e-9);
+  for (int i = 0; i < before.sides(); ++i) {
+    const Vec2d there = detail::turned(before.corner(i), centre, -std::numbers::pi / 2);
+    CHECK(length(prism(state, 2).corner(i) - there) < 1e-9);
+  }
+}
+
+TEST_CASE("EYE takes the view along; the direction handle turns it") {
+  State state = busy_state();
+  const Camera before = state.scene().camera;
+  drag_by(state, {TargetKind::eye}, {15, 30});
+  const Camera moved = state.scene().camera;
+  CHECK(moved.eye.y == Approx(before.eye.y - 30 * unit(state)));
+  CHECK(length((moved.look_at - moved.eye) - (before.look_at - before.eye)) < 1e-12);
+  drag_by(state, {TargetKind::view_direction}, {0, -40});
+  const Camera turned = state.scene().camera;
+  CHECK(turned.eye == moved.eye);
+  CHECK(length(turned.look_at - turned.eye) == Approx(length(moved.look_at - moved.eye)));
+  CHECK(turned.look_at.y > moved.look_at.y);
+  CHECK(is_planar(state.scene()));
+}
+
+TEST_CASE("SCREEN's handles set its length and its distance") {
+  State state = busy_state();
+  const Screen before = state.scene().camera.screen;
+  drag_by(state, {TargetKind::screen_height, -1, 0}, {0, -20});
+  CHECK(*state.scene().camera.screen.width == Approx(*before.width + 40 * unit(state)));
+  drag_by(state, {TargetKind::screen_height, -1, 1}, {0, -20});
+  CHECK(*state.scene().camera.screen.width == Approx(*before.width));
+  drag_by(state, {TargetKind::screen_distance}, {25, 0});
+  CHECK(state.scene().camera.screen.distance == Approx(before.distance + 25 * unit(state)));
+  // Behind EYE and folded over: both stay above zero.
+  drag_by(state, {TargetKind::screen_distance}, {-600, 0});
+  CHECK(state.scene().camera.screen.distance > 0);
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("SCREEN's height sets the angle of a camera that states one") {
+  Scene scene = busy_scene();
+  scene.camera.screen.width.reset();
+  scene.camera.fov = FieldOfView{50, FovAxis::x};
+  State state = state_of(scene);
+  drag_by(state, {TargetKind::screen_height, -1, 0}, {0, -20});
+  CHECK(state.scene().camera.fov->degrees > 50);
+  CHECK_FALSE(state.scene().camera.screen.width);
+  drag_by(state, {TargetKind::screen_height, -1, 1}, {0, -2000});
+  CHECK(state.scene().camera.fov->degrees > 0);
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("lights are dragged: a point light moves, a directional one turns") {
+  State state = busy_state();
+  drag_by(state, {TargetKind::light, 0}, {-30, 12});
+  CHECK(std::get<PointLight>(state.scene().lights[0].kind).position.x == Approx(-1 - 30 * unit(state)));
+  const Vec3d before = std::get<DirectionalLight>(state.scene().lights[1].kind).direction;
+  drag_by(state, {TargetKind::light, 1}, {60, 0});
+  const Vec3d after = std::get<DirectionalLight>(state.scene().lights[1].kind).direction;
+  CHECK(length(after) == Approx(length(before)));
+  CHECK(after.x > before.x);
+}
+
+TEST_CASE("objects dragged onto the eye, into another, onto the light, or out of the view break nothing") {
+  for (const Target& place : {Target{TargetKind::eye}, Target{TargetKind::object, 1}, Target{TargetKind::light, 0},
+                              Target{TargetKind::screen_distance}, Target{TargetKind::object, 2}}) {
+    State state = busy_state();
+    const Vec2d to = pixels_of(state, place);
+    drag(state, pixels_of(state, {TargetKind::object, 0}), to);
+    CHECK(length(plan(sphere(state, 0).centre) - to_scene(state.camera, state.viewport, to)) < 1e-9);
+    CHECK(broken_promise(state) == "");
+    update(state, action::Jump{1 << 20});
+    CHECK(broken_promise(state) == "");
+  }
+  State state = busy_state();
+  drag(state, pixels_of(state, {TargetKind::object, 0}), {-1e9, 1e9});
+  CHECK(broken_promise(state) == "");
+  drag(state, pixels_of(state, {TargetKind::eye}), {1e300, 1e300});
+  CHECK(broken_promise(state) == "");
+  update(state, action::FitView{});
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("the eye dragged into a body, onto the light and onto what it looks at breaks nothing") {
+  for (const Target& place :
+       {Target{TargetKind::object, 0}, Target{TargetKind::object, 1}, Target{TargetKind::light, 0}}) {
+    State state = busy_state();
+    drag(state, pixels_of(state, {TargetKind::eye}), pixels_of(state, place));
+    update(state, action::Jump{1 << 20});
+    CHECK(broken_promise(state) == "");
+  }
+  State state = busy_state();
+  drag(state, pixels_of(state, {TargetKind::view_direction}), pixels_of(state, {TargetKind::eye}));
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("a double click on an edge adds a corner") {
+  State state = busy_state();
+  const Vec2d at = to_pixels(state, Vec2d(3.0, -2));
+  REQUIRE(pick(state, at) == Target{TargetKind::edge, 2, 0});
+  update(state, action::PointerPressed{at, action::Button::left, {}, true});
+  update(state, action::PointerReleased{at});
+  CHECK(prism(state, 2).sides() == 6);
+  CHECK(length(prism(state, 2).corner(1) - Vec2d(3.0, -2)) < 1e-9);
+  update(state, action::RemoveSelected{});
+  CHECK(prism(state, 2).sides() == 5);
+}
+
+TEST_CASE("dragging the empty plan moves it, zooming keeps the point under the pointer, fitting undoes both") {
+  State state = busy_state();
+  const PlanCamera fitted = state.camera;
+  const Vec2d at(30, 570);
+  REQUIRE_FALSE(pick(state, at));
+  const Vec2d there = to_scene(state.camera, state.viewport, at);
+  drag(state, at, at + Vec2d(50, -40));
+  CHECK(length(to_scene(state.camera, state.viewport, at + Vec2d(50, -40)) - there) < 1e-9);
+  CHECK(state.undo.empty());
+  const Vec2d kept = to_scene(state.camera, state.viewport, {200, 100});
+  update(state, action::Zoom{{200, 100}, 3});
+  CHECK(length(to_scene(state.camera, state.viewport, {200, 100}) - kept) < 1e-9);
+  CHECK(state.camera.pixels_per_unit == Approx(3 * fitted.pixels_per_unit));
+  for (int i = 0; i < 200; ++i) update(state, action::Zoom{{200, 100}, i < 100 ? 10 : 0.1});
+  CHECK(broken_promise(state) == "");
+  update(state, action::FitView{});
+  CHECK(state.camera == fitted);
+}
+
+TEST_CASE("the right button and trace mode only move the plan") {
+  State state = busy_state();
+  const Scene before = state.scene();
+  const Vec2d at = pixels_of(state, {TargetKind::object, 0});
+  update(state, action::PointerPressed{at, action::Button::right});
+  update(state, action::PointerMoved{at + Vec2d(40, 40)});
+  update(state, action::PointerReleased{at + Vec2d(40, 40)});
+  CHECK(state.scene() == before);
+  CHECK_FALSE(state.camera.fitted);
+  update(state, action::SetMode{Mode::trace});
+  drag(state, pixels_of(state, {TargetKind::object, 0}), {100, 100});
+  CHECK(state.scene() == before);
+}
+
+TEST_CASE("a click on a cell or a ray in trace mode goes there") {
+  State state = classic_state();
+  update(state, action::Jump{state.timeline->steps()});
+  const Vec2d cell = pixels_of(state, {TargetKind::cell, 4});
+  REQUIRE(pick(state, cell) == Target{TargetKind::cell, 4});
+  drag(state, cell, cell);
+  CHECK(current_cell(state) == 4);
+  update(state, action::Jump{state.timeline->steps()});
+  const int ray = 3;
+  const RayRecord& record = state.timeline->rays()[ray];
+  const Vec2d on_ray = to_pixels(state, plan(record.origin + 0.4 * (record.end - record.origin)));
+  const Target under = pick(state, on_ray);
+  REQUIRE(under.kind == TargetKind::ray);
+  drag(state, on_ray, on_ray);
+  CHECK(state.timeline->current_ray(state.position) == under.index);
+}
+
+TEST_CASE("a resized pane stays fitted until it is zoomed by hand") {
+  State state = busy_state();
+  update(state, action::ResizePlan{{400, 300}});
+  CHECK(state.camera == fit(state.scene(), state.viewport));
+  update(state, action::Zoom{{10, 10}, 2});
+  const PlanCamera camera = state.camera;
+  update(state, action::ResizePlan{{500, 500}});
+  CHECK(state.camera == camera);
+  for (const Viewport& tiny : {Viewport{0, 0}, Viewport{1, 1}, Viewport{-5, 3}}) {
+    update(state, action::ResizePlan{tiny});
+    update(state, action::FitView{});
+    CHECK(broken_promise(state) == "");
+  }
+}

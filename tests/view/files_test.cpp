@@ -1,0 +1,339 @@
+#include "fixtures.h"
+#include "io/file.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+using action::Answer;
+
+namespace {
+
+void make_dirty(State& state) {
+  Material material = state.scene().objects[0].material;
+  material.shininess += 1;
+  update(state, action::SetMaterial{0, material});
+  REQUIRE(state.dirty);
+}
+
+State saved_state(const TemporaryFolder& folder, const std::string& name = "scene.toml") {
+  State state = state_of(busy_scene());
+  state.state_dir = folder.file("state");
+  update(state, action::SaveAs{folder.file(name)});
+  REQUIRE_FALSE(state.dirty);
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("Save as writes the scene, Open reads it back") {
+  const TemporaryFolder folder;
+  State state = busy_state();
+  make_dirty(state);
+  update(state, action::SaveAs{folder.file("a")});
+  CHECK(state.path == folder.file("a.toml"));
+  CHECK_FALSE(state.dirty);
+  CHECK(document_title(state) == "a.toml");
+  State other = classic_state();
+  update(other, action::Open{folder.file("a.toml")});
+  CHECK(other.scene() == state.scene());
+  CHECK(other.path == folder.file("a.toml"));
+  CHECK(other.position == 0);
+  CHECK(other.undo.empty());
+  CHECK(other.camera == fit(other.scene(), other.viewport));
+}
+
+TEST_CASE("Save without a path asks for one") {
+  const TemporaryFolder folder;
+  State state = busy_state();
+  make_dirty(state);
+  CHECK(document_title(state) == "*Untitled");
+  update(state, action::Save{});
+  CHECK(state.prompt == PathPrompt::save_as);
+  update(state, action::CancelPrompt{});
+  CHECK(state.prompt == PathPrompt::none);
+  CHECK(state.dirty);
+  update(state, action::Save{});
+  update(state, action::SaveAs{folder.file("b.toml")});
+  CHECK(state.prompt == PathPrompt::none);
+  CHECK_FALSE(state.dirty);
+  make_dirty(state);
+  update(state, action::Save{});
+  CHECK_FALSE(state.dirty);
+  CHECK(read_document(folder.file("b.toml")).scene == state.scene());
+}
+
+TEST_CASE("undoing back to what the file holds is not unsaved work") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  update(state, action::Undo{});
+  CHECK_FALSE(state.dirty);
+  update(state, action::Redo{});
+  CHECK(state.dirty);
+}
+
+TEST_CASE("a file that cannot be read or written leaves everything as it was") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  const Scene scene = state.scene();
+  update(state, action::SaveAs{folder.file("no/such/folder/x.toml")});
+  CHECK(state.dirty);
+  CHECK(state.path == folder.file("scene.toml"));
+  REQUIRE(state.notice);
+  CHECK(state.notice->kind == Notice::Kind::error);
+  update(state, action::Save{});
+  REQUIRE_FALSE(state.dirty);
+  for (const std::string& name : {folder.file("missing.toml"), folder.path(), std::string()}) {
+    INFO(name);
+    update(state, action::Open{name});
+    CHECK(state.scene() == scene);
+    CHECK(state.path == folder.file("scene.toml"));
+    REQUIRE(state.notice);
+    CHECK(state.notice->kind == Notice::Kind::error);
+  }
+  REQUIRE(write_file_atomically(folder.file("bad.toml"), "[camera\n"));
+  update(state, action::Open{folder.file("bad.toml")});
+  CHECK_THAT(state.notice->text, contains("bad.toml:1"));
+  CHECK(state.scene() == scene);
+}
+
+TEST_CASE("unsaved work is asked about before it is lost, and Cancel keeps it") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  const Scene scene = state.scene();
+  for (const Action& action : {Action(action::New{}), Action(action::Open{"other.toml"}), Action(action::Quit{})}) {
+    update(state, action);
+    REQUIRE(state.question);
+    CHECK(question_panel(state).choices.size() == 3);
+    CHECK_THAT(question_panel(state).text, contains("scene.toml"));
+    update(state, action::AddObject{action::ObjectKind::light});
+    CHECK(state.scene() == scene);
+    update(state, action::AnswerQuestion{Answer::recover});
+    CHECK(state.question);
+    update(state, action::AnswerQuestion{Answer::cancel});
+    CHECK_FALSE(state.question);
+    CHECK(state.scene() == scene);
+    CHECK(state.dirty);
+    CHECK_FALSE(state.quit);
+  }
+}
+
+TEST_CASE("Discard goes on without saving") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  const Scene on_disk = state.scene();
+  make_dirty(state);
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::discard});
+  CHECK(state.quit);
+  CHECK(read_document(folder.file("scene.toml")).scene == on_disk);
+}
+
+TEST_CASE("Save goes on after saving, also when a path has to be asked for first") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  const Scene scene = state.scene();
+  update(state, action::New{});
+  update(state, action::AnswerQuestion{Answer::save});
+  CHECK(read_document(folder.file("scene.toml")).scene == scene);
+  CHECK(state.scene() != scene);
+  CHECK(state.path.empty());
+  CHECK(broken_promise(state) == "");
+
+  make_dirty(state);
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::save});
+  CHECK(state.prompt == PathPrompt::save_as);
+  CHECK_FALSE(state.quit);
+  update(state, action::SaveAs{folder.file("late.toml")});
+  CHECK(state.quit);
+}
+
+TEST_CASE("taking back the path also takes back what waited for the saving") {
+  const TemporaryFolder folder;
+  State state = busy_state();
+  make_dirty(state);
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::save});
+  update(state, action::CancelPrompt{});
+  update(state, action::SaveAs{folder.file("x.toml")});
+  CHECK_FALSE(state.quit);
+  CHECK_FALSE(state.dirty);
+}
+
+TEST_CASE("another file is not replaced without asking") {
+  const TemporaryFolder folder;
+  REQUIRE(write_file_atomically(folder.file("precious.toml"), "precious"));
+  State state = saved_state(folder);
+  update(state, action::SaveAs{folder.file("precious.toml")});
+  REQUIRE(state.question);
+  CHECK(question_panel(state).choices.front().answer == Answer::cancel);
+  update(state, action::AnswerQuestion{Answer::cancel});
+  CHECK(*read_file(folder.file("precious.toml"), 100) == "precious");
+  update(state, action::SaveAs{folder.file("precious.toml")});
+  update(state, action::AnswerQuestion{Answer::save});
+  CHECK(read_document(folder.file("precious.toml")).scene == state.scene());
+  // Its own file needs no question.
+  update(state, action::SaveAs{folder.file("precious.toml")});
+  CHECK_FALSE(state.question);
+}
+
+TEST_CASE("what is not saved is autosaved within seconds, and recovered at the next start") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  const Scene scene = state.scene();
+  for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
+  const std::string autosave = folder.file("state/autosave.toml");
+  REQUIRE(std::filesystem::exists(autosave));
+
+  // As after a crash: a new state on the same file.
+  State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
+  restore_session(next);
+  REQUIRE(next.question);
+  CHECK(next.question->kind == Question::Kind::recover);
+  CHECK(next.question->path == folder.file("scene.toml"));
+  CHECK_THAT(question_panel(next).text, contains("scene.toml"));
+  update(next, action::AnswerQuestion{Answer::cancel});
+  CHECK(next.question);
+  update(next, action::AnswerQuestion{Answer::recover});
+  CHECK(next.scene() == scene);
+  CHECK(next.dirty);
+  CHECK(next.path == folder.file("scene.toml"));
+  CHECK(broken_promise(next) == "");
+  update(next, action::Save{});
+  CHECK(read_document(folder.file("scene.toml")).scene == scene);
+  CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("a thrown away autosave is gone, and so is that of a scene that was left on purpose") {
+  const TemporaryFolder folder;
+  const std::string autosave = folder.file("state/autosave.toml");
+  State state = saved_state(folder);
+  const auto leave_autosave = [&] {
+    make_dirty(state);
+    for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
+    REQUIRE(std::filesystem::exists(autosave));
+  };
+  leave_autosave();
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(next);
+  update(next, action::AnswerQuestion{Answer::discard});
+  CHECK_FALSE(std::filesystem::exists(autosave));
+  CHECK_FALSE(next.question);
+  leave_autosave();
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::discard});
+  CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("a scene that was never saved is recovered without a path") {
+  const TemporaryFolder folder;
+  State state = busy_state();
+  state.state_dir = folder.file("state");
+  make_dirty(state);
+  const Scene scene = state.scene();
+  update(state, action::Tick{1});
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(next);
+  update(next, action::AnswerQuestion{Answer::recover});
+  CHECK(next.scene() == scene);
+  CHECK(next.path.empty());
+  CHECK(next.dirty);
+  CHECK(broken_promise(next) == "");
+}
+
+TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("state"));
+  REQUIRE(write_file_atomically(folder.file("state/autosave.toml"), "# autosave of: /x.toml\nnonsense = ["));
+  State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(state);
+  update(state, action::AnswerQuestion{Answer::recover});
+  CHECK(state.scene() == busy_scene());
+  REQUIRE(state.notice);
+  CHECK(state.notice->kind == Notice::Kind::error);
+}
+
+TEST_CASE("autosaves are seldom, and none is written while nothing changes") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  update(state, action::Tick{0.1});
+  const std::string autosave = folder.file("state/autosave.toml");
+  REQUIRE(std::filesystem::exists(autosave));
+  std::filesystem::remove(autosave);
+  make_dirty(state);
+  update(state, action::Tick{autosave_every / 2});
+  CHECK_FALSE(std::filesystem::exists(autosave));
+  update(state, action::Tick{autosave_every});
+  CHECK(std::filesystem::exists(autosave));
+  std::filesystem::remove(autosave);
+  for (int i = 0; i < 10; ++i) update(state, action::Tick{autosave_every});
+  CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("an autosave that cannot be written is reported") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  REQUIRE(write_file_atomically(folder.file("blocked"), "a file where a folder is wanted"));
+  state.state_dir = folder.file("blocked");
+  make_dirty(state);
+  update(state, action::Tick{1});
+  REQUIRE(state.notice);
+  CHECK(state.notice->kind == Notice::Kind::error);
+}
+
+TEST_CASE("recent files are remembered, the latest first, each once") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder, "one.toml");
+  update(state, action::SaveAs{folder.file("two.toml")});
+  update(state, action::Open{folder.file("one.toml")});
+  CHECK(state.recent == std::vector<std::string>{folder.file("one.toml"), folder.file("two.toml")});
+  for (int i = 0; i < 20; ++i) update(state, action::SaveAs{folder.file(std::to_string(i) + ".toml")});
+  CHECK(state.recent.size() == 10);
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(next);
+  CHECK(next.recent == state.recent);
+}
+
+TEST_CASE("New starts with something that can be walked") {
+  State state = busy_state();
+  update(state, action::New{});
+  CHECK(state.path.empty());
+  CHECK_FALSE(state.dirty);
+  CHECK(state.timeline->steps() > 100);
+  CHECK(is_planar(state.scene()));
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("appearance and talk") {
+  State state = busy_state();
+  update(state, action::SetTheme{Theme::projector});
+  CHECK(state.theme == Theme::projector);
+  update(state, action::SetUiScale{9});
+  CHECK(state.ui_scale == max_ui_scale);
+  update(state, action::SetUiScale{0});
+  CHECK(state.ui_scale == min_ui_scale);
+  update(state, action::SetTab{Tab::stack});
+  CHECK(state.tab == Tab::stack);
+  update(state, action::Undo{});
+  REQUIRE(state.notice);
+  update(state, action::DismissNotice{});
+  CHECK_FALSE(state.notice);
+  update(state, action::AskOpen{});
+  CHECK(state.prompt == PathPrompt::open);
+  update(state, action::Step{});
+  CHECK(state.position == 0);
+  update(state, action::CancelPrompt{});
+  update(state, action::AskSaveAs{});
+  CHECK(state.prompt == PathPrompt::save_as);
+  update(state, action::Quit{});
+  CHECK(state.quit);
+}
