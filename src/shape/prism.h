@@ -3,6 +3,7 @@
 #include "shape/crossing.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +37,8 @@ struct Prism {
 /// The number of edges crossed before the ray enters the slab tells whether it is inside there, and so whether the next
 /// crossing leads out or in; one that leads the other way is rounding's, at a corner, and is passed over. Every
 /// decision is made in t alone, so no ray slips between two faces. A face that the ray departs from is crossed at
-/// exactly t = 0, and then that face says whether the ray starts inside.
+/// exactly t = 0, and then that face says whether the ray starts inside. From inside there is always a way out: where
+/// rounding put the start of such a ray beyond a corner or a rim, that is at once, at the smallest positive t.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
@@ -108,19 +110,19 @@ struct FaceCrossing {
   T numerator{0}, denominator{0};
 };
 
-/// How a line of the plan crosses a polygon: whether it is inside at `start`, and the first edges after it that lead
-/// into the polygon and out of it.
+/// How a line of the plan crosses a polygon: whether it is inside at `start`, the first edges after it that lead into
+/// the polygon and out of it, and the last one before it that leads out.
 template <class T>
 struct SideCrossings {
   bool inside = false;
-  FaceCrossing<T> in, out;
+  FaceCrossing<T> in, out, out_before{-infinity<T>, no_part, 0, 0};
 };
 
 template <class T>
 SideCrossings<T> cross_sides(const Prism<T>& prism, const Vec2<T>& o, const Vec2<T>& d, T start, int departed_part) {
   SideCrossings<T> crossings;
-  FaceCrossing<T>& leftwards = crossings.out;  // edges that the line crosses from its right to its left
-  FaceCrossing<T>& rightwards = crossings.in;
+  // The nearest that run to the line's right (0) and to its left (1).
+  FaceCrossing<T> after[2], before[2] = {crossings.out_before, crossings.out_before};
   T side = cross(d, prism.corner(0) - o);
   for (int i = 0; i < prism.sides(); ++i) {
     const T next_side = cross(d, prism.corner_after(i) - o);
@@ -131,18 +133,32 @@ SideCrossings<T> cross_sides(const Prism<T>& prism, const Vec2<T>& o, const Vec2
       const T rate = cross(d, edge), difference = next_side - side;
       const T above = cross(prism.corner(i) - o, edge), below = rate * difference > 0 ? rate : difference;
       const T t = departed_part == i ? T(0) : above / below;
-      FaceCrossing<T>& first = below > 0 ? leftwards : rightwards;
-      if (t <= start)
+      if (t <= start) {
         crossings.inside = !crossings.inside;
-      else if (t < first.t)
-        first = {t, i, above, below};
+        if (i != departed_part && t > before[below > 0].t) before[below > 0] = {t, i, above, below};
+      } else if (t < after[below > 0].t) {
+        after[below > 0] = {t, i, above, below};
+      }
     }
     side = next_side;
   }
   // Around a counter-clockwise polygon the edges run to the left where the line leaves it.
-  const bool none = leftwards.part == no_part && rightwards.part == no_part;
-  if (!none && prism.twice_signed_area() < 0) std::swap(crossings.in, crossings.out);
+  const bool none =
+      after[0].part == no_part && after[1].part == no_part && before[0].part == no_part && before[1].part == no_part;
+  const int out = none || prism.twice_signed_area() > 0 ? 1 : 0;
+  crossings.in = after[1 - out];
+  crossings.out = after[out];
+  crossings.out_before = before[out];
   return crossings;
+}
+
+/// The side other than `departed_part` that a point at the end of one, or on a rim, is nearest to.
+template <class T>
+int neighbouring_side(const Prism<T>& prism, const Vec2<T>& p, int departed_part) {
+  int nearest = 0;
+  for (int i = 1; i < prism.sides(); ++i)
+    if (length(prism.corner(i) - p) < length(prism.corner(nearest) - p)) nearest = i;
+  return nearest != departed_part ? nearest : nearest == 0 ? prism.sides() - 1 : nearest - 1;
 }
 
 /// Whether a ray that departs from a part of the prism starts inwards.
@@ -158,16 +174,19 @@ bool departs_inwards(const Prism<T>& prism, const Vec3<T>& direction, int part) 
 template <class T, class Explain>
 std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max, int departed_part,
                                      Explain&& explain) {
-  const auto slab = detail::slab_along(prism, ray, departed_part);
+  constexpr T at_once = std::numeric_limits<T>::min();
+  const bool departs = departed_part != no_part;
+  const bool departs_in = departs && detail::departs_inwards(prism, ray.direction, departed_part);
+  auto slab = detail::slab_along(prism, ray, departed_part);
+  if (departs_in && slab.out <= 0) slab.out = at_once;
   if (!(slab.in <= slab.out && slab.out > 0)) return std::nullopt;
 
   // An upright ray stays where it is on the plan: any line through that point tells whether it is inside.
   const bool upright = ray.direction.x == 0 && ray.direction.y == 0;
   const T start = upright ? T(0) : std::max(slab.in, T(0));
-  const auto sides =
-      detail::cross_sides(prism, plan(ray.origin), upright ? Vec2<T>(1, 0) : plan(ray.direction), start, departed_part);
-  const bool inside =
-      departed_part == no_part ? sides.inside : detail::departs_inwards(prism, ray.direction, departed_part);
+  const Vec2<T> o = plan(ray.origin);
+  const auto sides = detail::cross_sides(prism, o, upright ? Vec2<T>(1, 0) : plan(ray.direction), start, departed_part);
+  const bool inside = departs ? departs_in : sides.inside;
 
   detail::FaceCrossing<T> next;
   const auto meet_cap = [&](T t, int part) { next = {t, part, t * ray.direction.z, ray.direction.z}; };
@@ -176,9 +195,15 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
   } else if (inside && upright) {
     meet_cap(slab.out, slab.out_part);
   } else if (inside) {
-    // A departing ray that rounding puts outside the polygon, beside a corner, has left it already: none.
-    next = sides.out.part != no_part ? sides.out : sides.in;
-    if (next.part != no_part && slab.out < next.t) meet_cap(slab.out, slab.out_part);
+    next = sides.out.part != no_part || departs ? sides.out : sides.in;
+    // A departing ray that is outside has either left already, at a corner, or is about to enter there: the nearer of
+    // the two crossings is the one at the corner.
+    const bool left_already = departs && !sides.inside && -sides.out_before.t < sides.in.t;
+    if (left_already || next.part == no_part) {
+      const int part = left_already ? sides.out_before.part : detail::neighbouring_side(prism, o, departed_part);
+      next = {at_once, part, at_once, 1};
+    }
+    if (slab.out < next.t) meet_cap(slab.out, slab.out_part);
   } else if (!upright && sides.in.t < slab.out) {
     next = sides.in;
   }

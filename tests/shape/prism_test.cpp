@@ -330,7 +330,7 @@ TEMPLATE_TEST_CASE("a ray that leaves a prism never meets the face it left", "",
     for (Vec2d& corner : corners) corner = scale * (corner + Vec2d(shift, shift));
     const auto prism = prism_of<T>(corners, 1.5 * scale, polygon % 2 == 0);
     CAPTURE(polygon);
-    int wrong = 0, unsure = 0, tried = 0, self = 0, out_hits = 0;
+    int wrong = 0, unsure = 0, tried = 0, self = 0, out_hits = 0, trapped = 0;
     for (int i = 0; i < 4000; ++i) {
       const Vec3<T> inside = point_inside(prism, next, static_cast<Long>(scale) * 1e-3L);
       // Half of the hits lie at corners and rims, where a neighbouring face is near.
@@ -349,6 +349,7 @@ TEMPLATE_TEST_CASE("a ray that leaves a prism never meets the face it left", "",
       const bool convex = polygon < 2;
       const auto out = meet(prism, {point.position, outward}, hit->part);
       out_hits += convex && out;
+      trapped += !meet(prism, {point.position, inward}, hit->part);
       for (const Vec3<T>& direction : {outward, inward}) {
         // Units of the scale, so that the oracle's margin means the same everywhere.
         const Ray<T> leaving{point.position, static_cast<T>(scale) * direction};
@@ -365,11 +366,37 @@ TEMPLATE_TEST_CASE("a ray that leaves a prism never meets the face it left", "",
     CHECK(tried > 3000);
     CHECK(self == 0);
     CHECK(out_hits == 0);
+    CHECK(trapped == 0);
     if (shift == 0 && scale == 1) {
       CHECK(wrong == 0);
       CHECK(unsure < tried * 3 / 2);
     }
   }
+}
+
+TEMPLATE_TEST_CASE("a ray that starts inwards at a corner leaves there at once", "", float, double) {
+  using V = Vec3<TestType>;
+  // From the top edge of the U's left arm, in its corner (1, 3): inwards as that edge sees it, but out through x = 1,
+  // across the notch, and through the right arm.
+  const bool clockwise = GENERATE(false, true);
+  const auto prism = prism_of<TestType>(polygons[3], 2, clockwise);
+  const int top_edge = clockwise ? 0 : 6, arm_edge = clockwise ? 1 : 5;
+  REQUIRE(prism.corner(clockwise ? 1 : 6) == Vec2<TestType>(1, 3));
+  const auto got = meet(prism, {V(1, 3, 0.5), V(1, TestType(-0.1), 0)}, top_edge);
+  REQUIRE(got);
+  CHECK(got->part == arm_edge);
+  CHECK(got->t > 0);
+  CHECK(got->t < 1e-30);
+  // One step to the left it crosses the arm first.
+  const auto inside = meet(prism, {V(0.5, 3, 0.5), V(1, TestType(-0.1), 0)}, top_edge);
+  REQUIRE(inside);
+  CHECK(inside->part == arm_edge);
+  CHECK(inside->t == 0.5);
+  // At a rim: inwards as the side sees it, but out through the top.
+  const auto over = meet(prism, {V(0.5, 3, 1), V(0, -1, 1)}, top_edge);
+  REQUIRE(over);
+  CHECK(over->part == prism.top());
+  CHECK(over->t < 1e-30);
 }
 
 TEMPLATE_TEST_CASE("normals of a prism point outwards in both windings", "", float, double) {
