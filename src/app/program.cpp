@@ -5,6 +5,7 @@
 #include "app/info_command.h"
 #include "app/names.h"
 #include "app/render_command.h"
+#include "app/step_command.h"
 #include "app/window_command.h"
 #include "io/image.h"
 #include "io/scene_keys.h"
@@ -124,6 +125,29 @@ void declare_render(CLI::App& program, Run& run) {
   command.callback([options, &run] { run = [options] { return render_command(*options); }; });
 }
 
+void declare_step(CLI::App& program, Run& run) {
+  CLI::App& command = *program.add_subcommand("step", "Write out what the visualiser walks through, step by step");
+  const auto options = std::make_shared<StepOptions>();
+  StepOptions& to = *options;
+  command.add_option("SCENE", to.scene, scene_help)->required()->type_name("");
+  add_parsed(command, "--pixel", to.pixel, parse_pixel, "N|X,Y",
+             "a cell of the strip, such as 10, or column and row of the image, such as 220,165",
+             "Only cell N of the strip, or only the image's pixel in column X and row Y, all from 0");
+  add_choice(command, "--format", to.format, std::array{StepFormat::text, StepFormat::json}, step_format_name,
+             "One line a step for people (as when left out), or all numbers of each step for programs");
+  add_size(command, to.size);
+  add_limits(command, to.depth, to.threshold);
+  add_precision(command, to.precision);
+  command.footer(
+      "A step is one executed line of the pseudocode: its number, its DEPTH in brackets, the line, and what it did.\n"
+      "--size matters to --pixel X,Y only.\n\n"
+      "Examples:\n"
+      "  raywalk step classic\n"
+      "  raywalk step classic --pixel 10 --depth 2\n"
+      "  raywalk step classic --pixel 220,200 --format json");
+  command.callback([options, &run] { run = [options] { return step_command(*options); }; });
+}
+
 void declare_info(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("info", "Say what a scene holds, the effects it calls for, and why");
   const auto scene = std::make_shared<std::string>();
@@ -216,6 +240,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   Run run;
   declare_window(program, run);
   declare_render(program, run);
+  declare_step(program, run);
   declare_info(program, run);
   try {
     program.parse(argc, argv);

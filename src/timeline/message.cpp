@@ -45,14 +45,16 @@ class Describer {
   [[nodiscard]] std::string shaded() const { return object(ray(frame(timeline_.current_frame(position_)).ray).object); }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
-    return {MessageId::pixel_begun, {begun.column + 1, static_cast<int>(timeline_.pixels().size())}};
+    if (!timeline_.of_strip()) return {MessageId::image_pixel_begun, {begun.column, begun.row}};
+    return {MessageId::pixel_begun, {begun.column + 1, scene_.camera.screen.cells}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const RayFormed& formed) const {
     switch (formed.kind) {
       case RayKind::primary: {
-        const int pixel = timeline_.current_pixel(position_);
-        return {MessageId::primary_formed, {timeline_.pixels()[static_cast<std::size_t>(pixel)].column + 1}};
+        const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
+        if (!timeline_.of_strip()) return {MessageId::image_primary_formed, {pixel.column, pixel.row}};
+        return {MessageId::primary_formed, {pixel.column + 1}};
       }
       case RayKind::shadow:
         return {MessageId::shadow_formed, {shaded(), light(formed.light)}};
@@ -175,6 +177,7 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelPut& put) const {
+    if (!timeline_.of_strip()) return {MessageId::image_pixel_put, {put.column, put.row, put.shade}};
     return {MessageId::pixel_put, {put.column + 1, put.shade}};
   }
 

@@ -45,6 +45,10 @@ enum class MessageId {
   rtnshade_to_main,         ///< [object, colour]
   rtnshade_to_caller,       ///< [object, colour, ray kind that waited, depth of the caller]
   pixel_put,                ///< [cell from 1, colour]
+  // The same three for a pixel of the 3-D image, which is named as --pixel names it.
+  image_pixel_begun,     ///< [column from 0, row from 0]
+  image_primary_formed,  ///< [column from 0, row from 0]
+  image_pixel_put,       ///< [column from 0, row from 0, colour]
 };
 
 /// A part of the whole, 0..1.

@@ -11,7 +11,7 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, PixelBlo
   Recorder recorder;
   for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample)
     trace_watched(world, camera, block, [](const Pixel&, const Rgb<T>&) {}, recorder);
-  return recorder.take();
+  return recorder.take(size);
 }
 
 Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
@@ -29,6 +29,10 @@ Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const Pixel
 Timeline record_strip(const Scene& scene, const Recording& how) {
   const int cells = scene.camera.screen.cells;
   return record(scene, {cells, 1}, scene.image, {0, cells, 0, 1}, how);
+}
+
+Timeline record_cell(const Scene& scene, int cell, const Recording& how) {
+  return record(scene, {scene.camera.screen.cells, 1}, scene.image, {cell, cell + 1, 0, 1}, how);
 }
 
 Timeline record_pixel(const Scene& scene, ImageSize size, int column, int row, const Recording& how) {

@@ -9,7 +9,8 @@ namespace raywalk {
 class Recorder : public Observer {
  public:
   void record(Event&& event) override { events_.push_back(std::move(event)); }
-  [[nodiscard]] Timeline take() { return Timeline(std::move(events_)); }
+  /// The timeline of what was recorded; `image`: what the pixels are of, one row high for the strip.
+  [[nodiscard]] Timeline take(ImageSize image) { return Timeline(std::move(events_), image); }
 
  private:
   std::vector<Event> events_;
@@ -23,6 +24,8 @@ struct Recording {
 /// The whole strip, from its first cell to its last: row 0 of an image cells x 1, which is the middle row of every
 /// image an odd multiple as wide.
 [[nodiscard]] Timeline record_strip(const Scene& scene, const Recording& how = {});
+/// One cell of it; 0 <= cell < the screen's cells.
+[[nodiscard]] Timeline record_cell(const Scene& scene, int cell, const Recording& how = {});
 /// One pixel of the scene's image of the given size; 0 <= column < width, 0 <= row < height.
 [[nodiscard]] Timeline record_pixel(const Scene& scene, ImageSize size, int column, int row, const Recording& how = {});
 

@@ -16,7 +16,7 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 }  // namespace
 
 /// Reads the events once, in order, keeping what is under way.
-Timeline::Timeline(std::vector<Event> events) : events_(std::move(events)) {
+Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), events_(std::move(events)) {
   moments_.reserve(events_.size() + 1);
   std::vector<int> record_of_ray;  // the recording's ray number -> index in rays_, which also holds stubs
   int innermost = -1;              // SHADE under way

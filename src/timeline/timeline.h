@@ -56,8 +56,12 @@ struct PixelRecord {
 class Timeline {
  public:
   Timeline() = default;
-  /// Takes the events of whole pixels, as the observed tracer told them, and indexes them.
-  explicit Timeline(std::vector<Event> events);
+  /// Takes the events of whole pixels, as the observed tracer told them, and indexes them. `image`: the size of what
+  /// they are pixels of; one row high for the strip.
+  explicit Timeline(std::vector<Event> events, ImageSize image = {0, 1});
+
+  [[nodiscard]] ImageSize image() const { return image_; }
+  [[nodiscard]] bool of_strip() const { return image_.height == 1; }
 
   /// Number of events; positions run from 0 to this.
   [[nodiscard]] int steps() const { return static_cast<int>(events_.size()); }
@@ -105,6 +109,7 @@ class Timeline {
   };
   [[nodiscard]] const Moment& moment(int position) const { return moments_[static_cast<std::size_t>(position)]; }
 
+  ImageSize image_{0, 1};
   std::vector<Event> events_;
   std::vector<RayRecord> rays_;
   std::vector<FrameRecord> frames_;

@@ -135,6 +135,12 @@ std::string_view template_of(MessageId id) {
       return "All parts are added up: SHADE returns {1} for {0} to the SHADE of DEPTH {3}, which waited for its {2}.";
     case MessageId::pixel_put:
       return "Pixel {0} of SCREEN gets its final shade {1}.";
+    case MessageId::image_pixel_begun:
+      return "The image's pixel in column {0}, row {1} is next.";
+    case MessageId::image_primary_formed:
+      return "A primary ray leaves EYE through the image's pixel in column {0}, row {1}.";
+    case MessageId::image_pixel_put:
+      return "The image's pixel in column {0}, row {1} gets its final shade {2}.";
   }
   return "";
 }

@@ -18,7 +18,7 @@ TEST_CASE("there is help at every level, with examples") {
   const Outcome top = folder.run({"--help"});
   CHECK(top.exit_code == 0);
   CHECK(top.err == "");
-  for (const std::string command : {"render", "info"}) {
+  for (const std::string command : {"render", "step", "info"}) {
     INFO(command);
     CHECK_THAT(top.out, contains("\n  " + command + " "));
     const Outcome help = folder.run({command, "--help"});
@@ -112,7 +112,7 @@ TEST_CASE("bad scenes exit with 1 and name file and line") {
   const auto fails_everywhere = [&](const std::string& scene, const std::string& said) {
     INFO(scene);
     for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"info", scene}, {"render", scene, "-o", "x.png"}}) {
+         {std::vector<std::string>{"info", scene}, {"step", scene}, {"render", scene, "-o", "x.png"}}) {
       const Outcome outcome = folder.run(words);
       CHECK(outcome.exit_code == 1);
       CHECK(outcome.out == "");

@@ -1,0 +1,98 @@
+#include "app/step_command.h"
+
+#include "app/scene_lookup.h"
+#include "timeline/event_json.h"
+#include "timeline/message.h"
+#include "timeline/recorder.h"
+#include "view/text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace raywalk {
+
+namespace {
+
+/// Prints the steps as they are put together: a whole strip's may be hundreds of megabytes.
+Result<void> print_json(const Scene& scene, const Timeline& timeline, const StepOptions& options) {
+  using Json = nlohmann::ordered_json;
+  const auto dump = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
+  const Json head{{"version", RAYWALK_VERSION},
+                  {"scene", scene_path(options.scene)},
+                  {"title", scene.title},
+                  {"depth", scene.limits.depth},
+                  {"threshold", scene.limits.threshold},
+                  {"precision", precision_name(options.precision)}};
+  std::string text = dump(head);
+  text.pop_back();  // its closing brace
+  text += ",\"steps\":[";
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    Json step{{"step", position}};
+    step.update(event_json(scene, timeline.event(position - 1)));
+    step["sentence"] = sentence_of(describe(scene, timeline, position));
+    text += (position == 1 ? "\n" : ",\n") + dump(step);
+    constexpr std::size_t enough = 1 << 16;
+    if (text.size() < enough) continue;
+    if (const auto printed = print(text); !printed) return printed;
+    text.clear();
+  }
+  return print(text + "\n]}\n");
+}
+
+Result<void> print_text(const Scene& scene, const Timeline& timeline) {
+  for (int position = 1; position <= timeline.steps(); ++position)
+    if (const auto printed = print(step_text(scene, timeline, position) + "\n"); !printed) return printed;
+  return {};
+}
+
+/// Why there is no such pixel.
+std::optional<Error> why_no_pixel(const StepOptions& options, const Scene& scene, ImageSize size) {
+  if (!options.pixel) return std::nullopt;
+  const auto no_such = [](const std::string& what, const std::string& expected) {
+    return Error{"", 0, 0, "raywalk step: --pixel: there is no " + what + " (expected " + expected + ")",
+                 "pixels count from 0; N is a cell of the strip, X,Y a column and a row of the image"};
+  };
+  if (const auto* cell = std::get_if<Cell>(&*options.pixel)) {
+    const int cells = scene.camera.screen.cells;
+    if (cell->index < cells) return std::nullopt;
+    return no_such(fmt::format("cell {}", cell->index), fmt::format("0 to {}", cells - 1));
+  }
+  const auto& pixel = std::get<ImagePixel>(*options.pixel);
+  if (pixel.column < size.width && pixel.row < size.height) return std::nullopt;
+  return no_such(fmt::format("pixel {},{}", pixel.column, pixel.row),
+                 fmt::format("columns 0 to {}, rows 0 to {}", size.width - 1, size.height - 1));
+}
+
+Timeline record(const StepOptions& options, const Scene& scene, ImageSize size) {
+  const Recording how{options.precision};
+  if (!options.pixel) return record_strip(scene, how);
+  if (const auto* cell = std::get_if<Cell>(&*options.pixel)) return record_cell(scene, cell->index, how);
+  const auto& pixel = std::get<ImagePixel>(*options.pixel);
+  return record_pixel(scene, size, pixel.column, pixel.row, how);
+}
+
+}  // namespace
+
+ExitCode step_command(const StepOptions& options) {
+  auto document = load_scene(options.scene);
+  if (!document) return fail(document.error());
+  Scene& scene = document->scene;
+  scene.limits.depth = options.depth.value_or(scene.limits.depth);
+  scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
+  const ImageSize size = options.size.value_or(scene.image);
+  if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
+
+  const Timeline timeline = record(options, scene, size);
+  const auto printed = [&] {
+    switch (options.format) {
+      case StepFormat::text:
+        return print_text(scene, timeline);
+      case StepFormat::json:
+        return print_json(scene, timeline, options);
+    }
+    return Result<void>();
+  }();
+  return printed ? ExitCode::done : fail(printed.error());
+}
+
+}  // namespace raywalk

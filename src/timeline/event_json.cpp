@@ -1,0 +1,133 @@
+#include "timeline/event_json.h"
+
+#include "trace/pseudocode.h"
+
+#include <nlohmann/json.hpp>
+
+namespace raywalk {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+/// Adds the members of one event's detail. One overload a kind: a kind without one does not compile.
+class Writer {
+ public:
+  Writer(const Scene& scene, Json& to) : scene_(scene), to_(to) {}
+
+  void operator()(const PixelBegun& begun) const {
+    to_["what"] = "pixel_begun";
+    pixel(begun.column, begun.row, begun.sample);
+  }
+
+  void operator()(const RayFormed& formed) const {
+    to_["what"] = "ray_formed";
+    to_["ray"] = formed.ray;
+    spawned(formed.kind, formed.parent, formed.origin, formed.direction, formed.share);
+    light(formed.light);
+    if (!formed.snell) return;
+    const SnellNumbers& s = *formed.snell;
+    to_["snell"] = {{"n1", s.n1}, {"n2", s.n2}, {"cos_in", s.cos_in}, {"cos_out", s.cos_out}, {"fresnel", s.fresnel}};
+  }
+
+  void operator()(const RayNotFormed& stub) const {
+    to_["what"] = "ray_not_formed";
+    to_["why"] = ending_name(stub.why);
+    spawned(stub.kind, stub.parent, stub.origin, stub.direction, stub.share);
+    light(stub.light);
+  }
+
+  void operator()(const Found& found) const {
+    to_["what"] = "found";
+    to_["ray"] = found.ray;
+    to_["ending"] = ending_name(found.ending);
+    if (found.object >= 0) {
+      to_["t"] = found.t;
+      object(found.object);
+      to_["part"] = found.part;
+      to_["point"] = triple(found.point);
+      to_["normal"] = triple(found.normal);
+    }
+    if (found.passed != Rgbd(1.0)) to_["passed"] = triple(found.passed);
+    std::visit([this](const auto& numbers) { add(numbers); }, found.numbers);
+  }
+
+  void operator()(const Decided& decided) const {
+    to_["what"] = "decided";
+    to_["holds"] = decided.holds;
+    to_["weight"] = triple(decided.weight);
+    if (decided.why) to_["why"] = ending_name(*decided.why);
+  }
+
+  void operator()(const ShadeCalled& called) const {
+    to_["what"] = "shade_called";
+    to_["ray"] = called.ray;
+    to_["missed"] = called.missed;
+    if (called.missed) to_["background"] = triple(called.background);
+  }
+
+  void operator()(const ShadeComputed& computed) const {
+    to_["what"] = "shade_computed";
+    to_["ambient"] = triple(computed.ambient);
+    to_["emission"] = triple(computed.emission);
+    to_["lights"] = Json::array();
+    for (const LightTerm& term : computed.lights) {
+      Json json = {{"light", term.light}, {"diffuse", triple(term.diffuse)}, {"specular", triple(term.specular)}};
+      to_["lights"].push_back(std::move(json));
+    }
+    to_["reflect"] = triple(computed.reflect);
+    to_["refract"] = triple(computed.refract);
+    to_["total"] = triple(computed.total);
+  }
+
+  void operator()(const PixelPut& put) const {
+    to_["what"] = "pixel_put";
+    pixel(put.column, put.row, put.sample);
+    to_["shade"] = triple(put.shade);
+  }
+
+ private:
+  void pixel(int column, int row, int sample) const {
+    to_["column"] = column;
+    to_["row"] = row;
+    to_["sample"] = sample;
+  }
+  void spawned(RayKind kind, int parent, const Vec3d& origin, const Vec3d& direction, const Rgbd& share) const {
+    to_["kind"] = ray_kind_name(kind);
+    if (parent >= 0) to_["parent"] = parent;
+    to_["origin"] = triple(origin);
+    to_["direction"] = triple(direction);
+    to_["share"] = triple(share);
+  }
+  void object(int index) const {
+    to_["object"] = index;
+    to_["object_name"] = scene_.objects[static_cast<std::size_t>(index)].name;
+  }
+  void light(int index) const {
+    if (index < 0) return;
+    to_["light"] = index;
+    to_["light_name"] = scene_.lights[static_cast<std::size_t>(index)].name;
+  }
+  void add(std::monostate /*none*/) const {}
+  void add(const QuadraticNumbers& q) const {
+    to_["quadratic"] = {{"a", q.a},   {"b", q.b},  {"c", q.c}, {"discriminant", q.discriminant},
+                        {"t0", q.t0}, {"t1", q.t1}};
+  }
+  void add(const PlaneNumbers& p) const { to_["plane"] = {{"numerator", p.numerator}, {"denominator", p.denominator}}; }
+
+  const Scene& scene_;
+  Json& to_;
+};
+
+}  // namespace
+
+Json event_json(const Scene& scene, const Event& event) {
+  const PseudocodeLine& line = pseudocode_of(event.line);
+  Json json{{"line", line.text}, {"procedure", procedure_title(line.procedure)}, {"depth", event.depth}};
+  std::visit(Writer(scene, json), event.detail);
+  return json;
+}
+
+}  // namespace raywalk

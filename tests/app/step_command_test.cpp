@@ -1,0 +1,100 @@
+#include "app/process.h"
+#include "io/scene_file.h"
+#include "timeline/recorder.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+const std::string classic = std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml";
+
+Scene classic_scene() { return read_scene(classic).value().scene; }
+
+}  // namespace
+
+TEST_CASE("step writes the transcript of the strip, of a cell, or of a pixel of the image") {
+  const Folder folder;
+  const Scene scene = classic_scene();
+  const Outcome strip = folder.run({"step", classic});
+  CHECK(strip.exit_code == 0);
+  CHECK(strip.err == "");
+  CHECK(strip.out == transcript(scene, record_strip(scene)));
+  CHECK_THAT(strip.out, contains("Pixel 1 of 21") && contains("Pixel 21 of 21"));
+
+  const Outcome cell = folder.run({"step", classic, "--pixel", "10", "--format", "text"});
+  CHECK(cell.out == transcript(scene, record_cell(scene, 10)));
+  CHECK_THAT(cell.out, contains("Pixel 11 of 21") && !contains("Pixel 12"));
+
+  const Outcome pixel = folder.run({"step", classic, "--pixel", "40,30", "--size", "63x41"});
+  CHECK(pixel.out == transcript(scene, record_pixel(scene, {63, 41}, 40, 30)));
+  CHECK_THAT(pixel.out, contains("column 40, row 30") && !contains("SCREEN"));
+  CHECK(pixel.out != folder.run({"step", classic, "--pixel", "40,30"}).out);
+}
+
+TEST_CASE("a cell is the part of the strip that it is, number by number") {
+  const Scene scene = classic_scene();
+  const Timeline strip = record_strip(scene), cell = record_cell(scene, 13);
+  const PixelRecord& pixel = strip.pixels()[13];
+  REQUIRE(cell.steps() == pixel.done_at - pixel.begun_at + 1);
+  CHECK(cell.pixels().front().shade == pixel.shade);
+  CHECK(cell.pixels().front().column == 13);
+}
+
+TEST_CASE("limits and precision change the steps") {
+  const Folder folder;
+  const std::string usual = folder.run({"step", classic}).out;
+  const std::string shallow = folder.run({"step", classic, "--depth", "1"}).out;
+  CHECK(std::count(shallow.begin(), shallow.end(), '\n') < std::count(usual.begin(), usual.end(), '\n'));
+  CHECK(folder.run({"step", classic, "--threshold", "0.4"}).out != usual);
+  CHECK(folder.run({"step", classic, "--precision", "float", "--format", "json"}).out !=
+        folder.run({"step", classic, "--format", "json"}).out);
+}
+
+TEST_CASE("step's JSON holds every step with its numbers and its sentence") {
+  const Folder folder;
+  const Scene scene = classic_scene();
+  const Outcome outcome = folder.run({"step", classic, "--format", "json"});
+  CHECK(outcome.exit_code == 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json.at("title") == scene.title);
+  CHECK(json.at("depth") == scene.limits.depth);
+  CHECK(json.at("precision") == "double");
+  const Timeline timeline = record_strip(scene);
+  const auto& steps = json.at("steps");
+  REQUIRE(steps.size() == static_cast<std::size_t>(timeline.steps()));
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    const auto& step = steps.at(static_cast<std::size_t>(position) - 1);
+    CHECK(step.at("step") == position);
+    CHECK(step.at("depth") == timeline.event(position - 1).depth);
+    CHECK(step.at("sentence") == sentence_of(describe(scene, timeline, position)));
+  }
+  // One line a step, between a line at the top and one at the bottom.
+  CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == timeline.steps() + 2);
+}
+
+TEST_CASE("a pixel that is not there is wrong use") {
+  const Folder folder;
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& said) {
+    std::vector<std::string> arguments{"step", classic};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const Outcome outcome = folder.run(arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out == "");
+    CHECK_THAT(outcome.err, contains(said) && contains("hint: "));
+  };
+  refused({"--pixel", "21"}, "no cell 21 (expected 0 to 20)");
+  refused({"--pixel", "441,0"}, "columns 0 to 440, rows 0 to 330");
+  refused({"--pixel", "0,41", "--size", "63x41"}, "rows 0 to 40");
+  refused({"--pixel", "-1"}, "a cell of the strip, such as 10");
+  refused({"--pixel", "1,2,3"}, "a cell of the strip, such as 10");
+  refused({"--format", "xml"}, "expected text or json");
+  CHECK(folder.run({"step", classic, "--pixel", "20"}).exit_code == 0);
+  CHECK(folder.run({"step", classic, "--pixel", "440,330"}).exit_code == 0);
+}
