@@ -31,12 +31,6 @@ void select_along(const Ui& ui, int direction) {
   ui.act(action::Select{targets[static_cast<std::size_t>(next)]});
 }
 
-void step(const Ui& ui, bool forward, std::optional<Grain> grain) {
-  // Whoever asks for a step wants to see it.
-  if (ui.state.mode != Mode::trace) ui.act(action::SetMode{Mode::trace});
-  ui.act(action::Step{forward, grain});
-}
-
 void zoom(const Ui& ui, double factor) {
   const Viewport& pane = ui.state.viewport;
   ui.act(action::Zoom{{pane.width / 2, pane.height / 2}, factor});
@@ -120,6 +114,7 @@ bool enabled(Command command, const State& state) {
     case Command::zoom_out:
     case Command::fit:
     case Command::theme:
+    case Command::exchange:
     case Command::full_screen:
     case Command::menu:
       return true;
@@ -186,6 +181,7 @@ bool chosen(Command command, const State& state) {
     case Command::scale_up:
     case Command::scale_down:
     case Command::scale_reset:
+    case Command::exchange:
     case Command::full_screen:
     case Command::menu:
       return false;
@@ -236,19 +232,18 @@ void perform(Command command, const Ui& ui) {
     case Command::mode_help:
       return ui.act(action::SetMode{Mode::help});
     case Command::step:
-      return step(ui, true, {});
+      return ui.act(action::Step{true});
     case Command::step_back:
-      return step(ui, false, {});
+      return ui.act(action::Step{false});
     case Command::step_ray:
-      return step(ui, true, Grain::ray);
+      return ui.act(action::Step{true, Grain::ray});
     case Command::step_ray_back:
-      return step(ui, false, Grain::ray);
+      return ui.act(action::Step{false, Grain::ray});
     case Command::step_pixel:
-      return step(ui, true, Grain::pixel);
+      return ui.act(action::Step{true, Grain::pixel});
     case Command::step_pixel_back:
-      return step(ui, false, Grain::pixel);
+      return ui.act(action::Step{false, Grain::pixel});
     case Command::play:
-      if (state.mode != Mode::trace) ui.act(action::SetMode{Mode::trace});
       return ui.act(action::PlayPause{});
     case Command::clear:
       return ui.act(action::Clear{});
@@ -288,6 +283,8 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::SetUiScale{state.ui_scale - scale_step});
     case Command::scale_reset:
       return ui.act(action::SetUiScale{1});
+    case Command::exchange:
+      return ui.wish(WindowWish::exchange);
     case Command::full_screen:
       return ui.wish(WindowWish::full_screen);
     case Command::menu:

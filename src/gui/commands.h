@@ -58,6 +58,7 @@ enum class Command {
   scale_up,
   scale_down,
   scale_reset,
+  exchange,
   full_screen,
   menu,
 };

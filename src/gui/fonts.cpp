@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Sizes at scale 1, in units.
-constexpr float text_size = 15, small_size = 13, title_size = 21, code_size = 15;
+// Heights of a line at scale 1, in units; letters are about four fifths of it.
+constexpr float text_size = 17, small_size = 15, title_size = 23, code_size = 18;
 
 // What the catalogue of texts and the panes write: Latin with its accents, the Greek of optics, typographic marks,
 // super- and subscripts, arrows, the mathematics of the sentences, and a few shapes.
@@ -97,6 +97,14 @@ FontFiles find_fonts(const std::vector<std::string>& folders) {
   return found;
 }
 
+float line_height(const Fonts& fonts, const ImFont& font) {
+#if IMGUI_VERSION_NUM >= 19200
+  return font.LegacySize / fonts.density;
+#else
+  return font.FontSize / fonts.density;
+#endif
+}
+
 Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density) {
 #ifdef RAYWALK_FREETYPE
 #if IMGUI_VERSION_NUM >= 19200
@@ -124,6 +132,7 @@ Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float
     return atlas.AddFontDefault(&config);
   };
   Fonts fonts;
+  fonts.density = density;
   fonts.text = face(files.text, "", text_size);
   fonts.strong = face(files.strong, files.text, text_size);
   fonts.small = face(files.text, "", small_size);

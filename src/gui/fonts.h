@@ -17,7 +17,11 @@ struct Fonts {
   ImFont* title = nullptr;
   ImFont* code = nullptr;
   ImFont* code_strong = nullptr;
+  float density = 1;  ///< pixels per unit that they were rasterised for
 };
+
+/// Height of a line of a face, in units.
+[[nodiscard]] float line_height(const Fonts& fonts, const ImFont& font);
 
 /// Font files by their use; an empty path where none was found.
 struct FontFiles {

@@ -1,4 +1,5 @@
 #include "gui/command_table.h"
+#include "view/panels.h"
 
 #include <algorithm>
 
@@ -50,6 +51,8 @@ bool means(const Key& key, const KeyPress& press, Mode mode) {
       return mode == Mode::move;
     case When::not_move:
       return mode != Mode::move;
+    case When::trace:
+      return mode == Mode::trace;
   }
   return false;
 }
@@ -61,6 +64,33 @@ std::optional<Vec2d> arrow(int key) {
   if (key == GLFW_KEY_UP) return Vec2d{0, 1};
   if (key == GLFW_KEY_DOWN) return Vec2d{0, -1};
   return std::nullopt;
+}
+
+// How a key scrolls the help text.
+std::optional<WindowWish> scrolling(int key) {
+  if (key == GLFW_KEY_UP) return WindowWish::line_up;
+  if (key == GLFW_KEY_DOWN) return WindowWish::line_down;
+  if (key == GLFW_KEY_PAGE_UP) return WindowWish::page_up;
+  if (key == GLFW_KEY_PAGE_DOWN) return WindowWish::page_down;
+  return std::nullopt;
+}
+
+// Enter gives the first answer, which is the safe one; Escape cancels where that is an answer; a digit picks.
+bool answer_by_key(const KeyPress& press, const Ui& ui) {
+  const QuestionPanel question = question_panel(ui.state);
+  const auto answer = [&](std::size_t i) {
+    if (i >= question.choices.size()) return false;
+    ui.act(action::AnswerQuestion{static_cast<action::Answer>(question.choices[i].answer)});
+    return true;
+  };
+  if (press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER) return answer(0);
+  if (press.key >= GLFW_KEY_1 && press.key <= GLFW_KEY_9)
+    return answer(static_cast<std::size_t>(press.key - GLFW_KEY_1));
+  if (press.key != GLFW_KEY_ESCAPE) return false;
+  for (std::size_t i = 0; i < question.choices.size(); ++i) {
+    if (static_cast<action::Answer>(question.choices[i].answer) == action::Answer::cancel) return answer(i);
+  }
+  return false;
 }
 
 }  // namespace
@@ -82,6 +112,11 @@ std::optional<Command> command_of(const KeyPress& press, const State& state) {
 
 bool press_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
+  if (state.question) return answer_by_key(press, ui);
+  if (state.prompt != PathPrompt::none) {
+    if (press.key == GLFW_KEY_ESCAPE) ui.act(action::CancelPrompt{});
+    return press.key == GLFW_KEY_ESCAPE;
+  }
   if (press.key == GLFW_KEY_ESCAPE) {
     // One thing at a time, the most passing one first.
     if (state.drag) {
@@ -101,6 +136,10 @@ bool press_key(const KeyPress& press, const Ui& ui) {
   }
   if (const auto direction = arrow(press.key); direction && state.mode == Mode::move && !press.ctrl && !press.alt) {
     ui.act(action::Nudge{*direction, press.shift});
+    return true;
+  }
+  if (const auto way = scrolling(press.key); way && state.mode == Mode::help) {
+    ui.wish(*way);
     return true;
   }
   const auto command = command_of(press, state);

@@ -14,22 +14,25 @@ float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, 
 
 Layout lay_out(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
+  const float hairline = std::max(std::round(unit), 1.0f);  // between neighbours
   Layout layout;
   layout.bar = {0, 0, width, take(height, 44 * unit)};
-  const float top = layout.bar.bottom(), below = height - top;
+  const float top = std::min(layout.bar.bottom() + hairline, height), below = height - top;
 
   // The code gets its longest line; the plan, a third of the window at least.
-  const float side = take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 620 * unit)));
-  const float left = width - side;
-  layout.palette = {0, top, left, wishes.palette ? take(below, 46 * unit) : 0};
-  const float transport = take((below - layout.palette.height) * 0.6f, wishes.transport);
-  layout.plan = {0, layout.palette.bottom(), left, std::max(height - layout.palette.bottom() - transport, 0.0f)};
-  layout.transport = {0, layout.plan.bottom(), left, transport};
+  const float side = take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
+  const float left = std::max(width - side - hairline, 0.0f);
+  const float transport = take(below * 0.6f, wishes.transport);
+  layout.transport = {0, height - transport, left, transport};
+  const float strip = take((below - transport) * 0.3f, 42 * unit);
+  layout.strip = {0, std::max(layout.transport.y - hairline - strip, top), left, strip};
+  layout.plan = {0, top, left, layout.strip.y - top};
 
   // The tabs need room for a picture; what the code does not need is theirs.
-  const float code = std::min(wishes.code, std::max(below * 0.5f, below - 260 * unit));
-  layout.side = {left, top, side, take(below, code)};
-  layout.tabs = {left, layout.side.bottom(), side, std::max(height - layout.side.bottom(), 0.0f)};
+  const float code = take(below, std::min(wishes.code, std::max(below * 0.5f, below - 250 * unit)));
+  layout.side = {width - side, top, side, code};
+  const float tabs_top = std::min(layout.side.bottom() + hairline, height);
+  layout.tabs = {width - side, tabs_top, side, height - tabs_top};
   return layout;
 }
 

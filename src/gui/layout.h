@@ -16,10 +16,10 @@ struct Rect {
 /// Where the panes stand. None overlaps another and none is outside the window, however small that is; a pane may be
 /// empty.
 struct Layout {
-  Rect bar;        ///< menus and modes, along the top
-  Rect palette;    ///< what can be added to the scene; empty unless asked for
-  Rect plan;       ///< or the help text
-  Rect transport;  ///< the step's sentence, buttons and scrub bar, below the plan
+  Rect bar;  ///< menus and modes, along the top
+  Rect plan;
+  Rect strip;      ///< below the plan: what can be added to the scene, or the kinds of rays
+  Rect transport;  ///< the step's sentence, buttons and scrub bar
   Rect side;       ///< the code, or the properties of what is selected
   Rect tabs;       ///< 3-D image, ray tree, stack, legend: below the code
 };
@@ -27,10 +27,9 @@ struct Layout {
 struct LayoutWishes {
   float width = 1280, height = 720;  ///< of the window
   float unit = 1;                    ///< units per unit at scale 1
-  bool palette = false;
-  float transport = 0;   ///< height that the transport asks for
-  float code = 0;        ///< height that the code asks for
-  float code_width = 0;  ///< width that the code asks for
+  float transport = 0;               ///< height that the transport asks for
+  float code = 0;                    ///< height that the code asks for
+  float code_width = 0;              ///< width that the code asks for
 };
 
 [[nodiscard]] Layout lay_out(const LayoutWishes& wishes);

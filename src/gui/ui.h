@@ -16,7 +16,43 @@
 namespace raywalk {
 
 /// A wish that concerns the window and not the state.
-enum class WindowWish { full_screen, menu, properties };
+enum class WindowWish {
+  full_screen,
+  menu,        ///< opens the first menu
+  properties,  ///< puts the keyboard into the first field of the properties
+  exchange,    ///< the plan and the tabs take each other's place
+  line_up,     ///< these scroll the help text
+  line_down,
+  page_up,
+  page_down,
+};
+
+/// What the pointer rests on, for tooltips that wait a moment before they show.
+class Rest {
+ public:
+  /// To be asked by what is under the pointer, every frame: whether it has been there long enough.
+  bool rested_on(std::string_view name, double now) {
+    if (name_ != name) {
+      name_ = name;
+      since_ = now;
+    }
+    asked_ = true;
+    now_ = now;
+    return now - since_ >= patience;
+  }
+  /// At the end of a frame. Seconds after which another frame is needed; negative: none.
+  double end_frame() {
+    if (!asked_) name_.clear();
+    const bool waiting = std::exchange(asked_, false) && now_ - since_ < patience;
+    return waiting ? patience - (now_ - since_) : -1;
+  }
+
+ private:
+  static constexpr double patience = 0.45;  // seconds
+  std::string name_;
+  double since_ = 0, now_ = 0;
+  bool asked_ = false;
+};
 
 struct Ui {
   const State& state;
@@ -28,6 +64,7 @@ struct Ui {
   std::vector<WindowWish>& wishes;
   /// Where things were drawn in this frame, by name: tests aim with it.
   std::map<std::string, Rect, std::less<>>& items;
+  Rest& rest;
 
   void act(Action action) const { actions.push_back(std::move(action)); }
   void wish(WindowWish what) const { wishes.push_back(what); }

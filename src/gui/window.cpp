@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <utility>
 
 #ifndef GL_CLAMP_TO_EDGE
@@ -59,7 +60,18 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "raywalk");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raywalk");
 
+  constexpr int usual_width = 1280, usual_height = 720;
+  const bool usual = width <= 0 || height <= 0;
+  if (usual) width = usual_width, height = usual_height;
   if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+#if !defined(__APPLE__)  // there, screen coordinates follow the scale by themselves
+    float scale_x = 1, scale_y = 1;
+    glfwGetMonitorContentScale(monitor, &scale_x, &scale_y);
+    if (usual && scale_x > 1) {
+      width = static_cast<int>(static_cast<float>(width) * scale_x);
+      height = static_cast<int>(static_cast<float>(height) * scale_x);
+    }
+#endif
     int x = 0, y = 0, most_width = 0, most_height = 0;
     glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
     if (most_width > 0 && most_height > 0) {
@@ -183,9 +195,16 @@ void Window::upload_fonts() {
 #endif
 }
 
-void Window::begin_frame() {
+void Window::begin_frame(bool with_pointer) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  if (!with_pointer) {
+#if IMGUI_VERSION_NUM >= 18700
+    ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+#else
+    ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
+#endif
+  }
   ImGui::NewFrame();
 }
 

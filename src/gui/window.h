@@ -23,7 +23,8 @@ struct KeyPress {
 /// window's screen coordinates), pixels are those of the framebuffer.
 class Window {
  public:
-  /// Opens a window of this size (cut to the screen), not yet shown. Fails where there is no display or no OpenGL 3.3.
+  /// Opens a window of this size in screen coordinates, not yet shown; 0: 1280 x 720 at the display's own scale. It is
+  /// cut to the screen. Fails where there is no display or no OpenGL 3.3.
   static Result<std::unique_ptr<Window>> open(const std::string& title, int width, int height);
   ~Window();
   Window(const Window&) = delete;
@@ -50,7 +51,8 @@ class Window {
   /// Makes the font atlas known to the graphics card after it was rebuilt.
   void upload_fonts();
 
-  void begin_frame();
+  /// `with_pointer` false: as if the pointer were nowhere, for pictures.
+  void begin_frame(bool with_pointer = true);
   /// Draws what ImGui has, on `background` (sRGB, 0..1), and shows it. `picture`: where to copy the window to, if
   /// anywhere.
   void end_frame(const float (&background)[3], Image* picture = nullptr);

@@ -1,0 +1,151 @@
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "gui/words.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace raywalk {
+
+namespace {
+
+// A menu of the bar; `open` opens it by hand.
+template <class Entries>
+void menu(const Ui& ui, std::string_view title, const char* name, bool open, const Entries& entries) {
+  const std::string heading(title);
+  if (open) ImGui::OpenPopup(heading.c_str());
+  const bool is_open = ImGui::BeginMenu(heading.c_str());
+  ui.publish(name);
+  if (!is_open) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(9)});
+  entries();
+  ImGui::PopStyleVar();
+  ImGui::EndMenu();
+}
+
+void recent_menu(const Ui& ui) {
+  if (!ImGui::BeginMenu(std::string(text(TextId::menu_recent)).c_str(), !ui.state.recent.empty())) return;
+  int number = 0;
+  for (const std::string& path : ui.state.recent) {
+    ImGui::PushID(number);
+    const std::filesystem::path file(path);
+    const std::string folder = file.parent_path().string();
+    if (ImGui::MenuItem(file.filename().string().c_str(), folder.c_str())) ui.act(action::Open{path});
+    ui.publish("menu/recent/" + std::to_string(number++));
+    ImGui::PopID();
+  }
+  ImGui::EndMenu();
+}
+
+void file_menu(const Ui& ui) {
+  menu_item(ui, Command::new_scene);
+  menu_item(ui, Command::open);
+  recent_menu(ui);
+  ui.publish("menu/recent");
+  ImGui::Separator();
+  menu_item(ui, Command::save);
+  menu_item(ui, Command::save_as);
+  ImGui::Separator();
+  menu_item(ui, Command::quit);
+}
+
+void edit_menu(const Ui& ui) {
+  for (const Command command : {Command::undo, Command::redo}) menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command :
+       {Command::select_next, Command::select_previous, Command::edit_properties, Command::deselect, Command::remove})
+    menu_item(ui, command);
+}
+
+void view_menu(const Ui& ui) {
+  for (const Command command : {Command::fit, Command::zoom_in, Command::zoom_out}) menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::theme, Command::scale_up, Command::scale_down, Command::scale_reset})
+    menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::exchange, Command::full_screen}) menu_item(ui, command);
+}
+
+void walk_menu(const Ui& ui) {
+  for (const Command command : {Command::step, Command::step_ray, Command::step_pixel}) menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::step_back, Command::step_ray_back, Command::step_pixel_back})
+    menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::play, Command::slower, Command::faster}) menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::first, Command::last, Command::clear}) menu_item(ui, command);
+}
+
+}  // namespace
+
+void bar_pane(const Ui& ui, const Rect& where, bool open_menu) {
+  const float text_height = ImGui::GetFontSize();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), std::max((where.height - text_height) / 2, 0.0f)});
+  const bool visible =
+      begin_pane(ui, "bar", where, ui.colours.window,
+                 ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool has_bar = visible && ImGui::BeginMenuBar();
+  ImGui::PopStyleVar(2);
+  if (has_bar) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
+    menu(ui, text(TextId::menu_file), "menu-file", open_menu, [&] { file_menu(ui); });
+    menu(ui, text(TextId::menu_edit), "menu-edit", false, [&] { edit_menu(ui); });
+    menu(ui, text(TextId::menu_view), "menu-view", false, [&] { view_menu(ui); });
+    menu(ui, words::menu_walk, "menu-walk", false, [&] { walk_menu(ui); });
+    ImGui::PopStyleVar(2);
+
+    const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + ui.px(14), y});
+    choice(ui, {Command::mode_move, Command::mode_trace, Command::mode_help}, height, ui.fonts.strong);
+    const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(14), y});
+    command_button(ui, Command::undo, {height, height}, flat);
+    ImGui::SameLine(0, ui.px(2));
+    ButtonLook redo = flat;
+    redo.icon = Icon::redo;
+    command_button(ui, Command::redo, {height, height}, redo);
+
+    // The document's name at the right, where there is room for it.
+    const std::string title = document_title(ui.state);
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    const float x = where.right() - width - ui.px(16);
+    if (x > ImGui::GetItemRectMax().x + ui.px(12)) {
+      ImGui::GetWindowDrawList()->AddText({x, std::round(where.y + (where.height - text_height) / 2)},
+                                          to_imgui(ui.colours.dim_text), title.c_str());
+    }
+    ImGui::EndMenuBar();
+  }
+  end_pane();
+}
+
+void palette_pane(const Ui& ui, const Rect& where) {
+  if (begin_pane(ui, "palette", where, ui.colours.window, ImGuiWindowFlags_NoScrollbar)) {
+    const float height = where.height - 2 * ui.px(6);
+    ImGui::SetCursorScreenPos({where.x + ui.px(10), where.y + ui.px(6)});
+    constexpr std::array adds{Command::add_solid_sphere, Command::add_transparent_sphere, Command::add_polygon,
+                              Command::add_light};
+    ButtonLook add{.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = true};
+    ButtonLook remove{.look = Look::flat, .icon = Icon::minus, .font = nullptr, .label = true};
+    const auto width = [&] {
+      float sum = button_width(ui, Command::remove, remove) + ui.px(20);
+      for (const Command command : adds) sum += button_width(ui, command, add) + ImGui::GetStyle().ItemSpacing.x;
+      return sum;
+    };
+    // In a narrow window first the letters shrink, then the icons go.
+    if (width() > where.width) add.font = remove.font = ui.fonts.small;
+    if (width() > where.width) add.icon = remove.icon = Icon::none;
+    for (const Command command : adds) {
+      command_button(ui, command, {0, height}, add);
+      ImGui::SameLine();
+    }
+    command_button(ui, Command::remove, {0, height}, remove);
+  }
+  end_pane();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,150 @@
+#include "gui/browser.h"
+
+#include "gui/widgets.h"
+#include "gui/words.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace raywalk {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string absolute(const std::string& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path.empty() ? "." : path, error);
+  return error ? path : whole.lexically_normal().string();
+}
+
+}  // namespace
+
+FolderListing list_folder(const std::string& folder) {
+  constexpr std::size_t most = 5000;
+  FolderListing listing;
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  listing.readable = !error;
+  while (!error && entry != fs::directory_iterator() && listing.folders.size() + listing.files.size() < most) {
+    const std::string name = entry->path().filename().string();
+    std::error_code unknown;
+    if (!name.starts_with(".")) {
+      if (entry->is_directory(unknown)) {
+        listing.folders.push_back(name);
+      } else if (entry->path().extension() == ".toml") {
+        listing.files.push_back(name);
+      }
+    }
+    entry.increment(error);
+  }
+  std::sort(listing.folders.begin(), listing.folders.end());
+  std::sort(listing.files.begin(), listing.files.end());
+  return listing;
+}
+
+void Browser::begin(const State& state, const std::string& home) {
+  const fs::path current(state.path);
+  go_to(absolute(state.path.empty() ? home : current.parent_path().string()));
+  typed_.clear();
+  if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.filename().string();
+  focus_typed_ = true;
+}
+
+void Browser::go_to(const std::string& folder) {
+  folder_ = folder;
+  listing_ = list_folder(folder);
+}
+
+void Browser::accept(const Ui& ui) const {
+  if (typed_.empty()) return;
+  const fs::path typed(typed_);
+  const std::string path = typed.is_absolute() ? typed_ : (fs::path(folder_) / typed).string();
+  if (asking_ == PathPrompt::open) ui.act(action::Open{path});
+  if (asking_ == PathPrompt::save_as) ui.act(action::SaveAs{path});
+}
+
+void Browser::entries(const Ui& ui, float height) {
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ui.colours.window));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
+  const bool visible = ImGui::BeginChild("files", {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  if (visible) {
+    std::string into;
+    for (const std::string& name : listing_.folders) {
+      if (ImGui::Selectable((name + "/").c_str())) into = name;
+      ui.publish("browser/" + name + "/");
+    }
+    for (const std::string& name : listing_.files) {
+      if (ImGui::Selectable(name.c_str(), name == typed_, ImGuiSelectableFlags_AllowDoubleClick)) {
+        typed_ = name;
+        if (ImGui::IsMouseDoubleClicked(0)) accept(ui);
+      }
+      ui.publish("browser/" + name);
+    }
+    if (!listing_.readable) paragraph(ui.colours.error, words::folder_unreadable);
+    if (listing_.readable && listing_.files.empty()) paragraph(ui.colours.dim_text, words::no_scene_here);
+    if (!into.empty()) go_to((fs::path(folder_) / into).string());
+  }
+  ImGui::EndChild();
+}
+
+void Browser::draw(const Ui& ui, const std::string& home) {
+  const PathPrompt wanted = ui.state.question ? PathPrompt::none : ui.state.prompt;
+  if (wanted != asking_) {
+    asking_ = wanted;
+    if (asking_ != PathPrompt::none) begin(ui.state, home);
+  }
+  if (asking_ == PathPrompt::none) return;
+  const bool saves = asking_ == PathPrompt::save_as;
+  const std::string title(text(saves ? TextId::menu_save_as : TextId::menu_open));
+  const ImVec2 whole = ImGui::GetMainViewport()->Size;
+  const ImVec2 extent{std::min(ui.px(640), whole.x), std::min(ui.px(470), whole.y)};
+  ImGui::SetNextWindowSize(extent);
+  ImGui::SetNextWindowPos({whole.x / 2, whole.y / 2}, 0, {0.5f, 0.5f});
+  const std::string id = title + "###browser";
+  if (!ImGui::IsPopupOpen(id.c_str())) ImGui::OpenPopup(id.c_str());
+  bool open = true;
+  if (!ImGui::BeginPopupModal(id.c_str(), &open, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
+    // Closed by its cross.
+    if (!open) ui.act(action::CancelPrompt{});
+    return;
+  }
+  const float line = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.y;
+  if (button(ui, "browser-up", std::string(words::folder_up), std::string(words::folder_up_hint), {0, line},
+             {.look = Look::plain, .icon = Icon::up}))
+    go_to(fs::path(folder_).parent_path().string());
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  label(ui.colours.dim_text, folder_);
+  const bool complains = ui.state.notice && ui.state.notice->kind == Notice::Kind::error;
+  const float message = complains ? 3 * ImGui::GetFontSize() : 0;
+  entries(ui, std::max(ImGui::GetContentRegionAvail().y - 2 * (line + gap) - message, ui.px(40)));
+  if (complains) paragraph(ui.colours.error, ui.state.notice->text);
+
+  if (std::exchange(focus_typed_, false)) ImGui::SetKeyboardFocusHere();
+  std::array<char, 4096> buffer{};
+  std::strncpy(buffer.data(), typed_.c_str(), buffer.size() - 1);
+  ImGui::SetNextItemWidth(-1);
+  const bool entered = ImGui::InputTextWithHint("##path", std::string(text(TextId::path_label)).c_str(), buffer.data(),
+                                                buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  typed_ = buffer.data();
+  ui.publish("browser-path");
+  const ImVec2 large{ui.px(130), line};
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * large.x - ImGui::GetStyle().ItemSpacing.x -
+                       ImGui::GetStyle().WindowPadding.x);
+  const bool cancelled = button(ui, "browser-cancel", std::string(text(TextId::answer_cancel)), "", large, {});
+  ImGui::SameLine();
+  const bool accepted = button(ui, "browser-accept", std::string(text(saves ? TextId::menu_save : TextId::menu_open)),
+                               "", large, {.look = Look::primary}, false, !typed_.empty());
+  if (accepted || entered) accept(ui);
+  if (cancelled) ui.act(action::CancelPrompt{});
+  ImGui::EndPopup();
+}
+
+}  // namespace raywalk

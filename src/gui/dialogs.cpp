@@ -1,0 +1,70 @@
+#include "gui/dialogs.h"
+
+#include "gui/widgets.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+void question_dialog(const Ui& ui) {
+  if (!ui.state.question) return;
+  const QuestionPanel question = question_panel(ui.state);
+  const ImVec2 whole = ImGui::GetMainViewport()->Size;
+  const float width = std::min(ui.px(520), whole.x);
+  ImGui::SetNextWindowPos({whole.x / 2, whole.y * 0.45f}, 0, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(24), ui.px(22)});
+  if (!ImGui::IsPopupOpen("###question")) ImGui::OpenPopup("###question");
+  const bool open = ImGui::BeginPopupModal("###question", nullptr,
+                                           ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  if (!open) return;
+  paragraph(ui.colours.text, question.text);
+  ImGui::Dummy({1, ui.px(8)});
+  bool first = true;
+  int number = 0;
+  for (const QuestionPanel::Choice& choice : question.choices) {
+    if (!first) ImGui::SameLine();
+    const std::string name = "answer-" + std::to_string(number++);
+    const ImVec2 extent{(width - 2 * ui.px(24) - 2 * ImGui::GetStyle().ItemSpacing.x) / 3, ui.px(38)};
+    if (button(ui, name, choice.label, "", extent, {.look = first ? Look::primary : Look::plain}))
+      ui.act(action::AnswerQuestion{static_cast<action::Answer>(choice.answer)});
+    first = false;
+  }
+  ImGui::EndPopup();
+}
+
+void notice_bar(const Ui& ui, const Rect& plan) {
+  if (!ui.state.notice || ui.state.prompt != PathPrompt::none || plan.width < ui.px(80)) return;
+  const bool error = ui.state.notice->kind == Notice::Kind::error;
+  const float margin = ui.px(12), edge = ui.px(24), most = std::min(plan.width - 2 * margin, ui.px(640));
+  const float text_most = most - edge - ui.px(42);
+  const std::string& words = ui.state.notice->text;
+  const ImVec2 extent = ImGui::CalcTextSize(words.c_str(), nullptr, false, text_most);
+  const float width = std::min(extent.x + 1, text_most) + edge + ui.px(42);
+  ImGui::SetNextWindowPos({plan.x + margin, plan.y + margin});
+  ImGui::SetNextWindowSize({width, std::max(extent.y, edge) + ui.px(20)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(10)});
+  ImGui::PushStyleColor(ImGuiCol_Border, to_imgui4(error ? ui.colours.error : Shades(ui.state.theme).raised_held));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(ui.colours.panel));
+  ImGui::Begin("notice", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({at.x, at.y + std::max((edge - extent.y) / 2, 0.0f)});
+  ImGui::PushTextWrapPos(ui.px(16) + text_most + 1);
+  label(error ? ui.colours.error : ui.colours.text, words);
+  ImGui::PopTextWrapPos();
+  ImGui::SetCursorScreenPos({at.x + width - ui.px(28) - edge, at.y});
+  if (button(ui, "dismiss-notice", std::string(text(TextId::button_close)), std::string(text(TextId::button_close)),
+             {edge, edge}, {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
+    ui.act(action::DismissNotice{});
+  ImGui::End();
+}
+
+}  // namespace raywalk

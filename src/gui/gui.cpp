@@ -1,0 +1,242 @@
+#include "gui/gui.h"
+
+#include "gui/interface.h"
+#include "gui/report.h"
+#include "gui/session.h"
+#include "gui/style.h"
+#include "gui/window.h"
+#include "io/file.h"
+#include "view/action_text.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace raywalk {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+// After something has happened ImGui needs a few frames until all that follows from it is on the screen.
+constexpr int frames_to_settle = 3;
+constexpr double shortest_wait = 1.0 / 60;  // seconds
+constexpr double image_slice = 14;          // milliseconds of work on the 3-D image between two looks at the events
+constexpr double smoothing_every = 0.3;     // the same once only noise is being taken out of it
+constexpr double image_every = 0.08;        // seconds between two pictures of a 3-D image that is being refined
+constexpr double notice_lasts = 6;          // seconds, unless it reports an error
+
+class Loop {
+ public:
+  Loop(const GuiOptions& options, State state, Window& window, Demo demo, Clock::time_point begun)
+      : options_(options),
+        state_(std::move(state)),
+        window_(window),
+        interface_(options.data_dir + "/scenes"),
+        demo_(std::move(demo)),
+        begun_(begun),
+        settings_{state_.theme, state_.ui_scale, state_.tab},
+        fonts_found_(find_fonts(font_folders(options.data_dir))) {
+    ImGui::GetIO().ConfigDragClickToInputText = true;
+  }
+
+  Result<void> run() {
+    while (!state_.quit) {
+      if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
+      pass_time();
+      for (const KeyPress& key : window_.take_keys())
+        interface_.press(state_, fonts_, unit(), window_.scale(), key), apply();
+      if (window_.take_close_request()) act(action::Quit{});
+      if (window_.minimised()) continue;
+      if (frames_due_ > 0) frame(nullptr);
+      work_on_image();
+      if (wants_picture() && settled()) return take_picture();
+    }
+    const Settings now{state_.theme, state_.ui_scale, state_.tab};
+    if (now != settings_) write_settings(state_.state_dir, now);
+    return failure_;
+  }
+
+ private:
+  [[nodiscard]] float unit() const {
+    return window_.scale() * static_cast<float>(state_.ui_scale * theme_scale(state_.theme));
+  }
+  [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
+  [[nodiscard]] bool settled() const {
+    return frames_due_ == 0 && image_.rests(state_) && demo_.over() && !state_.playing;
+  }
+
+  // Seconds that may pass before something has to be done; negative: for ever.
+  [[nodiscard]] double patience() const {
+    if (frames_due_ > 0 || !image_.rests(state_)) return 0;
+    double wait = -1;
+    const auto at_most = [&](double seconds) {
+      wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
+    };
+    if (state_.playing) at_most((1 - state_.owed) / state_.lines_per_second);
+    if (!demo_.over()) at_most(0.1);
+    if (state_.dirty && state_.autosaved_revision != state_.revision && !state_.state_dir.empty())
+      at_most(state_.autosave_in);
+    if (state_.notice && state_.notice->kind == Notice::Kind::info) at_most(notice_lasts - notice_seen_);
+    if (interface_.next_frame_in() >= 0) at_most(interface_.next_frame_in());
+    return wait;
+  }
+
+  void act(const Action& action) {
+    update(state_, action);
+    frames_due_ = frames_to_settle;
+  }
+
+  void apply() {
+    for (const Action& action : interface_.take_actions()) act(action);
+    if (interface_.take_full_screen()) window_.toggle_full_screen();
+  }
+
+  void pass_time() {
+    const Clock::time_point now = Clock::now();
+    const double seconds = seconds_between(last_, now);
+    last_ = now;
+    const int position = state_.position;
+    const bool playing = state_.playing;
+    const auto notice = [&] { return state_.notice ? state_.notice->text : std::string(); };
+    const std::string said = notice();
+    update(state_, action::Tick{seconds});
+    if (state_.position != position || state_.playing != playing || notice() != said)
+      frames_due_ = std::max(frames_due_, 1);
+    if (const Action* action = demo_.due(seconds)) act(*action);
+
+    if (notice() != seen_notice_) {
+      seen_notice_ = notice();
+      notice_seen_ = 0;
+    } else if (state_.notice && state_.notice->kind == Notice::Kind::info) {
+      notice_seen_ += seconds;
+      if (notice_seen_ >= notice_lasts) act(action::DismissNotice{});
+    }
+    if (interface_.next_frame_in() >= 0) {
+      tooltip_in_ = tooltip_in_ < 0 ? interface_.next_frame_in() : tooltip_in_ - seconds;
+      if (tooltip_in_ <= 0) frames_due_ = std::max(frames_due_, 1);
+    } else {
+      tooltip_in_ = -1;
+    }
+  }
+
+  void work_on_image() {
+    if (frames_drawn_ == 0 || image_.rests(state_)) return;
+    const bool more = image_.work(state_, image_slice);
+    const Clock::time_point now = Clock::now();
+    const double every = image_.preview().has_every_pixel() ? smoothing_every : image_every;
+    if (image_.preview().revision() == shown_image_ || (more && seconds_between(image_shown_, now) < every)) return;
+    const ImageSize size = image_.preview().size();
+    texture_.upload(size.width, size.height, image_.preview().rgba().data());
+    shown_image_ = image_.preview().revision();
+    image_shown_ = now;
+    frames_due_ = std::max(frames_due_, 1);
+  }
+
+  // Letters and spacing for the scale and theme of now.
+  void rescale() {
+    const float now = unit(), density = window_.density();
+    if (now != styled_unit_ || state_.theme != styled_theme_) set_style(ImGui::GetStyle(), state_.theme, now);
+    if (now != styled_unit_ || density != fonts_.density || fonts_.text == nullptr) {
+      ImGuiIO& io = ImGui::GetIO();
+      io.Fonts->Clear();
+      fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density);
+      io.FontGlobalScale = 1 / density;
+      window_.upload_fonts();
+    }
+    styled_unit_ = now;
+    styled_theme_ = state_.theme;
+  }
+
+  void frame(Image* picture) {
+    rescale();
+    --frames_due_;
+    window_.begin_frame(!wants_picture());
+    const ImageSize size = image_.preview().size();
+    const Picture shown{texture_.id(),
+                        size.width,
+                        size.height,
+                        image_.preview().done(),
+                        image_.preview().has_every_pixel(),
+                        image_.preview().finished()};
+    interface_.draw(state_, fonts_, unit(), window_.scale(), shown);
+    const Colour ground = palette(state_.theme).window;
+    window_.end_frame(
+        {static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255, static_cast<float>(ground.b) / 255},
+        picture);
+    if (frames_drawn_++ == 0) first_frame_ = seconds_between(begun_, Clock::now());
+    apply();
+    if (const std::string title = document_title(state_) + " \u2013 Raywalk"; title != title_) {
+      window_.set_title(title);
+      title_ = title;
+    }
+    if (frames_due_ == 0) write_report();
+  }
+
+  void write_report() {
+    if (options_.report_path.empty()) return;
+    const ImVec2 extent = ImGui::GetIO().DisplaySize;
+    const WindowReport window{frames_drawn_, first_frame_, extent.x, extent.y, patience() != 0 && !state_.playing};
+    const std::string text = report(state_, interface_, image_.preview(), window_.scale(), window);
+    if (Result<void> written = write_file_atomically(options_.report_path, text); !written && failure_) {
+      failure_ = tl::unexpected(written.error());
+      state_.quit = true;
+    }
+  }
+
+  Result<void> take_picture() {
+    Image picture;
+    frames_due_ = 1;
+    frame(&picture);
+    const Result<ImageWritten> written = write_image(options_.screenshot_path, picture);
+    if (!written) return tl::unexpected(written.error());
+    return failure_;
+  }
+
+  const GuiOptions& options_;
+  State state_;
+  Window& window_;
+  Interface interface_;
+  Demo demo_;
+  LiveImage image_;
+  Texture texture_;
+  Clock::time_point begun_, last_ = Clock::now(), image_shown_{};
+  Settings settings_;  ///< as they were at the start
+  FontFiles fonts_found_;
+  Fonts fonts_;
+  float styled_unit_ = 0;
+  Theme styled_theme_ = Theme::dark;
+  std::uint64_t shown_image_ = 0;
+  int frames_due_ = frames_to_settle, frames_drawn_ = 0;
+  double first_frame_ = 0, notice_seen_ = 0, tooltip_in_ = -1;
+  std::string title_, seen_notice_;
+  Result<void> failure_;
+};
+
+}  // namespace
+
+Result<void> run_gui(const GuiOptions& options) {
+  const Clock::time_point begun = Clock::now();
+  Result<State> state = start(options);
+  if (!state) return tl::unexpected(state.error());
+  Demo demo;
+  if (!options.demo_path.empty()) {
+    constexpr std::size_t most_bytes = 16 << 20;
+    const Result<std::string> text = read_file(options.demo_path, most_bytes);
+    if (!text) return tl::unexpected(text.error());
+    Result<std::vector<Action>> actions = parse_demo(*text, options.demo_path);
+    if (!actions) return tl::unexpected(actions.error());
+    demo = Demo(std::move(*actions));
+  }
+  if (!options.screenshot_path.empty()) {
+    if (const auto format = image_format_of(options.screenshot_path); !format) return tl::unexpected(format.error());
+  }
+  Result<std::unique_ptr<Window>> window = Window::open("Raywalk", options.width, options.height);
+  if (!window) return tl::unexpected(window.error());
+  return Loop(options, std::move(*state), **window, std::move(demo), begun).run();
+}
+
+}  // namespace raywalk

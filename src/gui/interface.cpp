@@ -1,0 +1,123 @@
+#include "gui/interface.h"
+
+#include "gui/commands.h"
+#include "gui/dialogs.h"
+#include "gui/style.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+Ui Interface::ui(const State& state, const Fonts& fonts, float unit, float dpi) {
+  return {state, fonts, palette(state.theme), unit, dpi, actions_, wishes_, items_, rest_};
+}
+
+void Interface::grant(const Ui& ui) {
+  for (const WindowWish wish : std::exchange(wishes_, {})) {
+    switch (wish) {
+      case WindowWish::full_screen:
+        full_screen_ = true;
+        break;
+      case WindowWish::menu:
+        open_menu_ = true;
+        break;
+      case WindowWish::exchange:
+        exchanged_ = !exchanged_;
+        break;
+      case WindowWish::properties:
+        focus_properties_ = true;
+        break;
+      case WindowWish::line_up:
+        scroll_help_ -= ui.px(40);
+        break;
+      case WindowWish::line_down:
+        scroll_help_ += ui.px(40);
+        break;
+      case WindowWish::page_up:
+        scroll_help_ -= layout_.plan.height * 0.8f;
+        break;
+      case WindowWish::page_down:
+        scroll_help_ += layout_.plan.height * 0.8f;
+        break;
+    }
+  }
+}
+
+void Interface::press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key) {
+  const bool asks = state.question || state.prompt != PathPrompt::none;
+  const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (!asks && (ImGui::GetIO().WantTextInput || menu_open)) return;
+  const Ui with = ui(state, fonts, unit, dpi);
+  press_key(key, with);
+  grant(with);
+}
+
+void Interface::draw(const State& state, const Fonts& fonts, float unit, float dpi, const Picture& picture) {
+  items_.clear();
+  const Ui with = ui(state, fonts, unit, dpi);
+  ImGuiIO& io = ImGui::GetIO();
+  // Arrows and Enter work inside menus and dialogs; outside they are commands.
+  const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (popup || open_menu_) {
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  } else {
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  }
+
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(io.DisplaySize);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushFont(fonts.text);
+  // The ground is seen only between the panes, as hairlines.
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(Shades(state.theme).line));
+  ImGui::Begin("raywalk", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(4);
+
+  LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit};
+  wishes.code = code_height(with);
+  wishes.code_width = code_width(with);
+  // The transport's height depends on its width, which does not depend on its height.
+  wishes.transport = transport_height(with, lay_out(wishes).plan.width);
+  layout_ = lay_out(wishes);
+
+  // What is in the corner is small; exchanged it has the plan's room.
+  if (exchanged_ && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
+
+  bar_pane(with, layout_.bar, std::exchange(open_menu_, false));
+  if (state.mode == Mode::help) {
+    const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
+    help_pane(with, left, std::exchange(scroll_help_, 0.0f));
+  } else {
+    plan_pane(with, layout_.plan);
+    // One strip for both modes, so that the plan stays where it is.
+    if (state.mode == Mode::move) {
+      palette_pane(with, layout_.strip);
+    } else {
+      legend_pane(with, layout_.strip);
+    }
+    transport_pane(with, layout_.transport);
+  }
+  if (PropertiesPane::shows(state)) {
+    properties_.draw(with, layout_.side, std::exchange(focus_properties_, false));
+  } else {
+    code_pane(with, layout_.side);
+  }
+  tabs_.draw(with, layout_.tabs, picture);
+  ImGui::End();
+
+  notice_bar(with, layout_.plan);
+  browser_.draw(with, home_);
+  question_dialog(with);
+  ImGui::PopFont();
+  grant(with);
+  next_frame_in_ = rest_.end_frame();
+}
+
+}  // namespace raywalk

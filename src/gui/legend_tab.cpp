@@ -1,0 +1,81 @@
+#include "gui/painter.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/panels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+// A line as rays of this kind are drawn, with their arrowhead, from (x, y) to the right.
+void sample(const Ui& ui, const LegendRow& row, float x, float y, float length) {
+  LineItem line;
+  line.from = {x, y};
+  line.to = {x + length, y};
+  line.stroke = {row.style.colour, static_cast<double>(ui.px(2.2f)), row.style.dash, 0};
+  for (double& part : line.stroke.dash.lengths) part *= static_cast<double>(ui.unit);
+  line.arrow = static_cast<double>(ui.px(10));
+  paint_line(*ImGui::GetWindowDrawList(), line);
+}
+
+}  // namespace
+
+void legend_tab(const Ui& ui, const Rect& where) {
+  const Legend content = legend(ui.state);
+  const float column = ui.px(78);
+  for (const LegendRow& row : content.rays) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    sample(ui, row, at.x, at.y + ImGui::GetFontSize() / 2, ui.px(56));
+    ImGui::SetCursorScreenPos({at.x + column, at.y});
+    ImGui::PushTextWrapPos(where.width - ui.px(12));
+    push_font(ui.fonts.strong);
+    label(ui.colours.text, row.name);
+    pop_font();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + column);
+    push_font(ui.fonts.small);
+    label(ui.colours.dim_text, row.meaning);
+    pop_font();
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::Spacing();
+  for (const LegendSign& sign : content.signs) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    push_font(ui.fonts.strong);
+    label(ui.colours.text, sign.symbol);
+    pop_font();
+    ImGui::SetCursorScreenPos({at.x + column, at.y});
+    ImGui::PushTextWrapPos(where.width - ui.px(12));
+    push_font(ui.fonts.small);
+    label(ui.colours.dim_text, sign.meaning);
+    pop_font();
+    ImGui::PopTextWrapPos();
+  }
+}
+
+void legend_pane(const Ui& ui, const Rect& where) {
+  if (begin_pane(ui, "legend", where, ui.colours.plan, ImGuiWindowFlags_NoScrollbar)) {
+    push_font(ui.fonts.small);
+    const Legend content = legend(ui.state);
+    const float height = line_height(ui.fonts, *ui.fonts.small), length = ui.px(34), gap = ui.px(7);
+    float width = 0;
+    for (const LegendRow& row : content.rays) width += length + gap + ImGui::CalcTextSize(row.name.c_str()).x;
+    // Spread, but not too far; in a narrow window as close as they must be.
+    const float room = (where.width - ui.px(28) - width) / static_cast<float>(content.rays.size());
+    const float between = std::clamp(room, ui.px(4), ui.px(22));
+    float x = where.x + ui.px(14);
+    const float y = std::round(where.y + (where.height - height) / 2);
+    for (const LegendRow& row : content.rays) {
+      sample(ui, row, x, y + height / 2, length);
+      x += length + gap;
+      ImGui::GetWindowDrawList()->AddText({std::round(x), y}, to_imgui(ui.colours.dim_text), row.name.c_str());
+      x += ImGui::CalcTextSize(row.name.c_str()).x + between;
+    }
+    pop_font();
+  }
+  end_pane();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,72 @@
+#pragma once
+// The panes. Each draws what `view` says into its rectangle and adds the user's actions; none changes the state.
+
+#include "gui/form.h"
+#include "gui/ui.h"
+
+#include <cstdint>
+
+namespace raywalk {
+
+/// Along the top: menus, modes, undo and redo, the document's name. Opens the first menu when `open_menu`.
+void bar_pane(const Ui& ui, const Rect& where, bool open_menu);
+
+/// What can be added to the scene, and removed.
+void palette_pane(const Ui& ui, const Rect& where);
+
+/// The plan and the pointer on it.
+void plan_pane(const Ui& ui, const Rect& where);
+
+/// Help mode's text. `scroll_by`: units, downwards.
+void help_pane(const Ui& ui, const Rect& where, float scroll_by);
+
+/// The step's sentence, the buttons, and the scrub bar over the whole timeline.
+void transport_pane(const Ui& ui, const Rect& where);
+/// Height that the transport needs at this width.
+[[nodiscard]] float transport_height(const Ui& ui, float width);
+
+/// The two boxes of pseudocode. Keeps the lines that matter in sight where there is no room for all.
+void code_pane(const Ui& ui, const Rect& where);
+[[nodiscard]] float code_height(const Ui& ui);
+[[nodiscard]] float code_width(const Ui& ui);
+
+/// Numbers and colours of what is selected.
+class PropertiesPane {
+ public:
+  /// `focus`: puts the keyboard into the first field.
+  void draw(const Ui& ui, const Rect& where, bool focus);
+  /// Whether something is selected that has properties, in the mode that changes them.
+  [[nodiscard]] static bool shows(const State& state);
+
+ private:
+  FormMemory memory_;
+};
+
+/// The 3-D image as far as it is.
+struct Picture {
+  std::uintptr_t texture = 0;  ///< 0: none yet
+  int width = 0, height = 0;   ///< of the image; `texture` has this size
+  double done = 0;             ///< 0..1
+  bool has_every_pixel = false, finished = false;
+};
+
+/// The tabs' headings and the one that is open.
+class TabsPane {
+ public:
+  void draw(const Ui& ui, const Rect& where, const Picture& picture);
+
+ private:
+  int hovering_ = -1;    ///< the ray that this pane said is pointed at
+  int centred_on_ = -1;  ///< the ray that the tree was last scrolled to
+};
+
+void image_tab(const Ui& ui, const Rect& where, const Picture& picture);
+/// Both return the ray that is pointed at, or -1.
+int tree_tab(const Ui& ui, const Rect& where, int& centred_on);
+int stack_tab(const Ui& ui, const Rect& where);
+void legend_tab(const Ui& ui, const Rect& where);
+
+/// Samples of the ray kinds, in one row.
+void legend_pane(const Ui& ui, const Rect& where);
+
+}  // namespace raywalk

@@ -1,0 +1,104 @@
+#include "gui/painter.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/panels.h"
+#include "view/plan_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+// Whether the pointer should look like a hand that takes hold or presses.
+bool can_be_held(const State& state, TargetKind kind) {
+  switch (kind) {
+    case TargetKind::nothing:
+      return false;
+    case TargetKind::eye:
+    case TargetKind::view_direction:
+    case TargetKind::screen_height:
+    case TargetKind::screen_distance:
+    case TargetKind::object:
+    case TargetKind::radius:
+    case TargetKind::corner:
+    case TargetKind::edge:
+    case TargetKind::rotation:
+    case TargetKind::light:
+      return state.mode == Mode::move;
+    case TargetKind::cell:
+    case TargetKind::ray:
+      return state.mode == Mode::trace;
+  }
+  return false;
+}
+
+// What the mouse does on the item just added, told in pixels of the plan.
+void pointer_actions(const Ui& ui, const Rect& where) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const State& state = ui.state;
+  const bool inside = ImGui::IsItemHovered();
+  if (!ImGui::IsMousePosValid()) return;
+  const Vec2d at{static_cast<double>((io.MousePos.x - where.x) / ui.dpi),
+                 static_cast<double>((io.MousePos.y - where.y) / ui.dpi)};
+  const action::Modifiers modifiers{io.KeyShift, io.KeyCtrl, io.KeyAlt};
+  const bool held = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
+
+  if ((inside || state.drag) && (!state.pointer || *state.pointer != at)) ui.act(action::PointerMoved{at, modifiers});
+  if (state.drag) {
+    if (!held) ui.act(action::PointerReleased{at, modifiers});
+  } else if (inside) {
+    constexpr std::array buttons{action::Button::left, action::Button::right, action::Button::middle};
+    for (int i = 0; i < 3; ++i) {
+      if (ImGui::IsMouseClicked(i))
+        ui.act(action::PointerPressed{at, buttons[static_cast<std::size_t>(i)], modifiers,
+                                      ImGui::IsMouseDoubleClicked(i)});
+    }
+  } else if (state.pointer && !held) {
+    ui.act(action::PointerLeft{});
+  }
+  if (inside && io.MouseWheel != 0) ui.act(action::Zoom{at, std::pow(1.2, static_cast<double>(io.MouseWheel))});
+}
+
+// Says what is under the pointer, at once: it is part of the picture.
+void name_target(const Ui& ui) {
+  const std::string what = target_text(ui.state, ui.state.hovered);
+  if (what.empty()) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
+  ImGui::BeginTooltip();
+  push_font(ui.fonts.small);
+  ImGui::TextUnformatted(what.c_str());
+  pop_font();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void plan_pane(const Ui& ui, const Rect& where) {
+  const Viewport viewport{std::max(static_cast<double>(where.width / ui.dpi), 1.0),
+                          std::max(static_cast<double>(where.height / ui.dpi), 1.0)};
+  if (!where.empty() && viewport != ui.state.viewport) ui.act(action::ResizePlan{viewport});
+
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  const bool visible =
+      begin_pane(ui, "plan", where, ui.colours.plan, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  if (visible) {
+    ImGui::SetCursorScreenPos(corner(where));
+    ImGui::InvisibleButton(
+        "plan", size(where),
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    pointer_actions(ui, where);
+    const bool inside = ImGui::IsItemHovered();
+    // Drawn for the pane as it is, even in the one frame in which the state does not know of a new size yet.
+    paint(*ImGui::GetWindowDrawList(), plan_view(ui.state, viewport), where, ui.dpi, ui.fonts);
+    if (inside && !ui.state.drag) name_target(ui);
+    if ((inside || ui.state.drag) && can_be_held(ui.state, ui.state.hovered.kind))
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  end_pane();
+}
+
+}  // namespace raywalk

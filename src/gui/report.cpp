@@ -1,0 +1,86 @@
+#include "gui/report.h"
+
+#include "gui/names.h"
+#include "view/panels.h"
+#include "view/plan_view.h"
+
+#include <nlohmann/json.hpp>
+
+namespace raywalk {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string selected_name(const State& state) {
+  const Target& target = state.selected;
+  const auto index = static_cast<std::size_t>(std::max(target.index, 0));
+  if (target.kind == TargetKind::light && index < state.scene().lights.size()) return state.scene().lights[index].name;
+  if (target.kind == TargetKind::eye) return "EYE";
+  const bool body = target.kind == TargetKind::object || target.kind == TargetKind::corner;
+  if (body && index < state.scene().objects.size()) return state.scene().objects[index].name;
+  return {};
+}
+
+// The middle of a body in the plan.
+Vec2d middle(const Shape<double>& shape) {
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return plan(sphere->centre);
+  if (const auto* plane = std::get_if<Plane<double>>(&shape)) return plan(plane->point);
+  Vec2d sum{0.0};
+  const auto& corners = std::get<Prism<double>>(shape).corners;
+  for (const Vec2d& corner : corners) sum += corner / static_cast<double>(corners.size());
+  return sum;
+}
+
+}  // namespace
+
+std::string report(const State& state, const Interface& interface, const Preview& preview, float dpi,
+                   const WindowReport& window) {
+  const Rect& pane = interface.layout().plan;
+  const auto place = [&](const Vec2d& at) {
+    const Vec2d pixels = to_pixels(state.camera, state.viewport, at);
+    return Json{{"plan", {at.x, at.y}},
+                {"window", {pane.x + static_cast<float>(pixels.x) * dpi, pane.y + static_cast<float>(pixels.y) * dpi}}};
+  };
+  Json json{{"mode", name_of(state.mode)},
+            {"position", state.position},
+            {"steps", state.timeline->steps()},
+            {"playing", state.playing},
+            {"grain", name_of(state.grain)},
+            {"speed", state.lines_per_second},
+            {"tab", name_of(state.tab)},
+            {"theme", name_of(state.theme)},
+            {"ui_scale", state.ui_scale},
+            {"path", state.path},
+            {"dirty", state.dirty},
+            {"undo", state.undo.size()},
+            {"redo", state.redo.size()},
+            {"selected", selected_name(state)},
+            {"hovered_ray", state.hovered_ray},
+            {"question", state.question ? name_of(state.question->kind) : std::string_view()},
+            {"prompt", name_of(state.prompt)},
+            {"notice", state.notice ? state.notice->text : ""},
+            {"sentence", sentence(state)},
+            {"revision", state.revision},
+            {"cell", current_cell(state)}};
+  json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
+  json["window"] = {{"width", window.width},
+                    {"height", window.height},
+                    {"frames", window.frames},
+                    {"first_frame", window.first_frame},
+                    {"idle", window.idle}};
+  Json objects = Json::object(), lights = Json::object(), items = Json::object();
+  for (const Object& object : state.scene().objects) objects[object.name] = place(middle(object.shape));
+  for (const Light& light : state.scene().lights) {
+    if (const auto* point = std::get_if<PointLight>(&light.kind)) lights[light.name] = place(plan(point->position));
+  }
+  for (const auto& [name, rect] : interface.items()) items[name] = {rect.x, rect.y, rect.width, rect.height};
+  json["objects"] = std::move(objects);
+  json["lights"] = std::move(lights);
+  json["eye"] = place(plan(state.scene().camera.eye));
+  json["items"] = std::move(items);
+  // Paths need not be UTF-8.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace raywalk

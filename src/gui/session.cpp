@@ -1,0 +1,127 @@
+#include "gui/session.h"
+
+#include "gui/names.h"
+#include "io/file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+namespace raywalk {
+
+namespace {
+
+constexpr std::size_t most_settings = 1 << 16;  // bytes
+
+std::string settings_path(const std::string& state_dir) { return state_dir + "/settings.json"; }
+
+// Sets `to` to what `name` says, if it says anything.
+template <class Choice>
+Result<void> choose(std::initializer_list<Choice> choices, const std::string& name, const char* what, Choice& to) {
+  if (name.empty()) return {};
+  if (const auto choice = named(choices, name)) {
+    to = *choice;
+    return {};
+  }
+  std::string expected;
+  for (const Choice choice : choices) expected += (expected.empty() ? "" : ", ") + std::string(name_of(choice));
+  return tl::unexpected(Error{"", 0, 0, std::string("there is no ") + what + " '" + name + "'", "one of: " + expected});
+}
+
+}  // namespace
+
+Settings read_settings(const std::string& state_dir) {
+  Settings settings;
+  if (state_dir.empty()) return settings;
+  const Result<std::string> bytes = read_file(settings_path(state_dir), most_settings);
+  if (!bytes) return settings;
+  const auto json = nlohmann::json::parse(*bytes, nullptr, false);
+  if (!json.is_object()) return settings;
+  const auto word = [&](const char* key) {
+    const auto at = json.find(key);
+    return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
+  };
+  settings.theme = named(all_themes, word("theme")).value_or(settings.theme);
+  settings.tab = named(all_tabs, word("tab")).value_or(settings.tab);
+  if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
+    settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
+  return settings;
+}
+
+void write_settings(const std::string& state_dir, const Settings& settings) {
+  if (state_dir.empty()) return;
+  const nlohmann::json json{
+      {"theme", name_of(settings.theme)}, {"tab", name_of(settings.tab)}, {"ui_scale", settings.ui_scale}};
+  std::error_code error;
+  std::filesystem::create_directories(state_dir, error);
+  static_cast<void>(write_file_atomically(settings_path(state_dir), json.dump(2) + "\n"));
+}
+
+std::string state_folder(const GuiOptions& options) {
+  if (!options.state_dir.empty()) return options.state_dir;
+  if (const char* folder = std::getenv("XDG_STATE_HOME"); folder != nullptr && folder[0] == '/')
+    return std::string(folder) + "/raywalk";
+  if (const char* home = std::getenv("HOME"); home != nullptr && home[0] == '/')
+    return std::string(home) + "/.local/state/raywalk";
+  return {};
+}
+
+Result<State> start(const GuiOptions& options) {
+  const std::string path = options.scene_path.empty() ? options.data_dir + "/scenes/classic.toml" : options.scene_path;
+  Result<SceneDocument> document = read_scene(path);
+  if (!document) return tl::unexpected(document.error());
+  const std::vector<std::string> warnings = document->warnings;
+  // A picture is of this scene: no question about an earlier one may stand before it, and no trace of it stays behind.
+  const bool picture = !options.screenshot_path.empty();
+  const std::string folder = picture ? std::string() : state_folder(options);
+  State state = make_state(std::move(*document), path, folder);
+  restore_session(state);
+  if (!warnings.empty()) state.notice = Notice{Notice::Kind::info, warnings.front()};
+
+  const Settings settings = read_settings(folder);
+  state.theme = settings.theme;
+  state.ui_scale = options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
+  state.tab = settings.tab;
+  if (Result<void> chosen = choose(all_themes, options.theme, "theme", state.theme); !chosen)
+    return tl::unexpected(chosen.error());
+  if (Result<void> chosen = choose(all_tabs, options.start_tab, "tab", state.tab); !chosen)
+    return tl::unexpected(chosen.error());
+  if (options.start_position) {
+    const int position = *options.start_position;
+    update(state, action::Jump{position < 0 ? state.timeline->steps() + 1 + position : position});
+  }
+  Mode mode = state.mode;
+  if (Result<void> chosen = choose(all_modes, options.start_mode, "mode", mode); !chosen)
+    return tl::unexpected(chosen.error());
+  if (mode != state.mode) update(state, action::SetMode{mode});
+  return state;
+}
+
+bool LiveImage::rests(const State& state) const {
+  if (!begun_ || revision_ != state.revision) return false;
+  return preview_.finished() || (state.drag && preview_.has_every_pixel());
+}
+
+bool LiveImage::work(const State& state, double milliseconds) {
+  if (!begun_ || revision_ != state.revision) {
+    PreviewSettings settings;
+    settings.size = state.scene().image;
+    preview_.reset(state.scene(), settings);
+    revision_ = state.revision;
+    begun_ = true;
+  }
+  if (!rests(state)) preview_.refine(milliseconds);
+  return !rests(state);
+}
+
+const Action* Demo::due(double seconds) {
+  if (over()) return nullptr;
+  waited_ += seconds;
+  if (waited_ < pause) return nullptr;
+  waited_ = 0;
+  return &actions_[next_++];
+}
+
+}  // namespace raywalk

@@ -1,0 +1,63 @@
+#pragma once
+// One sitting: the state, the 3-D image that follows it, and what is kept between sittings.
+
+#include "gui/gui.h"
+#include "render/preview.h"
+#include "view/action.h"
+
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// The look that was last chosen; kept in `state_dir`/settings.json.
+struct Settings {
+  Theme theme = Theme::dark;
+  double ui_scale = 1;
+  Tab tab = Tab::image;
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+/// Defaults for what is missing or unreadable: settings are a convenience.
+[[nodiscard]] Settings read_settings(const std::string& state_dir);
+/// Fails silently for the same reason.
+void write_settings(const std::string& state_dir, const Settings& settings);
+
+/// `options.state_dir`, or the user's own folder; empty when there is none.
+[[nodiscard]] std::string state_folder(const GuiOptions& options);
+
+/// The state that `options` ask for: the scene is read, the session restored, mode and position set.
+[[nodiscard]] Result<State> start(const GuiOptions& options);
+
+/// The 3-D image of the state's scene, worked on in slices of time.
+class LiveImage {
+ public:
+  /// Starts afresh when the scene has changed, and works for about `milliseconds`; while the scene is being dragged it
+  /// goes no further than the coarse picture. Whether more is to be done.
+  bool work(const State& state, double milliseconds);
+  [[nodiscard]] const Preview& preview() const { return preview_; }
+  /// Nothing is to be done for this state.
+  [[nodiscard]] bool rests(const State& state) const;
+
+ private:
+  Preview preview_;
+  std::uint64_t revision_ = 0;
+  bool begun_ = false;
+};
+
+/// The actions of a demo file, handed out at a walking pace.
+class Demo {
+ public:
+  Demo() = default;
+  explicit Demo(std::vector<Action> actions) : actions_(std::move(actions)) {}
+  [[nodiscard]] bool over() const { return next_ >= actions_.size(); }
+  /// The next action when it is due after `seconds` more.
+  const Action* due(double seconds);
+
+ private:
+  static constexpr double pause = 0.25;  // seconds between actions
+  std::vector<Action> actions_;
+  std::size_t next_ = 0;
+  double waited_ = 0;
+};
+
+}  // namespace raywalk

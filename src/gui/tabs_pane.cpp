@@ -1,0 +1,57 @@
+#include "gui/panes.h"
+#include "gui/widgets.h"
+
+namespace raywalk {
+
+void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  const bool visible = begin_pane(ui, "tabs", where, ui.colours.panel, ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  if (visible) {
+    const float height = ui.px(32), margin = ui.px(10);
+    ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
+                                        to_imgui(Shades(ui.state.theme).line));
+    ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
+    choice(ui, {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_legend}, height, ui.fonts.small,
+           where.width - 2 * margin - height - ui.px(4));
+    ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
+    command_button(ui, Command::exchange, {height, height},
+                   {.look = Look::flat, .icon = Icon::exchange, .font = nullptr, .label = false});
+    const float top = where.y + height + ui.px(14);
+    const Rect inside{where.x + margin, top, where.width - 2 * margin, where.bottom() - top - ui.px(4)};
+    int pointed_at = -1;
+    if (inside.width > 1 && inside.height > 1) {
+      ImGui::SetCursorScreenPos(corner(inside));
+      ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
+      ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+      // The picture and the tree scroll by themselves, or not at all.
+      const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree;
+      const bool open = ImGui::BeginChild("tab", size(inside), false,
+                                          own ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
+      ImGui::PopStyleVar();
+      ImGui::PopStyleColor();
+      if (open) {
+        switch (ui.state.tab) {
+          case Tab::image:
+            image_tab(ui, inside, picture);
+            break;
+          case Tab::tree:
+            pointed_at = tree_tab(ui, inside, centred_on_);
+            break;
+          case Tab::stack:
+            pointed_at = stack_tab(ui, inside);
+            break;
+          case Tab::legend:
+            legend_tab(ui, inside);
+            break;
+        }
+      }
+      ImGui::EndChild();
+    }
+    if (pointed_at != hovering_ && pointed_at != ui.state.hovered_ray) ui.act(action::HoverRay{pointed_at});
+    hovering_ = pointed_at;
+  }
+  end_pane();
+}
+
+}  // namespace raywalk

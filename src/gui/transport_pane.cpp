@@ -1,0 +1,181 @@
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "gui/words.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+// Lengths at scale 1.
+constexpr float margin = 14, row_gap = 9, big = 46, small = 34, step_width = 106, speed_width = 124;
+
+struct Rows {
+  explicit Rows(const Ui& ui, float width) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    grain = ui.px(10);
+    for (const Command command : {Command::grain_line, Command::grain_ray, Command::grain_pixel})
+      grain += button_width(ui, command, {.look = Look::choice});
+    speed = ui.px(2 * small + speed_width) + 2 * gap;
+    transport = ui.px(big + 3 * step_width) + 3 * gap;
+    inner = width - ui.px(2 * margin);
+    // What does not fit beside the big buttons moves down: the grain into the row of the scrub bar, and in a very
+    // narrow window both into a row of their own. Before that the big buttons shrink.
+    beside = transport + grain + speed + ui.px(28) <= inner;
+    const float beside_speed = (inner - speed - ui.px(20)) / std::max(transport, 1.0f);
+    own_row = !beside && beside_speed < 0.75f;
+    shrink = beside ? 1.0f : std::clamp(own_row ? inner / std::max(transport, 1.0f) : beside_speed, 0.3f, 1.0f);
+    sentence = 2 * line_height(ui.fonts, *ui.fonts.text) + ui.px(6);
+    scrub = beside ? ui.px(26) : ui.px(small);
+    height = ui.px(margin + 8) + sentence + ui.px(row_gap) + ui.px(big) + ui.px(row_gap) +
+             (own_row ? ui.px(small + row_gap) : 0) + scrub;
+  }
+  float grain, speed, transport, inner, shrink, sentence, scrub, height;
+  bool beside, own_row;
+};
+
+// A bar to drag along, `fraction` of it filled; where it was dragged to, if it was.
+std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float fraction, const std::string& inside) {
+  const Shades shades(ui.state.theme);
+  const ImVec2 least = ImGui::GetCursorScreenPos(), most{least.x + extent.x, least.y + extent.y};
+  ImGui::InvisibleButton(name, {std::max(extent.x, 1.0f), std::max(extent.y, 1.0f)});
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  ui.publish(name);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float x = least.x + std::clamp(fraction, 0.0f, 1.0f) * extent.x;
+  if (inside.empty()) {
+    const float y = (least.y + most.y) / 2, thick = ui.px(3), knob = std::min(ui.px(lit ? 9 : 8), extent.y / 2);
+    draw.AddRectFilled({least.x, y - thick}, {most.x, y + thick}, to_imgui(shades.raised_hovered), thick);
+    draw.AddRectFilled({least.x, y - thick}, {x, y + thick}, to_imgui(shades.accent), thick);
+    draw.AddCircleFilled({x, y}, knob, to_imgui(lit ? shades.accent_hovered : shades.accent));
+  } else {
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    draw.AddRectFilled(least, most, to_imgui(lit ? shades.raised_hovered : shades.raised), rounding);
+    draw.PushClipRect(least, {x, most.y}, true);
+    draw.AddRectFilled(least, most, to_imgui(shades.accent.with_alpha(130)), rounding);
+    draw.PopClipRect();
+    const ImVec2 text = ImGui::CalcTextSize(inside.c_str());
+    draw.AddText({std::round((least.x + most.x - text.x) / 2), std::round((least.y + most.y - text.y) / 2)},
+                 to_imgui(ui.colours.text), inside.c_str());
+  }
+  if (!ImGui::IsItemActive() || extent.x < 1) return std::nullopt;
+  return std::clamp((ImGui::GetIO().MousePos.x - least.x) / extent.x, 0.0f, 1.0f);
+}
+
+void speed_control(const Ui& ui) {
+  const ButtonLook minus{.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false};
+  const ButtonLook plus{.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false};
+  command_button(ui, Command::slower, {ui.px(small), ui.px(small)}, minus);
+  ImGui::SameLine();
+  // Every doubling of the speed is as long on the slider.
+  const double range = std::log(max_speed / min_speed);
+  const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
+  const std::string value = std::string(text(TextId::speed)) + " " + number_text(ui.state.lines_per_second) + "/s";
+  if (const auto to = slider(ui, "speed", {ui.px(speed_width), ui.px(small)}, static_cast<float>(fraction), value)) {
+    const double speed = min_speed * std::exp(static_cast<double>(*to) * range);
+    // Round numbers: whole ones from 2 on, quarters below.
+    const double neat = speed >= 20  ? std::round(speed / 10) * 10
+                        : speed >= 2 ? std::round(speed)
+                                     : std::round(speed * 4) / 4;
+    if (neat != ui.state.lines_per_second) ui.act(action::SetSpeed{neat});
+  }
+  tooltip(ui, "speed", std::string(words::speed_hint));
+  ImGui::SameLine();
+  command_button(ui, Command::faster, {ui.px(small), ui.px(small)}, plus);
+}
+
+void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
+  const State& state = ui.state;
+  const std::string status = status_line(state);
+  push_font(ui.fonts.small);
+  const float widest = ImGui::CalcTextSize((status + "00").c_str()).x;
+  pop_font();
+  const bool with_status = widest + ui.px(rows.beside ? 260 : 420) < rows.inner;
+  const float right = at.x + rows.inner;
+  if (!rows.beside && !rows.own_row) at.x += rows.grain + ui.px(8);
+  const float edge = ui.px(26);
+  at.y += (rows.scrub - edge) / 2;
+  const float length = right - at.x - 2 * (edge + ui.px(8)) - (with_status ? widest + ui.px(10) : 0);
+
+  const ButtonLook first{.look = Look::flat, .icon = Icon::first, .font = nullptr, .label = false};
+  ButtonLook last = first;
+  last.icon = Icon::last;
+  ImGui::SetCursorScreenPos(at);
+  command_button(ui, Command::first, {edge, edge}, first);
+  const float left = at.x + edge + ui.px(8);
+  ImGui::SetCursorScreenPos({left, at.y});
+  const int steps = std::max(state.timeline->steps(), 1);
+  // Where pixels end; the bar shows how unequal they are.
+  const auto& pixels = state.timeline->pixels();
+  if (length / static_cast<float>(pixels.size() + 1) > ui.px(5)) {
+    for (const PixelRecord& pixel : pixels) {
+      const float x = std::round(left + length * static_cast<float>(pixel.done_at) / static_cast<float>(steps));
+      ImGui::GetWindowDrawList()->AddLine({x, at.y + edge * 0.2f}, {x, at.y + edge * 0.8f},
+                                          to_imgui(Shades(state.theme).raised_hovered));
+    }
+  }
+  const float fraction = static_cast<float>(state.position) / static_cast<float>(steps);
+  if (const auto to = slider(ui, "scrub", {length, edge}, fraction, "")) {
+    const int position = static_cast<int>(std::lround(static_cast<double>(*to) * steps));
+    if (position != state.position) ui.act(action::Jump{position});
+  }
+  tooltip(ui, "scrub", std::string(words::scrub_hint));
+  ImGui::SetCursorScreenPos({left + length + ui.px(8), at.y});
+  command_button(ui, Command::last, {edge, edge}, last);
+  if (!with_status) return;
+  ImGui::SetCursorScreenPos({right - widest, at.y + (edge - line_height(ui.fonts, *ui.fonts.small)) / 2});
+  push_font(ui.fonts.small);
+  label(ui.colours.dim_text, status);
+  pop_font();
+}
+
+}  // namespace
+
+float transport_height(const Ui& ui, float width) { return Rows(ui, width).height; }
+
+void transport_pane(const Ui& ui, const Rect& where) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  const bool visible = begin_pane(ui, "transport", where, ui.colours.window, ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  if (visible) {
+    const Rows rows(ui, where.width);
+    const float left = where.x + ui.px(margin);
+    float y = where.y + ui.px(8);
+    ImGui::SetCursorScreenPos({left, y});
+    ImGui::PushTextWrapPos(where.width - ui.px(margin));
+    label(ui.colours.text, sentence(ui.state));
+    ui.publish("sentence");
+    ImGui::PopTextWrapPos();
+    y += rows.sentence + ui.px(row_gap);
+
+    const ImVec2 step{ui.px(step_width) * rows.shrink, ui.px(big)};
+    ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
+    const bool playing = ui.state.playing;
+    ImGui::SetCursorScreenPos({left, y});
+    command_button(ui, Command::step_back, {ui.px(big) * rows.shrink, step.y},
+                   {.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false});
+    ImGui::SameLine();
+    command_button(ui, Command::step, step,
+                   {.look = playing ? Look::plain : Look::primary, .icon = Icon::none, .font = font});
+    ImGui::SameLine();
+    command_button(ui, Command::play, step,
+                   {.look = playing ? Look::primary : Look::plain, .icon = Icon::none, .font = font});
+    ImGui::SameLine();
+    command_button(ui, Command::clear, step, {.look = Look::plain, .icon = Icon::none, .font = font});
+
+    const float second = y + ui.px(big + row_gap), third = second + (rows.own_row ? ui.px(small + row_gap) : 0);
+    const float centred = y + ui.px((big - small) / 2), speed_x = left + rows.inner - rows.speed;
+    ImGui::SetCursorScreenPos({rows.beside ? speed_x - rows.grain - ui.px(4) : left, rows.beside ? centred : second});
+    choice(ui, {Command::grain_line, Command::grain_ray, Command::grain_pixel}, ui.px(small));
+    ImGui::SetCursorScreenPos({speed_x, rows.own_row ? second : centred});
+    speed_control(ui);
+    scrub_row(ui, rows, {left, third});
+  }
+  end_pane();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,134 @@
+#include "gui/painter.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+// Lengths at scale 1.
+constexpr float node_radius = 14, least_column = 34, most_column = 140, least_level = 46, most_level = 96;
+
+Vec2d to_view(ImVec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+// Black or white, whichever is seen better on `ground`.
+Colour contrasting(Colour ground) {
+  const double brightness = 0.299 * ground.r + 0.587 * ground.g + 0.114 * ground.b;
+  return brightness > 140 ? Colour{0, 0, 0} : Colour{255, 255, 255};
+}
+
+void draw_link(const Ui& ui, const TreeNode& node, ImVec2 from, ImVec2 to) {
+  const RayStyle& style = ray_style(ui.state.theme, node.kind);
+  LineItem line;
+  line.from = to_view(from);
+  line.to = to_view(to);
+  const bool lit = node.current || node.hovered;
+  line.stroke = {node.future ? ui.colours.grid : style.colour, static_cast<double>(ui.px(lit ? 3.2f : 2)), style.dash,
+                 0};
+  for (double& part : line.stroke.dash.lengths) part *= static_cast<double>(ui.unit);
+  paint_line(*ImGui::GetWindowDrawList(), line);
+}
+
+void draw_text(const Ui& ui, ImFont* font, ImVec2 middle, Colour colour, const std::string& what, float most_width,
+               Colour ground = {0, 0, 0, 0}) {
+  if (what.empty()) return;
+  push_font(font);
+  const ImVec2 extent = ImGui::CalcTextSize(what.c_str());
+  const float width = std::min(extent.x, most_width), left = middle.x - width / 2;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (ground.a > 0) {
+    draw.AddRectFilled({left - ui.px(3), middle.y - extent.y / 2}, {left + width + ui.px(3), middle.y + extent.y / 2},
+                       to_imgui(ground), ui.px(3));
+  }
+  draw.PushClipRect({left, middle.y - extent.y}, {left + most_width, middle.y + extent.y}, true);
+  draw.AddText({std::round(left), std::round(middle.y - extent.y / 2)}, to_imgui(colour), what.c_str());
+  draw.PopClipRect();
+  pop_font();
+}
+
+// A disc in the colour that came back, ringed in the colour of the ray's kind; a stub is a square, what is still to
+// come an outline.
+void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, float column, float level) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float r = ui.px(node_radius);
+  const ImU32 ring = to_imgui(node.future ? ui.colours.dim_text.with_alpha(130) : node.colour);
+  if (node.current || node.hovered)
+    draw.AddCircleFilled(at, r + ui.px(5),
+                         to_imgui((node.current ? ui.colours.selected : ui.colours.hovered).with_alpha(150)));
+  const Colour ground = node.returned ? node.shade : ui.colours.panel;
+  if (node.formed) {
+    draw.AddCircleFilled(at, r, to_imgui(ground));
+    draw.AddCircle(at, r, ring, 0, ui.px(node.future ? 1.2f : 3));
+  } else {
+    const float half = r * 0.8f;
+    draw.AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, to_imgui(ui.colours.panel));
+    draw.AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, ring, ui.px(2), 0,
+                 ui.px(node.future ? 1.2f : 2.4f));
+  }
+  draw_text(ui, ui.fonts.strong, at, node.returned ? contrasting(ground) : ui.colours.text, node.symbol, 2 * r);
+  if (node.future || ((column < ui.px(64) || level < ui.px(60)) && !node.current && !node.hovered)) return;
+  draw_text(ui, ui.fonts.small, {at.x, at.y + r + ui.px(12)}, ui.colours.dim_text, node.label,
+            node.current || node.hovered ? ui.px(200) : column - ui.px(6), ui.colours.panel.with_alpha(200));
+}
+
+}  // namespace
+
+int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
+  const TreePanel tree = tree_panel(ui.state);
+  if (tree.nodes.empty()) {
+    paragraph(ui.colours.dim_text, text(TextId::tree_empty));
+    return -1;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
+  const bool visible = ImGui::BeginChild("tree", size(where), false, ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  int pointed_at = -1;
+  if (visible) {
+    const auto columns = static_cast<float>(std::max(tree.columns, 1.0));
+    const auto levels = static_cast<float>(std::max(tree.levels, 1));
+    const float margin = ui.px(10);
+    const float column = std::clamp((where.width - 2 * margin) / columns, ui.px(least_column), ui.px(most_column));
+    const float level = std::clamp(where.height / levels, ui.px(least_level), ui.px(most_level));
+    const float width = column * columns + 2 * margin, height = level * levels;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float indent = std::max((where.width - width) / 2, 0.0f) + margin + column / 2;
+    const auto place = [&](const TreeNode& node) {
+      return ImVec2{origin.x + indent + static_cast<float>(node.x) * column,
+                    origin.y + ui.px(node_radius + 8) + static_cast<float>(node.y) * level};
+    };
+    for (const TreeNode& node : tree.nodes) {
+      if (node.parent >= 0) draw_link(ui, node, place(tree.nodes[static_cast<std::size_t>(node.parent)]), place(node));
+    }
+    const float r = ui.px(node_radius + 4);
+    for (const TreeNode& node : tree.nodes) {
+      const ImVec2 at = place(node);
+      const std::string name = "node-" + std::to_string(node.ray);
+      ImGui::SetCursorScreenPos({at.x - r, at.y - r});
+      if (ImGui::InvisibleButton(name.c_str(), {2 * r, 2 * r}) && !node.future) ui.act(action::JumpToRay{node.ray});
+      if (ImGui::IsItemHovered()) {
+        pointed_at = node.ray;
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      }
+      ui.publish(name);
+      draw_node(ui, node, at, column, level);
+      if (node.current && centred_on != node.ray) {
+        centred_on = node.ray;
+        ImGui::SetScrollX(std::max(at.x - origin.x - where.width / 2, 0.0f));
+        ImGui::SetScrollY(std::max(at.y - origin.y - where.height / 2, 0.0f));
+      }
+    }
+    ImGui::SetCursorScreenPos(origin);
+    ImGui::Dummy({width, height});
+  }
+  ImGui::EndChild();
+  return pointed_at;
+}
+
+}  // namespace raywalk

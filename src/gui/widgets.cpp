@@ -1,0 +1,225 @@
+#include "gui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+struct Metrics {
+  ImVec2 text;
+  float icon = 0, gap = 0;
+  [[nodiscard]] float width() const { return icon + gap + text.x; }
+};
+
+Metrics measure(const Ui& ui, const std::string& label, const ButtonLook& look) {
+  push_font(look.font != nullptr ? look.font : ui.fonts.text);
+  Metrics m;
+  if (look.label) m.text = ImGui::CalcTextSize(label.c_str());
+  if (look.icon != Icon::none) m.icon = ImGui::GetFontSize() * 0.8f;
+  if (look.icon != Icon::none && look.label) m.gap = ImGui::GetFontSize() * 0.45f;
+  pop_font();
+  return m;
+}
+
+Colour ground_of(const Shades& shades, Look look, bool is_chosen, bool hovered, bool held) {
+  const auto of = [&](Colour rest, Colour hover, Colour hold) { return held ? hold : hovered ? hover : rest; };
+  if (look == Look::primary || is_chosen) return of(shades.accent, shades.accent_hovered, shades.accent_held);
+  if (look == Look::plain) return of(shades.raised, shades.raised_hovered, shades.raised_held);
+  return of(shades.raised.with_alpha(0), shades.raised_hovered, shades.raised_held);
+}
+
+std::string hint_of(Command command) {
+  const std::string key = command_key(command);
+  std::string hint = command_hint(command);
+  if (!hint.empty()) hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
+  return key.empty() ? hint : hint + "  (" + key + ")";
+}
+
+}  // namespace
+
+void push_font(ImFont* font) { ImGui::PushFont(font); }
+void pop_font() { ImGui::PopFont(); }
+
+void label(Colour colour, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(colour));
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+}
+
+void paragraph(Colour colour, std::string_view text) {
+  ImGui::PushTextWrapPos(0);
+  label(colour, text);
+  ImGui::PopTextWrapPos();
+}
+
+void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 colour) {
+  const float r = edge / 2, thick = std::max(edge * 0.14f, 1.5f);
+  const auto at = [&](float x, float y) { return ImVec2{centre.x + x * r, centre.y + y * r}; };
+  const auto triangle = [&](float tip, float base) {
+    draw.AddTriangleFilled(at(tip, 0), at(base, -0.85f), at(base, 0.85f), colour);
+  };
+  const auto bar = [&](float x) { draw.AddRectFilled(at(x - 0.13f, -0.85f), at(x + 0.13f, 0.85f), colour); };
+  // Three quarters of a circle that start with an arrowhead, at the left for side 1.
+  const auto turn = [&](float side) {
+    constexpr float pi = 3.14159265f;
+    const ImVec2 middle = at(0, 0.1f);
+    const float radius = 0.68f * r, begin = side > 0 ? -0.75f * pi : -0.25f * pi;
+    draw.PathArcTo(middle, radius, begin, begin + side * 1.35f * pi, 28);
+    draw.PathStroke(colour, 0, thick);
+    const float head = 0.5f * r;
+    const ImVec2 start{middle.x + radius * std::cos(begin), middle.y + radius * std::sin(begin)};
+    draw.AddTriangleFilled({start.x - side * head * 0.9f, start.y + head * 0.55f},
+                           {start.x - side * head * 0.55f, start.y - head},
+                           {start.x + side * head * 0.75f, start.y + head * 0.35f}, colour);
+  };
+  switch (icon) {
+    case Icon::none:
+      break;
+    case Icon::step:
+      bar(-0.75f);
+      triangle(1, -0.35f);
+      break;
+    case Icon::back:
+      bar(0.75f);
+      triangle(-1, 0.35f);
+      break;
+    case Icon::play:
+      triangle(0.95f, -0.65f);
+      break;
+    case Icon::pause:
+      draw.AddRectFilled(at(-0.7f, -0.85f), at(-0.2f, 0.85f), colour);
+      draw.AddRectFilled(at(0.2f, -0.85f), at(0.7f, 0.85f), colour);
+      break;
+    case Icon::clear:
+    case Icon::close:
+      draw.AddLine(at(-0.65f, -0.65f), at(0.65f, 0.65f), colour, thick);
+      draw.AddLine(at(-0.65f, 0.65f), at(0.65f, -0.65f), colour, thick);
+      break;
+    case Icon::first:
+      bar(-0.8f);
+      draw.AddTriangleFilled(at(-0.6f, 0), at(0.2f, -0.8f), at(0.2f, 0.8f), colour);
+      draw.AddTriangleFilled(at(0.2f, 0), at(1, -0.8f), at(1, 0.8f), colour);
+      break;
+    case Icon::last:
+      bar(0.8f);
+      draw.AddTriangleFilled(at(0.6f, 0), at(-0.2f, -0.8f), at(-0.2f, 0.8f), colour);
+      draw.AddTriangleFilled(at(-0.2f, 0), at(-1, -0.8f), at(-1, 0.8f), colour);
+      break;
+    case Icon::undo:
+      turn(1);
+      break;
+    case Icon::redo:
+      turn(-1);
+      break;
+    case Icon::plus:
+      draw.AddLine(at(0, -0.8f), at(0, 0.8f), colour, thick);
+      draw.AddLine(at(-0.8f, 0), at(0.8f, 0), colour, thick);
+      break;
+    case Icon::minus:
+      draw.AddLine(at(-0.8f, 0), at(0.8f, 0), colour, thick);
+      break;
+    case Icon::exchange:
+      draw.AddLine(at(-0.9f, -0.4f), at(0.7f, -0.4f), colour, thick);
+      draw.AddTriangleFilled(at(1, -0.4f), at(0.4f, -0.9f), at(0.4f, 0.1f), colour);
+      draw.AddLine(at(0.9f, 0.5f), at(-0.7f, 0.5f), colour, thick);
+      draw.AddTriangleFilled(at(-1, 0.5f), at(-0.4f, 0), at(-0.4f, 1), colour);
+      break;
+    case Icon::up:
+      draw.AddLine(at(0, -0.8f), at(0, 0.9f), colour, thick);
+      draw.AddLine(at(0, -0.8f), at(-0.6f, -0.1f), colour, thick);
+      draw.AddLine(at(0, -0.8f), at(0.6f, -0.1f), colour, thick);
+      break;
+  }
+}
+
+void tooltip(const Ui& ui, std::string_view name, const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (!ui.rest.rested_on(name, ImGui::GetTime())) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
+  ImGui::BeginTooltip();
+  push_font(ui.fonts.small);
+  ImGui::PushTextWrapPos(ui.px(340));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  pop_font();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+bool button(const Ui& ui, std::string_view name, const std::string& label, const std::string& hint, ImVec2 size,
+            const ButtonLook& look, bool is_chosen, bool is_enabled) {
+  const Shades shades(ui.state.theme);
+  const Metrics m = measure(ui, label, look);
+  if (size.x <= 0) size.x = m.width() + 2 * ui.px(12);
+  if (size.y <= 0) size.y = ImGui::GetFontSize() + 2 * ui.px(7);
+  if (!is_enabled) ImGui::BeginDisabled();
+  const bool pressed = ImGui::InvisibleButton(std::string(name).c_str(), size);
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+
+  const auto dim = [&](Colour c) { return is_enabled ? c : c.with_alpha(static_cast<int>(c.a * 0.4)); };
+  const bool filled = look.look == Look::primary || is_chosen;
+  draw.AddRectFilled(least, most, to_imgui(dim(ground_of(shades, look.look, is_chosen, hovered, held))),
+                     ImGui::GetStyle().FrameRounding);
+  const ImU32 ink = to_imgui(dim(filled ? shades.on_accent : ui.colours.text));
+  const float y = (least.y + most.y) / 2;
+  float x = std::round((least.x + most.x - m.width()) / 2);
+  if (look.icon != Icon::none) draw_icon(draw, look.icon, {x + m.icon / 2, y}, m.icon, ink);
+  x += m.icon + m.gap;
+  if (look.label) {
+    push_font(look.font != nullptr ? look.font : ui.fonts.text);
+    draw.PushClipRect(least, most, true);
+    draw.AddText({x, std::round(y - m.text.y / 2)}, ink, label.c_str());
+    draw.PopClipRect();
+    pop_font();
+  }
+  tooltip(ui, name, hint);
+  ui.publish(name);
+  if (!is_enabled) ImGui::EndDisabled();
+  return pressed;
+}
+
+float button_width(const Ui& ui, Command command, const ButtonLook& look) {
+  return measure(ui, command_label(command, ui.state), look).width() + 2 * ui.px(12);
+}
+
+void command_button(const Ui& ui, Command command, ImVec2 size, const ButtonLook& look) {
+  const bool is_chosen = look.look == Look::choice && chosen(command, ui.state);
+  if (button(ui, command_name(command), command_label(command, ui.state), hint_of(command), size, look, is_chosen,
+             enabled(command, ui.state)))
+    perform(command, ui);
+}
+
+void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font, float most_width) {
+  const Shades shades(ui.state.theme);
+  const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
+  float width = 0;
+  for (const Command command : commands) width += button_width(ui, command, look);
+  // Too wide: each gives up the same, from beside its words.
+  const float less = std::max(width - most_width, 0.0f) / static_cast<float>(commands.size());
+  width = std::min(width, most_width);
+  const ImVec2 least = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height}, to_imgui(shades.raised),
+                                            ImGui::GetStyle().FrameRounding);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetStyle().ItemSpacing.y});
+  bool beside = false;
+  for (const Command command : commands) {
+    if (beside) ImGui::SameLine();
+    command_button(ui, command, {std::max(button_width(ui, command, look) - less, 1.0f), height}, look);
+    beside = true;
+  }
+  ImGui::PopStyleVar();
+}
+
+void menu_item(const Ui& ui, Command command) {
+  const std::string key = command_key(command);
+  if (ImGui::MenuItem(command_label(command, ui.state).c_str(), key.c_str(), chosen(command, ui.state),
+                      enabled(command, ui.state)))
+    perform(command, ui);
+  ui.publish("menu/" + std::string(command_name(command)));
+}
+
+}  // namespace raywalk

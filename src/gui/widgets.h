@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gui/commands.h"
+#include "gui/style.h"
+#include "gui/ui.h"
+
+#include <string>
+#include <string_view>
+
+namespace raywalk {
+
+/// Drawn with lines, so that no font has to have it and it is crisp at any size.
+enum class Icon { none, step, back, play, pause, clear, first, last, undo, redo, plus, minus, close, up, exchange };
+
+enum class Look {
+  plain,    ///< raised a little
+  primary,  ///< the first thing to press
+  flat,     ///< no ground until pointed at
+  choice,   ///< one of several: the chosen one is filled
+};
+
+struct ButtonLook {
+  Look look = Look::plain;
+  Icon icon = Icon::none;
+  ImFont* font = nullptr;  ///< null: text
+  bool label = true;       ///< false: the icon alone
+};
+
+/// A button for a command: label, tooltip with its key, enabled or not, chosen or not. `size` 0: as the label needs.
+void command_button(const Ui& ui, Command command, ImVec2 size = {0, 0}, const ButtonLook& look = {});
+/// Width that command_button takes when it is left free.
+[[nodiscard]] float button_width(const Ui& ui, Command command, const ButtonLook& look = {});
+/// The same for what is no command; `name` is for tests and ImGui. Whether it was pressed.
+bool button(const Ui& ui, std::string_view name, const std::string& label, const std::string& hint, ImVec2 size,
+            const ButtonLook& look, bool is_chosen = false, bool is_enabled = true);
+
+/// Buttons of which one is chosen, in one frame.
+/// They are as wide as their words, but together no wider than `most_width`.
+void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font = nullptr,
+            float most_width = 1e6f);
+
+/// A line of a menu.
+void menu_item(const Ui& ui, Command command);
+
+/// Shows `text` beside the pointer once it has rested on the last item.
+void tooltip(const Ui& ui, std::string_view name, const std::string& text);
+
+/// Draws an icon into a square of this edge around `centre`.
+void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 colour);
+
+/// Pushes a face at its own size, and back.
+void push_font(ImFont* font);
+void pop_font();
+/// Text in a colour; `text` is taken as it is.
+void label(Colour colour, std::string_view text);
+/// The same in lines no wider than the pane.
+void paragraph(Colour colour, std::string_view text);
+
+}  // namespace raywalk
