@@ -58,7 +58,11 @@ class Reader {
 
   void number(int& value) {
     double number = 0;
-    if (!parse(number) || number != std::floor(number) || std::abs(number) > 1e9) return fail("a whole number");
+    const std::string_view before = text_;
+    if (!parse(number) || number != std::floor(number) || std::abs(number) > 1e9) {
+      text_ = before;
+      return fail("a whole number");
+    }
     value = static_cast<int>(number);
   }
   void number(double& value) {

@@ -4,21 +4,6 @@ namespace raywalk {
 
 namespace {
 
-/// The lines that belong to a ray: what formed it and what found its end.
-bool concerns(Line line, RayKind kind) {
-  switch (kind) {
-    case RayKind::primary:
-      return line == Line::form_primary_ray || line == Line::find_closest_intersection;
-    case RayKind::shadow:
-      return line == Line::form_shadow_ray || line == Line::find_intersection;
-    case RayKind::reflect:
-      return line == Line::form_reflect_ray || line == Line::find_reflect_intersect;
-    case RayKind::refract:
-      return line == Line::form_refract_ray || line == Line::find_refract_intersect;
-  }
-  return false;
-}
-
 CodeRow row_of(const State& state, const PseudocodeLine& line) {
   CodeRow row{line.line, line.indent, std::string(line.text)};
   const Event* just_run = state.timeline->just_run(state.position);
@@ -33,6 +18,30 @@ CodeRow row_of(const State& state, const PseudocodeLine& line) {
 }
 
 }  // namespace
+
+/// The lines that form a ray, find its end and shade it.
+bool concerns(Line line, RayKind kind) {
+  switch (kind) {
+    case RayKind::primary:
+      return line == Line::form_primary_ray || line == Line::find_closest_intersection || line == Line::shade_final;
+    case RayKind::shadow:
+      return line == Line::form_shadow_ray || line == Line::find_intersection;
+    case RayKind::reflect:
+      return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect;
+    case RayKind::refract:
+      return line == Line::form_refract_ray || line == Line::find_refract_intersect || line == Line::shade_refract;
+  }
+  return false;
+}
+
+bool is_lit(const State& state, int ray) {
+  const Timeline& timeline = *state.timeline;
+  if (ray < 0 || ray >= static_cast<int>(timeline.rays_at(state.position).size())) return false;
+  if (ray == state.hovered_ray) return true;
+  const RayRecord& record = timeline.rays()[static_cast<std::size_t>(ray)];
+  return state.hovered_line && record.pixel == timeline.current_pixel(state.position) &&
+         concerns(*state.hovered_line, record.kind);
+}
 
 CodePanel code_panel(const State& state) {
   CodePanel panel;

@@ -16,7 +16,8 @@ struct Labelled {
   Vec2d at;             ///< middle of the thing, pixels
   Vec2d half;           ///< half its extent: labels go beside it
   bool inside = false;  ///< the label fits into the thing
-  Colour colour;
+  bool above = false;   ///< rather above than below
+  Colour colour{};
 };
 
 double luminance(Colour c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
@@ -31,7 +32,7 @@ Box box_of(const Vec2d& middle, const Vec2d& half) { return {middle - half, midd
 
 void add_objects(const Painter& painter, std::vector<Labelled>& things) {
   for (const Object& object : painter.scene().objects) {
-    Labelled thing{object.name, Vec2d(0.0), Vec2d(0.0), false, painter.colours.text};
+    Labelled thing{object.name, Vec2d(0.0), Vec2d(0.0), false, false, painter.colours.text};
     double room = 0;
     std::visit(Overloaded{
                    [&](const Sphere<double>& sphere) {
@@ -70,15 +71,16 @@ std::vector<Labelled> labelled_things(const Painter& painter) {
   const Vec2d first = painter.pixels(screen.first), last = painter.pixels(screen.last);
   std::vector<Labelled> things;
   things.push_back({std::string(text(TextId::eye)), painter.pixels(plan(camera.eye)) - Vec2d(12 * unit, 0),
-                    Vec2d(17 * unit), false, painter.colours.text});
+                    Vec2d(17 * unit), false, false, painter.colours.text});
   things.push_back({std::string(text(TextId::screen)),
                     (first + last) / 2.0,
                     {std::abs(first.x - last.x) / 2 + 8 * unit, std::abs(first.y - last.y) / 2 + 8 * unit},
                     false,
+                    false,
                     painter.colours.text});
   for (const Light& light : painter.scene().lights)
     things.push_back({light.name, painter.pixels(light_place(light, painter.state.camera, painter.viewport)),
-                      Vec2d(14 * unit), false, painter.colours.text});
+                      Vec2d(14 * unit), false, true, painter.colours.text});
   add_objects(painter, things);
   return things;
 }
@@ -88,8 +90,9 @@ std::vector<Vec2d> candidates(const Labelled& thing, const Vec2d& half, double g
   const double dx = thing.half.x + half.x + gap, dy = thing.half.y + half.y + gap;
   std::vector<Vec2d> places;
   if (thing.inside) places.push_back(thing.at);
-  for (const Vec2d& side : {Vec2d(0, 1), Vec2d(0, -1), Vec2d(1, 0), Vec2d(-1, 0), Vec2d(0.7, 0.8), Vec2d(-0.7, 0.8),
-                            Vec2d(0.7, -0.8), Vec2d(-0.7, -0.8)})
+  const double first = thing.above ? -1 : 1;
+  for (const Vec2d& side : {Vec2d(0, first), Vec2d(0, -first), Vec2d(1, 0), Vec2d(-1, 0), Vec2d(0.7, 0.8),
+                            Vec2d(-0.7, 0.8), Vec2d(0.7, -0.8), Vec2d(-0.7, -0.8)})
     places.push_back(thing.at + Vec2d(side.x * dx, side.y * dy));
   return places;
 }
@@ -117,6 +120,14 @@ void draw_labels(Painter& painter) {
       best = place;
     }
     const bool within = thing.inside && best == thing.at;
+    if (!within) {
+      // A plate that keeps the letters readable across rays.
+      const Vec2d plate = half + Vec2d(gap, gap / 4);
+      painter.add(PolygonItem{
+          {best - plate, {best.x + plate.x, best.y - plate.y}, best + plate, {best.x - plate.x, best.y + plate.y}},
+          painter.colours.plan.with_alpha(170),
+          std::nullopt});
+    }
     painter.add(TextItem{best, thing.text, size, within ? thing.colour : painter.colours.text, TextAnchor::middle});
     painter.kept_free.push_back(box_of(best, half + gap / 2));
   }

@@ -45,9 +45,6 @@ void Painter::add_clipped(LineItem line, const Target& target) {
   clipped.from = line.from + begin * along;
   clipped.to = line.from + end * along;
   clipped.stroke.phase += begin * length(along);
-  // The arrowhead stays where it was, or goes when it is cut off.
-  clipped.arrow_at = (line.arrow_at - begin) / (end - begin);
-  if (clipped.arrow_at < 0 || clipped.arrow_at > 1) clipped.arrow = 0;
   add(std::move(clipped), target);
 }
 

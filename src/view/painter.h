@@ -34,7 +34,8 @@ class Painter {
   [[nodiscard]] Stroke outline(const Target& target, Colour colour, double width = 1) const;
 
   void add(Shape2d shape, const Target& target = {}) { list.push_back({std::move(shape), target}); }
-  /// A line that keeps its dashes in place when what lies outside the pane is cut off; nothing if all does.
+  /// A line that keeps its dashes in place when what lies outside the pane is cut off, with its arrowhead on what is
+  /// left; nothing if nothing is.
   void add_clipped(LineItem line, const Target& target = {});
   void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
 };

@@ -35,6 +35,12 @@ struct CodePanel {
 
 [[nodiscard]] CodePanel code_panel(const State& state);
 
+/// Whether the line forms, follows or shades rays of this kind.
+[[nodiscard]] bool concerns(Line line, RayKind kind);
+/// Whether a ray lights up in plan and tree: it is pointed at, or it is of the pixel under way and the line pointed at
+/// concerns it.
+[[nodiscard]] bool is_lit(const State& state, int ray);
+
 // ---- Ray tree -------------------------------------------------------------------------------------------------------
 
 /// A ray of the tree, or the stub of one that was not formed.

@@ -33,12 +33,21 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport) {
                      include(plan(sphere.centre) - detail::plan_radius(sphere));
                      include(plan(sphere.centre) + detail::plan_radius(sphere));
                    },
-                   [](const Plane<double>&) {},  // without end
+                   [](const Plane<double>&) {},  // without end: below
                    [&](const Prism<double>& prism) {
                      for (const Vec2d& corner : prism.corners) include(corner);
                    },
                },
                object.shape);
+  // Of a wall, its nearest point, unless it stands far away from all that happens.
+  const Vec2d middle = plan(box.min + box.max) / 2.0;
+  const double near = length(plan(box.max - box.min));
+  for (const Object& object : scene.objects)
+    if (const auto* plane = std::get_if<Plane<double>>(&object.shape))
+      if (const auto line = detail::plan_line(*plane)) {
+        const Vec2d nearest = line->point + dot(middle - line->point, line->along) * line->along;
+        if (length(nearest - middle) < near) include(nearest);
+      }
   const Vec2d size = plan(box.max) - plan(box.min);
   constexpr double margin = 0.86;  // the rest is for labels and handles
   const double widest = std::max({size.x / viewport.width, size.y / viewport.height, 1e-9});

@@ -1,4 +1,5 @@
 #include "view/painter.h"
+#include "view/panels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,11 +91,6 @@ void draw_ray(Painter& painter, int index, const RayLook& look) {
   if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
   LineItem line{from, to, stroke, arrow_length(painter, look), 0.55};
   const double visible = length(to - from);
-  if (!end) {
-    // In the middle of what is to be seen of it.
-    const double reach = std::min(painter.viewport.width, painter.viewport.height) / 3;
-    line.arrow_at = std::min(reach / visible, 1.0);
-  }
   if (visible < 3 * line.arrow) line.arrow = visible / 3;
   painter.add_clipped(line, target);
   if (known && ray.ending == Ending::blocked) draw_blocked(painter, to, along, stroke);
@@ -117,7 +113,6 @@ void draw_rays(Painter& painter) {
   const auto count = static_cast<int>(timeline.rays_at(position).size());
   const int pixel = timeline.current_pixel(position);
   const int current = timeline.current_ray(position);
-  const int hovered = painter.state.hovered_ray;
 
   const auto is_drawn = [&](int index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
@@ -125,7 +120,7 @@ void draw_rays(Painter& painter) {
     return ray.pixel == pixel || ray.formed || ray.ending != Ending::facing_away;
   };
   for (int index = 0; index < count; ++index) {
-    if (index == current || index == hovered || !is_drawn(index)) continue;
+    if (index == current || is_lit(painter.state, index) || !is_drawn(index)) continue;
     const bool of_pixel = timeline.rays()[static_cast<std::size_t>(index)].pixel == pixel;
     draw_ray(painter, index, {of_pixel ? Prominence::of_pixel : Prominence::earlier, false});
   }
@@ -134,10 +129,11 @@ void draw_rays(Painter& painter) {
     if (ray.pixel == pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= position)
       draw_normal(painter, ray);
   }
-  if (current >= 0 && current < count && current != hovered) draw_ray(painter, current, {Prominence::current, false});
-  if (hovered >= 0 && hovered < count) {
-    const Prominence prominence = hovered == current ? Prominence::current : Prominence::of_pixel;
-    draw_ray(painter, hovered, {prominence, true});
+  if (current >= 0 && current < count && !is_lit(painter.state, current))
+    draw_ray(painter, current, {Prominence::current, false});
+  for (int index = 0; index < count; ++index) {
+    if (!is_lit(painter.state, index)) continue;
+    draw_ray(painter, index, {index == current ? Prominence::current : Prominence::of_pixel, true});
   }
 }
 

@@ -129,6 +129,10 @@ Counts counts(const State& state) {
     if (ray.formed) ++counts.formed[static_cast<std::size_t>(ray.kind)];
     if (ray.found_at <= state.position) ++counts.ended[static_cast<std::size_t>(ray.ending)];
   }
+  // Total internal reflection leaves no ray and no stub, only a decision.
+  for (int i = 0; i < state.position; ++i)
+    if (const auto* decided = std::get_if<Decided>(&timeline.event(i).detail); decided != nullptr && decided->why)
+      ++counts.ended[static_cast<std::size_t>(*decided->why)];
   return counts;
 }
 

@@ -53,7 +53,7 @@ void draw_screen(Painter& painter) {
     const std::optional<Colour>& shade = shades[static_cast<std::size_t>(i)];
     PolygonItem quad{{along(t0) - half, along(t0) + half, along(t1) + half, along(t1) - half}, {}, {}};
     quad.fill = shade.value_or(painter.colours.empty_cell);
-    if (room_for_lines) quad.stroke = Stroke{painter.colours.plan, painter.sizes.unit};
+    if (room_for_lines) quad.stroke = Stroke{painter.colours.ink.with_alpha(70), 0.6 * painter.sizes.unit};
     painter.add(quad, {TargetKind::cell, i});
   }
   painter.add(PolygonItem{{first - half, first + half, last + half, last - half},

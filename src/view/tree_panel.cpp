@@ -76,7 +76,7 @@ TreePanel tree_panel(const State& state) {
     node.future = i >= formed;
     node.known = !node.future && ray.found_at <= state.position;
     node.current = i == current;
-    node.hovered = i == state.hovered_ray;
+    node.hovered = i == state.hovered_ray || is_lit(state, i);
     node.colour = ray_style(state.theme, ray.kind).colour;
     node.shade = palette(state.theme).empty_cell;
     if (node.known) {
@@ -89,9 +89,6 @@ TreePanel tree_panel(const State& state) {
       node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
       if (node.returned) node.shade = display_colour(frame.returned);
     }
-    // The line pointed at in the code lights up its ray when it is the line just run.
-    const Event* just_run = timeline.just_run(state.position);
-    if (node.current && just_run != nullptr && state.hovered_line == just_run->line) node.hovered = true;
     panel.nodes.push_back(std::move(node));
   }
   lay_out(panel);

@@ -1,0 +1,126 @@
+#include "timeline/message.h"
+
+#include "timeline/recorder.h"
+
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+/// A mirror, glass with total internal reflection, a body that blocks, two lights; shallow, and with a threshold.
+Scene scene_of_all_messages() {
+  Scene scene;
+  scene.background = Rgbd(0.1, 0.2, 0.3);
+  scene.camera.eye = Vec3d(-6, 0, 0);
+  scene.camera.look_at = Vec3d(0.0);
+  scene.camera.screen = Screen{2, 3.2, 25};
+  scene.limits = {4, 0.02};
+  scene.lights.push_back({"Lamp", Rgbd(1.0), PointLight{Vec3d(-1, 4, 0), {}}});
+  scene.lights.push_back({"Sun", Rgbd(0.3), DirectionalLight{Vec3d(0.3, -1, 0)}});
+  Material mirror, glass, dark_glass;
+  mirror.reflection = Rgbd(0.6);
+  glass.reflection = Rgbd(0.1);
+  glass.transmission = Rgbd(0.8);
+  glass.shadow = ShadowKind::filtered;
+  dark_glass = glass;
+  dark_glass.ior = 1.6;
+  dark_glass.shadow = ShadowKind::opaque;
+  scene.objects.push_back({"Mirror", Sphere<double>{Vec3d(1, 1.5, 0), 1}, mirror});
+  scene.objects.push_back({"Glass", Sphere<double>{Vec3d(0, -0.5, 0), 0.8}, glass});
+  scene.objects.push_back(
+      {"Block", Prism<double>{{{2.5, -2}, {4.5, -2}, {4.5, 0.8}, {3.5, -0.5}, {2.5, 0.4}}, 2}, dark_glass});
+  scene.objects.push_back({"Matte", Sphere<double>{Vec3d(1, -3.2, 0), 0.7}, Material{}});
+  return scene;
+}
+
+const std::string* name(const Message& message, std::size_t i) {
+  return i < message.arguments.size() ? std::get_if<std::string>(&message.arguments[i]) : nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("position 0 is the start") {
+  const Scene scene = scene_of_all_messages();
+  CHECK(describe(scene, record_strip(scene), 0).id == MessageId::start);
+}
+
+TEST_CASE("one scene reaches every message but that of the path tracer") {
+  std::set<MessageId> found;
+  for (const TraceLimits& limits : {TraceLimits{2, 0}, TraceLimits{4, 0.02}, TraceLimits{9, 0.7}}) {
+    Scene scene = scene_of_all_messages();
+    scene.limits = limits;
+    const Timeline timeline = record_strip(scene);
+    for (int position = 0; position <= timeline.steps(); ++position)
+      found.insert(describe(scene, timeline, position).id);
+  }
+  for (int i = 0; i <= static_cast<int>(MessageId::pixel_put); ++i) {
+    const auto id = static_cast<MessageId>(i);
+    INFO("message " << i);
+    CHECK(found.count(id) == (id == MessageId::path_length ? 0 : 1));
+  }
+}
+
+TEST_CASE("messages name what the events say") {
+  const Scene scene = scene_of_all_messages();
+  const Timeline timeline = record_strip(scene);
+  const auto object = [&](int index) { return scene.objects[static_cast<std::size_t>(index)].name; };
+  int seen = 0;
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    const Message message = describe(scene, timeline, position);
+    const Event& event = *timeline.just_run(position);
+    if (const auto* found = std::get_if<Found>(&event.detail)) {
+      if (found->ending == Ending::hit) {
+        REQUIRE(name(message, 1) != nullptr);
+        CHECK(*name(message, 1) == object(found->object));
+        const double distance = std::get<double>(message.arguments[2]);
+        const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(position))];
+        CHECK(distance == Approx(length(found->point - ray.origin)));
+        ++seen;
+      }
+      if (message.id == MessageId::light_blocked) {
+        CHECK(*name(message, 1) == object(found->object));
+        ++seen;
+      }
+    }
+    if (const auto* formed = std::get_if<RayFormed>(&event.detail); formed != nullptr && formed->snell) {
+      // Into glass the angle shrinks, out of it it grows.
+      const double in = std::get<double>(message.arguments[1]), out = std::get<double>(message.arguments[2]);
+      CHECK(std::sin(in * 3.14159265358979 / 180) * formed->snell->n1 ==
+            Approx(std::sin(out * 3.14159265358979 / 180) * formed->snell->n2).margin(1e-6));
+      const bool inwards = formed->snell->n2 > formed->snell->n1;
+      CHECK(message.id == (inwards ? MessageId::refract_formed_in : MessageId::refract_formed_out));
+      ++seen;
+    }
+    if (const auto* computed = std::get_if<ShadeComputed>(&event.detail)) {
+      CHECK(std::get<Rgbd>(message.arguments[1]) == computed->total);
+      CHECK(message.id == (event.depth == 1 ? MessageId::rtnshade_to_main : MessageId::rtnshade_to_caller));
+      ++seen;
+    }
+    if (const auto* put = std::get_if<PixelPut>(&event.detail)) {
+      CHECK(std::get<int>(message.arguments[0]) == put->column + 1);
+      CHECK(std::get<Rgbd>(message.arguments[1]) == put->shade);
+      ++seen;
+    }
+    if (message.id == MessageId::shade_called) CHECK(std::get<int>(message.arguments[0]) == event.depth + 1);
+  }
+  CHECK(seen > 100);
+}
+
+TEST_CASE("a recording in float is described like one in double") {
+  const Scene scene = scene_of_all_messages();
+  Recording how;
+  how.precision = Precision::float_;
+  const Timeline timeline = record_strip(scene, how);
+  int totals = 0;
+  for (int position = 0; position <= timeline.steps(); ++position)
+    totals += describe(scene, timeline, position).id == MessageId::reflective_totally ? 1 : 0;
+  const Timeline in_double = record_strip(scene);
+  int expected = 0;
+  for (int position = 0; position <= in_double.steps(); ++position)
+    expected += describe(scene, in_double, position).id == MessageId::reflective_totally ? 1 : 0;
+  CHECK(expected > 0);
+  CHECK(totals == expected);
+}

@@ -1,0 +1,105 @@
+#include "view/action_text.h"
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+TEST_CASE("a line that was written reads back as the same action") {
+  using namespace action;
+  const std::vector<std::pair<Action, std::string>> lines{
+      {SetMode{Mode::trace}, "mode trace"},
+      {Step{true, Grain::ray}, "step forward ray"},
+      {Step{false, {}}, "step back"},
+      {Jump{12}, "jump 12"},
+      {JumpToRay{3}, "jump-to-ray 3"},
+      {JumpToCell{4}, "jump-to-cell 4"},
+      {RunToLine{Line::form_shadow_ray}, "run-to-line 7"},
+      {PlayPause{}, "play-pause"},
+      {SetSpeed{2.5}, "speed 2.5"},
+      {SetGrain{Grain::pixel}, "grain pixel"},
+      {Clear{}, "clear"},
+      {Tick{0.1}, "tick 0.1"},
+      {ResizePlan{{640, 480}}, "resize 640 480"},
+      {PointerMoved{{1.5, -2}, {true, false, true}}, "pointer 1.5 -2 shift alt"},
+      {PointerPressed{{3, 4}, Button::right, {false, true, false}, true}, "press 3 4 right double control"},
+      {PointerReleased{{3, 4}, {}}, "release 3 4"},
+      {PointerLeft{}, "pointer-left"},
+      {CancelDrag{}, "cancel-drag"},
+      {Zoom{{1, 2}, 0.5}, "zoom 1 2 0.5"},
+      {Pan{{-3, 4}}, "pan -3 4"},
+      {FitView{}, "fit"},
+      {HoverRay{-1}, "hover-ray -1"},
+      {HoverLine{std::nullopt}, "hover-line none"},
+      {HoverLine{Line::for_each_pixel}, "hover-line 1"},
+      {Select{{TargetKind::corner, 2, 1}}, "select corner 2 1"},
+      {AddObject{ObjectKind::transparent_sphere}, "add transparent-sphere"},
+      {RemoveSelected{}, "remove"},
+      {InsertCorner{1, 2, {0.5, 0.25}}, "insert-corner 1 2 0.5 0.25"},
+      {RemoveCorner{1, 2}, "remove-corner 1 2"},
+      {Rename{{TargetKind::light, 0, -1}, "North Star"}, "rename light 0 -1 North Star"},
+      {Nudge{{1, 0}, true}, "nudge 1 0 coarse"},
+      {Undo{}, "undo"},
+      {Redo{}, "redo"},
+      {New{}, "new"},
+      {Open{"a file.toml"}, "open a file.toml"},
+      {Save{}, "save"},
+      {SaveAs{"b.toml"}, "save-as b.toml"},
+      {AskOpen{}, "ask-open"},
+      {AskSaveAs{}, "ask-save-as"},
+      {CancelPrompt{}, "cancel-prompt"},
+      {AnswerQuestion{Answer::discard}, "answer discard"},
+      {Quit{}, "quit"},
+      {SetTheme{Theme::projector}, "theme projector"},
+      {SetUiScale{1.25}, "ui-scale 1.25"},
+      {SetTab{Tab::legend}, "tab legend"},
+      {DismissNotice{}, "dismiss"},
+  };
+  for (const auto& [action, line] : lines) {
+    INFO(line);
+    CHECK(write_action(action) == line);
+    const Result<Action> read = parse_action(line);
+    REQUIRE(read.has_value());
+    CHECK(read->index() == action.index());
+    CHECK(write_action(*read) == line);
+  }
+  CHECK(lines.size() > std::variant_size_v<Action> - 6);
+}
+
+TEST_CASE("numbers keep their last bit") {
+  const Result<Action> read = parse_action(write_action(action::SetSpeed{0.1 + 0.2}));
+  REQUIRE(read.has_value());
+  CHECK(std::get<action::SetSpeed>(*read).lines_per_second == 0.1 + 0.2);
+}
+
+TEST_CASE("a whole value has no line") { CHECK(write_action(action::SetMaterial{0, Material{}}).empty()); }
+
+TEST_CASE("a line that is none says what was expected") {
+  const auto message = [](const std::string& line) {
+    const Result<Action> read = parse_action(line);
+    INFO(line);
+    REQUIRE_FALSE(read.has_value());
+    return read.error().message;
+  };
+  CHECK_THAT(message("stride forward"), raywalk::test::contains("'stride' is no action"));
+  CHECK_THAT(message(""), raywalk::test::contains("no action"));
+  CHECK_THAT(message("mode fly"), raywalk::test::contains("one of move, trace, help"));
+  CHECK_THAT(message("jump"), raywalk::test::contains("the line ends where a whole number"));
+  CHECK_THAT(message("jump 1.5"), raywalk::test::contains("'1.5' stands where a whole number"));
+  CHECK_THAT(message("jump 99999999999"), raywalk::test::contains("a whole number"));
+  CHECK_THAT(message("speed fast"), raywalk::test::contains("a number"));
+  CHECK_THAT(message("run-to-line 18"), raywalk::test::contains("from 1 to 17"));
+  CHECK_THAT(message("undo twice"), raywalk::test::contains("nothing more"));
+  CHECK_THAT(message("open"), raywalk::test::contains("a text"));
+}
+
+TEST_CASE("a demo is a list of lines with comments; errors name file and line") {
+  const auto demo = parse_demo("# a walk\n\nstep forward\r\n  step back  \nopen my#file.toml", "walk.demo");
+  REQUIRE(demo.has_value());
+  REQUIRE(demo->size() == 3);
+  CHECK(std::get<action::Open>((*demo)[2]).path == "my#file.toml");
+  const auto bad = parse_demo("step forward\n\nhop\n", "walk.demo");
+  REQUIRE_FALSE(bad.has_value());
+  CHECK(bad.error().file == "walk.demo");
+  CHECK(bad.error().line == 3);
+  CHECK(parse_demo("", "empty").has_value());
+}

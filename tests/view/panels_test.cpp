@@ -1,0 +1,270 @@
+#include "view/panels.h"
+#include "fixtures.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+TEST_CASE("the code panel highlights the timeline's line at every position") {
+  for (State state : {classic_state(), busy_state()}) {
+    for (int position = 0; position <= state.timeline->steps(); ++position) {
+      state.position = position;
+      const CodePanel panel = code_panel(state);
+      const Event* just_run = state.timeline->just_run(position);
+      const Event* next = state.timeline->next(position);
+      int highlighted = 0, outlined = 0;
+      for (const CodeBox& box : panel.boxes) {
+        for (const CodeRow& row : box.rows) {
+          highlighted += row.just_run ? 1 : 0;
+          outlined += row.next ? 1 : 0;
+          if (row.just_run) REQUIRE((just_run != nullptr && row.line == just_run->line));
+          if (row.next) REQUIRE((next != nullptr && row.line == next->line));
+        }
+        const bool executes = just_run != nullptr && pseudocode_of(just_run->line).procedure == box.procedure;
+        REQUIRE(box.depth.has_value() == executes);
+        if (executes) REQUIRE(*box.depth == just_run->depth);
+      }
+      REQUIRE(highlighted == (just_run == nullptr ? 0 : 1));
+      REQUIRE(outlined == (next == nullptr ? 0 : 1));
+    }
+  }
+}
+
+TEST_CASE("the code panel is the pseudocode") {
+  const CodePanel panel = code_panel(classic_state());
+  CHECK(panel.boxes[0].title == "MAIN ALGORITHM");
+  CHECK(panel.boxes[1].title == "SHADE (DEPTH, RTNSHADE)");
+  CHECK(panel.boxes[0].rows.size() + panel.boxes[1].rows.size() == line_count);
+  CHECK(panel.boxes[1].rows.front().text == "Form shadow ray");
+}
+
+TEST_CASE("pointing at a line lights it up, pointing at a ray lights up its lines") {
+  State state = busy_state();
+  const auto hovered = [&] {
+    std::set<Line> lines;
+    for (const CodeBox& box : code_panel(state).boxes)
+      for (const CodeRow& row : box.rows)
+        if (row.hovered) lines.insert(row.line);
+    return lines;
+  };
+  update(state, action::HoverLine{Line::if_reflective});
+  CHECK(hovered() == std::set<Line>{Line::if_reflective});
+  update(state, action::HoverLine{std::nullopt});
+  CHECK(hovered().empty());
+  const auto& rays = state.timeline->rays();
+  const auto found =
+      std::find_if(rays.begin(), rays.end(), [](const RayRecord& ray) { return ray.kind == RayKind::refract; });
+  REQUIRE(found != rays.end());
+  update(state, action::HoverRay{static_cast<int>(found - rays.begin())});
+  CHECK(hovered() == std::set<Line>{Line::form_refract_ray, Line::find_refract_intersect, Line::shade_refract});
+}
+
+TEST_CASE("pointing at a line lights up the rays that it formed, in the tree and in the plan") {
+  State state = busy_state();
+  update(state, action::Jump{state.timeline->steps() / 2});
+  update(state, action::Step{true, Grain::pixel});
+  update(state, action::Step{false, Grain::line});
+  update(state, action::HoverLine{Line::form_shadow_ray});
+  int shadows = 0;
+  for (const TreeNode& node : tree_panel(state).nodes) {
+    CHECK(node.hovered == (node.kind == RayKind::shadow && !node.future));
+    shadows += node.hovered ? 1 : 0;
+  }
+  CHECK(shadows > 0);
+}
+
+TEST_CASE("the tree is that of the pixel's rays") {
+  State state = busy_state();
+  for (int position = 0; position <= state.timeline->steps(); position += 5) {
+    state.position = position;
+    const TreePanel tree = tree_panel(state);
+    const int pixel = state.timeline->current_pixel(position);
+    if (pixel < 0) {
+      CHECK(tree.nodes.empty());
+      CHECK(tree.cell == -1);
+      continue;
+    }
+    const auto range = state.timeline->rays_of_pixel(pixel);
+    REQUIRE(static_cast<int>(tree.nodes.size()) == range.last - range.first);
+    CHECK(tree.cell == state.timeline->pixels()[static_cast<std::size_t>(pixel)].column);
+    std::set<std::pair<double, double>> places;
+    int current = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      const TreeNode& node = tree.nodes[i];
+      const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(node.ray)];
+      REQUIRE(ray.pixel == pixel);
+      REQUIRE(node.kind == ray.kind);
+      REQUIRE(node.formed == ray.formed);
+      REQUIRE(node.future == (ray.formed_at > position));
+      REQUIRE(node.known == (ray.formed_at <= position && ray.found_at <= position));
+      REQUIRE(node.label.empty() == (!node.known || ray.ending == Ending::hit ? node.label.empty() : false));
+      if (node.known) REQUIRE_FALSE(node.label.empty());
+      if (node.known) REQUIRE_FALSE(node.symbol.empty());
+      if (node.future) REQUIRE(node.share.empty());
+      if (node.parent < 0) {
+        REQUIRE(node.kind == RayKind::primary);
+        REQUIRE(node.y == 0);
+      } else {
+        const TreeNode& parent = tree.nodes[static_cast<std::size_t>(node.parent)];
+        REQUIRE(node.parent < static_cast<int>(i));
+        REQUIRE(parent.ray == ray.parent);
+        REQUIRE(node.y == parent.y + 1);
+      }
+      REQUIRE(node.x >= 0);
+      REQUIRE(node.x <= tree.columns - 1);
+      REQUIRE(node.y < tree.levels);
+      REQUIRE(places.emplace(node.x, node.y).second);
+      current += node.current ? 1 : 0;
+    }
+    REQUIRE(current <= 1);
+  }
+}
+
+TEST_CASE("children stand below their parent in the order in which they were formed") {
+  State state = busy_state();
+  for (int cell = 0; cell < state.scene().camera.screen.cells; ++cell) {
+    update(state, action::JumpToCell{cell});
+    const TreePanel tree = tree_panel(state);
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      double last = -1, low = 1e9, high = -1;
+      for (const TreeNode& child : tree.nodes) {
+        if (child.parent != static_cast<int>(i)) continue;
+        CHECK(child.x > last);
+        last = child.x;
+        low = std::min(low, child.x);
+        high = std::max(high, child.x);
+      }
+      if (high < 0) continue;
+      CHECK(tree.nodes[i].x >= low);
+      CHECK(tree.nodes[i].x <= high);
+    }
+  }
+}
+
+TEST_CASE("the tree's shape does not change while its pixel is walked") {
+  State state = busy_state();
+  update(state, action::JumpToCell{8});
+  const TreePanel first = tree_panel(state);
+  while (current_cell(state) == 8) {
+    const TreePanel tree = tree_panel(state);
+    REQUIRE(tree.nodes.size() == first.nodes.size());
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      REQUIRE(tree.nodes[i].x == first.nodes[i].x);
+      REQUIRE(tree.nodes[i].y == first.nodes[i].y);
+    }
+    update(state, action::Step{true, Grain::line});
+  }
+}
+
+TEST_CASE("a node that has returned shows the colour that its SHADE returned") {
+  State state = classic_state();
+  update(state, action::Jump{1 << 20});
+  for (int cell = 20; cell >= 0; --cell) {
+    update(state, action::JumpToCell{cell});
+    update(state, action::Step{true, Grain::pixel});
+    for (const TreeNode& node : tree_panel(state).nodes) {
+      const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(node.ray)];
+      CHECK(node.returned == (ray.shade >= 0));
+      if (node.returned)
+        CHECK(node.shade == display_colour(state.timeline->frames()[static_cast<std::size_t>(ray.shade)].returned));
+    }
+  }
+}
+
+TEST_CASE("the stack lists the open calls, innermost first, and what each waits for") {
+  State state = busy_state();
+  bool deep = false;
+  for (int position = 0; position <= state.timeline->steps(); ++position) {
+    state.position = position;
+    const StackPanel panel = stack_panel(state);
+    const std::vector<int> calls = state.timeline->stack(position);
+    if (position == 0) {
+      CHECK(panel.rows.empty());
+      continue;
+    }
+    REQUIRE(panel.rows.size() == calls.size() + 1);
+    CHECK(panel.rows.back().title == "MAIN ALGORITHM");
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+      const FrameRecord& frame = state.timeline->frames()[static_cast<std::size_t>(calls[i])];
+      const StackRow& row = panel.rows[i];
+      REQUIRE(row.title == fill(TextId::stack_shade, {std::to_string(frame.depth)}));
+      REQUIRE(row.ray_index == frame.ray);
+      REQUIRE_FALSE(row.object.empty());
+      REQUIRE_FALSE(row.waiting.empty());
+      const RayKind kind = state.timeline->rays()[static_cast<std::size_t>(frame.ray)].kind;
+      const StackRow& caller = panel.rows[i + 1];
+      if (kind == RayKind::reflect) REQUIRE(caller.waiting == text(TextId::waits_refl));
+      if (kind == RayKind::refract) REQUIRE(caller.waiting == text(TextId::waits_refr));
+      if (kind == RayKind::primary) REQUIRE(caller.waiting == text(TextId::waits_final));
+    }
+    deep = deep || calls.size() >= 3;
+  }
+  CHECK(deep);
+}
+
+TEST_CASE("a call shows what has been returned to it") {
+  State state = busy_state();
+  int shown = 0;
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    const Event* just_run = state.timeline->just_run(position);
+    if (just_run->line != Line::compute_rtnshade) continue;
+    state.position = position;
+    const auto& computed = std::get<ShadeComputed>(just_run->detail);
+    const StackPanel panel = stack_panel(state);
+    REQUIRE_FALSE(panel.rows.front().returned.empty());
+    CHECK(panel.rows.front().returned.back().linear == computed.total);
+    ++shown;
+  }
+  CHECK(shown > 20);
+}
+
+TEST_CASE("counts are those of a walk through the events") {
+  State state = busy_state();
+  Counts expected;
+  for (int position = 0; position <= state.timeline->steps(); ++position) {
+    if (position > 0) {
+      const EventDetail& detail = state.timeline->just_run(position)->detail;
+      if (const auto* formed = std::get_if<RayFormed>(&detail))
+        ++expected.formed[static_cast<std::size_t>(formed->kind)];
+      if (const auto* found = std::get_if<Found>(&detail)) ++expected.ended[static_cast<std::size_t>(found->ending)];
+      if (const auto* stub = std::get_if<RayNotFormed>(&detail)) ++expected.ended[static_cast<std::size_t>(stub->why)];
+      if (std::holds_alternative<PixelBegun>(detail)) ++expected.pixel;
+      if (const auto* decided = std::get_if<Decided>(&detail); decided != nullptr && decided->why)
+        ++expected.ended[static_cast<std::size_t>(*decided->why)];
+    }
+    state.position = position;
+    const Counts now = counts(state);
+    REQUIRE(now.formed == expected.formed);
+    REQUIRE(now.ended == expected.ended);
+    REQUIRE(now.pixel == expected.pixel);
+    REQUIRE(now.position == position);
+  }
+  CHECK(expected.ended[static_cast<std::size_t>(Ending::total_internal_reflection)] > 0);
+  CHECK_THAT(status_line(state), contains(std::to_string(state.timeline->steps())));
+}
+
+TEST_CASE("the legend has all kinds of rays and the signs of the tree") {
+  const Legend rows = legend(classic_state());
+  REQUIRE(rows.rays.size() == ray_kind_count);
+  for (const LegendRow& row : rows.rays) CHECK_FALSE(row.meaning.empty());
+  for (const Ending ending : {Ending::hit, Ending::missed, Ending::blocked, Ending::reached_light, Ending::depth,
+                              Ending::threshold, Ending::facing_away})
+    CHECK(std::any_of(rows.signs.begin(), rows.signs.end(),
+                      [&](const LegendSign& sign) { return sign.symbol == symbol(ending); }));
+}
+
+TEST_CASE("the sentence says what to do first and what comes last") {
+  State state = classic_state();
+  CHECK(sentence(state) == text(TextId::first_step_move));
+  update(state, action::SetMode{Mode::trace});
+  CHECK(sentence(state) == text(TextId::first_step_trace));
+  update(state, action::SetMode{Mode::help});
+  CHECK(sentence(state) == text(TextId::first_step_help));
+  update(state, action::Jump{1 << 20});
+  CHECK_THAT(sentence(state), contains(std::string(text(TextId::after_last_step))));
+}

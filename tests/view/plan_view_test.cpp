@@ -1,0 +1,411 @@
+#include "fixtures.h"
+#include "view/plan_geometry.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target) {
+  std::vector<DisplayItem> items;
+  std::copy_if(list.begin(), list.end(), std::back_inserter(items),
+               [&](const DisplayItem& item) { return item.target == target; });
+  return items;
+}
+
+std::vector<TextItem> texts_of(const DisplayList& list) {
+  std::vector<TextItem> texts;
+  for (const DisplayItem& item : list)
+    if (const auto* text = std::get_if<TextItem>(&item.shape)) texts.push_back(*text);
+  return texts;
+}
+
+/// The line of a ray in the drawing.
+LineItem line_of(const DisplayList& list, int ray) {
+  const auto items = items_of(list, {TargetKind::ray, ray});
+  INFO("ray " << ray);
+  REQUIRE_FALSE(items.empty());
+  return std::get<LineItem>(items.front().shape);
+}
+
+bool on_border(const State& state, const Vec2d& at) {
+  return at.x <= 0 || at.y <= 0 || at.x >= state.viewport.width || at.y >= state.viewport.height;
+}
+
+bool in_sight(const State& state, const Vec3d& point) { return !on_border(state, to_pixels(state, plan(point))); }
+
+int first_ray(const State& state, RayKind kind, Ending ending) {
+  const auto& rays = state.timeline->rays();
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    if (rays[i].kind == kind && rays[i].ending == ending && in_sight(state, rays[i].origin) &&
+        in_sight(state, rays[i].end))
+      return static_cast<int>(i);
+  FAIL("no " << ray_kind_name(kind) << " ray that ended with " << ending_name(ending));
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("pixels and scene units turn into each other") {
+  const State state = busy_state();
+  for (const Vec2d& at : {Vec2d(0, 0), Vec2d(800, 600), Vec2d(13, 477)})
+    CHECK(length(to_pixels(state, to_scene(state.camera, state.viewport, at)) - at) < 1e-9);
+  // y runs up in the scene and down on the screen.
+  CHECK(to_pixels(state, Vec2d(0, 1)).y < to_pixels(state, Vec2d(0, 0)).y);
+}
+
+TEST_CASE("everything with a place fits into the pane") {
+  for (const Viewport& pane : {Viewport{800, 600}, Viewport{300, 900}, Viewport{1500, 200}}) {
+    State state = classic_state();
+    update(state, action::ResizePlan{pane});
+    std::vector<Target> targets{{TargetKind::eye}, {TargetKind::screen_height, -1, 0}, {TargetKind::light, 0}};
+    for (int i = 0; i < 3; ++i) targets.push_back({TargetKind::object, i});
+    for (const Target& target : targets) {
+      const Vec2d at = pixels_of(state, target);
+      CHECK(at.x > 0);
+      CHECK(at.y > 0);
+      CHECK(at.x < pane.width);
+      CHECK(at.y < pane.height);
+    }
+  }
+}
+
+TEST_CASE("pick finds what plan_view draws") {
+  for (const Mode mode : {Mode::move, Mode::trace}) {
+    for (State state : {classic_state(), busy_state()}) {
+      update(state, action::SetMode{mode});
+      std::set<int> kinds;
+      for (const DisplayItem& item : plan_view(state)) {
+        if (!item.target) continue;
+        CHECK(exists(state, item.target));
+        kinds.insert(static_cast<int>(item.target.kind));
+      }
+      // Everything that can be pointed at is found where its handle or symbol is.
+      std::vector<Target> targets{{TargetKind::eye}};
+      for (int i = 0; i < static_cast<int>(state.scene().lights.size()); ++i) targets.push_back({TargetKind::light, i});
+      if (mode == Mode::move) {
+        for (const Target& target :
+             {Target{TargetKind::view_direction}, Target{TargetKind::screen_distance},
+              Target{TargetKind::screen_height, -1, 0}, Target{TargetKind::screen_height, -1, 1}})
+          targets.push_back(target);
+      } else {
+        for (int i = 0; i < state.scene().camera.screen.cells; ++i) targets.push_back({TargetKind::cell, i});
+      }
+      for (int i = 0; i < static_cast<int>(state.scene().objects.size()); ++i) {
+        const Shape<double>& shape = state.scene().objects[static_cast<std::size_t>(i)].shape;
+        if (std::holds_alternative<Plane<double>>(shape)) continue;
+        targets.push_back({TargetKind::object, i});
+        if (mode != Mode::move) continue;
+        if (std::holds_alternative<Sphere<double>>(shape)) targets.push_back({TargetKind::radius, i});
+        if (const auto* prism = std::get_if<Prism<double>>(&shape)) {
+          targets.push_back({TargetKind::rotation, i});
+          for (int corner = 0; corner < prism->sides(); ++corner) targets.push_back({TargetKind::corner, i, corner});
+        }
+      }
+      for (const Target& target : targets) {
+        INFO("mode " << static_cast<int>(mode) << ", kind " << static_cast<int>(target.kind) << ", index "
+                     << target.index << ", part " << target.part);
+        CHECK(kinds.count(static_cast<int>(target.kind)) == 1);
+        CHECK(pick(state, pixels_of(state, target)) == target);
+        CHECK_FALSE(target_text(state, target).empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("the object under the pointer says what it is") {
+  State state = classic_state();
+  for (const std::string name : {"Solid Sphere", "Transparent Sphere", "Polygon"}) {
+    const Target target{TargetKind::object, index_of_object(state.scene(), name)};
+    update(state, action::PointerMoved{pixels_of(state, target)});
+    CHECK(state.hovered == target);
+    CHECK_THAT(target_text(state, state.hovered), contains(name));
+  }
+  update(state, action::PointerMoved{pixels_of(state, {TargetKind::light, 0})});
+  CHECK_THAT(target_text(state, state.hovered), contains("Light Source"));
+  update(state, action::PointerMoved{pixels_of(state, {TargetKind::eye})});
+  CHECK_THAT(target_text(state, state.hovered), contains("EYE"));
+  update(state, action::PointerLeft{});
+  CHECK_FALSE(state.hovered);
+}
+
+TEST_CASE("a wall is a line that can be taken hold of, a floor is not drawn") {
+  const State state = busy_state();
+  const DisplayList list = plan_view(state);
+  const int wall = index_of_object(state.scene(), "Wall"), floor = index_of_object(state.scene(), "Floor");
+  CHECK_FALSE(items_of(list, {TargetKind::object, wall}).empty());
+  CHECK(items_of(list, {TargetKind::object, floor}).empty());
+  CHECK(pick(state, to_pixels(state, Vec2d(6, 1.234))) == Target{TargetKind::object, wall});
+  // Its hatches lie on its back, which is at larger x.
+  const double x = to_pixels(state, Vec2d(6, 0)).x;
+  int hatches = 0;
+  for (const DisplayItem& item : list) {
+    const auto* line = std::get_if<LineItem>(&item.shape);
+    if (line == nullptr || std::abs(line->from.x - x) > 1e-6 || std::abs(line->to.x - x) < 1) continue;
+    CHECK(line->to.x > x);
+    ++hatches;
+  }
+  CHECK(hatches > 20);
+}
+
+TEST_CASE("cells stand in order along SCREEN, cell 0 to the left of the view") {
+  const State state = classic_state();
+  const DisplayList list = plan_view(state);
+  const Camera& camera = state.scene().camera;
+  double last_y = -1e9;
+  for (int cell = 0; cell < camera.screen.cells; ++cell) {
+    const auto items = items_of(list, {TargetKind::cell, cell});
+    REQUIRE(items.size() == 1);
+    const auto& quad = std::get<PolygonItem>(items.front().shape);
+    CHECK(quad.fill == palette(state.theme).empty_cell);
+    Vec2d middle(0.0);
+    for (const Vec2d& corner : quad.points) middle += corner / 4.0;
+    // EYE looks along +x, so its left is up.
+    CHECK(middle.y > last_y);
+    last_y = middle.y;
+    const double from_left = (cell + 0.5) / camera.screen.cells;
+    const Vec2d expected(camera.eye.x + camera.screen.distance, (0.5 - from_left) * *camera.screen.width);
+    CHECK(length(middle - to_pixels(state, expected)) < 1e-6);
+  }
+}
+
+TEST_CASE("a primary ray goes through the middle of its cell") {
+  for (const State& state : {classic_state(), busy_state()}) {
+    const detail::ScreenPlace screen = detail::screen_place(state.scene().camera);
+    for (const RayRecord& ray : state.timeline->rays()) {
+      if (ray.kind != RayKind::primary) continue;
+      const int column = state.timeline->pixels()[static_cast<std::size_t>(ray.pixel)].column;
+      const Vec2d middle = screen.at((column + 0.5) / state.scene().camera.screen.cells);
+      CHECK(std::abs(cross(plan(ray.direction), middle - plan(ray.origin))) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("cells fill with their final shades, and CLEAR empties them") {
+  State state = classic_state();
+  update(state, action::SetMode{Mode::trace});
+  const auto fill_of = [&](int cell) {
+    return *std::get<PolygonItem>(items_of(plan_view(state), {TargetKind::cell, cell}).front().shape).fill;
+  };
+  const Colour empty = palette(state.theme).empty_cell;
+  update(state, action::Step{true, Grain::pixel});
+  update(state, action::Step{true, Grain::pixel});
+  CHECK(fill_of(0) == display_colour(state.timeline->pixels()[0].shade));
+  CHECK(fill_of(1) == display_colour(state.timeline->pixels()[1].shade));
+  CHECK(fill_of(2) == empty);
+  update(state, action::Step{false, Grain::line});
+  CHECK(fill_of(1) == empty);
+  update(state, action::Clear{});
+  CHECK(fill_of(0) == empty);
+}
+
+TEST_CASE("a ray is drawn when it is formed and cut when its end is found") {
+  State state = classic_state();
+  const int ray = first_ray(state, RayKind::primary, Ending::hit);
+  const RayRecord record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  update(state, action::Jump{record.formed_at - 1});
+  CHECK(items_of(plan_view(state), {TargetKind::ray, ray}).empty());
+  update(state, action::Step{true, Grain::line});
+  CHECK(on_border(state, line_of(plan_view(state), ray).to));
+  update(state, action::Step{true, Grain::line});
+  REQUIRE(state.position == record.found_at);
+  CHECK(length(line_of(plan_view(state), ray).to - to_pixels(state, plan(record.end))) < 1e-6);
+  CHECK(length(line_of(plan_view(state), ray).from - to_pixels(state, plan(record.origin))) < 1e-6);
+}
+
+TEST_CASE("rays stay until CLEAR, a ray that hits nothing leaves through the border") {
+  State state = classic_state();
+  update(state, action::Jump{1 << 20});
+  const DisplayList list = plan_view(state);
+  const auto& rays = state.timeline->rays();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!rays[i].formed) continue;
+    const LineItem line = line_of(list, static_cast<int>(i));
+    if (rays[i].endless) CHECK(on_border(state, line.to));
+  }
+  update(state, action::Clear{});
+  for (const DisplayItem& item : plan_view(state)) CHECK(item.target.kind != TargetKind::ray);
+}
+
+TEST_CASE("kinds differ in dashes and colour, all have arrowheads, the current ray stands out") {
+  State state = busy_state();
+  for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::reflect, RayKind::refract}) {
+    const auto& rays = state.timeline->rays();
+    const auto found = std::find_if(rays.begin(), rays.end(), [&](const RayRecord& ray) {
+      return ray.kind == kind && ray.formed && in_sight(state, ray.origin);
+    });
+    REQUIRE(found != rays.end());
+    const int ray = static_cast<int>(found - rays.begin());
+    update(state, action::JumpToRay{ray});
+    const LineItem current = line_of(plan_view(state), ray);
+    CHECK(current.stroke.colour == ray_style(state.theme, kind).colour);
+    CHECK(current.stroke.dash.count == ray_style(state.theme, kind).dash.count);
+    CHECK(current.arrow > 0);
+    update(state, action::Jump{1 << 20});
+    const LineItem older = line_of(plan_view(state), ray);
+    CHECK(older.stroke.width < current.stroke.width);
+    CHECK(older.stroke.colour.a < current.stroke.colour.a);
+    CHECK(older.arrow > 0);
+  }
+}
+
+TEST_CASE("dashes are counted from the ray's origin, wherever the pane begins") {
+  State state = busy_state();
+  update(state, action::Jump{1 << 20});
+  const int ray = first_ray(state, RayKind::reflect, Ending::hit);
+  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  // Zoom to the far part of the ray, so that its origin is out of sight.
+  update(state, action::Zoom{to_pixels(state, plan(record.origin + 0.8 * (record.end - record.origin))), 40});
+  const Vec2d middle = to_pixels(state, plan(record.origin + 0.8 * (record.end - record.origin)));
+  update(state, action::Pan{Vec2d(400, 300) - middle});
+  const LineItem line = line_of(plan_view(state), ray);
+  const Vec2d origin = to_pixels(state, plan(record.origin));
+  CHECK(line.stroke.phase > 10);
+  CHECK(line.stroke.phase == Approx(length(line.from - origin)).epsilon(1e-6));
+}
+
+TEST_CASE("a blocked shadow ray ends at its blocker with a cross") {
+  State state = busy_state();
+  const int ray = first_ray(state, RayKind::shadow, Ending::blocked);
+  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  const auto crosses = [&] {
+    int strokes = 0;
+    const Vec2d end = to_pixels(state, plan(record.end));
+    for (const DisplayItem& item : plan_view(state))
+      if (const auto* line = std::get_if<LineItem>(&item.shape))
+        if (length((line->from + line->to) / 2.0 - end) < 1e-6 && length(line->to - line->from) < 40) ++strokes;
+    return strokes;
+  };
+  update(state, action::Jump{record.formed_at});
+  CHECK(crosses() == 0);
+  update(state, action::Jump{record.found_at});
+  CHECK(crosses() == 2);
+}
+
+TEST_CASE("where a limit forbids a ray there is a stub") {
+  State state = busy_state();
+  for (const Ending ending : {Ending::depth, Ending::threshold, Ending::facing_away}) {
+    const auto& rays = state.timeline->rays();
+    const auto found = std::find_if(rays.begin(), rays.end(),
+                                    [&](const RayRecord& ray) { return !ray.formed && ray.ending == ending; });
+    INFO(ending_name(ending));
+    REQUIRE(found != rays.end());
+    const int ray = static_cast<int>(found - rays.begin());
+    update(state, action::Jump{found->formed_at});
+    const auto items = items_of(plan_view(state), {TargetKind::ray, ray});
+    CHECK(items.size() == 2);
+    for (const DisplayItem& item : items) {
+      const auto& line = std::get<LineItem>(item.shape);
+      CHECK(length(line.to - line.from) < 60);
+    }
+  }
+}
+
+TEST_CASE("the pixel's hits show their normals") {
+  State state = classic_state();
+  const int ray = first_ray(state, RayKind::primary, Ending::hit);
+  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  const auto normals = [&] {
+    int found = 0;
+    const Vec2d end = to_pixels(state, plan(record.end));
+    for (const DisplayItem& item : plan_view(state)) {
+      const auto* line = std::get_if<LineItem>(&item.shape);
+      if (line == nullptr || length(line->from - end) > 1e-6) continue;
+      if (line->stroke.colour != palette(state.theme).normal) continue;
+      const Vec2d along = (line->to - line->from) / length(line->to - line->from);
+      CHECK(length(along - Vec2d(record.normal.x, -record.normal.y)) < 1e-9);
+      ++found;
+    }
+    return found;
+  };
+  update(state, action::Jump{record.formed_at});
+  CHECK(normals() == 0);
+  update(state, action::Jump{record.found_at});
+  CHECK(normals() == 1);
+}
+
+TEST_CASE("a ray pointed at in the tree lights up in the plan, and one in the plan becomes the one pointed at") {
+  State state = busy_state();
+  update(state, action::Jump{1 << 20});
+  const int ray = first_ray(state, RayKind::reflect, Ending::hit);
+  const LineItem before = line_of(plan_view(state), ray);
+  update(state, action::HoverRay{ray});
+  const LineItem after = line_of(plan_view(state), ray);
+  CHECK(after.stroke.width > before.stroke.width);
+  update(state, action::HoverRay{-1});
+  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  update(state, action::PointerMoved{to_pixels(state, plan(record.origin + record.end) / 2.0)});
+  CHECK(state.hovered.kind == TargetKind::ray);
+  CHECK(state.hovered_ray == state.hovered.index);
+  CHECK_FALSE(target_text(state, state.hovered).empty());
+}
+
+TEST_CASE("the four objects, EYE and SCREEN carry their names, and no label covers another") {
+  for (const Theme theme : {Theme::dark, Theme::projector})
+    for (const double scale : {1.0, 2.0}) {
+      State state = classic_state();
+      update(state, action::SetTheme{theme});
+      update(state, action::SetUiScale{scale});
+      const auto labels = texts_of(plan_view(state));
+      std::set<std::string> names;
+      for (const TextItem& label : labels) names.insert(label.text);
+      CHECK(names ==
+            std::set<std::string>{"EYE", "SCREEN", "Light Source", "Solid Sphere", "Transparent Sphere", "Polygon"});
+      for (std::size_t i = 0; i < labels.size(); ++i)
+        for (std::size_t j = i + 1; j < labels.size(); ++j) {
+          const double apart_x = std::abs(labels[i].at.x - labels[j].at.x);
+          const double apart_y = std::abs(labels[i].at.y - labels[j].at.y);
+          const double width =
+              (text_width(labels[i].text, labels[i].size) + text_width(labels[j].text, labels[j].size)) / 2;
+          INFO(labels[i].text << " and " << labels[j].text << " at scale " << scale);
+          CHECK((apart_x >= width || apart_y >= labels[i].size));
+        }
+    }
+}
+
+TEST_CASE("move mode has handles and no rays, trace mode rays and no handles") {
+  State state = busy_state();
+  update(state, action::Jump{1 << 20});
+  const auto kinds = [&] {
+    std::set<TargetKind> found;
+    for (const DisplayItem& item : plan_view(state)) found.insert(item.target.kind);
+    return found;
+  };
+  CHECK(kinds().count(TargetKind::ray) == 1);
+  CHECK(kinds().count(TargetKind::radius) == 0);
+  update(state, action::SetMode{Mode::move});
+  CHECK(kinds().count(TargetKind::ray) == 0);
+  for (const TargetKind kind : {TargetKind::radius, TargetKind::corner, TargetKind::edge, TargetKind::rotation,
+                                TargetKind::screen_height, TargetKind::screen_distance, TargetKind::view_direction})
+    CHECK(kinds().count(kind) == 1);
+}
+
+TEST_CASE("lengths and letters grow with the scale and the projector's theme") {
+  State state = classic_state();
+  const double before = texts_of(plan_view(state)).front().size;
+  update(state, action::SetUiScale{2});
+  CHECK(texts_of(plan_view(state)).front().size == Approx(2 * before));
+  update(state, action::SetTheme{Theme::projector});
+  CHECK(texts_of(plan_view(state)).front().size > 2 * before);
+}
+
+TEST_CASE("every shipped scene is drawn with finite numbers, at every zoom") {
+  for (const auto& path : shipped_scenes()) {
+    INFO(path);
+    State state = make_state(read_document(path));
+    for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
+      update(state, action::SetMode{mode});
+      state.position = state.timeline->steps();
+      for (const double factor : {1.0, 1e-3, 1e6, 1e6, 1e-12}) {
+        update(state, action::Zoom{{100, 100}, factor});
+        CHECK(is_finite(plan_view(state)));
+      }
+    }
+  }
+}

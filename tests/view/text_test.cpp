@@ -1,0 +1,117 @@
+#include "view/text.h"
+#include "fixtures.h"
+#include "timeline/recorder.h"
+
+#include <algorithm>
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+TEST_CASE("every id has a text of its own file") {
+  for (int i = 0; i <= static_cast<int>(TextId::autosave_failed); ++i) {
+    INFO("text " << i);
+    CHECK_FALSE(text(static_cast<TextId>(i)).empty());
+  }
+  std::set<std::string_view> sentences;
+  for (int i = 0; i <= static_cast<int>(MessageId::pixel_put); ++i) {
+    INFO("message " << i);
+    const std::string_view pattern = template_of(static_cast<MessageId>(i));
+    CHECK(pattern.ends_with('.'));
+    CHECK(sentences.insert(pattern).second);
+  }
+  std::set<std::string_view> symbols;
+  for (int i = 0; i < ending_count; ++i) {
+    CHECK_FALSE(text(static_cast<Ending>(i)).empty());
+    CHECK(symbols.insert(symbol(static_cast<Ending>(i))).second);
+  }
+}
+
+TEST_CASE("arguments stand where their numbers are") {
+  CHECK(fill(TextId::ask_unsaved_open, {"a", "b"}).find("a has") == 0);
+  CHECK_THAT(fill(TextId::ask_unsaved_open, {"a", "{0}"}), contains("opening {0}?"));
+}
+
+TEST_CASE("numbers are short") {
+  CHECK(number_text(0) == "0");
+  CHECK(number_text(-0.0) == "0");
+  CHECK(number_text(1.23456) == "1.23");
+  CHECK(number_text(12) == "12");
+  CHECK(number_text(0.5) == "0.5");
+  CHECK(percent_text(1) == "100%");
+  CHECK(percent_text(0.456) == "46%");
+  CHECK(percent_text(0.0023) == "0.2%");
+  CHECK(percent_text(0) == "0%");
+  CHECK(percent_text(1e-9) == "under 0.001%");
+  CHECK(colour_text(Rgbd(0.25)) == "0.25");
+  CHECK(colour_text(Rgbd(0.25, 0.5, 1)) == "(0.25, 0.5, 1)");
+}
+
+TEST_CASE("every step of every shipped scene has a whole sentence that names how a ray ended") {
+  std::vector<Scene> scenes{busy_scene()};
+  for (const auto& path : shipped_scenes()) scenes.push_back(read_document(path).scene);
+  for (const Scene& scene : scenes) {
+    INFO(scene.title);
+    const Timeline timeline = record_strip(scene);
+    for (int position = 0; position <= timeline.steps(); ++position) {
+      const std::string sentence = sentence_of(describe(scene, timeline, position));
+      INFO("step " << position << ": " << sentence);
+      REQUIRE(sentence.size() > 10);
+      REQUIRE(sentence.back() == '.');
+      REQUIRE(sentence.find('{') == std::string::npos);
+      REQUIRE(sentence.find("  ") == std::string::npos);
+      const Event* event = timeline.just_run(position);
+      if (event == nullptr) continue;
+      const auto says = [&](const std::string& words) { return sentence.find(words) != std::string::npos; };
+      if (const auto* found = std::get_if<Found>(&event->detail)) {
+        if (found->object >= 0) REQUIRE(says(scene.objects[static_cast<std::size_t>(found->object)].name));
+        if (found->ending == Ending::missed) REQUIRE(says("hits nothing"));
+        if (found->ending == Ending::blocked) REQUIRE(says("blocked"));
+        if (found->ending == Ending::reached_light) REQUIRE(says("reaches"));
+      }
+      if (const auto* stub = std::get_if<RayNotFormed>(&event->detail)) {
+        REQUIRE(says("No "));
+        if (stub->why == Ending::depth) REQUIRE(says("deeper than DEPTH " + std::to_string(scene.limits.depth)));
+        if (stub->why == Ending::threshold) REQUIRE(says("threshold"));
+        if (stub->why == Ending::facing_away) REQUIRE(says("faces away"));
+      }
+      if (const auto* decided = std::get_if<Decided>(&event->detail); decided != nullptr && decided->why)
+        REQUIRE(says("total internal reflection"));
+    }
+  }
+}
+
+TEST_CASE("the transcript numbers every step and shows line, depth and sentence") {
+  const State state = classic_state();
+  const std::string lines = transcript(state.scene(), *state.timeline);
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == state.timeline->steps());
+  for (const int position : {1, 100, state.timeline->steps()}) {
+    const std::string step = step_text(state.scene(), *state.timeline, position);
+    const Event& event = *state.timeline->just_run(position);
+    CHECK_THAT(step, contains(std::to_string(position)));
+    CHECK_THAT(step, contains(std::string(pseudocode_of(event.line).text)));
+    CHECK_THAT(step, contains(sentence_of(describe(state.scene(), *state.timeline, position))));
+    CHECK_THAT(lines, contains(step + "\n"));
+    if (event.depth > 0) CHECK_THAT(step, contains("[" + std::to_string(event.depth) + "]"));
+  }
+}
+
+TEST_CASE("the help names the objects, the modes and the buttons") {
+  std::string all;
+  for (const HelpSection& section : help()) {
+    CHECK_FALSE(section.title.empty());
+    CHECK_FALSE(section.entries.empty());
+    for (const HelpEntry& entry : section.entries) {
+      CHECK_FALSE(entry.text.empty());
+      all += entry.term + "\n";
+    }
+  }
+  for (const TextId id :
+       {TextId::eye, TextId::screen, TextId::solid_sphere, TextId::transparent_sphere, TextId::polygon,
+        TextId::light_source, TextId::mode_move, TextId::mode_trace, TextId::mode_help, TextId::button_step,
+        TextId::button_back, TextId::button_auto, TextId::button_clear, TextId::tab_tree, TextId::tab_stack,
+        TextId::tab_legend, TextId::tab_image})
+    CHECK_THAT(all, contains(std::string(text(id))));
+}
