@@ -1,0 +1,192 @@
+// Invariants 2 and 4: watching changes nothing, unused effects cost nothing, and the kernels agree.
+
+#include "support/catch.h"
+#include "trace/kernel_of.h"
+#include "trace/pictures.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+template <class T>
+bool same_bits(const Picture<T>& a, const Picture<T>& b) {
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel) {
+      const T x = a.pixels[i][channel], y = b.pixels[i][channel];
+      if (x != y || std::signbit(x) != std::signbit(y)) return false;
+    }
+  return a.pixels.size() == b.pixels.size();
+}
+
+bool same_counts(const Statistics& a, const Statistics& b) {
+  return a.rays == b.rays && a.ended == b.ended && a.tests.nodes == b.tests.nodes &&
+         a.tests.primitives == b.tests.primitives && a.random_draws == b.random_draws && a.not_finite == b.not_finite;
+}
+
+// The busy scene without what the set leaves out.
+Scene scene_for(const HitEffects& set) {
+  Scene scene = busy_scene();
+  for (Object& one : scene.objects) {
+    Material& material = one.material;
+    if (!set.reflection) material.reflection = Rgbd(0.0);
+    if (!set.refraction) material.transmission = Rgbd(0.0);
+    if (!set.textures) material.checker = std::nullopt;
+  }
+  return scene;
+}
+
+constexpr HitEffects sets[] = {{false, false, false}, {false, false, true}, {true, false, false},
+                               {true, false, true},   {true, true, false},  {true, true, true}};
+
+struct Counter final : Observer {
+  std::uint64_t events = 0;
+  void record(Event&&) override { ++events; }
+};
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("watched and unwatched give the same bits and the same counts", "", float, double) {
+  using T = TestType;
+  for (const HitEffects& set : sets) {
+    const Scene scene = scene_for(set);
+    for (const Sampling sampling : {Sampling{1, 0}, Sampling{5, 42}}) {
+      Counter counter;
+      const auto plain = picture<T>(scene, 63, 45, sampling);
+      const auto watched = watched_picture<T>(scene, 63, 45, counter, sampling);
+      CHECK(same_bits(plain, watched));
+      CHECK(same_counts(plain.statistics, watched.statistics));
+      CHECK(counter.events > plain.pixels.size() * 5);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("each kernel gives the bits of the kernel with every effect", "", float, double) {
+  using T = TestType;
+  for (const HitEffects& set : sets) {
+    CAPTURE(set.reflection, set.refraction, set.textures);
+    const Scene scene = scene_for(set);
+    REQUIRE(hit_effects(effects_of(scene)) == set);
+    const auto fitting = picture<T>(scene, 63, 45);
+    const auto all = picture_by<T>(scene, 63, 45, {}, [](const auto&... arguments) {
+      return detail::run_kernel<T, all_hit_effects>(arguments...);
+    });
+    CHECK(same_bits(fitting, all));
+    CHECK(same_counts(fitting.statistics, all.statistics));
+  }
+}
+
+TEST_CASE("the kernels are six different ones") {
+  // Each drops what a scene that needs it would miss: the fitting kernel differs from every smaller one.
+  const Scene scene = busy_scene();
+  const auto full = picture<double>(scene, 45, 31);
+  const auto by = [&](auto run) { return picture_by<double>(scene, 45, 31, {}, run); };
+  CHECK_FALSE(same_bits(
+      full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{true, true, false}>(a...); })));
+  CHECK_FALSE(same_bits(
+      full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{true, false, true}>(a...); })));
+  CHECK_FALSE(same_bits(
+      full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{false, false, true}>(a...); })));
+}
+
+TEST_CASE("effects that are not called for fire no ray and draw no number") {
+  for (const HitEffects& set : sets) {
+    const Statistics statistics = picture<double>(scene_for(set), 45, 31).statistics;
+    CHECK((statistics.formed(RayKind::reflect) > 0) == set.reflection);
+    CHECK((statistics.formed(RayKind::refract) > 0) == set.refraction);
+    CHECK((statistics.ends(Ending::total_internal_reflection) > 0) == set.refraction);
+    CHECK(statistics.random_draws == 0);
+    CHECK(statistics.formed(RayKind::shadow) > 0);
+  }
+  Scene dark = busy_scene();
+  for (Light& light : dark.lights) light.strength = Rgbd(0.0);
+  const Statistics statistics = picture<double>(dark, 45, 31).statistics;
+  CHECK(statistics.formed(RayKind::shadow) == 0);
+  CHECK(statistics.ends(Ending::facing_away) == 0);
+}
+
+TEST_CASE("switching an effect on changes no pixel whose rays never meet it") {
+  // The sphere's material changes; pixels whose trees never met the sphere keep every bit.
+  Scene plain = busy_scene();
+  plain.objects[0].material.reflection = Rgbd(0.0);
+  for (int effect = 0; effect < 3; ++effect) {
+    Scene changed = plain;
+    Material& material = changed.objects[0].material;
+    if (effect == 0) material.reflection = Rgbd(0.5);
+    if (effect == 1) material.transmission = Rgbd(0.5);
+    if (effect == 2) material.checker = Checker{Rgbd(0.2), Rgbd(0.9), 0.1};
+    Recording recording;
+    const auto before = watched_picture<double>(plain, 45, 31, recording);
+    const auto after = picture<double>(changed, 45, 31);
+    int met = 0, differing = 0, spared = 0;
+    bool meets = false;
+    for (const Event& event : recording.events) {
+      if (std::holds_alternative<PixelBegun>(event.detail)) meets = false;
+      if (const auto* found = std::get_if<Found>(&event.detail)) meets = meets || found->object == 0;
+      if (const auto* put = std::get_if<PixelPut>(&event.detail)) {
+        const bool same = before.at(put->column, put->row) == after.at(put->column, put->row);
+        met += meets;
+        if (!meets) ++spared, differing += !same;
+      }
+    }
+    CHECK(differing == 0);
+    CHECK(met > 50);
+    CHECK(spared > 500);
+    CHECK_FALSE(same_bits(before, after));
+  }
+}
+
+TEMPLATE_TEST_CASE("blocks and strides cut the picture without changing it", "", float, double) {
+  using T = TestType;
+  const Scene scene = busy_scene();
+  const auto whole = picture<T>(scene, 31, 23);
+  const World<T> world(scene);
+  const RayGenerator<T> camera(scene.camera, {31, 23}, {31, 23});
+  std::vector<Rgb<T>> pixels(31 * 23, Rgb<T>(-1));
+  const PutPixel<T> put = [&](const Pixel& pixel, const Rgb<T>& shade) {
+    Rgb<T>& cell = pixels[static_cast<std::size_t>(pixel.row * 31 + pixel.column)];
+    CHECK(cell.x == -1);  // each pixel once
+    cell = shade;
+  };
+  Statistics sum;
+  for (int row = 0; row < 23; row += 8)
+    for (int column = 0; column < 31; column += 10)
+      sum += trace(world, camera, {column, std::min(column + 10, 31), row, std::min(row + 8, 23), 0}, put);
+  CHECK((pixels == whole.pixels));
+  CHECK(same_counts(sum, whole.statistics));
+
+  int visited = 0;
+  const PutPixel<T> count = [&](const Pixel& pixel, const Rgb<T>& shade) {
+    ++visited;
+    CHECK(pixel.column % 4 == 1);
+    CHECK(pixel.row % 4 == 2);
+    CHECK(shade == whole.at(pixel.column, pixel.row));
+  };
+  static_cast<void>(trace(world, camera, {1, 31, 2, 23, 0, 4}, count));
+  CHECK(visited == 8 * 6);
+  // Nothing in nothing.
+  static_cast<void>(trace(world, camera, {5, 5, 0, 23, 0}, count));
+  static_cast<void>(trace(world, camera, {0, 31, 7, 7, 0}, count));
+  CHECK(visited == 8 * 6);
+}
+
+TEST_CASE("accelerators make the same picture, bit for bit") {
+  const Scene scene = busy_scene();
+  const auto by = [&](AcceleratorKind kind) {
+    const World<double> world(scene, kind);
+    const RayGenerator<double> camera(scene.camera, {45, 31}, {45, 31});
+    Picture<double> traced{45, 31, std::vector<Rgbd>(45 * 31), {}};
+    traced.statistics = trace(world, camera, {0, 45, 0, 31, 0}, [&](const Pixel& pixel, const Rgbd& shade) {
+      traced.pixels[static_cast<std::size_t>(pixel.row * 45 + pixel.column)] = shade;
+    });
+    return traced;
+  };
+  const auto expected = by(AcceleratorKind::none);
+  for (const auto kind :
+       {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
+    const auto got = by(kind);
+    CHECK(same_bits(got, expected));
+    CHECK(got.statistics.rays == expected.statistics.rays);
+    CHECK(got.statistics.ended == expected.statistics.ended);
+  }
+}
