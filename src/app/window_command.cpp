@@ -7,9 +7,14 @@ namespace raywalk {
 ExitCode window_command(GuiOptions options) {
   options.data_dir = data_dir();
   if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);
+#if RAYWALK_GUI
+  const Result<void> closed = run_gui(options);
+  return closed ? ExitCode::done : fail(closed.error());
+#else
   const std::string scene = options.scene_path.empty() ? "classic" : options.scene_path;
   return fail({"", 0, 0, "this raywalk was built without the window",
                "render the scene instead: raywalk render " + scene + " -o picture.png"});
+#endif
 }
 
 }  // namespace raywalk
