@@ -1,0 +1,16 @@
+#!/bin/bash
+# The benchmark programs run on a small scene and say what they should; no figure is judged.
+set -euo pipefail
+[ -n "${RAYWALK_BIN:-}" ] || { echo "no program to find the benchmarks beside"; exit 1; }
+folder=$(dirname "$RAYWALK_BIN")
+scene=$RAYWALK_SOURCE_DIR/scenes/classic.toml
+
+with=$("$folder/benchmark_hooks" "$scene" 20x15)
+without=$("$folder/benchmark_hooks_removed" "$scene" 20x15)
+[ -n "$with" ] && [ "$with" = "$without" ] || { echo "with hooks: $with, without: $without"; exit 1; }
+
+# Whether the goal is met is not asked: the machine may be busy, the build slow.
+strip=$("$folder/benchmark_strip" "$scene" 1) || [ $? -eq 1 ]
+grep -Eq '^[0-9]{4,} steps recorded in [0-9.]+ ms' <<<"$strip" || { echo "unexpected: $strip"; exit 1; }
+
+if "$folder/benchmark_hooks" /nowhere.toml 2>/dev/null; then echo "no scene, but no error"; exit 1; fi
