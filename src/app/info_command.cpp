@@ -13,14 +13,11 @@ namespace raywalk {
 namespace {
 
 // One overload a kind: a kind without one does not compile.
-std::string_view kind_of(const Sphere<double>& /*shape*/) { return "sphere"; }
-std::string_view kind_of(const Plane<double>& /*shape*/) { return "plane"; }
-std::string_view kind_of(const Prism<double>& /*shape*/) { return "polygon"; }
 std::string_view kind_of(const PointLight& /*light*/) { return "point light"; }
 std::string_view kind_of(const DirectionalLight& /*light*/) { return "directional light"; }
 
 std::string count_of(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : what.ends_with('x') ? "es" : "s");
 }
 
 /// "2 spheres, 1 plane", in the order in which the kinds first come.
@@ -67,8 +64,7 @@ std::string info_text(const Scene& scene, const std::string& path) {
   text += row("limits", fmt::format("depth {}, threshold {:g}", scene.limits.depth, scene.limits.threshold));
 
   std::vector<std::string_view> kinds;
-  for (const Object& object : scene.objects)
-    kinds.push_back(std::visit([](const auto& shape) { return kind_of(shape); }, object.shape));
+  for (const Object& object : scene.objects) kinds.push_back(shape_name(object.shape));
   text += row("objects", counts_of(kinds));
   kinds.clear();
   for (const Light& light : scene.lights)

@@ -4,6 +4,8 @@
 #include "gui/words.h"
 #include "view/text.h"
 
+#include <cmath>
+
 #include <algorithm>
 
 namespace raywalk {
@@ -52,6 +54,44 @@ bool shape_rows(Form& form, Prism<double>& prism) {
   int number = 0;
   for (Vec2d& corner : prism.corners)
     now |= form.vector(fill(TextId::corner, {std::to_string(++number)}), &corner.x, 2, 0.01);
+  return now;
+}
+
+bool shape_rows(Form& form, Box<double>& box) {
+  bool now = form.vector(text(TextId::lowest), &box.min.x, 3, 0.01);
+  now |= form.vector(text(TextId::highest), &box.max.x, 3, 0.01);
+  return now;
+}
+
+template <QuadricKind Kind>
+bool shape_rows(Form& form, Quadric<double, Kind>& quadric) {
+  bool now = form.vector(text(TextId::radii), &quadric.radii.x, 3, 0.01);
+  if (std::isfinite(quadric.z_min)) now |= form.number(text(TextId::lowest), quadric.z_min, 0.01, -huge, huge);
+  if (std::isfinite(quadric.z_max)) now |= form.number(text(TextId::highest), quadric.z_max, 0.01, -huge, huge);
+  now |= form.flag(text(TextId::capped), quadric.capped);
+  return now;
+}
+
+bool shape_rows(Form& form, Disk<double>& disk) {
+  bool now = form.vector(text(TextId::centre), &disk.centre.x, 3, 0.01);
+  now |= form.vector(text(TextId::normal), &disk.normal.x, 3, 0.01);
+  now |= form.number(text(TextId::radius), disk.radius, 0.01, tiny, huge);
+  return now;
+}
+
+bool shape_rows(Form& form, Polygon<double>& polygon) {
+  bool now = false;
+  int number = 0;
+  for (Vec3d& corner : polygon.outline)
+    now |= form.vector(fill(TextId::corner, {std::to_string(++number)}), &corner.x, 3, 0.01);
+  return now;
+}
+
+bool shape_rows(Form& form, Triangle<double>& triangle) {
+  bool now = false;
+  int number = 0;
+  for (Vec3d* corner : {&triangle.a, &triangle.b, &triangle.c})
+    now |= form.vector(fill(TextId::corner, {std::to_string(++number)}), &corner->x, 3, 0.01);
   return now;
 }
 

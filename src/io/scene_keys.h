@@ -37,6 +37,12 @@ inline constexpr NumberRule above_zero{
     .above_low = true,
     .hint = "such as 1 or 0.5",
 };
+inline constexpr NumberRule lengths_above_zero{
+    .expected = "one number above 0, or [x, y, z] of them",
+    .high = most_magnitude,
+    .above_low = true,
+    .hint = "such as 1 or [1, 2, 0.5]",
+};
 inline constexpr NumberRule not_negative{
     .expected = "a number that is 0 or more",
     .high = most_magnitude,
@@ -76,9 +82,10 @@ struct Names<ShadowKind> {
 /// What a variant's alternatives are called under `type`.
 constexpr std::string_view type_name(const PointLight& /*light*/) { return "point"; }
 constexpr std::string_view type_name(const DirectionalLight& /*light*/) { return "directional"; }
-constexpr std::string_view type_name(const Sphere<double>& /*shape*/) { return "sphere"; }
-constexpr std::string_view type_name(const Plane<double>& /*shape*/) { return "plane"; }
-constexpr std::string_view type_name(const Prism<double>& /*shape*/) { return "polygon"; }
+template <class S>
+constexpr auto type_name(const S& shape) -> decltype(shape_name(shape)) {
+  return shape_name(shape);
+}
 
 template <class Fields>
 void describe(Fields& f, FieldOfView& fov) {
@@ -150,6 +157,49 @@ void describe(Fields& f, Prism<double>& prism) {
 }
 
 template <class Fields>
+void describe(Fields& f, Box<double>& box) {
+  f.point("min", box.min, required);
+  f.point("max", box.max, required);
+  f.check(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z, "max",
+          "a corner of the box is beyond the other (expected max at or above min in x, y and z)",
+          "min holds the smallest x, y and z of the box, max the largest");
+}
+
+template <class Fields, QuadricKind Kind>
+void describe(Fields& f, Quadric<double, Kind>& quadric) {
+  f.lengths("radii", quadric.radii);
+  f.limit("z_min", quadric.z_min);
+  f.limit("z_max", quadric.z_max);
+  f.check(quadric.z_min < quadric.z_max, "z_max", "nothing is left between z_min and z_max (expected z_min < z_max)",
+          "leave them out to cut nothing off");
+  f.yes_or_no("capped", quadric.capped);
+}
+
+template <class Fields>
+void describe(Fields& f, Disk<double>& disk) {
+  f.point("centre", disk.centre, required);
+  f.direction("normal", disk.normal, required);
+  f.number("radius", disk.radius, above_zero, required);
+}
+
+template <class Fields>
+void describe(Fields& f, Polygon<double>& polygon) {
+  f.points("corners", polygon.outline);
+  f.holes("holes", polygon.holes);
+  const std::string why = why_not_flat(polygon);
+  f.check(why.empty(), "corners", why, "a flat polygon has an area, and all its corners lie in one plane");
+}
+
+template <class Fields>
+void describe(Fields& f, Triangle<double>& triangle) {
+  f.point("a", triangle.a, required);
+  f.point("b", triangle.b, required);
+  f.point("c", triangle.c, required);
+  f.check(cross(triangle.b - triangle.a, triangle.c - triangle.a) != Vec3d(0.0), "c",
+          "the three corners lie on one line (expected a triangle with an area)", "move one of the corners");
+}
+
+template <class Fields>
 void describe(Fields& f, Checker& checker) {
   f.colour("even", checker.even);
   f.colour("odd", checker.odd);
@@ -175,6 +225,7 @@ template <class Fields>
 void describe(Fields& f, Object& object) {
   f.name("name", object.name);
   f.type("type", object.shape);
+  f.steps("transform", object.transform);
   f.table("material", object.material, optional);
 }
 

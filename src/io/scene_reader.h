@@ -61,6 +61,14 @@ class SceneReader {
   void direction(std::string_view key, Vec3d& value, scene_keys::Presence presence);
   void attenuation(std::string_view key, Attenuation& value);
   void corners(std::string_view key, std::vector<Vec2d>& value);
+  void lengths(std::string_view key, Vec3d& value);
+  /// A coordinate that is infinite when left out.
+  void limit(std::string_view key, double& value);
+  void points(std::string_view key, std::vector<Vec3d>& value);
+  void holes(std::string_view key, std::vector<std::vector<Vec3d>>& value);
+  void steps(std::string_view key, std::vector<TransformStep>& value);
+  /// What no single key can tell: fails at `key` with `message` unless `holds`.
+  void check(bool holds, std::string_view key, std::string_view message, std::string_view hint);
   template <class Value>
   void choice(std::string_view key, Value& value);
   template <class... Kinds>
@@ -87,6 +95,8 @@ class SceneReader {
   /// The numbers of a list of `least` to `most` of them; empty after an error.
   std::vector<double> numbers_of(const toml::node& node, std::string_view key, const scene_keys::NumberRule& rule,
                                  std::size_t least, std::size_t most, const std::string& expected);
+  std::vector<Vec3d> points_of(const toml::node& node, std::string_view key);
+  std::optional<TransformStep> step_of(const toml::node& node, std::string_view key);
   /// The choice's index among `words`.
   std::optional<std::size_t> word_of(const toml::node& node, std::string_view key,
                                      const std::vector<std::string_view>& words);

@@ -2,8 +2,10 @@
 
 #include "io/scene_keys.h"
 #include "io/toml_text.h"
+#include "io/transform_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -46,6 +48,28 @@ class Lister {
     for (const Vec2d& corner : value) corners.children.push_back(list({corner.x, corner.y}, Shorthand::none));
     add(key, std::move(corners), false);
   }
+  void lengths(std::string_view key, Vec3d& value) {
+    add(key, list({value.x, value.y, value.z}, Shorthand::grey), false);
+  }
+  void limit(std::string_view key, double& value) {
+    if (std::isfinite(value)) add(key, {.text = toml_text::number(value)}, false);
+  }
+  void points(std::string_view key, std::vector<Vec3d>& value) { add(key, points_of(value), false); }
+  void holes(std::string_view key, std::vector<std::vector<Vec3d>>& value) {
+    Value holes{.kind = Kind::list};
+    for (const auto& hole : value) holes.children.push_back(points_of(hole));
+    if (!value.empty()) add(key, std::move(holes), false);
+  }
+  void steps(std::string_view key, std::vector<TransformStep>& value) {
+    Value steps{.kind = Kind::list};
+    for (const TransformStep& step : value) {
+      Value& words = steps.children.emplace_back(Value{.kind = Kind::list});
+      words.children.push_back({.text = toml_text::quoted(transform_words[step.kind.index()].word)});
+      for (const double number : numbers_of(step)) words.children.push_back({.text = toml_text::number(number)});
+    }
+    if (!value.empty()) add(key, std::move(steps), false);
+  }
+  void check(bool /*holds*/, std::string_view /*key*/, std::string_view /*message*/, std::string_view /*hint*/) {}
   template <class Choice>
   void choice(std::string_view key, Choice& value) {
     for (const auto& [each, word] : scene_keys::Names<Choice>::all)
@@ -103,6 +127,12 @@ class Lister {
     Value value{.kind = Kind::list, .shorthand = shorthand};
     for (const double number : numbers) value.children.push_back({.text = toml_text::number(number)});
     return value;
+  }
+
+  static Value points_of(const std::vector<Vec3d>& value) {
+    Value points{.kind = Kind::list};
+    for (const Vec3d& point : value) points.children.push_back(list({point.x, point.y, point.z}, Shorthand::none));
+    return points;
   }
 
   /// `optional` stands for is_default until table_of() has compared the values.

@@ -20,8 +20,50 @@ std::string why_not_planar(const Plane<double>& plane) {
   return plane.point.z == 0 ? "lies in z = 0" : "";
 }
 
+/// All other shapes are told by their box when they stay away from the plan.
+template <class S>
+bool meets_plan(const S& shape) {
+  const Bounds<double> box = bounds(shape);
+  return box.min.z <= 0 && 0 <= box.max.z;
+}
+
+/// A box that the plan cuts between its faces shows it upright sides.
+std::string why_not_planar(const Box<double>& box) {
+  return box.min.z == 0 || box.max.z == 0 ? "has a face in z = 0" : "";
+}
+
+/// A quadric that is its own mirror image in z = 0 meets it at a right angle, unless cut off there. A cone meets it in
+/// its apex, which has no normal.
+template <QuadricKind Kind>
+std::string why_not_planar(const Quadric<double, Kind>& quadric) {
+  if (!meets_plan(quadric)) return "";
+  if (quadric.z_min == 0 || quadric.z_max == 0) return "is cut off in z = 0";
+  if (Kind == QuadricKind::cone) return "has its apex in z = 0";
+  if (Kind == QuadricKind::elliptic_paraboloid) return "meets z = 0 aslant";
+  return "";
+}
+
+/// Flat shapes: rounding may tip even an upright one, so only those that stay away count.
+template <class Flat>
+std::string why_not_planar_flat(const Flat& flat) {
+  return meets_plan(flat) ? "is flat and meets z = 0" : "";
+}
+std::string why_not_planar(const Disk<double>& disk) { return why_not_planar_flat(disk); }
+std::string why_not_planar(const Polygon<double>& polygon) { return why_not_planar_flat(polygon); }
+std::string why_not_planar(const Triangle<double>& triangle) { return why_not_planar_flat(triangle); }
+
 /// A prism is centred on the plan and its sides are upright; its caps lie off it.
 std::string why_not_planar(const Prism<double>& prism) { return prism.height > 0 ? "" : "is flat and lies in z = 0"; }
+
+/// A map that keeps z = 0 where it is, and upright what is upright, keeps a planar shape planar. Under any other one
+/// the shape has to stay away from the plan.
+std::string why_not_planar(const Object& object) {
+  const Affine<double> map = affine_of(object.transform);
+  const bool keeps_plan = map.x.z == 0 && map.y.z == 0 && map.z.x == 0 && map.z.y == 0 && map.move.z == 0;
+  if (keeps_plan) return std::visit([](const auto& shape) { return why_not_planar(shape); }, object.shape);
+  const Bounds<double> box = image_of(map, bounds(object.shape));
+  return box.min.z <= 0 && 0 <= box.max.z ? "is moved out of z = 0 and still meets it" : "";
+}
 
 }  // namespace
 
@@ -36,7 +78,7 @@ std::string why_not_planar(const Scene& scene) {
       return light.name + " does not shine along z = 0";
   }
   for (const Object& object : scene.objects) {
-    const std::string why = std::visit([](const auto& shape) { return why_not_planar(shape); }, object.shape);
+    const std::string why = why_not_planar(object);
     if (!why.empty()) return object.name + " " + why;
   }
   return {};

@@ -3,6 +3,7 @@
 #include "scene/camera.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "scene/transform_step.h"
 #include "shape/shape.h"
 
 #include <string>
@@ -14,6 +15,7 @@ struct Object {
   std::string name;  ///< unique among the objects and lights of a scene, not empty
   Shape<double> shape;
   Material material;
+  std::vector<TransformStep> transform{};  ///< done to the shape in this order; together not singular
   friend bool operator==(const Object&, const Object&) = default;
 };
 

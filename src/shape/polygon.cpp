@@ -1,3 +1,4 @@
+#include "shape/polygon.h"
 #include "math/double_double.h"
 #include "shape/prism.h"
 
@@ -61,6 +62,25 @@ std::string why_not_polygon(const std::vector<Vec2d>& given) {
                std::to_string(j + 1);
     }
   }
+  return {};
+}
+
+std::string why_not_flat(const Polygon<double>& polygon) {
+  const auto few = [](const std::vector<Vec3d>& loop) { return loop.size() < 3; };
+  if (few(polygon.outline)) return "a polygon needs at least 3 corners";
+  if (std::any_of(polygon.holes.begin(), polygon.holes.end(), few)) return "a hole needs at least 3 corners";
+  const Vec3d area = polygon.area_vector();
+  const Bounds<double> box = bounds(polygon);
+  const double size = length(box.max - box.min);
+  if (!(length(area) > 1e-12 * size * size)) return "the polygon has no area";
+  const Vec3d normal = normalize(area);
+  const auto aslant = [&](const Vec3d& corner) {
+    return std::abs(dot(corner - polygon.outline.front(), normal)) > 1e-6 * size;
+  };
+  const auto warped = [&](const std::vector<Vec3d>& loop) { return std::any_of(loop.begin(), loop.end(), aslant); };
+  if (warped(polygon.outline)) return "the corners do not lie in one plane";
+  if (std::any_of(polygon.holes.begin(), polygon.holes.end(), warped))
+    return "a hole does not lie in the polygon's plane";
   return {};
 }
 

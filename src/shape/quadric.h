@@ -21,9 +21,9 @@ enum class QuadricKind {
 /// A quadric about the z axis, cut to z_min <= z <= z_max and closed by flat caps on request. Parts: 0 the wall, 1 the
 /// cap at z_min, 2 the cap at z_max. An open wall ends before its limits (they belong to the caps); with caps the rim
 /// is met once. Inside is where the left side is smaller than the right one.
-template <class T>
+template <class T, QuadricKind Kind>
 struct Quadric {
-  QuadricKind kind = QuadricKind::ellipsoid;
+  static constexpr QuadricKind kind = Kind;
   Vec3<T> radii{1};                             ///< rx, ry, rz, each > 0; rz only where the equation has it
   T z_min = -infinity<T>, z_max = infinity<T>;  ///< z_min < z_max; infinite: not cut there
   bool capped = false;                          ///< caps where the cut is finite and meets the inside
@@ -32,6 +32,19 @@ struct Quadric {
   static constexpr int wall = 0, low_cap = 1, high_cap = 2;
 };
 
+template <class T>
+using Ellipsoid = Quadric<T, QuadricKind::ellipsoid>;
+template <class T>
+using EllipticParaboloid = Quadric<T, QuadricKind::elliptic_paraboloid>;
+template <class T>
+using Cone = Quadric<T, QuadricKind::cone>;
+template <class T>
+using Cylinder = Quadric<T, QuadricKind::cylinder>;
+template <class T>
+using HyperboloidOneSheet = Quadric<T, QuadricKind::hyperboloid_one_sheet>;
+template <class T>
+using HyperboloidTwoSheets = Quadric<T, QuadricKind::hyperboloid_two_sheets>;
+
 /// Nearest t in (0, t_max) at which the ray crosses the wall or a cap; a tangent ray counts.
 ///
 /// Along the ray the left side minus the right one is a t^2 + 2 b t + c: negative inside. Its roots are found in double
@@ -39,24 +52,24 @@ struct Quadric {
 /// parallel to a cone's side), or the origin lies almost on the wall, again in double-double. Caps and wall are told
 /// apart by t alone, as in the prism, so no ray slips through a rim. A ray that departs from the wall has c = 0
 /// exactly.
-template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Quadric<T>& quadric, const Ray<T>& ray, T t_max,
+template <class T, QuadricKind Kind, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
 
-template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Quadric<T>& quadric, const Ray<T>& ray, Crossing<T> crossing);
+template <class T, QuadricKind Kind>
+[[nodiscard]] SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, Crossing<T> crossing);
 
 /// The wall: the angle from +x times rx, and z. Caps: x and y.
-template <class T>
-[[nodiscard]] Vec2<T> uv_at(const Quadric<T>& quadric, const SurfacePoint<T>& point, int part) {
-  if (part != Quadric<T>::wall) return plan(point.position);
+template <class T, QuadricKind Kind>
+[[nodiscard]] Vec2<T> uv_at(const Quadric<T, Kind>& quadric, const SurfacePoint<T>& point, int part) {
+  if (part != Quadric<T, Kind>::wall) return plan(point.position);
   const T angle = std::atan2(point.position.y / quadric.radii.y, point.position.x / quadric.radii.x);
   return {quadric.radii.x * angle, point.position.z};
 }
 
 /// Infinite where the quadric is.
-template <class T>
-[[nodiscard]] Bounds<T> bounds(const Quadric<T>& quadric);
+template <class T, QuadricKind Kind>
+[[nodiscard]] Bounds<T> bounds(const Quadric<T, Kind>& quadric);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -67,11 +80,11 @@ struct QuadricEquation {
   double xx, yy, zz, linear, constant;
 };
 
-template <class T>
-[[nodiscard]] QuadricEquation equation_of(const Quadric<T>& quadric) {
+template <class T, QuadricKind Kind>
+[[nodiscard]] QuadricEquation equation_of(const Quadric<T, Kind>& quadric) {
   const Vec3d r(quadric.radii);
   const double xx = 1 / (r.x * r.x), yy = 1 / (r.y * r.y), zz = 1 / (r.z * r.z);
-  switch (quadric.kind) {
+  switch (Kind) {
     case QuadricKind::ellipsoid:
       return {xx, yy, zz, 0, -1};
     case QuadricKind::elliptic_paraboloid:
@@ -151,10 +164,10 @@ struct QuadricRoots {
 
 }  // namespace detail
 
-template <class T, class Explain>
-std::optional<Crossing<T>> intersect(const Quadric<T>& quadric, const Ray<T>& ray, T t_max, int departed_part,
+template <class T, QuadricKind Kind, class Explain>
+std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max, int departed_part,
                                      Explain&& explain) {
-  using Part = Quadric<T>;
+  using Part = Quadric<T, Kind>;
   const Vec3d o(ray.origin), d(ray.direction);
   const detail::QuadricRoots wall =
       detail::quadric_roots(detail::equation_of(quadric), o, d, departed_part == Part::wall);
@@ -188,11 +201,11 @@ std::optional<Crossing<T>> intersect(const Quadric<T>& quadric, const Ray<T>& ra
   return nearest;
 }
 
-template <class T>
-SurfacePoint<T> surface_at(const Quadric<T>& quadric, const Ray<T>& ray, Crossing<T> crossing) {
+template <class T, QuadricKind Kind>
+SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, Crossing<T> crossing) {
   Vec3<T> position = ray.at(crossing.t);
-  if (crossing.part == Quadric<T>::low_cap) return {{position.x, position.y, quadric.z_min}, {0, 0, -1}};
-  if (crossing.part == Quadric<T>::high_cap) return {{position.x, position.y, quadric.z_max}, {0, 0, 1}};
+  if (crossing.part == Quadric<T, Kind>::low_cap) return {{position.x, position.y, quadric.z_min}, {0, 0, -1}};
+  if (crossing.part == Quadric<T, Kind>::high_cap) return {{position.x, position.y, quadric.z_max}, {0, 0, 1}};
   const detail::QuadricEquation e = detail::equation_of(quadric);
   Vec3d gradient(2 * e.xx * position.x, 2 * e.yy * position.y, 2 * e.zz * position.z + e.linear);
   const double size = length(gradient);
@@ -203,19 +216,19 @@ SurfacePoint<T> surface_at(const Quadric<T>& quadric, const Ray<T>& ray, Crossin
   return {Vec3<T>(p - off / (size * size) * gradient), Vec3<T>(gradient / size)};
 }
 
-template <class T>
-Bounds<T> bounds(const Quadric<T>& quadric) {
+template <class T, QuadricKind Kind>
+Bounds<T> bounds(const Quadric<T, Kind>& quadric) {
   // At height z the cross section has radii rx, ry times sqrt(widest(z)), where that is not negative.
   const detail::QuadricEquation e = detail::equation_of(quadric);
   const auto widest = [&](double z) { return -((e.zz * z + e.linear) * z + e.constant); };
   double low = static_cast<double>(quadric.z_min), high = static_cast<double>(quadric.z_max);
   const double rz = static_cast<double>(quadric.radii.z);
-  if (quadric.kind == QuadricKind::ellipsoid) low = std::max(low, -rz), high = std::min(high, rz);
-  if (quadric.kind == QuadricKind::elliptic_paraboloid) low = std::max(low, 0.0);
-  double square = std::max(quadric.kind == QuadricKind::ellipsoid && low < 0 && high > 0 ? 1.0 : 0.0,
+  if (Kind == QuadricKind::ellipsoid) low = std::max(low, -rz), high = std::min(high, rz);
+  if (Kind == QuadricKind::elliptic_paraboloid) low = std::max(low, 0.0);
+  double square = std::max(Kind == QuadricKind::ellipsoid && low < 0 && high > 0 ? 1.0 : 0.0,
                            std::isfinite(low) && std::isfinite(high) ? std::max(widest(low), widest(high)) : 0.0);
-  if (quadric.kind == QuadricKind::cylinder) square = 1;
-  if (quadric.kind != QuadricKind::cylinder && !(std::isfinite(low) && std::isfinite(high))) square = infinity<double>;
+  if (Kind == QuadricKind::cylinder) square = 1;
+  if (Kind != QuadricKind::cylinder && !(std::isfinite(low) && std::isfinite(high))) square = infinity<double>;
   if (square < 0 || low > high) return {};
   const double reach = std::sqrt(square);
   const Vec3d corner(static_cast<double>(quadric.radii.x) * reach, static_cast<double>(quadric.radii.y) * reach, 0);

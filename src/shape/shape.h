@@ -1,16 +1,76 @@
 #pragma once
 // The list of shapes: a new primitive is one header beside this one and one entry here.
 
+#include "shape/box.h"
+#include "shape/disk.h"
 #include "shape/plane.h"
+#include "shape/polygon.h"
 #include "shape/prism.h"
+#include "shape/quadric.h"
 #include "shape/sphere.h"
+#include "shape/triangle.h"
 
+#include <string_view>
 #include <variant>
 
 namespace raywalk {
 
 template <class T>
-using Shape = std::variant<Sphere<T>, Plane<T>, Prism<T>>;
+using Shape =
+    std::variant<Sphere<T>, Plane<T>, Prism<T>, Box<T>, Ellipsoid<T>, EllipticParaboloid<T>, Cone<T>, Cylinder<T>,
+                 HyperboloidOneSheet<T>, HyperboloidTwoSheets<T>, Disk<T>, Polygon<T>, Triangle<T>>;
+
+/// What each shape is called, in scene files and to people.
+template <class T>
+constexpr std::string_view shape_name(const Sphere<T>& /*shape*/) {
+  return "sphere";
+}
+template <class T>
+constexpr std::string_view shape_name(const Plane<T>& /*shape*/) {
+  return "plane";
+}
+template <class T>
+constexpr std::string_view shape_name(const Prism<T>& /*shape*/) {
+  return "polygon";
+}
+template <class T>
+constexpr std::string_view shape_name(const Box<T>& /*shape*/) {
+  return "box";
+}
+template <class T, QuadricKind Kind>
+constexpr std::string_view shape_name(const Quadric<T, Kind>& /*shape*/) {
+  switch (Kind) {
+    case QuadricKind::ellipsoid:
+      return "ellipsoid";
+    case QuadricKind::elliptic_paraboloid:
+      return "paraboloid";
+    case QuadricKind::cone:
+      return "cone";
+    case QuadricKind::cylinder:
+      return "cylinder";
+    case QuadricKind::hyperboloid_one_sheet:
+      return "hyperboloid_one_sheet";
+    case QuadricKind::hyperboloid_two_sheets:
+      return "hyperboloid_two_sheets";
+  }
+  return "";
+}
+template <class T>
+constexpr std::string_view shape_name(const Disk<T>& /*shape*/) {
+  return "disk";
+}
+template <class T>
+constexpr std::string_view shape_name(const Polygon<T>& /*shape*/) {
+  return "flat_polygon";
+}
+template <class T>
+constexpr std::string_view shape_name(const Triangle<T>& /*shape*/) {
+  return "triangle";
+}
+template <class T>
+[[nodiscard]] constexpr std::string_view shape_name(const Shape<T>& shape) {
+  return std::visit([](const auto& s) { return shape_name(s); }, shape);
+}
 
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Shape<T>& shape, const Ray<T>& ray, T t_max,
@@ -56,6 +116,34 @@ Shape<To> cast_shape(const Prism<From>& p) {
   for (const auto& corner : p.corners) prism.corners.emplace_back(corner);
   prism.height = static_cast<To>(p.height);
   return prism;
+}
+
+template <class To, class From>
+Shape<To> cast_shape(const Box<From>& b) {
+  return Box<To>{Vec3<To>(b.min), Vec3<To>(b.max)};
+}
+template <class To, class From, QuadricKind Kind>
+Shape<To> cast_shape(const Quadric<From, Kind>& q) {
+  return Quadric<To, Kind>{Vec3<To>(q.radii), static_cast<To>(q.z_min), static_cast<To>(q.z_max), q.capped};
+}
+template <class To, class From>
+Shape<To> cast_shape(const Disk<From>& d) {
+  return Disk<To>{Vec3<To>(d.centre), Vec3<To>(d.normal), static_cast<To>(d.radius)};
+}
+template <class To, class From>
+Shape<To> cast_shape(const Polygon<From>& p) {
+  const auto cast = [](const std::vector<Vec3<From>>& loop) {
+    std::vector<Vec3<To>> corners;
+    for (const auto& corner : loop) corners.emplace_back(corner);
+    return corners;
+  };
+  Polygon<To> polygon{cast(p.outline), {}};
+  for (const auto& hole : p.holes) polygon.holes.push_back(cast(hole));
+  return polygon;
+}
+template <class To, class From>
+Shape<To> cast_shape(const Triangle<From>& t) {
+  return Triangle<To>{Vec3<To>(t.a), Vec3<To>(t.b), Vec3<To>(t.c)};
 }
 
 }  // namespace detail

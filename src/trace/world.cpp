@@ -42,7 +42,11 @@ typename World<T>::Lamp lamp_of(int index, const Light& light) {
 template <class T>
 Primitives<T> primitives_of(const Scene& scene) {
   Primitives<T> primitives;
-  for (const Object& object : scene.objects) primitives.add(shape_cast<T>(object.shape));
+  for (const Object& object : scene.objects) {
+    // Readers and editors refuse singular maps; an object under one would be flat and is left where it was.
+    const auto place = object.transform.empty() ? std::nullopt : placement<T>(affine_of(object.transform));
+    place ? primitives.add(shape_cast<T>(object.shape), *place) : primitives.add(shape_cast<T>(object.shape));
+  }
   return primitives;
 }
 

@@ -47,6 +47,7 @@ std::vector<Disc> occupied(const State& state) {
   std::vector<Disc> discs{{plan(scene.camera.eye), 0}};
   for (const Light& light : scene.lights) discs.push_back({light_place(light, state.camera, state.viewport), 0});
   for (const Object& object : scene.objects) {
+    if (!object.transform.empty()) continue;
     if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape))
       discs.push_back({plan(sphere->centre), plan_radius(*sphere)});
     if (const auto* prism = std::get_if<Prism<double>>(&object.shape)) {
@@ -103,7 +104,8 @@ TextId name_of(action::ObjectKind kind) {
 
 Prism<double>* prism_of(Scene& scene, int object) {
   if (object < 0 || object >= static_cast<int>(scene.objects.size())) return nullptr;
-  return std::get_if<Prism<double>>(&scene.objects[static_cast<std::size_t>(object)].shape);
+  Object& found = scene.objects[static_cast<std::size_t>(object)];
+  return found.transform.empty() ? std::get_if<Prism<double>>(&found.shape) : nullptr;
 }
 
 }  // namespace

@@ -52,9 +52,10 @@ void draw_handles(Painter& painter) {
     };
     if (scene.objects.size() > few_objects && !concerns(painter.state.selected) && !concerns(painter.state.hovered))
       continue;
+    if (!scene.objects[i].transform.empty()) continue;  // its own handles are not where it is
     std::visit(Overloaded{
                    [&](const Sphere<double>&) { draw_dot(painter, {TargetKind::radius, index}); },
-                   [](const Plane<double>&) {},
+                   [](const auto&) {},
                    [&](const Prism<double>& prism) {
                      draw_rotation(painter, {TargetKind::rotation, index}, prism);
                      for (int corner = 0; corner < prism.sides(); ++corner)

@@ -34,29 +34,42 @@ void add_objects(const Painter& painter, std::vector<Labelled>& things) {
   for (const Object& object : painter.scene().objects) {
     Labelled thing{object.name, Vec2d(0.0), Vec2d(0.0), false, false, painter.colours.text};
     double room = 0;
-    std::visit(Overloaded{
-                   [&](const Sphere<double>& sphere) {
-                     thing.at = painter.pixels(plan(sphere.centre));
-                     thing.half = Vec2d(painter.pixels(plan_radius(sphere)));
-                     room = 1.7 * thing.half.x;
-                   },
-                   [&](const Plane<double>& plane) {
-                     const std::optional<PlanLine> line = plan_line(plane);
-                     if (!line) return thing.text.clear();
-                     const Vec2d middle = painter.state.camera.centre;
-                     thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
-                     thing.half = Vec2d(14 * painter.sizes.unit);
-                   },
-                   [&](const Prism<double>& prism) {
-                     thing.at = painter.pixels(centroid(prism));
-                     for (const Vec2d& corner : prism.corners) {
-                       const Vec2d arm = painter.pixels(corner) - thing.at;
-                       thing.half = {std::max(thing.half.x, std::abs(arm.x)), std::max(thing.half.y, std::abs(arm.y))};
-                     }
-                     room = 1.1 * thing.half.x;
-                   },
-               },
-               object.shape);
+    const auto beside_footprint = [&] {
+      const std::optional<Bounds<double>> footprint = footprint_of(object);
+      if (!footprint) return thing.text.clear();
+      thing.at = painter.pixels(plan(footprint->min + footprint->max) / 2.0);
+      const Vec2d size = plan(footprint->max - footprint->min);
+      thing.half = {painter.pixels(size.x) / 2, painter.pixels(size.y) / 2};
+    };
+    if (!object.transform.empty()) {
+      beside_footprint();
+    } else {
+      std::visit(Overloaded{
+                     [&](const Sphere<double>& sphere) {
+                       thing.at = painter.pixels(plan(sphere.centre));
+                       thing.half = Vec2d(painter.pixels(plan_radius(sphere)));
+                       room = 1.7 * thing.half.x;
+                     },
+                     [&](const Plane<double>& plane) {
+                       const std::optional<PlanLine> line = plan_line(plane);
+                       if (!line) return thing.text.clear();
+                       const Vec2d middle = painter.state.camera.centre;
+                       thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
+                       thing.half = Vec2d(14 * painter.sizes.unit);
+                     },
+                     [&](const Prism<double>& prism) {
+                       thing.at = painter.pixels(centroid(prism));
+                       for (const Vec2d& corner : prism.corners) {
+                         const Vec2d arm = painter.pixels(corner) - thing.at;
+                         thing.half = {std::max(thing.half.x, std::abs(arm.x)),
+                                       std::max(thing.half.y, std::abs(arm.y))};
+                       }
+                       room = 1.1 * thing.half.x;
+                     },
+                     [&](const auto&) { beside_footprint(); },
+                 },
+                 object.shape);
+    }
     if (thing.text.empty()) continue;
     thing.inside = text_width(thing.text, painter.sizes.text) < room;
     if (thing.inside) thing.colour = readable_on(painter, body_colour(painter.scene(), object.material));

@@ -49,7 +49,16 @@ void turn(Vec3d& direction, double angle) {
   direction.y = there.y;
 }
 
-void move_shape(Shape<double>& shape, const Grip& grip) {
+/// A shape that says itself where it is moves; any other one gets a last step of its transform.
+void move_object(Object& object, const Grip& grip) {
+  const auto by_transform = [&] {
+    const std::optional<Bounds<double>> footprint = footprint_of(object);
+    const Vec2d by = shift_of(grip, footprint ? plan(footprint->min) : Vec2d(0.0));
+    if (object.transform.empty() || !std::holds_alternative<Translate>(object.transform.back().kind))
+      object.transform.push_back({Translate{}});
+    std::get<Translate>(object.transform.back().kind).by += Vec3d(by, 0);
+  };
+  if (!object.transform.empty()) return by_transform();
   std::visit(Overloaded{
                  [&](Sphere<double>& sphere) { shift(sphere.centre, shift_of(grip, plan(sphere.centre))); },
                  [&](Plane<double>& plane) { shift(plane.point, shift_of(grip, plan(plane.point))); },
@@ -57,8 +66,9 @@ void move_shape(Shape<double>& shape, const Grip& grip) {
                    const Vec2d by = shift_of(grip, prism.corner(0));
                    for (Vec2d& corner : prism.corners) corner += by;
                  },
+                 [&](auto&) { by_transform(); },
              },
-             shape);
+             object.shape);
 }
 
 void move_light(Light& light, const Grip& grip) {
@@ -139,7 +149,7 @@ std::optional<Scene> dragged(const Grip& grip) {
       return scene;
     case TargetKind::object:
     case TargetKind::edge:  // an edge is for adding corners; dragging it takes the whole body along
-      move_shape(scene.objects[index].shape, grip);
+      move_object(scene.objects[index], grip);
       return scene;
     case TargetKind::radius:
       set_radius(std::get<Sphere<double>>(scene.objects[index].shape), grip);

@@ -71,6 +71,31 @@ void draw_prism(Painter& painter, const Prism<double>& prism, const Target& targ
                 {TargetKind::edge, target.index, static_cast<int>(i)});
 }
 
+/// What the plan has no outline for is shown by the box that it keeps to, dashed.
+void draw_footprint(Painter& painter, const Object& object, const Target& target, Colour body) {
+  const std::optional<Bounds<double>> footprint = footprint_of(object);
+  if (!footprint) return;
+  const Vec2d low = plan(footprint->min), high = plan(footprint->max);
+  std::vector<Vec2d> points;
+  for (const Vec2d& corner : {low, Vec2d(high.x, low.y), high, Vec2d(low.x, high.y)})
+    points.push_back(painter.pixels(corner));
+  if (Box{points[3], points[1]}.overlap(painter.pane()) <= 0) return;
+  Stroke outline = painter.outline(target, mix(body.with_alpha(255), painter.colours.ink, 0.5), 1);
+  outline.dash = painter.scaled({{6, 4}, 2});
+  painter.add(PolygonItem{points, body.with_alpha(body.a / 3), outline}, target);
+}
+
+void draw_object(Painter& painter, const Object& object, const Target& target, Colour body) {
+  if (!object.transform.empty()) return draw_footprint(painter, object, target, body);
+  std::visit(Overloaded{
+                 [&](const Sphere<double>& sphere) { draw_sphere(painter, sphere, target, body); },
+                 [&](const Plane<double>& plane) { draw_plane(painter, plane, target, body); },
+                 [&](const Prism<double>& prism) { draw_prism(painter, prism, target, body); },
+                 [&](const auto&) { draw_footprint(painter, object, target, body); },
+             },
+             object.shape);
+}
+
 }  // namespace
 
 Colour body_colour(const Scene& scene, const Material& material) {
@@ -91,12 +116,7 @@ void draw_objects(Painter& painter) {
     const Object& object = painter.scene().objects[i];
     const Target target{TargetKind::object, static_cast<int>(i)};
     const Colour body = body_colour(painter.scene(), object.material);
-    std::visit(Overloaded{
-                   [&](const Sphere<double>& sphere) { draw_sphere(painter, sphere, target, body); },
-                   [&](const Plane<double>& plane) { draw_plane(painter, plane, target, body); },
-                   [&](const Prism<double>& prism) { draw_prism(painter, prism, target, body); },
-               },
-               object.shape);
+    draw_object(painter, object, target, body);
   }
 }
 

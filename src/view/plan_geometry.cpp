@@ -39,6 +39,12 @@ Vec2d centroid(const Prism<double>& prism) {
   return base + (sound ? centre : sum / static_cast<double>(prism.sides()));
 }
 
+std::optional<Bounds<double>> footprint_of(const Object& object) {
+  const Bounds<double> box = image_of(affine_of(object.transform), bounds(object.shape));
+  if (box.empty() || !box.bounded()) return std::nullopt;
+  return box;
+}
+
 std::optional<PlanLine> plan_line(const Plane<double>& plane) {
   const Vec2d across = plan(plane.normal);
   const double size = length(across);
@@ -65,13 +71,15 @@ Vec2d light_place(const Light& light, const PlanCamera& camera, const Viewport& 
 
 namespace {
 
-Vec2d place_of_shape(const Shape<double>& shape) {
-  return std::visit(Overloaded{
-                        [](const Sphere<double>& sphere) { return plan(sphere.centre); },
-                        [](const Plane<double>& plane) { return plan(plane.point); },
-                        [](const Prism<double>& prism) { return centroid(prism); },
-                    },
-                    shape);
+Vec2d place_of_object(const Object& object) {
+  if (object.transform.empty()) {
+    if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape)) return plan(sphere->centre);
+    if (const auto* prism = std::get_if<Prism<double>>(&object.shape)) return centroid(*prism);
+  }
+  if (const auto* plane = std::get_if<Plane<double>>(&object.shape))
+    return plan(affine_of(object.transform).point(plane->point));
+  const std::optional<Bounds<double>> footprint = footprint_of(object);
+  return footprint ? plan(footprint->min + footprint->max) / 2.0 : plan(affine_of(object.transform).move);
 }
 
 /// Above the polygon, clear of its corners; while it is being turned, under the pointer.
@@ -113,7 +121,7 @@ Vec2d place_of(const State& state, const Target& target, const Viewport& viewpor
     case TargetKind::cell:
       return screen_place(scene.camera).at((target.index + 0.5) / scene.camera.screen.cells);
     case TargetKind::object:
-      return place_of_shape(scene.objects[index].shape);
+      return place_of_object(scene.objects[index]);
     case TargetKind::radius: {
       const auto& sphere = std::get<Sphere<double>>(scene.objects[index].shape);
       return plan(sphere.centre) + plan_radius(sphere) * Vec2d(std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2);

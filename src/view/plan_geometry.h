@@ -24,6 +24,9 @@ struct ScreenPlace {
 /// Centre of the area of a simple polygon.
 [[nodiscard]] Vec2d centroid(const Prism<double>& prism);
 
+/// The box of an object, its transform applied; none when it is empty or without end.
+[[nodiscard]] std::optional<Bounds<double>> footprint_of(const Object& object);
+
 /// The line in which a plane cuts the plan: a point of it and its unit direction, the front to its left; none when the
 /// plane is level.
 struct PlanLine {

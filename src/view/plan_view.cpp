@@ -27,18 +27,15 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport) {
   include(screen.last);
   for (const Light& light : scene.lights)
     if (const auto* point = std::get_if<PointLight>(&light.kind)) include(plan(point->position));
-  for (const Object& object : scene.objects)
-    std::visit(detail::Overloaded{
-                   [&](const Sphere<double>& sphere) {
-                     include(plan(sphere.centre) - detail::plan_radius(sphere));
-                     include(plan(sphere.centre) + detail::plan_radius(sphere));
-                   },
-                   [](const Plane<double>&) {},  // without end: below
-                   [&](const Prism<double>& prism) {
-                     for (const Vec2d& corner : prism.corners) include(corner);
-                   },
-               },
-               object.shape);
+  for (const Object& object : scene.objects) {
+    if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape); sphere && object.transform.empty()) {
+      include(plan(sphere->centre) - detail::plan_radius(*sphere));
+      include(plan(sphere->centre) + detail::plan_radius(*sphere));
+    } else if (const auto footprint = detail::footprint_of(object)) {
+      include(plan(footprint->min));
+      include(plan(footprint->max));
+    }
+  }
   // Of a wall, its nearest point, unless it stands far away from all that happens.
   const Vec2d middle = plan(box.min + box.max) / 2.0;
   const double near = length(plan(box.max - box.min));

@@ -113,6 +113,10 @@ enum class TextId {
   radius,
   height,
   corner,  ///< {0} number from 1
+  radii,
+  lowest,
+  highest,
+  capped,
   normal,
   strength,
   attenuation,

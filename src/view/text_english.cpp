@@ -190,6 +190,14 @@ std::string_view text(TextId id) {
       return "Height in 3-D";
     case TextId::corner:
       return "Corner {0}";
+    case TextId::radii:
+      return "Radii";
+    case TextId::lowest:
+      return "Lowest";
+    case TextId::highest:
+      return "Highest";
+    case TextId::capped:
+      return "Capped";
     case TextId::normal:
       return "Normal";
     case TextId::strength:

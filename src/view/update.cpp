@@ -215,8 +215,9 @@ bool exists(const State& state, const Target& target) {
     return target.index >= 0 && static_cast<std::size_t>(target.index) < size;
   };
   const auto shape = [&]<class S>(std::in_place_type_t<S>) -> const S* {
-    return within(scene.objects.size()) ? std::get_if<S>(&scene.objects[static_cast<std::size_t>(target.index)].shape)
-                                        : nullptr;
+    if (!within(scene.objects.size())) return nullptr;
+    const Object& object = scene.objects[static_cast<std::size_t>(target.index)];
+    return object.transform.empty() ? std::get_if<S>(&object.shape) : nullptr;  // what is transformed has no handles
   };
   switch (target.kind) {
     case TargetKind::nothing:

@@ -153,7 +153,7 @@ std::vector<BadScene> bad_scenes() {
        19, "found -1", ""},
       // Objects.
       {"unknown shape", with_object("name = \"A\"\ntype = \"cube\"\n"), 7, 8,
-       "found \"cube\" (expected \"sphere\", \"plane\" or \"polygon\")", "choose one"},
+       "found \"cube\" (expected \"sphere\", \"plane\"", "choose one"},
       {"type as a number", with_object("name = \"A\"\ntype = 3\n"), 7, 8, "type of [[object]] \"A\": found 3",
        "quotes"},
       {"no name", with_object("name = \"\"\n"), 6, 8, "found \"\" (expected one line of text", ""},

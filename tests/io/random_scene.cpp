@@ -35,8 +35,78 @@ std::vector<Vec2d> random_corners(Random& random) {
   return corners;
 }
 
+template <class Solid>
+Solid random_quadric(Random& random) {
+  Solid quadric{Vec3d(random.positive(), random.positive(), random.positive())};
+  if (random.chance(0.3)) quadric.radii = Vec3d(random.positive());
+  if (random.chance(0.5)) quadric.z_min = -1 - random.unit();
+  if (random.chance(0.5)) quadric.z_max = 1 + random.unit();
+  quadric.capped = random.chance(0.5);
+  return quadric;
+}
+
+Polygon<double> random_polygon(Random& random) {
+  const double z = random.unit();
+  const auto loop = [&] {
+    std::vector<Vec3d> corners;
+    for (const Vec2d& corner : random_corners(random)) corners.emplace_back(corner, z);
+    return corners;
+  };
+  Polygon<double> polygon{loop(), {}};
+  for (std::size_t i = random.below(3); i > 0; --i) polygon.holes.push_back(loop());
+  return polygon;
+}
+
+std::vector<TransformStep> random_transform(Random& random) {
+  std::vector<TransformStep> steps;
+  for (std::size_t i = random.below(4); i > 0; --i) {
+    switch (random.below(6)) {
+      case 0:
+        steps.push_back({Translate{random_point(random)}});
+        break;
+      case 1:
+        steps.push_back({Rotate{random_direction(random), 360 * random.unit()}});
+        break;
+      case 2:
+        steps.push_back({Scale{Vec3d(1 + random.unit(), 0.5, -1)}});
+        break;
+      case 3:
+        steps.push_back({Mirror{random_direction(random)}});
+        break;
+      case 4:
+        steps.push_back({Shear{random.unit(), 0, 0, random.unit() / 2, 0, 0}});
+        break;
+      default:
+        steps.push_back({Matrix{{1, random.unit() / 2, 0, 3, 0, 2, 0, random.unit(), 0, 0, 1, -1}}});
+    }
+  }
+  return steps;
+}
+
 Shape<double> random_shape(Random& random) {
-  switch (random.below(3)) {
+  switch (random.below(13)) {
+    case 3: {
+      const Vec3d corner = random_point(random);
+      return Box<double>{corner, corner + Vec3d(random.unit(), random.unit(), 1)};
+    }
+    case 4:
+      return random_quadric<Ellipsoid<double>>(random);
+    case 5:
+      return random_quadric<EllipticParaboloid<double>>(random);
+    case 6:
+      return random_quadric<Cone<double>>(random);
+    case 7:
+      return random_quadric<Cylinder<double>>(random);
+    case 8:
+      return random_quadric<HyperboloidOneSheet<double>>(random);
+    case 9:
+      return random_quadric<HyperboloidTwoSheets<double>>(random);
+    case 10:
+      return Disk<double>{random_point(random), random_direction(random), random.positive()};
+    case 11:
+      return random_polygon(random);
+    case 12:
+      return Triangle<double>{{0, 0, random.unit()}, {1, random.unit(), 0}, {random.unit(), 2, 0.1}};
     case 0:
       return Sphere<double>{random_point(random), random.positive()};
     case 1:
@@ -106,7 +176,8 @@ Material random_material(Random& random) {
 }
 
 Object random_object(Random& random, const std::string& name) {
-  Object object{name, random_shape(random), {}};
+  Object object{name, random_shape(random), {}, {}};
+  if (random.chance(0.4)) object.transform = random_transform(random);
   if (random.chance(0.8)) object.material = random_material(random);
   return object;
 }

@@ -101,8 +101,8 @@ TEST_CASE("a triangle is hit from both sides, never along its plane, never witho
 }
 
 TEST_CASE("a polygon may be concave and have holes", "[shape]") {
-  const Polygon<double> u{{{{0, 0, 1}, {3, 0, 1}, {3, 3, 1}, {2, 3, 1}, {2, 1, 1}, {1, 1, 1}, {1, 3, 1}, {0, 3, 1}},
-                           {{0.25, 0.25, 1}, {0.75, 0.25, 1}, {0.75, 0.75, 1}, {0.25, 0.75, 1}}}};
+  const Polygon<double> u{{{0, 0, 1}, {3, 0, 1}, {3, 3, 1}, {2, 3, 1}, {2, 1, 1}, {1, 1, 1}, {1, 3, 1}, {0, 3, 1}},
+                          {{{0.25, 0.25, 1}, {0.75, 0.25, 1}, {0.75, 0.75, 1}, {0.25, 0.75, 1}}}};
   const auto hits = [&](double x, double y) {
     return intersect(u, Ray<double>{{x, y, 5}, {0, 0, -2}}, infinity<double>).has_value();
   };

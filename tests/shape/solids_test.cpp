@@ -28,11 +28,11 @@ struct Random {
 };
 
 /// The quadric's left side minus its right one, written down again from the definitions.
-template <class T>
-long double implicit(const Quadric<T>& q, const Vec3<T>& p) {
+template <class T, QuadricKind Kind>
+long double implicit(const Quadric<T, Kind>& q, const Vec3<T>& p) {
   const long double x = p.x / static_cast<long double>(q.radii.x), y = p.y / static_cast<long double>(q.radii.y);
   const long double z = p.z, zr = z / q.radii.z;
-  switch (q.kind) {
+  switch (Kind) {
     case QuadricKind::ellipsoid:
       return x * x + y * y + zr * zr - 1;
     case QuadricKind::elliptic_paraboloid:
@@ -49,8 +49,8 @@ long double implicit(const Quadric<T>& q, const Vec3<T>& p) {
   return 0;
 }
 
-template <class T>
-bool inside(const Quadric<T>& q, const Vec3<T>& p) {
+template <class T, QuadricKind Kind>
+bool inside(const Quadric<T, Kind>& q, const Vec3<T>& p) {
   return implicit(q, p) < 0 && q.z_min < p.z && p.z < q.z_max;
 }
 template <class T>
@@ -106,9 +106,16 @@ void walk(const Solid& solid, int rays, Random<T>& random) {
   CHECK(endless == 0);
 }
 
-constexpr QuadricKind kinds[] = {
-    QuadricKind::ellipsoid, QuadricKind::elliptic_paraboloid,   QuadricKind::cone,
-    QuadricKind::cylinder,  QuadricKind::hyperboloid_one_sheet, QuadricKind::hyperboloid_two_sheets};
+/// Calls `body` with each kind of quadric, as a type.
+template <class Body>
+void for_each_kind(Body body) {
+  const auto call = [&]<QuadricKind... Kinds>(std::integer_sequence<QuadricKind, Kinds...>) {
+    (body(std::integral_constant<QuadricKind, Kinds>{}), ...);
+  };
+  call(std::integer_sequence<QuadricKind, QuadricKind::ellipsoid, QuadricKind::elliptic_paraboloid, QuadricKind::cone,
+                             QuadricKind::cylinder, QuadricKind::hyperboloid_one_sheet,
+                             QuadricKind::hyperboloid_two_sheets>{});
+}
 
 }  // namespace
 
@@ -117,43 +124,45 @@ TEMPLATE_TEST_CASE("a ray goes in and out of a closed solid in turn", "[shape]",
   Random<T> random;
   walk<T>(Sphere<T>{{T(0.25), T(-0.5), 1}, T(1.5)}, 3000, random);
   walk<T>(Box<T>{{T(-1.5), -1, T(-0.5)}, {1, T(1.25), 2}}, 3000, random);
-  for (const QuadricKind kind : kinds) {
-    INFO(static_cast<int>(kind));
-    walk<T>(Quadric<T>{kind, {T(1.25), T(0.75), T(0.5)}, T(-1.5), T(1.75), true}, 3000, random);
-    const T rz = kind == QuadricKind::hyperboloid_two_sheets ? T(0.5) : T(1.5);
-    walk<T>(Quadric<T>{kind, {T(1.25), T(0.75), rz}, T(0.25), T(1.75), true}, 3000, random);
-  }
+  for_each_kind([&](auto kind) {
+    using Solid = Quadric<T, kind.value>;
+    INFO(static_cast<int>(kind.value));
+    walk<T>(Solid{{T(1.25), T(0.75), T(0.5)}, T(-1.5), T(1.75), true}, 3000, random);
+    const T rz = kind.value == QuadricKind::hyperboloid_two_sheets ? T(0.5) : T(1.5);
+    walk<T>(Solid{{T(1.25), T(0.75), rz}, T(0.25), T(1.75), true}, 3000, random);
+  });
 }
 
 TEST_CASE("an open quadric is its wall alone, limits excluded", "[shape]") {
-  for (const QuadricKind kind : kinds) {
-    const Quadric<double> open{kind, Vec3d(1), -1.5, 1.5, false}, closed{kind, Vec3d(1), -1.5, 1.5, true};
+  for_each_kind([&](auto kind) {
+    using Solid = Quadric<double, kind.value>;
+    const Solid open{Vec3d(1), -1.5, 1.5, false}, closed{Vec3d(1), -1.5, 1.5, true};
     Random<double> random;
     int cap_hits = 0;
     for (int i = 0; i < 2000; ++i) {
       const Ray<double> ray{random.point(3), random.point(1)};
       const auto hit = intersect(open, ray, infinity<double>);
-      if (hit) CHECK(hit->part == Quadric<double>::wall);
+      if (hit) CHECK(hit->part == Solid::wall);
       const auto solid = intersect(closed, ray, infinity<double>);
-      if (solid && solid->part != Quadric<double>::wall) ++cap_hits;
+      if (solid && solid->part != Solid::wall) ++cap_hits;
       // The caps can only bring the first crossing nearer.
       if (hit) CHECK((solid && solid->t <= hit->t));
     }
-    if (kind != QuadricKind::ellipsoid) CHECK(cap_hits > 0);
-  }
+    if (kind.value != QuadricKind::ellipsoid) CHECK(cap_hits > 0);
+  });
   // Exactly at the height of the rim.
-  const Quadric<double> tube{QuadricKind::cylinder, Vec3d(1), 1, 2, false};
+  const Cylinder<double> tube{Vec3d(1), 1, 2, false};
   CHECK_FALSE(intersect(tube, Ray<double>{{-3, 0, 2}, {1, 0, 0}}, infinity<double>));
   CHECK(intersect(tube, Ray<double>{{-3, 0, std::nextafter(2.0, 0.0)}, {1, 0, 0}}, infinity<double>)->t == 2);
 }
 
 TEST_CASE("tangents and parallels of quadrics", "[shape]") {
-  const Quadric<double> tube{QuadricKind::cylinder, Vec3d(1)};
+  const Cylinder<double> tube{Vec3d(1)};
   CHECK(intersect(tube, Ray<double>{{1, -5, 0}, {0, 1, 0}}, infinity<double>)->t == 5);
   CHECK_FALSE(intersect(tube, Ray<double>{{1 + 1e-15, -5, 0}, {0, 1, 0}}, infinity<double>));
   CHECK_FALSE(intersect(tube, Ray<double>{{0, 0, 0}, {0, 0, 1}}, infinity<double>));
   // Parallel to a cone's side: one crossing, of the other side.
-  const Quadric<double> cone{QuadricKind::cone, Vec3d(1)};
+  const Cone<double> cone{Vec3d(1)};
   const auto across = intersect(cone, Ray<double>{{2, 0, 0}, {-1, 0, 1}}, infinity<double>);
   REQUIRE(across);
   CHECK(across->t == 1);
@@ -162,7 +171,7 @@ TEST_CASE("tangents and parallels of quadrics", "[shape]") {
   CHECK(intersect(cone, Ray<double>{{0, 0, -3}, {0, 0, 1}}, infinity<double>)->t == 3);
   // From a point of the wall, straight on: the other wall, whatever the size of the world.
   for (const double size : {1e-6, 1.0, 1e9}) {
-    const Quadric<double> bowl{QuadricKind::ellipsoid, Vec3d(size)};
+    const Ellipsoid<double> bowl{Vec3d(size)};
     const auto far = intersect(bowl, Ray<double>{{size, 0, 0}, {-1, 0, 0}}, infinity<double>, 0);
     REQUIRE(far);
     CHECK(far->t == 2 * size);
