@@ -44,6 +44,10 @@ std::string_view command_name(Command command) { return row_of(command).name; }
 
 std::string command_label(Command command, const State& state) {
   if (command == Command::play && state.playing) return std::string(text(TextId::button_pause));
+  if (command == Command::theme) {
+    const TextId now = state.theme == Theme::dark ? TextId::theme_dark : TextId::theme_projector;
+    return std::string(text(TextId::theme)) + ": " + std::string(text(now));
+  }
   const CommandRow& row = row_of(command);
   return row.label ? std::string(text(*row.label)) : row.label_text;
 }
@@ -146,8 +150,6 @@ bool chosen(Command command, const State& state) {
       return state.tab == Tab::stack;
     case Command::tab_legend:
       return state.tab == Tab::legend;
-    case Command::theme:
-      return state.theme == Theme::projector;
     case Command::new_scene:
     case Command::open:
     case Command::save:
@@ -180,6 +182,7 @@ bool chosen(Command command, const State& state) {
     case Command::fit:
     case Command::scale_up:
     case Command::scale_down:
+    case Command::theme:
     case Command::scale_reset:
     case Command::exchange:
     case Command::full_screen:

@@ -81,6 +81,8 @@ void perform(Command command, const Ui& ui);
 
 /// What a key press means in this state; nothing when it means nothing.
 [[nodiscard]] std::optional<Command> command_of(const KeyPress& press, const State& state);
+/// How many commands a key press asks for: at most one, if the table is sound.
+[[nodiscard]] int commands_on(const KeyPress& press, Mode mode);
 /// Turns a key press into actions: a command's, or the arrows that nudge in Move mode, or Escape. Whether it meant
 /// anything.
 bool press_key(const KeyPress& press, const Ui& ui);

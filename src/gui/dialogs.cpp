@@ -31,7 +31,7 @@ void question_dialog(const Ui& ui) {
     const std::string name = "answer-" + std::to_string(number++);
     const ImVec2 extent{(width - 2 * ui.px(24) - 2 * ImGui::GetStyle().ItemSpacing.x) / 3, ui.px(38)};
     if (button(ui, name, choice.label, "", extent, {.look = first ? Look::primary : Look::plain}))
-      ui.act(action::AnswerQuestion{static_cast<action::Answer>(choice.answer)});
+      ui.act(action::AnswerQuestion{choice.answer});
     first = false;
   }
   ImGui::EndPopup();

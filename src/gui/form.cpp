@@ -121,6 +121,7 @@ bool Form::colour(std::string_view text, Rgbd& value, double most) {
     for (std::size_t i = 0; i < 3; ++i) shown[i] = static_cast<float>(srgb_encode(std::clamp(channels[i], 0.0, 1.0)));
     const std::array<float, 3> before = shown;
     const bool picked = ImGui::ColorPicker3("##picker", shown.data(), ImGuiColorEditFlags_NoSidePreview);
+    ui_.publish(popup);
     for (std::size_t i = 0; picked && i < 3; ++i) {
       if (shown[i] != before[i]) channels[i] = srgb_decode(static_cast<double>(shown[i]));
     }

@@ -80,7 +80,7 @@ bool answer_by_key(const KeyPress& press, const Ui& ui) {
   const QuestionPanel question = question_panel(ui.state);
   const auto answer = [&](std::size_t i) {
     if (i >= question.choices.size()) return false;
-    ui.act(action::AnswerQuestion{static_cast<action::Answer>(question.choices[i].answer)});
+    ui.act(action::AnswerQuestion{question.choices[i].answer});
     return true;
   };
   if (press.key == GLFW_KEY_ENTER || press.key == GLFW_KEY_KP_ENTER) return answer(0);
@@ -88,7 +88,7 @@ bool answer_by_key(const KeyPress& press, const Ui& ui) {
     return answer(static_cast<std::size_t>(press.key - GLFW_KEY_1));
   if (press.key != GLFW_KEY_ESCAPE) return false;
   for (std::size_t i = 0; i < question.choices.size(); ++i) {
-    if (static_cast<action::Answer>(question.choices[i].answer) == action::Answer::cancel) return answer(i);
+    if (question.choices[i].answer == action::Answer::cancel) return answer(i);
   }
   return false;
 }
@@ -102,12 +102,24 @@ std::string command_key(Command command) {
          key_name(key.key);
 }
 
+namespace {
+
+bool asks_for(const CommandRow& row, const KeyPress& press, Mode mode) {
+  return std::any_of(row.keys.begin(), row.keys.end(), [&](const Key& key) { return means(key, press, mode); });
+}
+
+}  // namespace
+
 std::optional<Command> command_of(const KeyPress& press, const State& state) {
   for (const CommandRow& row : command_table) {
-    if (std::any_of(row.keys.begin(), row.keys.end(), [&](const Key& key) { return means(key, press, state.mode); }))
-      return row.command;
+    if (asks_for(row, press, state.mode)) return row.command;
   }
   return std::nullopt;
+}
+
+int commands_on(const KeyPress& press, Mode mode) {
+  return static_cast<int>(std::count_if(command_table.begin(), command_table.end(),
+                                        [&](const CommandRow& row) { return asks_for(row, press, mode); }));
 }
 
 bool press_key(const KeyPress& press, const Ui& ui) {

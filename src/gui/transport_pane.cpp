@@ -92,7 +92,14 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const State& state = ui.state;
   const std::string status = status_line(state);
   push_font(ui.fonts.small);
-  const float widest = ImGui::CalcTextSize((status + "00").c_str()).x;
+  // The bar must not change its length while it is dragged, so there is room for the longest status from the start.
+  const auto number = [](std::size_t count) { return std::to_string(count); };
+  const std::string steps_text = std::to_string(state.timeline->steps()),
+                    pixels_text = number(state.timeline->pixels().size());
+  const float widest = ImGui::CalcTextSize(fill(TextId::status, {steps_text, steps_text, pixels_text, pixels_text,
+                                                                 number(state.timeline->rays().size())})
+                                               .c_str())
+                           .x;
   pop_font();
   const bool with_status = widest + ui.px(rows.beside ? 260 : 420) < rows.inner;
   const float right = at.x + rows.inner;

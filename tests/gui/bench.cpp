@@ -1,0 +1,162 @@
+#include "gui/bench.h"
+
+#include "gui/style.h"
+#include "io/scene_file.h"
+#include "support/catch.h"
+
+namespace raywalk::test {
+
+State classic() {
+  auto document = read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml");
+  REQUIRE(document.has_value());
+  return make_state(std::move(*document));
+}
+
+Bench::Bench(State initial, float width, float height)
+    : state(std::move(initial)), interface_(std::string(RAYWALK_SOURCE_DIR) + "/scenes") {
+  context_ = ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.DisplaySize = {width, height};
+  io.DeltaTime = 1.0f / 60;
+  io.ConfigInputTextCursorBlink = false;
+  // Any face will do, and ImGui's own is the same on every machine.
+  fonts_ = build_fonts(*io.Fonts, {}, 1, 1);
+#if IMGUI_VERSION_NUM >= 19200
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#else
+  unsigned char* pixels = nullptr;
+  int across = 0, down = 0;
+  io.Fonts->GetTexDataAsRGBA32(&pixels, &across, &down);
+#endif
+#if IMGUI_VERSION_NUM < 18700
+  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+#endif
+  set_style(ImGui::GetStyle(), state.theme, unit);
+  move_to(-1, -1);
+}
+
+Bench::~Bench() { ImGui::DestroyContext(context_); }
+
+void Bench::take_actions() {
+  for (const Action& action : interface_.take_actions()) {
+    actions.push_back(action);
+    if (obedient) update(state, action);
+  }
+}
+
+void Bench::frame() {
+  ImGui::NewFrame();
+  interface_.draw(state, fonts_, unit, dpi, Picture{1, 441, 331, 0.5, true, false});
+  ImGui::Render();
+  take_actions();
+}
+
+void Bench::frames(int count) {
+  for (int i = 0; i < count; ++i) frame();
+}
+
+void Bench::resize(float width, float height) {
+  ImGui::GetIO().DisplaySize = {width, height};
+  frames(settle);
+}
+
+void Bench::move_to(float x, float y) {
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().AddMousePosEvent(x, y);
+#else
+  ImGui::GetIO().MousePos = {x, y};
+#endif
+  frames(settle);
+}
+
+void Bench::press(int button) {
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().AddMouseButtonEvent(button, true);
+#else
+  ImGui::GetIO().MouseDown[button] = true;
+#endif
+  frames(settle);
+}
+
+void Bench::release(int button) {
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().AddMouseButtonEvent(button, false);
+#else
+  ImGui::GetIO().MouseDown[button] = false;
+#endif
+  frames(settle);
+}
+
+void Bench::wheel(float clicks) {
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().AddMouseWheelEvent(0, clicks);
+#else
+  ImGui::GetIO().MouseWheel = clicks;
+#endif
+  frames(1);
+}
+
+Rect Bench::rect(const std::string& item) const {
+  const auto found = interface_.items().find(item);
+  INFO("no item is called " << item);
+  REQUIRE(found != interface_.items().end());
+  return found->second;
+}
+
+void Bench::point_at(const std::string& item) {
+  const Rect where = rect(item);
+  move_to(where.x + where.width / 2, where.y + where.height / 2);
+}
+
+void Bench::click(const std::string& item) {
+  point_at(item);
+  press();
+  release();
+}
+
+void Bench::double_click(const std::string& item) {
+  point_at(item);
+  press();
+  release();
+  press();
+  release();
+}
+
+void Bench::drag(const std::string& item, float dx, float dy) {
+  const Rect where = rect(item);
+  const float x = where.x + where.width / 2, y = where.y + where.height / 2;
+  move_to(x, y);
+  press();
+  for (const float part : {0.3f, 0.6f, 1.0f}) move_to(x + part * dx, y + part * dy);
+  release();
+}
+
+void Bench::key(int key, bool ctrl, bool shift, bool alt) {
+  interface_.press(state, fonts_, unit, dpi, {key, ctrl, shift, alt});
+  take_actions();
+  frames(settle);
+}
+
+void Bench::type(const std::string& text) {
+  ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+  frames(settle);
+}
+
+void Bench::put_key(bool down) {
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().AddKeyEvent(ImGuiKey_Enter, down);
+#else
+  ImGui::GetIO().KeysDown[ImGuiKey_Enter] = down;
+#endif
+  frames(settle);
+}
+
+void Bench::enter() {
+  put_key(true);
+  put_key(false);
+}
+
+int Bench::vertices() const { return ImGui::GetDrawData()->TotalVtxCount; }
+
+}  // namespace raywalk::test

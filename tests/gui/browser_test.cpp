@@ -1,0 +1,121 @@
+#include "gui/browser.h"
+
+#include <GLFW/glfw3.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "gui/bench.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A folder with two scenes, a folder with one more, and things that are no scene.
+class Scenes {
+ public:
+  Scenes() : path_(fs::temp_directory_path() / ("raywalk-browser-" + std::to_string(getpid()))) {
+    fs::create_directories(path_ / "inner");
+    fs::create_directories(path_ / ".hidden");
+    for (const char* name : {"b.toml", "a.toml", "inner/c.toml", ".secret.toml", "picture.png"}) {
+      std::ofstream(path_ / name) << "";
+    }
+  }
+  ~Scenes() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scenes(const Scenes&) = delete;
+  Scenes& operator=(const Scenes&) = delete;
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+// A state whose scene stands in `folder`, with the dialog open.
+State asking(const std::string& file, const Action& question) {
+  State state = classic();
+  state.path = file;
+  update(state, question);
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("a folder's listing has its folders and scenes, sorted, and nothing hidden") {
+  const Scenes scenes;
+  const FolderListing listing = list_folder(scenes / "");
+  CHECK(listing.readable);
+  CHECK(listing.folders == std::vector<std::string>{"inner"});
+  CHECK(listing.files == std::vector<std::string>{"a.toml", "b.toml"});
+  CHECK_FALSE(list_folder(scenes / "no such folder").readable);
+  CHECK_FALSE(list_folder(scenes / "a.toml").readable);
+}
+
+TEST_CASE("a scene is opened by clicks, through folders") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+  bench.frames(3);
+  CHECK(bench.has("browser/b.toml"));
+  CHECK_FALSE(bench.has("browser/picture.png"));
+  bench.click("browser/inner/");
+  CHECK(bench.has("browser/c.toml"));
+  bench.click("browser-up");
+  bench.obedient = false;
+  bench.click("browser/b.toml");
+  bench.click("browser-accept");
+  REQUIRE(bench.last<action::Open>() != nullptr);
+  CHECK(bench.last<action::Open>()->path == scenes / "b.toml");
+}
+
+TEST_CASE("a double click opens at once") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+  bench.frames(3);
+  bench.obedient = false;
+  bench.double_click("browser/b.toml");
+  REQUIRE(bench.last<action::Open>() != nullptr);
+  CHECK(bench.last<action::Open>()->path == scenes / "b.toml");
+}
+
+TEST_CASE("a path is typed, and Enter takes it") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+  bench.frames(4);
+  bench.obedient = false;
+  bench.type(scenes / "inner/c.toml");
+  bench.enter();
+  REQUIRE(bench.last<action::Open>() != nullptr);
+  CHECK(bench.last<action::Open>()->path == scenes / "inner/c.toml");
+}
+
+TEST_CASE("saving begins with the file's own name and folder") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "b.toml", action::AskSaveAs{}));
+  bench.frames(3);
+  bench.obedient = false;
+  bench.click("browser-accept");
+  REQUIRE(bench.last<action::SaveAs>() != nullptr);
+  CHECK(bench.last<action::SaveAs>()->path == scenes / "b.toml");
+}
+
+TEST_CASE("the dialog is taken back by its button and by Escape, also while a path is typed") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+  bench.frames(3);
+  bench.click("browser-cancel");
+  CHECK(bench.state.prompt == PathPrompt::none);
+  update(bench.state, action::AskOpen{});
+  bench.frames(4);
+  bench.type("half a na");
+  bench.key(GLFW_KEY_ESCAPE);
+  CHECK(bench.state.prompt == PathPrompt::none);
+  bench.click("mode-help");
+  CHECK(bench.state.mode == Mode::help);
+}

@@ -1,0 +1,198 @@
+// Every button, menu entry and key asks for what it says.
+
+#include <GLFW/glfw3.h>
+
+#include <set>
+
+#include "gui/bench.h"
+#include "gui/commands.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+// Presses a button of which nothing but what it asks for matters, and returns the one action.
+template <class Kind>
+Kind asked_by(Bench& bench, const std::string& item) {
+  bench.obedient = false;
+  bench.forget();
+  bench.click(item);
+  CAPTURE(item);
+  const Kind* found = bench.last<Kind>();
+  REQUIRE(found != nullptr);
+  return *found;
+}
+
+State at(int position, Mode mode = Mode::trace) {
+  State state = classic();
+  update(state, action::Jump{position});
+  update(state, action::SetMode{mode});
+  return state;
+}
+
+// Opens a menu and one of its entries.
+void choose(Bench& bench, const std::string& menu, const std::string& entry) {
+  bench.click(menu);
+  bench.click("menu/" + entry);
+}
+
+template <class Kind>
+const Kind* chosen_from(Bench& bench, const std::string& menu, const std::string& entry) {
+  bench.obedient = false;
+  bench.forget();
+  choose(bench, menu, entry);
+  return bench.last<Kind>();
+}
+
+}  // namespace
+
+TEST_CASE("the buttons of the walk") {
+  Bench bench(at(40));
+  CHECK(asked_by<action::Step>(bench, "step").forward);
+  CHECK_FALSE(asked_by<action::Step>(bench, "step-back").forward);
+  asked_by<action::PlayPause>(bench, "play");
+  asked_by<action::Clear>(bench, "clear");
+  CHECK(asked_by<action::Jump>(bench, "first").position == 0);
+  CHECK(asked_by<action::Jump>(bench, "last").position == bench.state.timeline->steps());
+  CHECK(asked_by<action::SetGrain>(bench, "grain-line").grain == Grain::line);
+  CHECK(asked_by<action::SetGrain>(bench, "grain-ray").grain == Grain::ray);
+  CHECK(asked_by<action::SetGrain>(bench, "grain-pixel").grain == Grain::pixel);
+  CHECK(asked_by<action::SetSpeed>(bench, "slower").lines_per_second == bench.state.lines_per_second / 2);
+  CHECK(asked_by<action::SetSpeed>(bench, "faster").lines_per_second == bench.state.lines_per_second * 2);
+}
+
+TEST_CASE("the buttons of the modes and tabs") {
+  Bench bench(at(40));
+  CHECK(asked_by<action::SetMode>(bench, "mode-move").mode == Mode::move);
+  CHECK(asked_by<action::SetMode>(bench, "mode-trace").mode == Mode::trace);
+  CHECK(asked_by<action::SetMode>(bench, "mode-help").mode == Mode::help);
+  CHECK(asked_by<action::SetTab>(bench, "tab-image").tab == Tab::image);
+  CHECK(asked_by<action::SetTab>(bench, "tab-tree").tab == Tab::tree);
+  CHECK(asked_by<action::SetTab>(bench, "tab-stack").tab == Tab::stack);
+  CHECK(asked_by<action::SetTab>(bench, "tab-legend").tab == Tab::legend);
+}
+
+TEST_CASE("the buttons of Move mode") {
+  Bench bench(at(0, Mode::move));
+  using action::ObjectKind;
+  CHECK(asked_by<action::AddObject>(bench, "add-solid-sphere").kind == ObjectKind::solid_sphere);
+  CHECK(asked_by<action::AddObject>(bench, "add-transparent-sphere").kind == ObjectKind::transparent_sphere);
+  CHECK(asked_by<action::AddObject>(bench, "add-polygon").kind == ObjectKind::polygon);
+  CHECK(asked_by<action::AddObject>(bench, "add-light").kind == ObjectKind::light);
+
+  bench.obedient = true;
+  bench.click("add-polygon");
+  bench.click("undo");
+  CHECK(bench.last<action::Undo>() != nullptr);
+  bench.click("redo");
+  CHECK(bench.last<action::Redo>() != nullptr);
+  update(bench.state, action::Select{{TargetKind::object, 0}});
+  bench.frames(2);
+  asked_by<action::RemoveSelected>(bench, "remove");
+  CHECK_FALSE(asked_by<action::Select>(bench, "deselect").target);
+}
+
+TEST_CASE("the entries of the menus") {
+  Bench bench(at(40, Mode::move));
+  update(bench.state, action::AddObject{action::ObjectKind::polygon});
+  update(bench.state, action::Undo{});
+  update(bench.state, action::Select{{TargetKind::object, 0}});
+  update(bench.state, action::AddObject{action::ObjectKind::polygon});
+  bench.state.redo.push_back(bench.state.scene());
+  bench.state.ui_scale = 1.5;
+  bench.frames(2);
+
+  CHECK(chosen_from<action::New>(bench, "menu-file", "new") != nullptr);
+  CHECK(chosen_from<action::AskOpen>(bench, "menu-file", "open") != nullptr);
+  CHECK(chosen_from<action::Save>(bench, "menu-file", "save") != nullptr);
+  CHECK(chosen_from<action::AskSaveAs>(bench, "menu-file", "save-as") != nullptr);
+  CHECK(chosen_from<action::Quit>(bench, "menu-file", "quit") != nullptr);
+  CHECK(chosen_from<action::Undo>(bench, "menu-edit", "undo") != nullptr);
+  CHECK(chosen_from<action::Redo>(bench, "menu-edit", "redo") != nullptr);
+  CHECK(chosen_from<action::RemoveSelected>(bench, "menu-edit", "remove") != nullptr);
+  CHECK(chosen_from<action::Select>(bench, "menu-edit", "select-next") != nullptr);
+  CHECK(chosen_from<action::Select>(bench, "menu-edit", "select-previous") != nullptr);
+  CHECK(chosen_from<action::FitView>(bench, "menu-view", "fit") != nullptr);
+  CHECK(chosen_from<action::Zoom>(bench, "menu-view", "zoom-in")->factor > 1);
+  CHECK(chosen_from<action::Zoom>(bench, "menu-view", "zoom-out")->factor < 1);
+  CHECK(chosen_from<action::SetTheme>(bench, "menu-view", "theme")->theme == Theme::projector);
+  CHECK(chosen_from<action::SetUiScale>(bench, "menu-view", "scale-up")->scale == 1.75);
+  CHECK(chosen_from<action::SetUiScale>(bench, "menu-view", "scale-down")->scale == 1.25);
+  CHECK(chosen_from<action::SetUiScale>(bench, "menu-view", "scale-reset")->scale == 1);
+  CHECK(chosen_from<action::Step>(bench, "menu-walk", "step-ray")->grain == Grain::ray);
+  CHECK(chosen_from<action::Step>(bench, "menu-walk", "step-pixel-back")->grain == Grain::pixel);
+  choose(bench, "menu-view", "full-screen");
+  CHECK(bench.interface().take_full_screen());
+}
+
+TEST_CASE("a recent file is opened from its menu") {
+  Bench bench(at(0, Mode::move));
+  bench.state.recent = {"/somewhere/a.toml", "/somewhere/b.toml"};
+  bench.obedient = false;
+  bench.click("menu-file");
+  bench.click("menu/recent");
+  bench.click("menu/recent/1");
+  const auto* open = bench.last<action::Open>();
+  REQUIRE(open != nullptr);
+  CHECK(open->path == "/somewhere/b.toml");
+}
+
+TEST_CASE("what cannot be asked for is shown so and asks for nothing") {
+  Bench bench(at(0, Mode::trace));
+  bench.obedient = false;
+  for (const std::string item : {"step-back", "clear", "first", "undo", "redo"}) {
+    bench.forget();
+    bench.click(item);
+    CAPTURE(item);
+    CHECK(bench.last<action::Step>() == nullptr);
+    CHECK(bench.last<action::Clear>() == nullptr);
+    CHECK(bench.last<action::Jump>() == nullptr);
+    CHECK(bench.last<action::Undo>() == nullptr);
+    CHECK(bench.last<action::Redo>() == nullptr);
+  }
+}
+
+TEST_CASE("every command has a name, a label and a hint of its own") {
+  const State state = classic();
+  std::set<std::string> names, hints;
+  for (int i = 0; i < command_count; ++i) {
+    const auto command = static_cast<Command>(i);
+    CAPTURE(command_name(command));
+    CHECK_FALSE(command_name(command).empty());
+    CHECK_FALSE(command_label(command, state).empty());
+    CHECK_FALSE(command_hint(command).empty());
+    CHECK(names.insert(std::string(command_name(command))).second);
+    CHECK(hints.insert(command_hint(command)).second);
+  }
+}
+
+TEST_CASE("AUTO is called PAUSE while it runs") {
+  State state = classic();
+  const std::string at_rest = command_label(Command::play, state);
+  update(state, action::PlayPause{});
+  REQUIRE(state.playing);
+  CHECK(command_label(Command::play, state) != at_rest);
+}
+
+TEST_CASE("every button that a mouse can press is in the window at 1280 x 720") {
+  for (const Mode mode : {Mode::move, Mode::trace}) {
+    Bench bench(at(40, mode));
+    update(bench.state, action::Select{{TargetKind::object, 0}});
+    bench.frames(2);
+    for (const std::string item :
+         {"mode-move", "mode-trace", "mode-help",   "undo",      "redo",       "step",    "step-back",
+          "play",      "clear",      "first",       "last",      "scrub",      "speed",   "slower",
+          "faster",    "grain-line", "grain-pixel", "tab-image", "tab-legend", "exchange"}) {
+      const Rect where = bench.rect(item);
+      CAPTURE(item, where.x, where.y, where.width, where.height);
+      CHECK(where.x >= 0);
+      CHECK(where.y >= 0);
+      CHECK(where.right() <= 1280);
+      CHECK(where.bottom() <= 720);
+      CHECK(where.width >= 20);
+      CHECK(where.height >= 20);
+    }
+  }
+}

@@ -1,0 +1,68 @@
+#include "gui/layout.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "support/catch.h"
+
+using raywalk::Layout;
+using raywalk::Rect;
+
+namespace {
+
+bool overlap(const Rect& a, const Rect& b) {
+  if (a.empty() || b.empty()) return false;
+  constexpr float rounding = 0.01f;
+  return std::min(a.right(), b.right()) - std::max(a.x, b.x) > rounding &&
+         std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y) > rounding;
+}
+
+// What is wrong with a layout; empty when nothing is.
+std::string faults(const Layout& layout, float width, float height) {
+  const std::array panes{layout.bar, layout.plan, layout.strip, layout.transport, layout.side, layout.tabs};
+  const std::array names{"bar", "plan", "strip", "transport", "side", "tabs"};
+  std::string text;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    const Rect& pane = panes[i];
+    if (pane.width < 0 || pane.height < 0) text += std::string(names[i]) + " has a negative size\n";
+    if (pane.x < 0 || pane.y < 0 || pane.right() > width + 0.01f || pane.bottom() > height + 0.01f)
+      text += std::string(names[i]) + " leaves the window\n";
+    for (std::size_t j = 0; j < i; ++j) {
+      if (overlap(pane, panes[j])) text += std::string(names[i]) + " overlaps " + names[j] + "\n";
+    }
+  }
+  return text;
+}
+
+constexpr std::array sizes{0.0f, 1.0f, 7.0f, 40.0f, 100.0f, 333.0f, 640.0f, 1280.0f, 1920.0f, 7680.0f};
+
+}  // namespace
+
+TEST_CASE("no size of the window makes panes overlap or leave it") {
+  for (const float width : sizes) {
+    for (const float height : sizes) {
+      for (const float unit : {1.0f, 1.25f, 2.0f, 3.75f, 7.5f}) {
+        CAPTURE(width, height, unit);
+        const raywalk::LayoutWishes wishes{width, height, unit, 150 * unit, 420 * unit, 300 * unit};
+        CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
+      }
+    }
+  }
+}
+
+TEST_CASE("at 1280 x 720 every pane has room for what it shows") {
+  const Layout layout = raywalk::lay_out({1280, 720, 1, 134, 413, 300});
+  CHECK(layout.plan.width > 800);
+  CHECK(layout.plan.height > 450);
+  CHECK(layout.transport.height == 134);
+  CHECK(layout.side.height == 413);
+  CHECK(layout.tabs.height > 240);
+  CHECK(layout.tabs.width > 400);
+}
+
+TEST_CASE("the side is never narrower than the longest line of code where the window has room for both") {
+  const Layout layout = raywalk::lay_out({960, 540, 1, 134, 413, 310});
+  CHECK(layout.side.width >= 310);
+  CHECK(layout.plan.width > 600);
+}

@@ -1,0 +1,255 @@
+// What the panes make of the pointer.
+
+#include <GLFW/glfw3.h>
+
+#include <cmath>
+
+#include "gui/bench.h"
+#include "support/catch.h"
+#include "view/panels.h"
+#include "view/plan_view.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State at(int position, Mode mode = Mode::trace) {
+  State state = classic();
+  update(state, action::Jump{position});
+  update(state, action::SetMode{mode});
+  return state;
+}
+
+// Where a point of the scene stands in the window.
+ImVec2 in_window(const Bench& bench, const Vec2d& point) {
+  const Vec2d pixels = to_pixels(bench.state.camera, bench.state.viewport, point);
+  const Rect& pane = bench.interface().layout().plan;
+  return {pane.x + static_cast<float>(pixels.x) * bench.dpi, pane.y + static_cast<float>(pixels.y) * bench.dpi};
+}
+
+Vec2d centre_of(const State& state, std::size_t object) {
+  return plan(std::get<Sphere<double>>(state.scene().objects[object].shape).centre);
+}
+
+// The first object of the classic scene that is a sphere.
+std::size_t first_sphere(const State& state) {
+  const auto& objects = state.scene().objects;
+  std::size_t i = 0;
+  while (!std::holds_alternative<Sphere<double>>(objects.at(i).shape)) ++i;
+  return i;
+}
+
+}  // namespace
+
+TEST_CASE("the plan learns the size of its pane") {
+  Bench bench;
+  bench.frames(2);
+  CHECK(bench.state.viewport.width == Approx(bench.interface().layout().plan.width));
+  CHECK(bench.state.viewport.height == Approx(bench.interface().layout().plan.height));
+  bench.resize(900, 600);
+  CHECK(bench.state.viewport.width == Approx(bench.interface().layout().plan.width));
+}
+
+TEST_CASE("on a dense display the plan is told its size in its own pixels") {
+  Bench bench;
+  bench.dpi = bench.unit = 2;
+  bench.resize(2560, 1440);
+  CHECK(bench.state.viewport.width == Approx(bench.interface().layout().plan.width / 2));
+}
+
+TEST_CASE("an object is dragged with the mouse, as one entry of undo") {
+  Bench bench(at(0, Mode::move));
+  bench.frames(2);
+  const std::size_t sphere = first_sphere(bench.state);
+  const Vec2d before = centre_of(bench.state, sphere);
+  const ImVec2 from = in_window(bench, before);
+  bench.move_to(from.x, from.y);
+  CHECK(bench.state.hovered == Target{TargetKind::object, static_cast<int>(sphere)});
+  bench.press();
+  bench.move_to(from.x + 20, from.y);
+  bench.move_to(from.x + 50, from.y - 30);
+  bench.release();
+  const Vec2d after = centre_of(bench.state, sphere);
+  CHECK((after.x - before.x) * bench.state.camera.pixels_per_unit == Approx(50).margin(0.01));
+  CHECK((after.y - before.y) * bench.state.camera.pixels_per_unit == Approx(30).margin(0.01));
+  CHECK(bench.state.undo.size() == 1);
+  CHECK_FALSE(bench.state.drag.has_value());
+}
+
+TEST_CASE("a drag goes on outside the pane and ends where the button is released") {
+  Bench bench(at(0, Mode::move));
+  bench.frames(2);
+  const ImVec2 from = in_window(bench, centre_of(bench.state, first_sphere(bench.state)));
+  bench.move_to(from.x, from.y);
+  bench.press();
+  bench.move_to(1270, 700);
+  REQUIRE(bench.state.drag.has_value());
+  CHECK(bench.state.drag->moved);
+  bench.release();
+  CHECK_FALSE(bench.state.drag.has_value());
+}
+
+TEST_CASE("the wheel zooms about the pointer, and the pointer's leaving is told") {
+  Bench bench(at(0, Mode::move));
+  bench.frames(2);
+  const double before = bench.state.camera.pixels_per_unit;
+  bench.point_at("plan");
+  bench.wheel(1);
+  CHECK(bench.state.camera.pixels_per_unit > before);
+  bench.forget();
+  bench.point_at("step");
+  CHECK(bench.last<action::PointerLeft>() != nullptr);
+  CHECK_FALSE(bench.state.pointer.has_value());
+}
+
+TEST_CASE("a click on a line of code runs to it, pointing at it lights it up") {
+  Bench bench(at(0));
+  bench.frames(2);
+  const std::string line = "line-" + std::to_string(static_cast<int>(Line::compute_rtnshade));
+  bench.point_at(line);
+  CHECK(bench.state.hovered_line == Line::compute_rtnshade);
+  bench.click(line);
+  REQUIRE(bench.last<action::RunToLine>() != nullptr);
+  CHECK(bench.last<action::RunToLine>()->line == Line::compute_rtnshade);
+  CHECK(bench.state.timeline->just_run(bench.state.position)->line == Line::compute_rtnshade);
+  bench.point_at("step");
+  CHECK_FALSE(bench.state.hovered_line.has_value());
+}
+
+TEST_CASE("the scrub bar goes to any position") {
+  Bench bench(at(0));
+  bench.frames(2);
+  const Rect bar = bench.rect("scrub");
+  bench.move_to(bar.x + bar.width / 2, bar.y + bar.height / 2);
+  bench.press();
+  const int steps = bench.state.timeline->steps();
+  CHECK(bench.state.position == Approx(steps / 2.0).margin(2));
+  bench.move_to(bar.right() + 200, bar.y);
+  CHECK(bench.state.position == steps);
+  bench.move_to(bar.x - 200, bar.y);
+  CHECK(bench.state.position == 0);
+  bench.release();
+}
+
+TEST_CASE("the speed slider covers its range and keeps to it") {
+  Bench bench(at(0));
+  bench.frames(2);
+  bench.drag("speed", 500, 0);
+  CHECK(bench.state.lines_per_second == max_speed);
+  bench.drag("speed", -500, 0);
+  CHECK(bench.state.lines_per_second == min_speed);
+}
+
+TEST_CASE("a click near the middle row of the 3-D image goes to that cell, elsewhere it does nothing") {
+  Bench bench(at(0));
+  bench.frames(2);
+  const Rect image = bench.rect("image");
+  const int cells = bench.state.scene().camera.screen.cells;
+  const auto click_at = [&](float x, float y) {
+    bench.move_to(x, y);
+    bench.press();
+    bench.release();
+  };
+  const float edge = image.width / static_cast<float>(cells), middle = image.y + image.height / 2;
+  click_at(image.x + 4.5f * edge, middle + 5);
+  REQUIRE(bench.last<action::JumpToCell>() != nullptr);
+  CHECK(bench.last<action::JumpToCell>()->cell == 4);
+  CHECK(current_cell(bench.state) == 4);
+  bench.forget();
+  click_at(image.x + 4.5f * edge, image.y + 3);
+  CHECK(bench.last<action::JumpToCell>() == nullptr);
+}
+
+TEST_CASE("the tree's nodes light their rays up and go to their steps") {
+  Bench bench(at(120));
+  update(bench.state, action::SetTab{Tab::tree});
+  bench.frames(3);
+  const TreePanel tree = tree_panel(bench.state);
+  REQUIRE(tree.nodes.size() > 3);
+  const int ray = tree.nodes[1].ray;
+  const std::string node = "node-" + std::to_string(ray);
+  // The tree may have been scrolled to where the walk stands: exchanged with the plan it has room for all.
+  bench.click("exchange");
+  bench.point_at(node);
+  CHECK(bench.state.hovered_ray == ray);
+  bench.click(node);
+  REQUIRE(bench.last<action::JumpToRay>() != nullptr);
+  CHECK(bench.state.position == bench.state.timeline->rays()[static_cast<std::size_t>(ray)].formed_at);
+  bench.point_at("step");
+  CHECK(bench.state.hovered_ray == -1);
+}
+
+TEST_CASE("a call of the stack lights its ray up") {
+  Bench bench(at(120));
+  update(bench.state, action::SetTab{Tab::stack});
+  bench.frames(3);
+  const StackPanel stack = stack_panel(bench.state);
+  REQUIRE(stack.rows.size() > 1);
+  bench.point_at("call-0");
+  CHECK(bench.state.hovered_ray == stack.rows[0].ray_index);
+}
+
+TEST_CASE("plan and tabs change places and back") {
+  Bench bench(at(120));
+  bench.frames(2);
+  const Rect plan_before = bench.rect("plan"), tabs_before = bench.rect("tabs");
+  bench.key(GLFW_KEY_X);
+  CHECK(bench.rect("plan") == tabs_before);
+  CHECK(bench.rect("tabs") == plan_before);
+  bench.key(GLFW_KEY_X);
+  CHECK(bench.rect("plan") == plan_before);
+}
+
+TEST_CASE("a notice is taken away by its cross") {
+  Bench bench(at(0));
+  bench.state.notice = Notice{Notice::Kind::error, "scene.toml:3: there is no such key\n  hint: did you mean radius?"};
+  bench.frames(2);
+  bench.click("dismiss-notice");
+  CHECK_FALSE(bench.state.notice.has_value());
+}
+
+TEST_CASE("every answer of a question is a button") {
+  Bench bench(at(0, Mode::move));
+  update(bench.state, action::AddObject{action::ObjectKind::polygon});
+  update(bench.state, action::New{});
+  bench.frames(3);
+  const QuestionPanel question = question_panel(bench.state);
+  REQUIRE(question.choices.size() == 3);
+  bench.obedient = false;
+  for (std::size_t i = 0; i < question.choices.size(); ++i) {
+    bench.forget();
+    bench.click("answer-" + std::to_string(i));
+    const auto* answer = bench.last<action::AnswerQuestion>();
+    REQUIRE(answer != nullptr);
+    CHECK(answer->answer == question.choices[i].answer);
+  }
+}
+
+TEST_CASE("a question shuts out everything behind it") {
+  Bench bench(at(40));
+  update(bench.state, action::AddObject{action::ObjectKind::polygon});
+  update(bench.state, action::Quit{});
+  bench.frames(3);
+  bench.forget();
+  bench.click("step");
+  CHECK(bench.last<action::Step>() == nullptr);
+}
+
+TEST_CASE("no window is too small, no mode or tab fails in it") {
+  for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
+    for (const Tab tab : {Tab::image, Tab::tree, Tab::stack, Tab::legend}) {
+      Bench bench(at(120, mode));
+      update(bench.state, action::Select{{TargetKind::object, 0}});
+      update(bench.state, action::SetTab{tab});
+      for (const auto& [width, height] : {std::pair{1.0f, 1.0f}, {30.0f, 900.0f}, {900.0f, 30.0f}, {150.0f, 120.0f}}) {
+        CAPTURE(static_cast<int>(mode), static_cast<int>(tab), width, height);
+        bench.resize(width, height);
+        CHECK(bench.state.viewport.width >= 1);
+        CHECK(std::isfinite(bench.state.camera.pixels_per_unit));
+      }
+      bench.resize(1280, 720);
+      CHECK(bench.vertices() > 1000);
+    }
+  }
+}

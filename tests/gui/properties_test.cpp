@@ -1,0 +1,151 @@
+#include <GLFW/glfw3.h>
+
+#include "gui/bench.h"
+#include "support/catch.h"
+#include "view/text.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+// Move mode with this thing selected.
+State selected(Target target) {
+  State state = classic();
+  update(state, action::SetMode{Mode::move});
+  update(state, action::Select{target});
+  return state;
+}
+
+std::string field(TextId label, const char* rest = "") { return "property/" + std::string(text(label)) + rest; }
+
+// Double-clicks a number and types another one.
+void type_into(Bench& bench, const std::string& item, const std::string& number) {
+  bench.double_click(item);
+  bench.type(number);
+  bench.enter();
+}
+
+const Sphere<double>& sphere(const Bench& bench) {
+  return std::get<Sphere<double>>(bench.state.scene().objects[0].shape);
+}
+
+}  // namespace
+
+TEST_CASE("the code gives way to the properties of what is selected, and comes back") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  CHECK(bench.has("properties"));
+  CHECK_FALSE(bench.has("code"));
+  bench.click("deselect");
+  bench.frames(2);
+  CHECK(bench.has("code"));
+  CHECK_FALSE(bench.has("properties"));
+}
+
+TEST_CASE("a number is typed") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  REQUIRE(std::holds_alternative<Sphere<double>>(bench.state.scene().objects[0].shape));
+  type_into(bench, field(TextId::radius), "0.875");
+  CHECK(sphere(bench).radius == 0.875);
+  type_into(bench, field(TextId::centre, "/1"), "-1.25");
+  CHECK(sphere(bench).centre.y == -1.25);
+  CHECK(bench.state.undo.size() == 2);
+}
+
+TEST_CASE("numbers outside the format's limits are not taken over") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const double before = sphere(bench).radius;
+  for (const std::string number : {"-3", "0", "1e300", "nan", "inf", "hello"}) {
+    CAPTURE(number);
+    type_into(bench, field(TextId::radius), number);
+    CHECK(sphere(bench).radius == before);
+  }
+}
+
+TEST_CASE("dragging a number is one entry of undo") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const double before = sphere(bench).radius;
+  bench.drag(field(TextId::radius), 60, 0);
+  CHECK(sphere(bench).radius > before);
+  CHECK(bench.state.undo.size() == 1);
+  bench.drag(field(TextId::radius), -30, 0);
+  CHECK(bench.state.undo.size() == 2);
+  bench.key(GLFW_KEY_Z, true);
+  bench.key(GLFW_KEY_Z, true);
+  CHECK(sphere(bench).radius == before);
+}
+
+TEST_CASE("materials are edited with numbers, boxes and a palette") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const auto material = [&] { return bench.state.scene().objects[0].material; };
+  type_into(bench, field(TextId::diffuse, "/2"), "0.5");
+  CHECK(material().diffuse.z == 0.5);
+  const bool before = material().dielectric;
+  bench.click(field(TextId::dielectric));
+  CHECK(material().dielectric != before);
+  const Rgbd diffuse = material().diffuse;
+  bench.click(field(TextId::diffuse, "/swatch"));
+  const Rect picker = bench.rect(field(TextId::diffuse, "/palette"));
+  bench.move_to(picker.x + picker.width / 4, picker.y + picker.height / 4);
+  bench.press();
+  bench.release();
+  CHECK(material().diffuse != diffuse);
+}
+
+TEST_CASE("an object is renamed when the typing has ended, not letter by letter") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const std::string before = bench.state.scene().objects[0].name;
+  bench.double_click(field(TextId::name));
+  bench.type("Moon");
+  CHECK(bench.state.scene().objects[0].name == before);
+  bench.enter();
+  const std::string after = bench.state.scene().objects[0].name;
+  CHECK(after != before);
+  CHECK_THAT(after, contains("Moon"));
+  CHECK(bench.state.undo.size() == 1);
+}
+
+TEST_CASE("letters typed into a field are not commands") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  bench.double_click(field(TextId::name));
+  bench.forget();
+  bench.key(GLFW_KEY_C);
+  bench.key(GLFW_KEY_DELETE);
+  bench.key(GLFW_KEY_SPACE);
+  CHECK(bench.last<action::Clear>() == nullptr);
+  CHECK(bench.last<action::RemoveSelected>() == nullptr);
+  CHECK(bench.last<action::Step>() == nullptr);
+}
+
+TEST_CASE("the keyboard gets into the properties") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  bench.key(GLFW_KEY_ENTER);
+  bench.frames(3);
+  CHECK(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("lights, the camera and the scene have properties") {
+  Bench bench(selected({TargetKind::light, 0}));
+  bench.frames(2);
+  type_into(bench, field(TextId::strength, "/0"), "0.25");
+  CHECK(bench.state.scene().lights[0].strength.x == 0.25);
+  type_into(bench, field(TextId::attenuation, "/1"), "0.125");
+  CHECK(std::get<PointLight>(bench.state.scene().lights[0].kind).attenuation.linear == 0.125);
+
+  update(bench.state, action::Select{{TargetKind::eye}});
+  bench.frames(2);
+  type_into(bench, field(TextId::screen_distance), "1.75");
+  CHECK(bench.state.scene().camera.screen.distance == 1.75);
+  type_into(bench, field(TextId::background, "/0"), "0.5");
+  CHECK(bench.state.scene().background.x == 0.5);
+  type_into(bench, field(TextId::threshold), "0.01");
+  CHECK(bench.state.scene().limits.threshold == 0.01);
+}
