@@ -31,8 +31,9 @@ void draw_plane(Painter& painter, const Plane<double>& plane, const Target& targ
   const Vec2d back = Vec2d(-along.y, along.x);
   const double spacing = 12 * painter.sizes.unit, size = 9 * painter.sizes.unit;
   const double whole = length(line.to - line.from);
-  for (double at = 0; at < whole; at += spacing) {
-    const Vec2d foot = line.from + at * along;
+  const int count = static_cast<int>(whole / spacing);
+  for (int i = 0; i <= count; ++i) {
+    const Vec2d foot = line.from + i * spacing * along;
     painter.add_clipped({foot, foot + size * (back - along) * std::numbers::sqrt2 / 2.0, painter.stroke(body)});
   }
 }
@@ -126,12 +127,15 @@ void draw_grid(Painter& painter) {
   const Vec2d first = to_scene(painter.state.camera, painter.viewport, {0, painter.viewport.height});
   const Vec2d last = to_scene(painter.state.camera, painter.viewport, {painter.viewport.width, 0});
   const Stroke faint{painter.colours.grid, painter.sizes.unit};
-  for (double i = std::ceil(first.x / step); i * step <= last.x; ++i) {
-    const double x = painter.pixels(Vec2d(i * step, 0)).x;
+  // Counted in whole lines: far from the origin, adding a step to a coordinate may not change it.
+  const auto lines = [step](double from, double to) { return static_cast<int>(std::min((to - from) / step, 1e4)); };
+  const double x0 = std::ceil(first.x / step) * step, y0 = std::ceil(first.y / step) * step;
+  for (int i = 0; i <= lines(x0, last.x); ++i) {
+    const double x = painter.pixels(Vec2d(x0 + i * step, 0)).x;
     painter.add(LineItem{{x, 0}, {x, painter.viewport.height}, faint});
   }
-  for (double i = std::ceil(first.y / step); i * step <= last.y; ++i) {
-    const double y = painter.pixels(Vec2d(0, i * step)).y;
+  for (int i = 0; i <= lines(y0, last.y); ++i) {
+    const double y = painter.pixels(Vec2d(0, y0 + i * step)).y;
     painter.add(LineItem{{0, y}, {painter.viewport.width, y}, faint});
   }
 }

@@ -45,7 +45,7 @@ void Painter::add_clipped(LineItem line, const Target& target) {
   clipped.from = line.from + begin * along;
   clipped.to = line.from + end * along;
   clipped.stroke.phase += begin * length(along);
-  add(std::move(clipped), target);
+  add(clipped, target);
 }
 
 }  // namespace raywalk::detail

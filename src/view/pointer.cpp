@@ -14,8 +14,9 @@ constexpr double least_zoom = 1e-6, most_zoom = 1e9, farthest = 1e12;
 /// In pixels: no radius, width or distance is dragged below it.
 constexpr double smallest_drag = 2;
 
-/// What stays selected when `target` was pressed: a handle's object, a corner itself.
-Target selection_of(const Target& target) {
+/// What stays selected when `target` was pressed: a handle's object, a corner itself; while tracing only whole things.
+Target selection_of(const Target& target, Mode mode) {
+  if (mode != Mode::move && target.kind == TargetKind::cell) return {};
   switch (target.kind) {
     case TargetKind::radius:
     case TargetKind::rotation:
@@ -89,7 +90,7 @@ void pointer_pressed(State& state, const action::PointerPressed& pressed) {
   hover(state);
   const bool left = pressed.button == action::Button::left;
   const Target target = left ? state.hovered : Target{};
-  if (left) state.selected = selection_of(target);
+  if (left) state.selected = selection_of(target, state.mode);
   const Vec2d place = clamped(to_scene(state.camera, state.viewport, at));
   if (left && pressed.double_click && state.mode == Mode::move && target.kind == TargetKind::edge)
     return insert_corner(state, {target.index, target.part, place});

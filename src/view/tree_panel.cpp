@@ -14,7 +14,7 @@ std::string name_of(const Scene& scene, const RayRecord& ray) {
 }
 
 std::string label_of(const Scene& scene, const RayRecord& ray) {
-  const std::string name = name_of(scene, ray);
+  std::string name = name_of(scene, ray);
   switch (ray.ending) {
     case Ending::hit:
     case Ending::reached_light:

@@ -45,7 +45,9 @@ bool goes_through(const State& state, const Action& action) {
       [&]<class T>(const T&) {
         if constexpr (one_of<T, Tick, ResizePlan, SetTheme, SetUiScale, PointerLeft, PointerReleased, DismissNotice>)
           return true;
-        if (state.question) return one_of<T, AnswerQuestion>;
+        // An autosave that nobody decided on waits for the next start.
+        const bool may_leave = state.question && state.question->kind == Question::Kind::recover;
+        if (state.question) return one_of<T, AnswerQuestion> || (may_leave && one_of<T, Quit>);
         if (state.prompt != PathPrompt::none) return one_of<T, Open, SaveAs, CancelPrompt, Quit>;
         return true;
       },
@@ -190,6 +192,10 @@ void apply(State& state, const Action& action) {
           },
           [&](const AnswerQuestion& a) { detail::answer(state, a.answer); },
           [&](const Quit&) {
+            if (state.question) {
+              state.quit = true;
+              return;
+            }
             state.prompt = PathPrompt::none;
             detail::ask_or_do(state, Intent::quit, {});
           },

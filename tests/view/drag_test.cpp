@@ -292,6 +292,7 @@ TEST_CASE("a click on a cell or a ray in trace mode goes there") {
   REQUIRE(pick(state, cell) == Target{TargetKind::cell, 4});
   drag(state, cell, cell);
   CHECK(current_cell(state) == 4);
+  CHECK_FALSE(state.selected);
   update(state, action::Jump{state.timeline->steps()});
   const int ray = 3;
   const RayRecord& record = state.timeline->rays()[ray];

@@ -249,6 +249,18 @@ TEST_CASE("a scene that was never saved is recovered without a path") {
   CHECK(broken_promise(next) == "");
 }
 
+TEST_CASE("leaving while recovery is offered keeps the autosave for the next start") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  update(state, action::Tick{1});
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(next);
+  update(next, action::Quit{});
+  CHECK(next.quit);
+  CHECK(std::filesystem::exists(folder.file("state/autosave.toml")));
+}
+
 TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.file("state"));

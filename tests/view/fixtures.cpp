@@ -4,6 +4,7 @@
 #include "view/plan_geometry.h"
 
 #include <algorithm>
+#include <iterator>
 #include <random>
 
 #include "support/catch.h"
@@ -85,6 +86,13 @@ Vec2d to_pixels(const State& state, const Vec2d& point) {
 
 Vec2d pixels_of(const State& state, const Target& target) {
   return to_pixels(state, detail::place_of(state, target, state.viewport));
+}
+
+std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target) {
+  std::vector<DisplayItem> items;
+  std::copy_if(list.begin(), list.end(), std::back_inserter(items),
+               [&](const DisplayItem& item) { return item.target == target; });
+  return items;
 }
 
 void drag(State& state, const Vec2d& from, const Vec2d& to, action::Modifiers modifiers) {

@@ -28,6 +28,9 @@ Vec2d to_pixels(const State& state, const Vec2d& point);
 /// Where the handle or the middle of a target is, in pixels.
 Vec2d pixels_of(const State& state, const Target& target);
 
+/// What stands for a target in a drawing.
+std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target);
+
 void drag(State& state, const Vec2d& from, const Vec2d& to, action::Modifiers modifiers = {});
 /// Takes hold of a target's handle and moves the pointer by so many pixels.
 void drag_by(State& state, const Target& target, const Vec2d& by, action::Modifiers modifiers = {});
