@@ -11,13 +11,18 @@
 #include "io/scene_keys.h"
 #include "io/spelling.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <functional>
+#include <memory>
 #include <new>
-#include <sstream>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -25,6 +30,35 @@ namespace {
 
 using Run = std::function<ExitCode()>;
 constexpr const char* scene_help = "A scene file, or the name of a scene that comes with Raywalk";
+
+template <class Value>
+void store(Value& target, const Value& value) {
+  target = value;
+}
+template <class Value>
+void store(std::optional<Value>& target, const Value& value) {
+  target.emplace(value);
+}
+
+/// An option whose value `parse` reads, or refuses with nothing; then `complain` says why.
+template <class Target, class Parse, class Complain>
+CLI::Option* add_value(CLI::App& command, const std::string& name, Target& target, const Parse& parse,
+                       const Complain& complain, const std::string& type, const std::string& help) {
+  const CLI::callback_t take = [name, &target, parse, complain](const CLI::results_t& words) {
+    const auto value = parse(words.front());
+    if (!value) throw CLI::ValidationError(name, "\"" + words.front() + "\" " + complain(words.front()));
+    store(target, *value);
+    return true;
+  };
+  return command.add_option(name, take, help)->type_name(type);
+}
+
+template <class Target, class Parse>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
+                        const std::string& type, const std::string& expected, const std::string& help) {
+  const auto complain = [expected](const std::string&) { return "is not understood (expected " + expected + ")"; };
+  return add_value(command, name, target, parse, complain, type, help);
+}
 
 /// An option that takes one of a few words.
 template <class Choice, std::size_t Count, class NameOf>
@@ -36,32 +70,16 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& targ
     words.push_back(name_of(choice));
     type += (type.empty() ? "" : "|") + std::string(words.back());
   }
-  const auto check = [words](const std::string& word) {
-    if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
+  const auto parse = [choices, name_of](const std::string& word) -> std::optional<Choice> {
+    for (const Choice choice : choices)
+      if (word == name_of(choice)) return choice;
+    return std::nullopt;
+  };
+  const auto complain = [words](const std::string& word) {
     const std::string meant = nearest_word(word, words);
-    return "\"" + word + "\" is not known (expected " + one_of(words) + ")" +
-           (meant.empty() ? "" : "; did you mean " + meant + "?");
+    return "is not known (expected " + one_of(words) + ")" + (meant.empty() ? "" : "; did you mean " + meant + "?");
   };
-  const auto take = [&target, words, choices](const std::string& word) {
-    const auto found = std::find(words.begin(), words.end(), word) - words.begin();
-    target = choices[static_cast<std::size_t>(found)];
-  };
-  return command.add_option_function<std::string>(name, take, help)
-      ->check(CLI::Validator(check, "", name))
-      ->type_name(type);
-}
-
-/// An option whose value a function reads, or refuses with "expected ...".
-template <class Target, class Parse>
-CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
-                        const std::string& type, const std::string& expected, const std::string& help) {
-  const auto check = [parse, expected](const std::string& text) {
-    return parse(text) ? std::string() : "\"" + text + "\" is not understood (expected " + expected + ")";
-  };
-  const auto take = [&target, parse](const std::string& text) { target = *parse(text); };
-  return command.add_option_function<std::string>(name, take, help)
-      ->check(CLI::Validator(check, "", name))
-      ->type_name(type);
+  return add_value(command, name, target, parse, complain, type, help);
 }
 
 CLI::Option* add_whole(CLI::App& command, const std::string& name, auto& target, int low, int high,
@@ -161,8 +179,12 @@ void declare_info(CLI::App& program, Run& run) {
 
 /// What pictures and tests need of the window; people find it in the window itself.
 void declare_window(CLI::App& program, Run& run) {
-  const auto options = std::make_shared<GuiOptions>();
-  GuiOptions& to = *options;
+  struct Asked {
+    GuiOptions options;
+    ImageSize window{0, 0};
+  };
+  const auto asked = std::make_shared<Asked>();
+  GuiOptions& to = asked->options;
   program.add_option("SCENE", to.scene_path, std::string(scene_help) + "; left out: the classic scene")->type_name("");
   program.add_option("--demo", to.demo_path, "Replay the actions in a file, one a line")->type_name("FILE");
   const auto hide = [](CLI::Option* option) { option->group(""); };
@@ -174,16 +196,12 @@ void declare_window(CLI::App& program, Run& run) {
   hide(program.add_option("--theme", to.theme));
   hide(program.add_option("--ui-scale", to.ui_scale));
   hide(program.add_option("--report", to.report_path));
-  const auto take_size = [&to](const std::string& text) {
-    if (const auto size = parse_size(text)) to.width = size->width, to.height = size->height;
-  };
-  const auto check = [](const std::string& text) {
-    return parse_size(text) ? std::string() : "\"" + text + "\" is not understood (expected such as 1280x720)";
-  };
-  hide(program.add_option_function<std::string>("--window", take_size)->check(CLI::Validator(check, "")));
-  program.callback([options, &program, &run] {
+  hide(add_parsed(program, "--window", asked->window, parse_size, "WxH", "such as 1280x720", ""));
+  program.callback([asked, &program, &run] {
     if (program.get_subcommands().empty()) {
-      run = [options] { return window_command(*options); };
+      asked->options.width = asked->window.width;
+      asked->options.height = asked->window.height;
+      run = [asked] { return window_command(asked->options); };
       return;
     }
     for (const CLI::Option* option : program.get_options())
@@ -214,7 +232,7 @@ std::string hint_for(const CLI::App& program, const CLI::ParseError& error, int 
       const std::string word(argument.substr(0, argument.find('=')));
       if (std::find(known.begin(), known.end(), word) != known.end()) continue;
       const std::string meant = nearest_word(word, {known.begin(), known.end()});
-      if (!meant.empty()) return "did you mean " + meant + " for " + word + "?";
+      if (!meant.empty()) return fmt::format("did you mean {} for {}?", meant, word);
     }
   }
   return command_name(program) + " --help says what there is";
@@ -228,7 +246,7 @@ ExitCode printed(const std::string& text) {
 ExitCode parse_and_run(int argc, const char* const* argv) {
   CLI::App program("Walk a ray tracer one line of pseudocode at a time: without a command, opens the visualiser.",
                    "raywalk");
-  program.set_version_flag("--version", "raywalk " RAYWALK_VERSION);
+  program.set_version_flag("--version", "raywalk " RAYWALK_VERSION, "Print the version and exit");
   program.require_subcommand(0, 1);
   program.footer(
       "Examples:\n"

@@ -108,6 +108,13 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   return rendering;
 }
 
+tl::unexpected<Error> no_memory(ImageSize size) {
+  return tl::unexpected(Error{"", 0, 0,
+                              "a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                                  " pixels does not fit into memory",
+                              "choose a smaller size"});
+}
+
 Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
   try {
     switch (settings.precision) {
@@ -117,12 +124,11 @@ Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settin
         return render_in<double>(scene, settings, size, whole);
     }
   } catch (const std::bad_alloc&) {
+    return no_memory(size);
   } catch (const std::length_error&) {
+    return no_memory(size);
   }
-  return tl::unexpected(Error{"", 0, 0,
-                              "a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                                  " pixels does not fit into memory",
-                              "choose a smaller size"});
+  return Rendering{};
 }
 
 }  // namespace
