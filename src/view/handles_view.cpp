@@ -17,6 +17,7 @@ void draw_dot(Painter& painter, const Target& target) {
   const Colour fill = hovered ? painter.colours.hovered : selected ? painter.colours.selected : painter.colours.plan;
   const double radius = painter.sizes.handle * (hovered ? 1.35 : 1);
   painter.add(CircleItem{at, radius, fill, painter.stroke(painter.colours.handle)}, target);
+  painter.keep_free(at, painter.sizes.handle);
 }
 
 /// A ring on a stalk: it turns what it stands on.

@@ -2,7 +2,6 @@
 
 #include "view/painter.h"
 #include "view/text.h"
-#include "view/update_parts.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,13 +10,22 @@ namespace raywalk::detail {
 
 namespace {
 
+/// With more objects than this only those selected or pointed at are named.
+constexpr std::size_t few_objects = 40;
+
 struct Labelled {
   std::string text;
-  Vec2d at;             ///< middle of the thing, pixels
-  Vec2d half;           ///< half its extent: labels go beside it
-  bool inside = false;  ///< the label fits into the thing
-  bool above = false;   ///< rather above than below
-  Colour colour{};
+  Vec2d at;            ///< middle of the thing, pixels
+  Vec2d half;          ///< half its extent
+  bool above = false;  ///< rather above than below
+  Target body{};       ///< the filled drawing that the label may stand on, when it fits
+  Colour on_body{};    ///< of its letters there
+};
+
+/// A filled drawing of an object, and the box around it.
+struct Body {
+  DisplayItem item;
+  Box box;
 };
 
 double luminance(Colour c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
@@ -30,118 +38,159 @@ Colour readable_on(const Painter& painter, Colour body) {
 
 Box box_of(const Vec2d& middle, const Vec2d& half) { return {middle - half, middle + half}; }
 
-void add_objects(const Painter& painter, std::vector<Labelled>& things) {
-  for (const Object& object : painter.scene().objects) {
-    Labelled thing{object.name, Vec2d(0.0), Vec2d(0.0), false, false, painter.colours.text};
-    double room = 0;
-    const auto beside_footprint = [&] {
-      const std::optional<Bounds<double>> footprint = footprint_of(object);
-      if (!footprint) return thing.text.clear();
-      thing.at = painter.pixels(plan(footprint->min + footprint->max) / 2.0);
-      const Vec2d size = plan(footprint->max - footprint->min);
-      thing.half = {painter.pixels(size.x) / 2, painter.pixels(size.y) / 2};
-    };
-    if (!object.transform.empty()) {
-      beside_footprint();
-    } else {
-      std::visit(Overloaded{
-                     [&](const Sphere<double>& sphere) {
-                       thing.at = painter.pixels(plan(sphere.centre));
-                       thing.half = Vec2d(painter.pixels(plan_radius(sphere)));
-                       room = 1.7 * thing.half.x;
-                     },
-                     [&](const Plane<double>& plane) {
-                       const std::optional<PlanLine> line = plan_line(plane);
-                       if (!line) return thing.text.clear();
-                       const Vec2d middle = painter.state.camera.centre;
-                       thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
-                       thing.half = Vec2d(14 * painter.sizes.unit);
-                     },
-                     [&](const Prism<double>& prism) {
-                       thing.at = painter.pixels(centroid(prism));
-                       for (const Vec2d& corner : prism.corners) {
-                         const Vec2d arm = painter.pixels(corner) - thing.at;
-                         thing.half = {std::max(thing.half.x, std::abs(arm.x)),
-                                       std::max(thing.half.y, std::abs(arm.y))};
-                       }
-                       room = 1.1 * thing.half.x;
-                     },
-                     [&](const auto&) { beside_footprint(); },
-                 },
-                 object.shape);
+std::optional<Box> filled_box(const Shape2d& shape) {
+  if (const auto* circle = std::get_if<CircleItem>(&shape); circle != nullptr && circle->fill)
+    return box_of(circle->centre, Vec2d(circle->radius));
+  const auto* polygon = std::get_if<PolygonItem>(&shape);
+  if (polygon == nullptr || !polygon->fill || polygon->points.empty()) return std::nullopt;
+  Box box{polygon->points.front(), polygon->points.front()};
+  for (const Vec2d& p : polygon->points)
+    box = {{std::min(box.min.x, p.x), std::min(box.min.y, p.y)}, {std::max(box.max.x, p.x), std::max(box.max.y, p.y)}};
+  return box;
+}
+
+std::vector<Body> drawn_bodies(const DisplayList& list) {
+  std::vector<Body> bodies;
+  for (const DisplayItem& item : list)
+    if (item.target.kind == TargetKind::object)
+      if (const std::optional<Box> box = filled_box(item.shape)) bodies.push_back({item, *box});
+  return bodies;
+}
+
+/// Share of a label's box that a body covers, by samples.
+double covered(const Body& body, const Box& label) {
+  if (body.box.overlap(label) <= 0) return 0;
+  constexpr int columns = 8, rows = 2;
+  int inside = 0;
+  for (int i = 0; i <= columns; ++i)
+    for (int j = 0; j <= rows; ++j) {
+      const Vec2d size = label.max - label.min;
+      const Vec2d sample = label.min + Vec2d(size.x * i / columns, size.y * j / rows);
+      inside += distance_to(body.item, sample) == 0 ? 1 : 0;
     }
-    if (thing.text.empty()) continue;
-    thing.inside = text_width(thing.text, painter.sizes.text) < room;
-    if (thing.inside) thing.colour = readable_on(painter, body_colour(painter.scene(), object.material));
-    things.push_back(thing);
+  return static_cast<double>(inside) / ((columns + 1) * (rows + 1));
+}
+
+double covered_by(const std::vector<Body>& bodies, const Target& target, const Box& label) {
+  double most = 0;
+  for (const Body& body : bodies)
+    if (body.item.target == target) most = std::max(most, covered(body, label));
+  return most;
+}
+
+void add_objects(const Painter& painter, const std::vector<Body>& bodies, std::vector<Labelled>& things) {
+  const State& state = painter.state;
+  for (std::size_t i = 0; i < painter.scene().objects.size(); ++i) {
+    const Object& object = painter.scene().objects[i];
+    const Target target{TargetKind::object, static_cast<int>(i)};
+    if (painter.scene().objects.size() > few_objects && state.selected != target && state.hovered != target) continue;
+    Labelled thing{object.name, Vec2d(0.0), Vec2d(0.0),
+                   false,       target,     readable_on(painter, body_colour(painter.scene(), object.material))};
+    const auto body =
+        std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.item.target == target; });
+    if (body != bodies.end()) {
+      thing.at = painter.pixels(place_of(state, target, painter.viewport));
+      thing.half = {std::max(body->box.max.x - thing.at.x, thing.at.x - body->box.min.x),
+                    std::max(body->box.max.y - thing.at.y, thing.at.y - body->box.min.y)};
+    } else {
+      // A wall; what is neither drawn as a body nor as a wall has no name here.
+      const auto* plane = std::get_if<Plane<double>>(&object.shape);
+      const auto line = plane != nullptr && object.transform.empty() ? plan_line(*plane) : std::nullopt;
+      if (!line) continue;
+      const Vec2d middle = state.camera.centre;
+      thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
+      thing.half = Vec2d(14 * painter.sizes.unit);
+    }
+    things.push_back(std::move(thing));
   }
 }
 
-std::vector<Labelled> labelled_things(const Painter& painter) {
+std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<Body>& bodies) {
   const double unit = painter.sizes.unit;
   const Camera& camera = painter.scene().camera;
   const ScreenPlace screen = screen_place(camera);
   const Vec2d first = painter.pixels(screen.first), last = painter.pixels(screen.last);
+  const Vec2d eye = painter.pixels(plan(camera.eye));
+  const Vec2d back = eye - (first + last) / 2.0;
+  const double distance = length(back);
+  const Vec2d middle_of_eye = distance > 0 ? eye + 12 * unit / distance * back : eye;
+  const Vec2d screen_half(std::abs(first.x - last.x) / 2 + 10 * unit, std::abs(first.y - last.y) / 2 + 10 * unit);
   std::vector<Labelled> things;
-  things.push_back({std::string(text(TextId::eye)), painter.pixels(plan(camera.eye)) - Vec2d(12 * unit, 0),
-                    Vec2d(17 * unit), false, false, painter.colours.text});
-  things.push_back({std::string(text(TextId::screen)),
-                    (first + last) / 2.0,
-                    {std::abs(first.x - last.x) / 2 + 8 * unit, std::abs(first.y - last.y) / 2 + 8 * unit},
-                    false,
-                    false,
-                    painter.colours.text});
+  things.push_back({std::string(text(TextId::eye)), middle_of_eye, Vec2d(17 * unit)});
+  things.push_back({std::string(text(TextId::screen)), (first + last) / 2.0, screen_half});
   for (const Light& light : painter.scene().lights)
     things.push_back({light.name, painter.pixels(light_place(light, painter.state.camera, painter.viewport)),
-                      Vec2d(14 * unit), false, true, painter.colours.text});
-  add_objects(painter, things);
+                      Vec2d(14 * unit), true});
+  add_objects(painter, bodies, things);
   return things;
 }
 
-/// Middles that a label of this half size can have, the best first.
-std::vector<Vec2d> candidates(const Labelled& thing, const Vec2d& half, double gap) {
+/// How far from the middle of its thing, in this direction, a label stands clear of it: 0..1 of the way beside the box
+/// around it. A slanted wall's box is mostly empty, so its label may stand nearer.
+double clear_at(const Labelled& thing, const std::vector<Body>& bodies, const Vec2d& half, const Vec2d& way) {
+  if (!thing.body) return 1;
+  constexpr int steps = 16;
+  for (int i = 0; i < steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    if (covered_by(bodies, thing.body, box_of(thing.at + t * way, half)) == 0) return t;
+  }
+  return 1;
+}
+
+/// Middles that a label of this half size can have beside its thing, the best first.
+std::vector<Vec2d> places_beside(const Labelled& thing, const std::vector<Body>& bodies, const Vec2d& half,
+                                 double gap) {
   const double dx = thing.half.x + half.x + gap, dy = thing.half.y + half.y + gap;
-  std::vector<Vec2d> places;
-  if (thing.inside) places.push_back(thing.at);
   const double first = thing.above ? -1 : 1;
+  std::vector<Vec2d> places;
   for (const Vec2d& side : {Vec2d(0, first), Vec2d(0, -first), Vec2d(1, 0), Vec2d(-1, 0), Vec2d(0.7, 0.8),
-                            Vec2d(-0.7, 0.8), Vec2d(0.7, -0.8), Vec2d(-0.7, -0.8)})
-    places.push_back(thing.at + Vec2d(side.x * dx, side.y * dy));
+                            Vec2d(-0.7, 0.8), Vec2d(0.7, -0.8), Vec2d(-0.7, -0.8)}) {
+    const Vec2d way(side.x * dx, side.y * dy);
+    places.push_back(thing.at + clear_at(thing, bodies, half + gap, way) * way);
+  }
   return places;
 }
 
 }  // namespace
 
 void draw_labels(Painter& painter) {
-  const double size = painter.sizes.text;
+  const double size = painter.sizes.text, gap = 5 * painter.sizes.unit;
   const Box pane = painter.pane();
-  const double gap = 4 * painter.sizes.unit;
-  for (const Labelled& thing : labelled_things(painter)) {
+  const std::vector<Body> bodies = drawn_bodies(painter.list);
+  for (const Labelled& thing : labelled_things(painter, bodies)) {
     const Vec2d half(text_width(thing.text, size) / 2, size / 2);
     if (thing.text.empty() || box_of(thing.at, thing.half).overlap(pane) <= 0) continue;
-    double least = std::numeric_limits<double>::infinity();
-    Vec2d best = thing.at;
-    double order = 0;
-    for (const Vec2d& place : candidates(thing, half, gap)) {
+    const double area = 4 * half.x * half.y;
+    const auto cost_of = [&](const Vec2d& place, const Target& own) {
       const Box box = box_of(place, half);
-      const double area = 4 * half.x * half.y;
-      double cost = 4 * (area - box.overlap(pane)) + 0.01 * area * order++;
-      const bool inside = thing.inside && place == thing.at;
-      for (const Box& taken : painter.kept_free) cost += (inside ? 0.5 : 1.0) * box.overlap(taken);
+      double cost = 4 * (area - box.overlap(pane));
+      for (const Box& taken : painter.kept_free) cost += box.overlap(taken);
+      for (const Body& body : bodies)
+        if (!own || body.item.target != own) cost += 0.7 * area * covered(body, box);
+      return cost;
+    };
+    Vec2d best = thing.at;
+    double least = std::numeric_limits<double>::infinity();
+    const bool fits = thing.body && covered_by(bodies, thing.body, box_of(thing.at, half + gap / 2)) == 1;
+    if (fits) least = cost_of(thing.at, thing.body);
+    double order = 0;
+    for (const Vec2d& place : places_beside(thing, bodies, half, gap)) {
+      const double cost = cost_of(place, {}) + 0.02 * area * ++order;
       if (cost >= least) continue;
       least = cost;
       best = place;
     }
-    const bool within = thing.inside && best == thing.at;
-    if (!within) {
+    const bool on_body = fits && best == thing.at;
+    if (!on_body) {
       // A plate that keeps the letters readable across rays.
-      const Vec2d plate = half + Vec2d(gap, gap / 4);
+      const Vec2d plate = half + Vec2d(gap, 0);
       painter.add(PolygonItem{
           {best - plate, {best.x + plate.x, best.y - plate.y}, best + plate, {best.x - plate.x, best.y + plate.y}},
-          painter.colours.plan.with_alpha(170),
+          painter.colours.plan.with_alpha(150),
           std::nullopt});
     }
-    painter.add(TextItem{best, thing.text, size, within ? thing.colour : painter.colours.text, TextAnchor::middle});
+    const Colour colour = on_body ? thing.on_body : painter.colours.text;
+    painter.add(TextItem{best, thing.text, size, colour, TextAnchor::middle});
     painter.kept_free.push_back(box_of(best, half + gap / 2));
   }
 }

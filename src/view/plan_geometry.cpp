@@ -1,5 +1,7 @@
 #include "view/plan_geometry.h"
 
+#include "view/plan_view.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -82,19 +84,30 @@ Vec2d place_of_object(const Object& object) {
   return footprint ? plan(footprint->min + footprint->max) / 2.0 : plan(affine_of(object.transform).move);
 }
 
-/// Above the polygon, clear of its corners; while it is being turned, under the pointer.
+/// How far a polygon reaches from a point in a direction of unit length; 0 when it does not.
+double reach_of(const Prism<double>& prism, const Vec2d& from, const Vec2d& direction) {
+  double farthest = 0;
+  for (int i = 0; i < prism.sides(); ++i) {
+    const Vec2d a = prism.corner(i) - from, edge = prism.corner_after(i) - prism.corner(i);
+    const double across = cross(direction, edge);
+    if (across == 0) continue;
+    const double along_edge = cross(a, direction) / across;
+    if (along_edge >= 0 && along_edge <= 1) farthest = std::max(farthest, cross(a, edge) / across);
+  }
+  return farthest;
+}
+
+/// Above the polygon, clear of its outline; while it is being turned, under the pointer.
 Vec2d rotation_place(const State& state, const Target& target, const Prism<double>& prism, const Viewport& viewport) {
   const Vec2d centre = centroid(prism);
-  double reach = 0;
-  for (const Vec2d& corner : prism.corners) reach = std::max(reach, length(corner - centre));
-  reach += 22 * state.ui_scale / state.camera.pixels_per_unit;
+  Vec2d direction(0, 1);
   if (state.drag && state.drag->target == target && state.pointer) {
-    const Vec2d pixels = *state.pointer - Vec2d(viewport.width, viewport.height) / 2.0;
-    const Vec2d pointer = state.camera.centre + Vec2d(pixels.x, -pixels.y) / state.camera.pixels_per_unit;
-    const double size = length(pointer - centre);
-    if (size > 0) return centre + reach / size * (pointer - centre);
+    const Vec2d towards = to_scene(state.camera, viewport, *state.pointer) - centre;
+    const double size = length(towards);
+    if (size > 0) direction = towards / size;
   }
-  return centre + Vec2d(0, reach);
+  const double clear = 26 * state.ui_scale / state.camera.pixels_per_unit;
+  return centre + (reach_of(prism, centre, direction) + clear) * direction;
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport) {
   const Vec2d middle = plan(box.min + box.max) / 2.0;
   const double near = length(plan(box.max - box.min));
   for (const Object& object : scene.objects)
-    if (const auto* plane = std::get_if<Plane<double>>(&object.shape))
+    if (const auto* plane = std::get_if<Plane<double>>(&object.shape); plane && object.transform.empty())
       if (const auto line = detail::plan_line(*plane)) {
         const Vec2d nearest = line->point + dot(middle - line->point, line->along) * line->along;
         if (length(nearest - middle) < near) include(nearest);
@@ -67,8 +67,8 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
   if (!moving) detail::draw_rays(painter);
   detail::draw_eye(painter);
   detail::draw_lights(painter);
-  detail::draw_labels(painter);
   if (moving) detail::draw_handles(painter);
+  detail::draw_labels(painter);
   return std::move(painter.list);
 }
 

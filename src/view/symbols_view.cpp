@@ -140,6 +140,7 @@ void draw_lights(Painter& painter) {
           const Vec2d start = at + unit * (18.0 * along + side * across);
           painter.add(LineItem{start, start + 20 * unit * along, outline, 6 * unit, 1.0}, target);
         }
+        painter.keep_free(at + 28 * unit * along, 12 * unit);
       }
     }
     painter.keep_free(at, 14 * unit);
