@@ -120,11 +120,18 @@ void Window::listen() {
                           .ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
                           .shift = (mods & GLFW_MOD_SHIFT) != 0,
                           .alt = (mods & GLFW_MOD_ALT) != 0});
+    self.fast_keys_.push_back(self.keys_.back());
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { window_of(w)->happened_ = true; });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { window_of(w)->happened_ = true; });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) {
+    Window& self = *window_of(w);
+    self.happened_ = true;
+    double x = 0, y = 0;
+    glfwGetCursorPos(w, &x, &y);
+    self.button_places_.push_back({static_cast<float>(x), static_cast<float>(y)});
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
   glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int, int) { window_of(w)->happened_ = true; });
@@ -195,9 +202,43 @@ void Window::upload_fonts() {
 #endif
 }
 
+// A drag begins where the button went down, although the pointer has moved on before the frame; and a key that has been
+// released before the frame was pressed all the same. Each gets a frame of its own.
+void Window::replay_fast_input() {
+#if IMGUI_VERSION_NUM < 18700
+  ImGuiIO& io = ImGui::GetIO();
+  if (!button_places_.empty()) {
+    io.MousePos = {button_places_.front().x, button_places_.front().y};
+    button_places_.erase(button_places_.begin());
+    happened_ = true;
+  }
+  if (!held_keys_.empty()) {
+    const auto down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
+    for (const int key : std::exchange(held_keys_, {})) io.KeysDown[key] = down(key);
+    io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT);
+    io.KeyAlt = down(GLFW_KEY_LEFT_ALT) || down(GLFW_KEY_RIGHT_ALT);
+  }
+  if (fast_keys_.empty()) return;
+  const KeyPress press = fast_keys_.front();
+  fast_keys_.erase(fast_keys_.begin());
+  happened_ = true;
+  if (io.KeysDown[press.key]) return;
+  io.KeysDown[press.key] = true;
+  io.KeyCtrl = press.ctrl;
+  io.KeyShift = press.shift;
+  io.KeyAlt = press.alt;
+  held_keys_.push_back(press.key);
+#else
+  button_places_.clear();
+  fast_keys_.clear();
+#endif
+}
+
 void Window::begin_frame(bool with_pointer) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  replay_fast_input();
   if (!with_pointer) {
 #if IMGUI_VERSION_NUM >= 18700
     ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);

@@ -60,11 +60,19 @@ class Window {
  private:
   Window() = default;
   void listen();
+  void replay_fast_input();
 
   GLFWwindow* window_ = nullptr;
   ImGuiContext* imgui_ = nullptr;
   bool backends_ = false;
   std::vector<KeyPress> keys_;
+  /// For ImGui before 1.87, which looks at mouse and keys once a frame: what came and went between two frames.
+  struct Place {
+    float x, y;
+  };
+  std::vector<Place> button_places_;
+  std::vector<KeyPress> fast_keys_;
+  std::vector<int> held_keys_;
   bool happened_ = true, close_requested_ = false, shown_ = false;
   int restore_[4] = {0, 0, 0, 0};  ///< x, y, width, height before full screen
 };

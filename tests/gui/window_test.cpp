@@ -1,0 +1,256 @@
+// The real program in a real window, driven as a person would. Pictures of what was seen are kept beside the program,
+// in window-test.
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "gui/desktop.h"
+#include "io/scene_file.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+fs::path picture(const std::string& name) {
+  return fs::path(std::getenv("RAYWALK_BIN")).parent_path() / "window-test" / (name + ".png");
+}
+
+// A copy of the classic scene that may be written to.
+std::string own_classic(const Desktop& desktop) {
+  const fs::path path = desktop.folder() / "scene.toml";
+  fs::copy_file(fs::path(RAYWALK_SOURCE_DIR) / "scenes/classic.toml", path, fs::copy_options::overwrite_existing);
+  return path.string();
+}
+
+std::pair<double, double> object(const Visualiser& raywalk, const std::string& name) {
+  const Json& at = raywalk.report()["objects"][name]["window"];
+  return {at[0].get<double>(), at[1].get<double>()};
+}
+
+double number(const Visualiser& raywalk, const std::string& member) { return raywalk.report()[member].get<double>(); }
+
+bool started(Visualiser& raywalk) {
+  return raywalk.until([](const Json& report) { return report["window"]["frames"].get<int>() >= 3; }, 60);
+}
+
+#define NEEDS_A_DESKTOP                                                                     \
+  if (const std::string missing = Desktop::missing(); !missing.empty()) {                   \
+    RAYWALK_SKIP("the window was not tried: " << missing << " (apt install xvfb xdotool)"); \
+  }
+
+}  // namespace
+
+TEST_CASE("the classic walk with the mouse: Move, STEP, back, AUTO, PAUSE, CLEAR, Help", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  const std::string scene = own_classic(desktop);
+  Visualiser raywalk(desktop, {scene});
+  INFO(raywalk.said());
+  REQUIRE(started(raywalk));
+  CHECK(raywalk.report()["path"] == scene);
+  desktop.picture(picture("1-start"));
+
+  // Move: the sphere follows the mouse, by as much.
+  raywalk.click("mode-move");
+  REQUIRE(raywalk.until("mode", "move"));
+  const auto [x, y] = object(raywalk, "Solid Sphere");
+  raywalk.drag(x, y, x + 60, y + 40);
+  REQUIRE(raywalk.until("dirty", true));
+  REQUIRE(raywalk.until("undo", 1));
+  CHECK(object(raywalk, "Solid Sphere").first == Approx(x + 60).margin(1.5));
+  CHECK(object(raywalk, "Solid Sphere").second == Approx(y + 40).margin(1.5));
+  CHECK(raywalk.report()["selected"] == "Solid Sphere");
+  desktop.picture(picture("2-moved"));
+  raywalk.key("ctrl+z");
+  REQUIRE(raywalk.until("undo", 0));
+  CHECK(object(raywalk, "Solid Sphere").first == Approx(x).margin(0.01));
+  CHECK(raywalk.report()["dirty"] == false);
+
+  // Trace: three steps forward and one back.
+  raywalk.click("mode-trace");
+  REQUIRE(raywalk.until("mode", "trace"));
+  CHECK(number(raywalk, "position") == 0);
+  for (int step = 1; step <= 3; ++step) {
+    raywalk.click("step");
+    REQUIRE(raywalk.until("position", step));
+  }
+  desktop.picture(picture("3-three-steps"));
+  raywalk.click("step-back");
+  REQUIRE(raywalk.until("position", 2));
+  raywalk.key("Right");
+  REQUIRE(raywalk.until("position", 3));
+  raywalk.key("ctrl+Right");
+  REQUIRE(raywalk.until([](const Json& report) { return report["position"].get<int>() > 4; }));
+
+  // AUTO goes on by itself and pauses at once.
+  const double before = number(raywalk, "position");
+  raywalk.click("faster");
+  raywalk.click("faster");
+  raywalk.click("play");
+  REQUIRE(raywalk.until("playing", true));
+  REQUIRE(raywalk.until([&](const Json& report) { return report["position"].get<double>() >= before + 5; }));
+  raywalk.click("play");
+  REQUIRE(raywalk.until("playing", false));
+  const double paused = number(raywalk, "position");
+  desktop.hand({"sleep", "0.5"});
+  raywalk.until([](const Json&) { return true; });
+  CHECK(number(raywalk, "position") == paused);
+  desktop.picture(picture("4-auto"));
+
+  // The tabs.
+  raywalk.click("tab-tree");
+  REQUIRE(raywalk.until("tab", "tree"));
+  desktop.picture(picture("5-tree"));
+  raywalk.click("tab-stack");
+  REQUIRE(raywalk.until("tab", "stack"));
+  raywalk.click("tab-image");
+  REQUIRE(raywalk.until("tab", "image"));
+
+  // The whole strip, then CLEAR.
+  raywalk.key("End");
+  REQUIRE(raywalk.until([](const Json& report) { return report["position"] == report["steps"]; }));
+  desktop.picture(picture("6-all"));
+  raywalk.click("clear");
+  REQUIRE(raywalk.until("position", 0));
+
+  raywalk.click("mode-help");
+  REQUIRE(raywalk.until("mode", "help"));
+  desktop.picture(picture("7-help"));
+  raywalk.key("p");
+  REQUIRE(raywalk.until("theme", "projector"));
+  raywalk.click("mode-trace");
+  REQUIRE(raywalk.until("mode", "trace"));
+  desktop.picture(picture("8-projector"));
+
+  // Nothing is unsaved: the window closes without a question.
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+  CHECK(raywalk.said() == "");
+}
+
+TEST_CASE("files with mouse and keyboard: save as, open, undo, unsaved work, recovery", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  const std::string scene = own_classic(desktop);
+  const std::string other = (desktop.folder() / "other.toml").string();
+  {
+    Visualiser raywalk(desktop, {scene, "--start-mode", "move"});
+    INFO(raywalk.said());
+    REQUIRE(started(raywalk));
+    const auto [x, y] = object(raywalk, "Polygon");
+    raywalk.drag(x, y, x - 40, y + 10);
+    REQUIRE(raywalk.until("dirty", true));
+    const Json moved = raywalk.report()["objects"]["Polygon"]["plan"];
+
+    raywalk.key("ctrl+shift+s");
+    REQUIRE(raywalk.until("prompt", "save_as"));
+    desktop.picture(picture("a-save-as"));
+    raywalk.key("ctrl+a");
+    raywalk.type(other);
+    raywalk.key("Return");
+    REQUIRE(raywalk.until("path", other));
+    CHECK(raywalk.report()["dirty"] == false);
+    const auto written = read_scene(other);
+    REQUIRE(written.has_value());
+    CHECK(fs::file_size(scene) > 0);
+
+    // The first file again: through the dialog, by its name in the list.
+    raywalk.key("ctrl+o");
+    REQUIRE(raywalk.until("prompt", "open"));
+    raywalk.click("browser/scene.toml");
+    raywalk.click("browser-accept");
+    REQUIRE(raywalk.until("path", scene));
+    CHECK(raywalk.report()["objects"]["Polygon"]["plan"] != moved);
+
+    // Closing with unsaved work asks; cancelled, everything is as before.
+    raywalk.click("mode-move");
+    raywalk.click("add-light");
+    REQUIRE(raywalk.until("dirty", true));
+    raywalk.key("ctrl+q");
+    REQUIRE(raywalk.until("question", "unsaved"));
+    desktop.picture(picture("b-unsaved"));
+    raywalk.key("Escape");
+    REQUIRE(raywalk.until("question", ""));
+    CHECK(raywalk.report()["dirty"] == true);
+
+    // The autosave is written without being asked for.
+    REQUIRE(raywalk.until([&](const Json&) { return fs::exists(desktop.folder() / "state" / "autosave.toml"); }, 30));
+    kill(raywalk.id(), SIGKILL);
+    CHECK(raywalk.wait() == 128 + SIGKILL);
+  }
+  Visualiser raywalk(desktop, {scene});
+  INFO(raywalk.said());
+  REQUIRE(started(raywalk));
+  REQUIRE(raywalk.until("question", "recover"));
+  desktop.picture(picture("c-recover"));
+  raywalk.click("answer-0");
+  REQUIRE(raywalk.until("question", ""));
+  CHECK(raywalk.report()["dirty"] == true);
+  CHECK(raywalk.report()["lights"].size() == 2);
+
+  // Closing, and not saving: the file is as it was.
+  raywalk.key("ctrl+q");
+  REQUIRE(raywalk.until("question", "unsaved"));
+  raywalk.click("answer-1");
+  CHECK(raywalk.wait() == 0);
+  const auto untouched = read_scene(scene);
+  REQUIRE(untouched.has_value());
+  CHECK(untouched->scene.lights.size() == 1);
+  CHECK(raywalk.said() == "");
+}
+
+TEST_CASE("the window survives any size, and is idle when nothing happens", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  Visualiser raywalk(desktop, {own_classic(desktop), "--start-mode", "trace", "--start-position", "60"});
+  INFO(raywalk.said());
+  REQUIRE(started(raywalk));
+  for (const auto& [width, height] : {std::pair{"1", "1"}, {"20", "700"}, {"1200", "12"}, {"300", "200"}}) {
+    desktop.hand({"search", "--onlyvisible", "--class", "raywalk", "windowsize", width, height});
+    REQUIRE(raywalk.until([&](const Json& report) { return report["window"]["width"] == std::stof(width); }));
+    raywalk.key("Right");
+  }
+  desktop.hand({"search", "--onlyvisible", "--class", "raywalk", "windowsize", "1280", "720"});
+  REQUIRE(raywalk.until([](const Json& report) { return report["window"]["width"] == 1280; }));
+  CHECK(number(raywalk, "position") == 64);
+
+  // Until the 3-D image is done there is work to do.
+  REQUIRE(
+      raywalk.until([](const Json& report) { return report["image"]["finished"] && report["window"]["idle"]; }, 200));
+  desktop.hand({"sleep", "1"});
+  const double before = raywalk.processor_time();
+  constexpr double seconds = 4;
+  desktop.hand({"sleep", std::to_string(seconds)});
+  CHECK(raywalk.processor_time() - before < 0.01 * seconds + 0.011);  // one tick of the clock is 0.01 s
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+}
+
+TEST_CASE("what cannot be opened is said, with exit code 1", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(640, 480);
+  const std::string broken = (desktop.folder() / "broken.toml").string();
+  std::ofstream(broken) << "this is no scene";
+  Visualiser raywalk(desktop, {broken});
+  CHECK(raywalk.wait() == 1);
+  CHECK_THAT(raywalk.said(), contains("broken.toml"));
+}
+
+TEST_CASE("the program takes its own picture", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  const fs::path path = picture("d-own");
+  fs::create_directories(path.parent_path());
+  fs::remove(path);
+  Visualiser raywalk(desktop, {own_classic(desktop), "--screenshot", path.string(), "--start-mode", "trace",
+                               "--start-position", "-1", "--window", "640x480"});
+  REQUIRE(raywalk.wait(250) == 0);
+  CHECK(fs::file_size(path) > 10000);
+}
