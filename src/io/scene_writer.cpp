@@ -85,7 +85,7 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
       if (text && holds_scene(parse_scene(*text, ""))) return *text;
     }
   }
-  const std::string text = detail::section_text(now, "");
+  std::string text = detail::section_text(now, "");
   const auto written = parse_scene(text, "the scene to be written");
   if (!written) return tl::unexpected(written.error());
   if (!holds_scene(written))
