@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/scene_keys.h"
+#include "io/transform_words.h"
 #include "support/catch.h"
 #include "temporary_folder.h"
 
@@ -33,6 +34,15 @@ class KeyLister {
   void direction(std::string_view key, Vec3d& /*value*/, scene_keys::Presence /*presence*/) { add(key); }
   void attenuation(std::string_view key, Attenuation& /*value*/) { add(key); }
   void corners(std::string_view key, std::vector<Vec2d>& /*value*/) { add(key); }
+  void lengths(std::string_view key, Vec3d& /*value*/) { add(key); }
+  void limit(std::string_view key, double& /*value*/) { add(key); }
+  void points(std::string_view key, std::vector<Vec3d>& /*value*/) { add(key); }
+  void holes(std::string_view key, std::vector<std::vector<Vec3d>>& /*value*/) { add(key); }
+  void steps(std::string_view key, std::vector<TransformStep>& /*value*/) {
+    add(key);
+    for (const auto& step : detail::transform_words) words.insert(std::string(step.word));
+  }
+  void check(bool /*holds*/, std::string_view /*key*/, std::string_view /*message*/, std::string_view /*hint*/) {}
   template <class Value>
   void choice(std::string_view key, Value& /*value*/) {
     add(key);
