@@ -17,7 +17,9 @@ std::string_view kind_of(const PointLight& /*light*/) { return "point light"; }
 std::string_view kind_of(const DirectionalLight& /*light*/) { return "directional light"; }
 
 std::string count_of(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : what.ends_with('x') ? "es" : "s");
+  std::string words(what);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return fmt::format("{} {}{}", count, words, count == 1 ? "" : what.ends_with('x') ? "es" : "s");
 }
 
 /// "2 spheres, 1 plane", in the order in which the kinds first come.

@@ -9,6 +9,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace raywalk {
 
 namespace {
@@ -71,6 +74,33 @@ Timeline record(const StepOptions& options, const Scene& scene, ImageSize size) 
   return record_pixel(scene, size, pixel.column, pixel.row, how);
 }
 
+/// More would fill some half a gigabyte, and nobody's patience.
+constexpr double most_steps = 1'000'000;
+
+/// Records to the scene's depth. The tree of a pixel can double with every level, so a deep limit is approached in
+/// steps that cannot overshoot by much, and given up when there is no end in sight.
+Result<Timeline> record_within_reason(const StepOptions& options, const Scene& scene, ImageSize size) {
+  constexpr int harmless_depth = 5;
+  constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
+  Scene limited = scene;
+  limited.limits.depth = std::min(scene.limits.depth, harmless_depth);
+  for (;;) {
+    Timeline timeline = record(options, limited, size);
+    const bool cut_off = std::any_of(timeline.rays().begin(), timeline.rays().end(),
+                                     [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
+    if (!cut_off || limited.limits.depth == scene.limits.depth) return timeline;
+    const double room = std::log(most_steps / timeline.steps()) / std::log(worst_growth);
+    if (room < 1) {
+      return tl::unexpected(
+          Error{options.scene, 0, 0,
+                fmt::format("there are {} steps to depth {} already, too many to go on to depth {}", timeline.steps(),
+                            limited.limits.depth, scene.limits.depth),
+                fmt::format("go less deep with --depth {}, or only for one pixel with --pixel", limited.limits.depth)});
+    }
+    limited.limits.depth = std::min(scene.limits.depth, limited.limits.depth + static_cast<int>(room));
+  }
+}
+
 }  // namespace
 
 ExitCode step_command(const StepOptions& options) {
@@ -82,7 +112,9 @@ ExitCode step_command(const StepOptions& options) {
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
-  const Timeline timeline = record(options, scene, size);
+  const Result<Timeline> recorded = record_within_reason(options, scene, size);
+  if (!recorded) return fail(recorded.error());
+  const Timeline& timeline = *recorded;
   const auto printed = [&] {
     switch (options.format) {
       case StepFormat::text:

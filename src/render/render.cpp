@@ -60,10 +60,10 @@ class Reporter {
 /// `size` pixels, which are the image `whole` or a strip of it.
 template <class T>
 Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
+  Film<T> film(size);
   const auto build_start = Clock::now();
   const World<T> world(scene, settings.accelerator);
   const RayGenerator<T> camera(scene.camera, size, whole, settings.sampling);
-  Film<T> film(size);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);
   rendering.accelerator = world.accelerator.kind();
@@ -87,13 +87,16 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   // the thread that takes one can show in what comes out.
   const auto trace_tile = [&](int position) {
     Statistics statistics;
-    PixelBlock block = tiles.block(order[static_cast<std::size_t>(position)]);
+    const PixelBlock tile = tiles.block(order[static_cast<std::size_t>(position)]);
     const auto put = [&film](const Pixel& p, const Rgb<T>& shade) { film.add(p.column, p.row, p.sample, shade); };
-    const auto pixels = static_cast<std::uint64_t>(block.column_end - block.column_begin) *
-                        static_cast<std::uint64_t>(block.row_end - block.row_begin);
-    for (block.sample = 0; block.sample < settings.sampling.per_pixel && !cancelled(); ++block.sample) {
-      statistics += trace(world, camera, block, put);
-      reporter.report(std::min(almost, static_cast<double>(taken += pixels) / static_cast<double>(all)));
+    const auto columns = static_cast<std::uint64_t>(tile.column_end - tile.column_begin);
+    PixelBlock row = tile;  // a row at a time, to heed a cancel also where the rays of a single pixel are very many
+    for (row.sample = 0; row.sample < settings.sampling.per_pixel; ++row.sample) {
+      for (row.row_begin = tile.row_begin; row.row_begin < tile.row_end && !cancelled(); ++row.row_begin) {
+        row.row_end = row.row_begin + 1;
+        statistics += trace(world, camera, row, put);
+        reporter.report(std::min(almost, static_cast<double>(taken += columns) / static_cast<double>(all)));
+      }
     }
     const std::lock_guard lock(statistics_mutex);
     rendering.statistics += statistics;

@@ -79,6 +79,28 @@ TEST_CASE("step's JSON holds every step with its numbers and its sentence") {
   CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == timeline.steps() + 2);
 }
 
+TEST_CASE("a walk without end is refused, a deep one with an end is not") {
+  const Folder folder;
+  // Inside a glass ball in a glass ball every ray goes on as two, for ever.
+  const std::string camera = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n[screen]\ncells = 5\n";
+  const auto ball = [](const std::string& name, const std::string& radius, const std::string& material) {
+    return "[[object]]\nname = \"" + name + "\"\ntype = \"sphere\"\ncentre = [0.1, 0.2]\nradius = " + radius +
+           "\n[object.material]\ndiffuse = 0\n" + material;
+  };
+  const std::string glass = "reflection = 0.5\ntransmission = 0.5\n";
+  folder.write("balls.toml", camera + "[limits]\ndepth = 1000\n" + ball("A", "1", glass) + ball("B", "2", glass));
+  const Outcome endless = folder.run({"step", "balls.toml"});
+  CHECK(endless.exit_code == 1);
+  CHECK(endless.out == "");
+  CHECK_THAT(endless.err, contains("balls.toml: there are") && contains("--depth"));
+  CHECK(folder.run({"step", "balls.toml", "--depth", "4"}).exit_code == 0);
+
+  folder.write("mirror.toml", camera + "[limits]\ndepth = 300\n" + ball("A", "1", "reflection = 1\n"));
+  const Outcome deep = folder.run({"step", "mirror.toml"});
+  CHECK(deep.exit_code == 0);
+  CHECK_THAT(deep.out, contains("[300]") && !contains("[301]"));
+}
+
 TEST_CASE("a pixel that is not there is wrong use") {
   const Folder folder;
   const auto refused = [&](const std::vector<std::string>& words, const std::string& said) {
