@@ -114,7 +114,7 @@ std::optional<std::array<Vec2d, 3>> arrowhead(const LineItem& line) {
 
 double text_width(std::string_view text, double size) {
   const auto letters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
-  return 0.58 * size * static_cast<double>(letters);
+  return 0.5 * size * static_cast<double>(letters);
 }
 
 double distance_to(const DisplayItem& item, const Vec2d& at) {
