@@ -123,14 +123,17 @@ void Window::listen() {
     self.fast_keys_.push_back(self.keys_.back());
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { window_of(w)->happened_ = true; });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    Window& self = *window_of(w);
+    self.happened_ = true;
+    self.pointer_ = {static_cast<float>(x), static_cast<float>(y)};
+  });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) {
     Window& self = *window_of(w);
     self.happened_ = true;
-    double x = 0, y = 0;
-    glfwGetCursorPos(w, &x, &y);
-    self.button_places_.push_back({static_cast<float>(x), static_cast<float>(y)});
+    // Not glfwGetCursorPos: that is where the pointer is by now.
+    self.button_places_.push_back(self.pointer_);
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });

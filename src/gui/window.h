@@ -70,6 +70,7 @@ class Window {
   struct Place {
     float x, y;
   };
+  Place pointer_{-1, -1};  ///< after the last event
   std::vector<Place> button_places_;
   std::vector<KeyPress> fast_keys_;
   std::vector<int> held_keys_;
