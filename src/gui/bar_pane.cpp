@@ -136,14 +136,18 @@ void palette_pane(const Ui& ui, const Rect& where) {
       for (const Command command : adds) sum += button_width(ui, command, add) + ImGui::GetStyle().ItemSpacing.x;
       return sum;
     };
-    // In a narrow window first the letters shrink, then the icons go.
+    // In a narrow window first the letters shrink, then the icons go, then the space beside the words.
     if (width() > where.width) add.font = remove.font = ui.fonts.small;
     if (width() > where.width) add.icon = remove.icon = Icon::none;
+    const float less = std::max(width() - where.width, 0.0f) / static_cast<float>(adds.size() + 1);
+    const auto narrowed = [&](Command command, const ButtonLook& look) {
+      return ImVec2{std::max(button_width(ui, command, look) - less, 1.0f), height};
+    };
     for (const Command command : adds) {
-      command_button(ui, command, {0, height}, add);
+      command_button(ui, command, narrowed(command, add), add);
       ImGui::SameLine();
     }
-    command_button(ui, Command::remove, {0, height}, remove);
+    command_button(ui, Command::remove, narrowed(Command::remove, remove), remove);
   }
   end_pane();
 }

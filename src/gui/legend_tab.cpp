@@ -59,7 +59,8 @@ void legend_pane(const Ui& ui, const Rect& where) {
   if (begin_pane(ui, "legend", where, ui.colours.plan, ImGuiWindowFlags_NoScrollbar)) {
     push_font(ui.fonts.small);
     const Legend content = legend(ui.state);
-    const float height = line_height(ui.fonts, *ui.fonts.small), length = ui.px(34), gap = ui.px(7);
+    const float height = line_height(ui.fonts, *ui.fonts.small), gap = ui.px(7);
+    const float length = ui.px(where.width < ui.px(640) ? 24 : 34);
     float width = 0;
     for (const LegendRow& row : content.rays) width += length + gap + ImGui::CalcTextSize(row.name.c_str()).x;
     // Spread, but not too far; in a narrow window as close as they must be.

@@ -12,30 +12,46 @@ namespace raywalk {
 namespace {
 
 // Lengths at scale 1.
-constexpr float margin = 14, row_gap = 9, big = 46, small = 34, step_width = 106, speed_width = 124;
+constexpr float margin = 14, small = 34, step_width = 106, least_speed = 84, most_speed = 124, usual_gap = 20,
+                least_shrink = 0.6f;
 
+// What stands in which row. What does not fit beside the big buttons moves down: the grain into the row of the scrub
+// bar, and in a very narrow window both grain and speed into a row of their own. Before that the slider of the speed
+// and then the big buttons shrink. In a low window everything moves together.
 struct Rows {
   explicit Rows(const Ui& ui, float width) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    constexpr float low = 560;  // units at scale 1
+    const bool tight = ImGui::GetIO().DisplaySize.y < ui.px(low);
+    big = ui.px(tight ? 38 : 46);
+    gap = ui.px(tight ? 6 : 9);
+    top = ui.px(tight ? 5 : 8);
+    bottom = ui.px(tight ? 8 : margin);
+    const float space = ImGui::GetStyle().ItemSpacing.x;
     grain = ui.px(10);
     for (const Command command : {Command::grain_line, Command::grain_ray, Command::grain_pixel})
       grain += button_width(ui, command, {.look = Look::choice});
-    speed = ui.px(2 * small + speed_width) + 2 * gap;
-    transport = ui.px(big + 3 * step_width) + 3 * gap;
     inner = width - ui.px(2 * margin);
-    // What does not fit beside the big buttons moves down: the grain into the row of the scrub bar, and in a very
-    // narrow window both into a row of their own. Before that the big buttons shrink.
+    const float transport = big + ui.px(3 * step_width) + 3 * space, ends = ui.px(2 * small) + 2 * space;
+    speed = ends + ui.px(most_speed);
     beside = transport + grain + speed + ui.px(28) <= inner;
-    const float beside_speed = (inner - speed - ui.px(20)) / std::max(transport, 1.0f);
-    own_row = !beside && beside_speed < 0.75f;
-    shrink = beside ? 1.0f : std::clamp(own_row ? inner / std::max(transport, 1.0f) : beside_speed, 0.3f, 1.0f);
+    if (!beside) {
+      const float room = inner - least_shrink * transport - ui.px(usual_gap);
+      own_row = room < ends + ui.px(least_speed);
+      // In a row of its own the slider takes what is left of it, if that is enough to be of use.
+      const float left = own_row ? inner - grain - ui.px(usual_gap) : room;
+      speed = left < ends + ui.px(least_speed) ? ends - space : std::min(left, speed);
+      grain = own_row ? std::min(grain, inner - speed - ui.px(4)) : grain;
+      shrink = (inner - (own_row ? 0 : speed + ui.px(usual_gap))) / std::max(transport, 1.0f);
+      shrink = std::clamp(shrink, 0.3f, 1.0f);
+    }
+    slider = std::max(speed - ends, 0.0f);
     sentence = 2 * line_height(ui.fonts, *ui.fonts.text) + ui.px(6);
     scrub = beside ? ui.px(26) : ui.px(small);
-    height = ui.px(margin + 8) + sentence + ui.px(row_gap) + ui.px(big) + ui.px(row_gap) +
-             (own_row ? ui.px(small + row_gap) : 0) + scrub;
+    height = top + sentence + gap + big + gap + (own_row ? ui.px(small) + gap : 0) + scrub + bottom;
   }
-  float grain, speed, transport, inner, shrink, sentence, scrub, height;
-  bool beside, own_row;
+  float big, gap, top, bottom, grain, speed, slider, inner, sentence, scrub, height;
+  float shrink = 1;
+  bool beside, own_row = false;
 };
 
 // A bar to drag along, `fraction` of it filled; where it was dragged to, if it was.
@@ -66,25 +82,27 @@ std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float
   return std::clamp((ImGui::GetIO().MousePos.x - least.x) / extent.x, 0.0f, 1.0f);
 }
 
-void speed_control(const Ui& ui) {
+void speed_control(const Ui& ui, const Rows& rows) {
   const ButtonLook minus{.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false};
   const ButtonLook plus{.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false};
   command_button(ui, Command::slower, {ui.px(small), ui.px(small)}, minus);
   ImGui::SameLine();
-  // Every doubling of the speed is as long on the slider.
-  const double range = std::log(max_speed / min_speed);
-  const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
-  const std::string value = std::string(text(TextId::speed)) + " " + number_text(ui.state.lines_per_second) + "/s";
-  if (const auto to = slider(ui, "speed", {ui.px(speed_width), ui.px(small)}, static_cast<float>(fraction), value)) {
-    const double speed = min_speed * std::exp(static_cast<double>(*to) * range);
-    // Round numbers: whole ones from 2 on, quarters below.
-    const double neat = speed >= 20  ? std::round(speed / 10) * 10
-                        : speed >= 2 ? std::round(speed)
-                                     : std::round(speed * 4) / 4;
-    if (neat != ui.state.lines_per_second) ui.act(action::SetSpeed{neat});
+  if (rows.slider > 0) {
+    // Every doubling of the speed is as long on the slider.
+    const double range = std::log(max_speed / min_speed);
+    const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
+    const std::string value = std::string(text(TextId::speed)) + " " + number_text(ui.state.lines_per_second) + "/s";
+    if (const auto to = slider(ui, "speed", {rows.slider, ui.px(small)}, static_cast<float>(fraction), value)) {
+      const double speed = min_speed * std::exp(static_cast<double>(*to) * range);
+      // Round numbers: whole ones from 2 on, quarters below.
+      const double neat = speed >= 20  ? std::round(speed / 10) * 10
+                          : speed >= 2 ? std::round(speed)
+                                       : std::round(speed * 4) / 4;
+      if (neat != ui.state.lines_per_second) ui.act(action::SetSpeed{neat});
+    }
+    tooltip(ui, "speed", std::string(words::speed_hint));
+    ImGui::SameLine();
   }
-  tooltip(ui, "speed", std::string(words::speed_hint));
-  ImGui::SameLine();
   command_button(ui, Command::faster, {ui.px(small), ui.px(small)}, plus);
 }
 
@@ -151,19 +169,26 @@ void transport_pane(const Ui& ui, const Rect& where) {
   if (visible) {
     const Rows rows(ui, where.width);
     const float left = where.x + ui.px(margin);
-    float y = where.y + ui.px(8);
+    float y = where.y + rows.top;
     ImGui::SetCursorScreenPos({left, y});
     ImGui::PushTextWrapPos(where.width - ui.px(margin));
-    label(ui.colours.text, sentence(ui.state));
+    // A long one in a narrow window is written smaller, and clipped if that does not help.
+    const std::string said = sentence(ui.state);
+    const float tall = ImGui::CalcTextSize(said.c_str(), nullptr, false, rows.inner).y;
+    push_font(tall > rows.sentence ? ui.fonts.small : ui.fonts.text);
+    ImGui::PushClipRect({where.x, y}, {where.right(), y + rows.sentence}, true);
+    label(ui.colours.text, said);
+    ImGui::PopClipRect();
+    pop_font();
     ui.publish("sentence");
     ImGui::PopTextWrapPos();
-    y += rows.sentence + ui.px(row_gap);
+    y += rows.sentence + rows.gap;
 
-    const ImVec2 step{ui.px(step_width) * rows.shrink, ui.px(big)};
+    const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};
     ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
     const bool playing = ui.state.playing;
     ImGui::SetCursorScreenPos({left, y});
-    command_button(ui, Command::step_back, {ui.px(big) * rows.shrink, step.y},
+    command_button(ui, Command::step_back, {rows.big * rows.shrink, step.y},
                    {.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false});
     ImGui::SameLine();
     command_button(ui, Command::step, step,
@@ -174,12 +199,12 @@ void transport_pane(const Ui& ui, const Rect& where) {
     ImGui::SameLine();
     command_button(ui, Command::clear, step, {.look = Look::plain, .icon = Icon::none, .font = font});
 
-    const float second = y + ui.px(big + row_gap), third = second + (rows.own_row ? ui.px(small + row_gap) : 0);
-    const float centred = y + ui.px((big - small) / 2), speed_x = left + rows.inner - rows.speed;
+    const float second = y + rows.big + rows.gap, third = second + (rows.own_row ? ui.px(small) + rows.gap : 0);
+    const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
     ImGui::SetCursorScreenPos({rows.beside ? speed_x - rows.grain - ui.px(4) : left, rows.beside ? centred : second});
-    choice(ui, {Command::grain_line, Command::grain_ray, Command::grain_pixel}, ui.px(small));
+    choice(ui, {Command::grain_line, Command::grain_ray, Command::grain_pixel}, ui.px(small), nullptr, rows.grain);
     ImGui::SetCursorScreenPos({speed_x, rows.own_row ? second : centred});
-    speed_control(ui);
+    speed_control(ui, rows);
     scrub_row(ui, rows, {left, third});
   }
   end_pane();

@@ -12,7 +12,8 @@ namespace raywalk {
 namespace {
 
 // Lengths at scale 1.
-constexpr float node_radius = 14, least_column = 34, most_column = 140, least_level = 46, most_level = 96;
+constexpr float least_radius = 8, most_radius = 14, least_column = 22, most_column = 140, least_level = 30,
+                most_level = 96;
 
 Vec2d to_view(ImVec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -51,11 +52,16 @@ void draw_text(const Ui& ui, ImFont* font, ImVec2 middle, Colour colour, const s
   pop_font();
 }
 
+// Distances between neighbours and the size of a node, in units.
+struct Spacing {
+  float column, level, radius;
+};
+
 // A disc in the colour that came back, ringed in the colour of the ray's kind; a stub is a square, what is still to
 // come an outline.
-void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, float column, float level) {
+void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float r = ui.px(node_radius);
+  const float r = spacing.radius;
   const ImU32 ring = to_imgui(node.future ? ui.colours.dim_text.with_alpha(130) : node.colour);
   if (node.current || node.hovered)
     draw.AddCircleFilled(at, r + ui.px(5),
@@ -70,8 +76,14 @@ void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, float column, floa
     draw.AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, ring, ui.px(2), 0,
                  ui.px(node.future ? 1.2f : 2.4f));
   }
-  draw_text(ui, ui.fonts.strong, at, node.returned ? contrasting(ground) : ui.colours.text, node.symbol, 2 * r);
-  if (node.future || ((column < ui.px(64) || level < ui.px(60)) && !node.current && !node.hovered)) return;
+  draw_text(ui, r < ui.px(12) ? ui.fonts.small : ui.fonts.strong, at,
+            node.returned ? contrasting(ground) : ui.colours.text, node.symbol, 2 * r);
+}
+
+// What it met, below it, where there is room; the one that matters has it always.
+void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing) {
+  const float r = spacing.radius, column = spacing.column;
+  if (node.future || ((column < ui.px(64) || spacing.level < ui.px(58)) && !node.current && !node.hovered)) return;
   draw_text(ui, ui.fonts.small, {at.x, at.y + r + ui.px(12)}, ui.colours.dim_text, node.label,
             node.current || node.hovered ? ui.px(200) : column - ui.px(6), ui.colours.panel.with_alpha(200));
 }
@@ -96,17 +108,18 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
     const float margin = ui.px(10);
     const float column = std::clamp((where.width - 2 * margin) / columns, ui.px(least_column), ui.px(most_column));
     const float level = std::clamp(where.height / levels, ui.px(least_level), ui.px(most_level));
+    const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(most_radius));
     const float width = column * columns + 2 * margin, height = level * levels;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float indent = std::max((where.width - width) / 2, 0.0f) + margin + column / 2;
     const auto place = [&](const TreeNode& node) {
       return ImVec2{origin.x + indent + static_cast<float>(node.x) * column,
-                    origin.y + ui.px(node_radius + 8) + static_cast<float>(node.y) * level};
+                    origin.y + radius + ui.px(7) + static_cast<float>(node.y) * level};
     };
     for (const TreeNode& node : tree.nodes) {
       if (node.parent >= 0) draw_link(ui, node, place(tree.nodes[static_cast<std::size_t>(node.parent)]), place(node));
     }
-    const float r = ui.px(node_radius + 4);
+    const float r = radius + ui.px(3);
     for (const TreeNode& node : tree.nodes) {
       const ImVec2 at = place(node);
       const std::string name = "node-" + std::to_string(node.ray);
@@ -117,13 +130,14 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
       }
       ui.publish(name);
-      draw_node(ui, node, at, column, level);
+      draw_node(ui, node, at, {column, level, radius});
       if (node.current && centred_on != node.ray) {
         centred_on = node.ray;
         ImGui::SetScrollX(std::max(at.x - origin.x - where.width / 2, 0.0f));
         ImGui::SetScrollY(std::max(at.y - origin.y - where.height / 2, 0.0f));
       }
     }
+    for (const TreeNode& node : tree.nodes) draw_label(ui, node, place(node), {column, level, radius});
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({width, height});
   }
