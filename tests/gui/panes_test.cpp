@@ -21,6 +21,17 @@ State at(int position, Mode mode = Mode::trace) {
   return state;
 }
 
+// Where a SHADE that another one called has just formed a ray.
+State deep() {
+  State state = classic();
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    const Event& event = *state.timeline->just_run(position);
+    if (event.depth >= 2 && std::holds_alternative<RayFormed>(event.detail)) return at(position);
+  }
+  FAIL("the classic scene has no ray of a second SHADE");
+  return state;
+}
+
 // Where a point of the scene stands in the window.
 ImVec2 in_window(const Bench& bench, const Vec2d& point) {
   const Vec2d pixels = to_pixels(bench.state.camera, bench.state.viewport, point);
@@ -162,11 +173,11 @@ TEST_CASE("a click near the middle row of the 3-D image goes to that cell, elsew
 }
 
 TEST_CASE("the tree's nodes light their rays up and go to their steps") {
-  Bench bench(at(120));
+  Bench bench(deep());
   update(bench.state, action::SetTab{Tab::tree});
   bench.frames(3);
   const TreePanel tree = tree_panel(bench.state);
-  REQUIRE(tree.nodes.size() > 3);
+  REQUIRE(tree.nodes.size() > 2);
   const int ray = tree.nodes[1].ray;
   const std::string node = "node-" + std::to_string(ray);
   // The tree may have been scrolled to where the walk stands: exchanged with the plan it has room for all.
@@ -181,7 +192,7 @@ TEST_CASE("the tree's nodes light their rays up and go to their steps") {
 }
 
 TEST_CASE("a call of the stack lights its ray up") {
-  Bench bench(at(120));
+  Bench bench(deep());
   update(bench.state, action::SetTab{Tab::stack});
   bench.frames(3);
   const StackPanel stack = stack_panel(bench.state);
