@@ -62,6 +62,13 @@ template <class T>
   return v / length(v);
 }
 
+/// v, whose length is 1 but for a few roundings, brought back to 1: one step of Newton's method for 1 / length(v). No
+/// root and no division, for the directions that each reflection and refraction derives from unit vectors.
+template <class T>
+[[nodiscard]] constexpr Vec3<T> renormalize(const Vec3<T>& v) {
+  return (T(1.5) - T(0.5) * dot(v, v)) * v;
+}
+
 template <class T>
 [[nodiscard]] constexpr T max_component(const Vec3<T>& v) {
   return v.x > v.y ? (v.x > v.z ? v.x : v.z) : (v.y > v.z ? v.y : v.z);

@@ -30,7 +30,8 @@ template <class T, class Explain = NoExplanation>
 
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray, Crossing<T> crossing) {
-  const Vec3<T> normal = normalize(plane.normal);
+  const T square = dot(plane.normal, plane.normal);
+  const Vec3<T> normal = square == 1 ? plane.normal : plane.normal / std::sqrt(square);  // most are given as units
   const Vec3<T> position = ray.at(crossing.t);
   return {position - dot(position - plane.point, normal) * normal, normal};
 }

@@ -86,12 +86,14 @@ std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray,
   } else {
     const double r2 = radius * radius;
     const double oo = dot(o, o);
-    const Vec3d oxd = cross(o, d);
-    const double discriminant = a * r2 - dot(oxd, oxd);
-    c = oo - r2;
     // The discriminant is wrong by at most about 20 a size ulp; c by 5 size ulp, and must keep half of its digits.
     constexpr double sign_bound = 32 * 1.1102230246251565e-16, digits_bound = 1e-8;
     const double size = oo + r2;
+    c = oo - r2;
+    // From outside and away: both roots, if any, lie behind. (Nobody asks for them unless they are explained.)
+    if (!std::decay_t<Explain>::wanted && b > 0 && c > digits_bound * size) return std::nullopt;
+    const Vec3d oxd = cross(o, d);
+    const double discriminant = a * r2 - dot(oxd, oxd);
     if (std::abs(discriminant) <= sign_bound * a * size || std::abs(c) <= digits_bound * size) {
       roots = detail::sphere_roots_exactly(origin, d, centre, radius);
     } else if (discriminant < 0) {

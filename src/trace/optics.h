@@ -2,6 +2,7 @@
 
 #include "math/vec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -28,7 +29,7 @@ struct Refraction {
 template <class T>
 [[nodiscard]] Refraction<T> refraction_at(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal, T n1, T n2) {
   const T eta = n1 / n2;
-  const T cos_in = std::fmin(T(1), std::fmax(T(0), -dot(unit_incident, facing_normal)));
+  const T cos_in = std::clamp(-dot(unit_incident, facing_normal), T(0), T(1));
   // 1 - eta^2 (1 - cos^2) without the cancellation near eta = 1 and near the critical angle.
   const T k = (1 - eta) * (1 + eta) + (eta * cos_in) * (eta * cos_in);
   if (k < 0) return {eta, cos_in, k, 0, 1};

@@ -3,6 +3,7 @@
 
 #include "trace/tracer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -35,7 +36,8 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
 
 template <class T>
 bool even_square(const Vec2<T>& uv, T size) {
-  return std::fmod(std::floor(uv.x / size) + std::floor(uv.y / size), T(2)) == 0;
+  const T half = (std::floor(uv.x / size) + std::floor(uv.y / size)) / 2;
+  return std::floor(half) == half;
 }
 
 }  // namespace detail
@@ -116,14 +118,15 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
   const Surface& surface = world_.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
   const bool entering = dot(point.normal, ray.ray.direction) <= 0;  // 0: a tangent ray, which touches from outside
-  Shading at{{hit.primitive, hit.part},
-             point.position,
-             entering ? point.normal : -point.normal,
-             &surface,
-             surface.ambient,
-             surface.diffuse,
-             surface.reflection,
-             surface.transmission};
+  Shading at;
+  at.departure = {hit.primitive, hit.part};
+  at.position = point.position;
+  at.normal = entering ? point.normal : -point.normal;
+  at.surface = &surface;
+  at.ambient = surface.ambient;
+  at.diffuse = surface.diffuse;
+  at.reflection = surface.reflection;
+  at.transmission = surface.transmission;
   if constexpr (Policy::effects.textures) {
     if (surface.checker) {
       const bool even = detail::even_square(primitives.uv_at(hit.primitive, point, hit.part), surface.checker->size);
@@ -233,14 +236,14 @@ void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& 
   if (is_black(visible)) return add_unlit(direct, lamp);
   const T distance = lamp.directional ? T(1) : length(shadow.direction);
   const T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
-  const Rgb<T> light = visible * lamp.strength / attenuation;
-  const Vec3<T> l = shadow.direction / distance;
+  const Rgb<T> light = visible * lamp.strength * (1 / attenuation);
+  const Vec3<T> l = shadow.direction * (1 / distance);
   const T n_l = dot(at.normal, l);
   Rgb<T> specular{0};
   if (!is_black(at.surface->specular)) {
     // Blinn's half vector, between the light and the eye of this ray.
     const Vec3<T> h = l - ray.ray.direction;
-    const T n_h = std::fmax(T(0), dot(at.normal, h) / length(h));
+    const T n_h = std::max(dot(at.normal, h) / length(h), T(0));
     specular = light * at.surface->specular * std::pow(n_h, at.surface->shininess);
   }
   direct.add(lamp, light * at.diffuse * n_l, specular);
@@ -267,14 +270,14 @@ bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
 
 template <class Policy>
 auto Tracer<Policy>::form_reflect_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
-  const Vec3<T> direction = normalize(reflect(ray.ray.direction, at.normal));
+  const Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.normal));
   return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection);
 }
 
 template <class Policy>
 auto Tracer<Policy>::form_refract_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
-  const Vec3<T> direction = normalize(*refract(ray.ray.direction, at.normal, at.refraction));
+  const Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
   return form_secondary_ray(Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission);
 }
 

@@ -30,6 +30,19 @@ TEMPLATE_TEST_CASE("lengths and unit vectors", "", float, double) {
   CHECK(normalize(V(TestType(0.1), TestType(-0.7), 0)).z == 0);
 }
 
+TEMPLATE_TEST_CASE("one step brings a length of nearly 1 back to 1", "", float, double) {
+  using T = TestType;
+  const T eps = std::numeric_limits<T>::epsilon();
+  for (int i = 1; i < 200; ++i) {
+    const T angle = static_cast<T>(i) / 7;
+    const Vec3<T> unit = normalize(Vec3<T>(std::cos(angle), std::sin(angle), std::sin(3 * angle)));
+    for (const T off : {-64 * eps, -3 * eps, T(0), eps, 64 * eps})
+      if (std::abs(length(renormalize((1 + off) * unit)) - 1) > 3 * eps) FAIL("at " << i << ", off by " << off);
+  }
+  CHECK(renormalize(Vec3<T>(0, 1, 0)) == Vec3<T>(0, 1, 0));
+  CHECK(renormalize(Vec3<T>(T(0.3), T(0.2), 0)).z == 0);
+}
+
 TEMPLATE_TEST_CASE("components and tests of vectors", "", float, double) {
   using V = Vec3<TestType>;
   CHECK(max_component(V(1, 2, 3)) == 3);
