@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -44,9 +46,19 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const std::string where = folder.string(), out = out_.string(), err = err_.string();
+  // Closed by exec: until then the child still is a copy of this program, with the test framework's signal handlers.
+  std::array<int, 2> begun{};
+  REQUIRE(pipe2(begun.data(), O_CLOEXEC) == 0);
   id_ = fork();
   REQUIRE(id_ >= 0);
-  if (id_ > 0) return;
+  if (id_ > 0) {
+    close(begun[1]);
+    char byte = 0;
+    while (::read(begun[0], &byte, 1) < 0 && errno == EINTR) {
+    }
+    close(begun[0]);
+    return;
+  }
   const auto redirect = [](int descriptor, const char* path, int flags) {
     const int file = open(path, flags, 0600);
     if (file < 0 || dup2(file, descriptor) < 0) _exit(126);
