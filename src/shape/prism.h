@@ -131,7 +131,8 @@ SideCrossings<T> cross_sides(const Prism<T>& prism, const Vec2<T>& o, const Vec2
       // loses digits when the edge is short and far. Its sign, though, is that of the difference.
       const Vec2<T> edge = prism.edge(i);
       const T rate = cross(d, edge), difference = next_side - side;
-      const T above = cross(prism.corner(i) - o, edge), below = rate * difference > 0 ? rate : difference;
+      const bool agree = rate != 0 && (rate > 0) == (difference > 0);
+      const T above = cross(prism.corner(i) - o, edge), below = agree ? rate : difference;
       const T t = departed_part == i ? T(0) : above / below;
       if (t <= start) {
         crossings.inside = !crossings.inside;

@@ -220,3 +220,36 @@ TEST_CASE("random scenes of everything, thrown together") {
     trace_cleanly("round " + std::to_string(round), scene);
   }
 }
+
+TEST_CASE("random scenes of lengths from 1e-15 to 1e15, all that the reader lets pass") {
+  Numbers next(78);
+  for (int round = 0; round < 300; ++round) {
+    Scene scene = busy_scene();
+    const std::vector<Object> kinds = scene.objects;
+    scene.objects.clear();
+    // Some scenes have one scale, some have all of them.
+    const int scale = next.integer(-15, 15), spread = round % 3 == 0 ? 30 : round % 3;
+    const auto size = [&] { return std::pow(10.0, std::clamp(scale + next.integer(-spread, spread), -15, 15)); };
+    const auto place = [&] { return Vec3d(next.real() * size(), next.real() * size(), next.real() * size()); };
+    for (int i = 0; i < 8; ++i) {
+      Object one = kinds[static_cast<std::size_t>(next.integer(0, 5))];
+      one.name += std::to_string(i);
+      if (auto* ball = std::get_if<Sphere<double>>(&one.shape)) *ball = {place(), size()};
+      if (auto* plane = std::get_if<Plane<double>>(&one.shape)) *plane = {place(), place()};
+      if (auto* prism = std::get_if<Prism<double>>(&one.shape)) {
+        const Vec2d at = plan(place());
+        const double s = size();
+        prism->corners = {at, at + s * Vec2d(1, 0), at + s * Vec2d(1, 1.5), at + s * Vec2d(0.5, 0.5)};
+        prism->height = size();
+        if (!why_not_polygon(prism->corners).empty()) continue;
+      }
+      if (i == 0) scene.camera.look_at = i % 2 ? place() : Vec3d(next.real() * size(), next.real() * size(), 0);
+      scene.objects.push_back(one);
+    }
+    scene.camera.eye = scene.camera.look_at + Vec3d(size(), size(), 0);
+    if (scene.camera.eye == scene.camera.look_at) continue;
+    light(scene) = place();
+    std::get<PointLight>(scene.lights[0].kind).attenuation = {0, 0, next.real(0.1, 1)};
+    trace_cleanly("round " + std::to_string(round), scene);
+  }
+}
