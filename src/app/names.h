@@ -4,8 +4,6 @@
 #include "accel/accelerator.h"
 #include "trace/kernel.h"
 
-#include <array>
-#include <optional>
 #include <string_view>
 
 namespace raywalk {

@@ -84,8 +84,7 @@ TEMPLATE_TEST_CASE("the comparison of strip and row can fail", "", float, double
         0);
   CHECK(cells_that_differ(strip_of<TestType>(scene, {3 * cells, 4}), image_of_size<TestType>(scene, {3 * cells, 4})) >
         0);
-  // A scene that is not planar: its middle row sees the strip's pixels all the same, from the same camera, but one
-  // whose eye is moved does not.
+  // From an eye above the plan the row sees something else.
   Scene raised = scene;
   raised.camera.eye.z = 0.25;
   CHECK_FALSE(is_planar(raised));
