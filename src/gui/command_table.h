@@ -212,7 +212,12 @@ inline constexpr std::array<CommandRow, command_count> command_table{{
      "Usual size",
      "letters and buttons as they were at first",
      {{{GLFW_KEY_0, true}, {GLFW_KEY_KP_0, true}}}},
-    {Command::exchange, "exchange", {}, "Exchange", "let the plan and this pane change places", {{{GLFW_KEY_X}}}},
+    {Command::exchange,
+     "exchange",
+     {},
+     "Swap plan and pane",
+     "let the plan and this pane change places",
+     {{{GLFW_KEY_X}}}},
     {Command::full_screen, "full-screen", {}, "Full screen", "fill the screen, or no longer", {{{GLFW_KEY_F11}}}},
     {Command::menu, "menu", {}, "Menus", "open the menus; arrows and Enter choose", {{{GLFW_KEY_F10}}}},
 }};

@@ -45,12 +45,7 @@ void draw_handles(Painter& painter) {
   const Scene& scene = painter.scene();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const int index = static_cast<int>(i);
-    const auto concerns = [&](const Target& target) {
-      const bool of_object = target.kind == TargetKind::object || target.kind == TargetKind::radius ||
-                             target.kind == TargetKind::corner || target.kind == TargetKind::edge ||
-                             target.kind == TargetKind::rotation;
-      return of_object && target.index == index;
-    };
+    const auto concerns = [&](const Target& target) { return belongs_to_object(target) && target.index == index; };
     if (scene.objects.size() > few_objects && !concerns(painter.state.selected) && !concerns(painter.state.hovered))
       continue;
     if (!scene.objects[i].transform.empty()) continue;  // its own handles are not where it is

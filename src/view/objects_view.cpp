@@ -113,12 +113,17 @@ Colour body_colour(const Scene& scene, const Material& material) {
 }
 
 void draw_objects(Painter& painter) {
-  for (std::size_t i = 0; i < painter.scene().objects.size(); ++i) {
-    const Object& object = painter.scene().objects[i];
-    const Target target{TargetKind::object, static_cast<int>(i)};
-    const Colour body = body_colour(painter.scene(), object.material);
-    draw_object(painter, object, target, body);
-  }
+  const auto& objects = painter.scene().objects;
+  const auto draw = [&](int index) {
+    const Object& object = objects[static_cast<std::size_t>(index)];
+    draw_object(painter, object, {TargetKind::object, index}, body_colour(painter.scene(), object.material));
+  };
+  // In Move the selected one lies on top, so that what was dropped onto another can be taken up again.
+  const bool moving = painter.state.mode == Mode::move;
+  const int on_top = moving && belongs_to_object(painter.state.selected) ? painter.state.selected.index : -1;
+  for (int index = 0; index < static_cast<int>(objects.size()); ++index)
+    if (index != on_top) draw(index);
+  if (on_top >= 0) draw(on_top);
 }
 
 void draw_grid(Painter& painter) {

@@ -41,6 +41,11 @@ Vec2d centroid(const Prism<double>& prism) {
   return base + (sound ? centre : sum / static_cast<double>(prism.sides()));
 }
 
+bool belongs_to_object(const Target& target) {
+  return target.kind == TargetKind::object || target.kind == TargetKind::radius || target.kind == TargetKind::corner ||
+         target.kind == TargetKind::edge || target.kind == TargetKind::rotation;
+}
+
 std::optional<Bounds<double>> footprint_of(const Object& object) {
   const Bounds<double> box = image_of(affine_of(object.transform), bounds(object.shape));
   if (box.empty() || !box.bounded()) return std::nullopt;

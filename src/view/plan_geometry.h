@@ -24,6 +24,9 @@ struct ScreenPlace {
 /// Centre of the area of a simple polygon.
 [[nodiscard]] Vec2d centroid(const Prism<double>& prism);
 
+/// A body or one of its handles: `target.index` is then an object's.
+[[nodiscard]] bool belongs_to_object(const Target& target);
+
 /// The box of an object, its transform applied; none when it is empty or without end.
 [[nodiscard]] std::optional<Bounds<double>> footprint_of(const Object& object);
 

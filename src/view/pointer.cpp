@@ -39,11 +39,6 @@ Target selection_of(const Target& target, Mode mode) {
   return {};
 }
 
-bool belongs_to_object(const Target& target) {
-  return target.kind == TargetKind::object || target.kind == TargetKind::radius || target.kind == TargetKind::corner ||
-         target.kind == TargetKind::edge || target.kind == TargetKind::rotation;
-}
-
 /// The scene that a grip leads to, if it can be saved; else says why not.
 std::optional<Scene> checked(State& state, const Grip& grip) {
   std::optional<Scene> next = dragged(grip);

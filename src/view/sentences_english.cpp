@@ -104,7 +104,7 @@ std::string_view template_of(MessageId id) {
     case MessageId::reflective:
       return "{0} reflects with weight {1}, so a reflect ray will be formed.";
     case MessageId::reflective_totally:
-      return "Total internal reflection: {0} reflects everything here, with weight {1}.";
+      return "Total internal reflection: no light leaves {0} here, so the reflect ray gets both shares, weight {1}.";
     case MessageId::not_reflective:
       return "{0} does not reflect here: these lines are skipped.";
     case MessageId::reflect_formed:

@@ -1,6 +1,8 @@
 #include "view/panels.h"
 #include "view/text.h"
 
+#include <vector>
+
 namespace raywalk {
 
 namespace {
@@ -64,7 +66,12 @@ StackPanel stack_panel(const State& state) {
   // What the row below the present one waits for; the innermost call waits for nothing, it works.
   std::optional<RayKind> waits_for;
   const auto waiting = [&] { return waits_for ? str(returns(*waits_for).waiting) : at; };
-  for (const int call : timeline.stack(state.position)) {
+  // The call that has just computed its shade is still shown, at the moment of handing it over.
+  std::vector<int> calls = timeline.stack(state.position);
+  const Event* ran = timeline.just_run(state.position);
+  const bool returning = ran != nullptr && ran->line == Line::compute_rtnshade;
+  if (returning) calls.insert(calls.begin(), timeline.current_frame(state.position));
+  for (const int call : calls) {
     const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(call)];
     const RayRecord& ray = ray_of(timeline, frame.ray);
     StackRow row;
@@ -72,10 +79,11 @@ StackPanel stack_panel(const State& state) {
     row.ray = ray_text(state, ray);
     row.ray_index = frame.ray;
     if (ray.object >= 0) row.object = state.scene().objects[static_cast<std::size_t>(ray.object)].name;
-    row.waiting = waiting();
+    const bool returns_now = returning && call == calls.front();
+    row.waiting = returns_now ? fill(TextId::stack_returns, {colour_text(frame.returned)}) : waiting();
     for (int i = range.first; i < std::min(range.last, formed); ++i)
       if (ray_of(timeline, i).parent == frame.ray) add_returned(state, i, row.returned);
-    waits_for = ray.kind;
+    if (!returns_now) waits_for = ray.kind;
     panel.rows.push_back(std::move(row));
   }
   StackRow main;

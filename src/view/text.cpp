@@ -55,8 +55,10 @@ std::string percent_text(double share) {
 }
 
 std::string colour_text(const Rgbd& c) {
-  if (c.x == c.y && c.y == c.z) return number_text(c.x);
-  return "(" + number_text(c.x) + ", " + number_text(c.y) + ", " + number_text(c.z) + ")";
+  // What no display could show is no number worth reading out.
+  const auto part = [](double value) { return number_text(value < 5e-5 ? 0 : value); };
+  if (c.x == c.y && c.y == c.z) return part(c.x);
+  return "(" + part(c.x) + ", " + part(c.y) + ", " + part(c.z) + ")";
 }
 
 std::string sentence_of(const Message& message) {

@@ -133,7 +133,8 @@ enum class TextId {
   // Panels.
   depth_badge,  ///< {0} depth
   stack_main,
-  stack_shade,  ///< {0} depth
+  stack_shade,    ///< {0} depth
+  stack_returns,  ///< {0} RTNSHADE
   stack_primary_ray,
   stack_ray_from,  ///< {0} ray kind, {1} object
   waits_final,     ///< MAIN ALGORITHM waits for a SHADE

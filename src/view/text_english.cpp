@@ -228,6 +228,8 @@ std::string_view text(TextId id) {
       return "MAIN ALGORITHM";
     case TextId::stack_shade:
       return "SHADE (DEPTH {0})";
+    case TextId::stack_returns:
+      return "returns {0}";
     case TextId::stack_primary_ray:
       return "primary ray of pixel {0}";
     case TextId::stack_ray_from:

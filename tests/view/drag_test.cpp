@@ -317,3 +317,16 @@ TEST_CASE("a resized pane stays fitted until it is zoomed by hand") {
     CHECK(broken_promise(state) == "");
   }
 }
+
+TEST_CASE("what was dropped onto another body can be taken up again") {
+  State state = classic_state();
+  const int glass = index_of_object(state.scene(), "Transparent Sphere");
+  const int polygon = index_of_object(state.scene(), "Polygon");
+  const Vec2d onto = pixels_of(state, {TargetKind::object, polygon});
+  drag(state, pixels_of(state, {TargetKind::object, glass}), onto);
+  CHECK(pick(state, state.viewport, onto) == Target{TargetKind::object, glass});
+  const Scene covered = state.scene();
+  drag(state, onto, onto - Vec2d(150, 0));
+  CHECK(state.scene().objects[static_cast<std::size_t>(polygon)] == covered.objects[static_cast<std::size_t>(polygon)]);
+  CHECK(state.scene().objects[static_cast<std::size_t>(glass)] != covered.objects[static_cast<std::size_t>(glass)]);
+}

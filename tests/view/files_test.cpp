@@ -349,3 +349,14 @@ TEST_CASE("appearance and talk") {
   update(state, action::Quit{});
   CHECK(state.quit);
 }
+
+TEST_CASE("an edit that was undone leaves nothing to recover") {
+  TemporaryFolder folder;
+  State state = make_state(read_document(shipped_scenes().front()), shipped_scenes().front(), folder.path());
+  update(state, action::AddObject{action::ObjectKind::light});
+  update(state, action::Tick{autosave_every + 1});
+  REQUIRE(std::filesystem::exists(folder.file("autosave.toml")));
+  update(state, action::Undo{});
+  REQUIRE_FALSE(state.dirty);
+  CHECK_FALSE(std::filesystem::exists(folder.file("autosave.toml")));
+}
