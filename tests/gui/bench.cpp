@@ -20,6 +20,7 @@ Bench::Bench(State initial, float width, float height)
   io.DisplaySize = {width, height};
   io.DeltaTime = 1.0f / 60;
   io.ConfigInputTextCursorBlink = false;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as the window's, which draws more than 65,536 vertices
   // Any face will do, and ImGui's own is the same on every machine.
   fonts_ = build_fonts(*io.Fonts, {}, 1, 1);
 #if IMGUI_VERSION_NUM >= 19200
