@@ -30,7 +30,8 @@ TEMPLATE_TEST_CASE("a prism answers as its faces do one by one", "", float, doub
 TEMPLATE_TEST_CASE("no ray leaks out of a closed prism", "", float, double) {
   using T = TestType;
   const double scale = GENERATE(1e-6, 1.0, 1e9);
-  const double shift = GENERATE(0.0, 1e3);
+  const double shift = GENERATE(0.0, 1e3, 1e9);  // in units of the scale
+  if (sizeof(T) == 4 && shift > 1e3) return;     // there is no such polygon in float
   CAPTURE(scale, shift);
   Numbers next(2);
   for (std::size_t polygon = 0; polygon < polygons.size(); ++polygon) {
@@ -160,6 +161,12 @@ TEMPLATE_TEST_CASE("normals of a prism point outwards in both windings", "", flo
         if (std::abs(length(point.normal) - 1) > 4 * std::numeric_limits<T>::epsilon()) FAIL("not a unit");
         if (got->part < prism.sides() && point.normal.z != 0) FAIL("a side's normal is not level");
         if (std::abs(point.position.z) > prism.height / 2) FAIL("above the cap");
+        const Bounds<T> box = bounds(prism);
+        for (int axis = 0; axis < 3; ++axis) {
+          const T slack = 8 * std::numeric_limits<T>::epsilon() * (1 + std::abs(point.position[axis]));
+          if (point.position[axis] < box.min[axis] - slack || point.position[axis] > box.max[axis] + slack)
+            FAIL("outside the bounds");
+        }
       }
     }
 }
