@@ -11,18 +11,19 @@ namespace raywalk {
 
 namespace {
 
-// A menu of the bar; `open` opens it by hand.
+// A menu of the bar; `open` opens it by hand. Whether it is open.
 template <class Entries>
-void menu(const Ui& ui, std::string_view title, const char* name, bool open, const Entries& entries) {
+bool menu(const Ui& ui, std::string_view title, const char* name, bool open, const Entries& entries) {
   const std::string heading(title);
   if (open) ImGui::OpenPopup(heading.c_str());
   const bool is_open = ImGui::BeginMenu(heading.c_str());
   ui.publish(name);
-  if (!is_open) return;
+  if (!is_open) return false;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(9)});
   entries();
   ImGui::PopStyleVar();
   ImGui::EndMenu();
+  return true;
 }
 
 void recent_menu(const Ui& ui) {
@@ -81,7 +82,8 @@ void walk_menu(const Ui& ui) {
 
 }  // namespace
 
-void bar_pane(const Ui& ui, const Rect& where, bool open_menu) {
+int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
+  int is_open = -1;
   const float text_height = ImGui::GetFontSize();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), std::max((where.height - text_height) / 2, 0.0f)});
@@ -93,10 +95,10 @@ void bar_pane(const Ui& ui, const Rect& where, bool open_menu) {
   if (has_bar) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
-    menu(ui, text(TextId::menu_file), "menu-file", open_menu, [&] { file_menu(ui); });
-    menu(ui, text(TextId::menu_edit), "menu-edit", false, [&] { edit_menu(ui); });
-    menu(ui, text(TextId::menu_view), "menu-view", false, [&] { view_menu(ui); });
-    menu(ui, words::menu_walk, "menu-walk", false, [&] { walk_menu(ui); });
+    if (menu(ui, text(TextId::menu_file), "menu-file", open_menu == 0, [&] { file_menu(ui); })) is_open = 0;
+    if (menu(ui, text(TextId::menu_edit), "menu-edit", open_menu == 1, [&] { edit_menu(ui); })) is_open = 1;
+    if (menu(ui, text(TextId::menu_view), "menu-view", open_menu == 2, [&] { view_menu(ui); })) is_open = 2;
+    if (menu(ui, words::menu_walk, "menu-walk", open_menu == 3, [&] { walk_menu(ui); })) is_open = 3;
     ImGui::PopStyleVar(2);
 
     const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
@@ -121,6 +123,7 @@ void bar_pane(const Ui& ui, const Rect& where, bool open_menu) {
     ImGui::EndMenuBar();
   }
   end_pane();
+  return is_open;
 }
 
 void palette_pane(const Ui& ui, const Rect& where) {

@@ -219,7 +219,12 @@ inline constexpr std::array<CommandRow, command_count> command_table{{
      "let the plan and this pane change places",
      {{{GLFW_KEY_X}}}},
     {Command::full_screen, "full-screen", {}, "Full screen", "fill the screen, or no longer", {{{GLFW_KEY_F11}}}},
-    {Command::menu, "menu", {}, "Menus", "open the menus; arrows and Enter choose", {{{GLFW_KEY_F10}}}},
+    {Command::menu,
+     "menu",
+     {},
+     "Menus",
+     "open the first menu, then the next; arrows and Enter choose",
+     {{{GLFW_KEY_F10}}}},
 }};
 
 // The table is indexed by the enumeration.

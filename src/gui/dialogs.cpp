@@ -30,7 +30,12 @@ void question_dialog(const Ui& ui) {
     if (!first) ImGui::SameLine();
     const std::string name = "answer-" + std::to_string(number++);
     const ImVec2 extent{(width - 2 * ui.px(24) - 2 * ImGui::GetStyle().ItemSpacing.x) / 3, ui.px(38)};
-    if (button(ui, name, choice.label, "", extent, {.look = first ? Look::primary : Look::plain}))
+    // The keys that give this answer: see press_key.
+    const std::string digit = std::to_string(number);
+    const std::string keys = first                                     ? "Enter, " + digit
+                             : choice.answer == action::Answer::cancel ? "Esc, " + digit
+                                                                       : digit;
+    if (button(ui, name, choice.label, keys, extent, {.look = first ? Look::primary : Look::plain}))
       ui.act(action::AnswerQuestion{choice.answer});
     first = false;
   }

@@ -19,7 +19,7 @@ void Interface::grant(const Ui& ui) {
         full_screen_ = true;
         break;
       case WindowWish::menu:
-        open_menu_ = true;
+        wanted_menu_ = (shown_menu_ + 1) % menu_count;
         break;
       case WindowWish::exchange:
         exchanged_ = !exchanged_;
@@ -46,8 +46,12 @@ void Interface::grant(const Ui& ui) {
 void Interface::press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key) {
   const bool asks = state.question || state.prompt != PathPrompt::none;
   const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (!asks && (ImGui::GetIO().WantTextInput || menu_open)) return;
   const Ui with = ui(state, fonts, unit, dpi);
+  if (menu_open && shown_menu_ >= 0 && command_of(key, state) == Command::menu) {
+    perform(Command::menu, with);
+    return grant(with);
+  }
+  if (!asks && (ImGui::GetIO().WantTextInput || menu_open)) return;
   press_key(key, with);
   grant(with);
 }
@@ -58,7 +62,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   ImGuiIO& io = ImGui::GetIO();
   // Arrows and Enter work inside menus and dialogs; outside they are commands.
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (popup || open_menu_) {
+  if (popup || wanted_menu_ >= 0) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   } else {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
@@ -90,7 +94,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // What is in the corner is small; exchanged it has the plan's room.
   if (exchanged_ && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
 
-  bar_pane(with, layout_.bar, std::exchange(open_menu_, false));
+  shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
   if (state.mode == Mode::help) {
     const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
     help_pane(with, left, std::exchange(scroll_help_, 0.0f));

@@ -8,8 +8,10 @@
 
 namespace raywalk {
 
-/// Along the top: menus, modes, undo and redo, the document's name. Opens the first menu when `open_menu`.
-void bar_pane(const Ui& ui, const Rect& where, bool open_menu);
+inline constexpr int menu_count = 4;
+/// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Which
+/// menu is open; -1: none.
+int bar_pane(const Ui& ui, const Rect& where, int open_menu);
 
 /// What can be added to the scene, and removed.
 void palette_pane(const Ui& ui, const Rect& where);

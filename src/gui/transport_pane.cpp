@@ -201,7 +201,15 @@ void transport_pane(const Ui& ui, const Rect& where) {
 
     const float second = y + rows.big + rows.gap, third = second + (rows.own_row ? ui.px(small) + rows.gap : 0);
     const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
-    ImGui::SetCursorScreenPos({rows.beside ? speed_x - rows.grain - ui.px(4) : left, rows.beside ? centred : second});
+    const float grain_x = rows.beside ? speed_x - rows.grain - ui.px(4) : left;
+    // Where there is room the choice says what it is about.
+    const std::string_view about = text(TextId::grain);
+    const float about_x = grain_x - ImGui::CalcTextSize(about.data(), about.data() + about.size()).x - ui.px(10);
+    if (about_x > ImGui::GetItemRectMax().x + ui.px(16)) {
+      ImGui::SetCursorScreenPos({about_x, centred + (ui.px(small) - ImGui::GetFontSize()) / 2});
+      label(ui.colours.dim_text, about);
+    }
+    ImGui::SetCursorScreenPos({grain_x, rows.beside ? centred : second});
     choice(ui, {Command::grain_line, Command::grain_ray, Command::grain_pixel}, ui.px(small), nullptr, rows.grain);
     ImGui::SetCursorScreenPos({speed_x, rows.own_row ? second : centred});
     speed_control(ui, rows);

@@ -1,41 +1,23 @@
 #include "gui/browser.h"
 
 #include <GLFW/glfw3.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "gui/bench.h"
+#include "gui/folder.h"
 #include "support/catch.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
 
-namespace fs = std::filesystem;
-
 namespace {
 
 // A folder with two scenes, a folder with one more, and things that are no scene.
-class Scenes {
+class Scenes : public Folder {
  public:
-  Scenes() : path_(fs::temp_directory_path() / ("raywalk-browser-" + std::to_string(getpid()))) {
-    fs::create_directories(path_ / "inner");
-    fs::create_directories(path_ / ".hidden");
-    for (const char* name : {"b.toml", "a.toml", "inner/c.toml", ".secret.toml", "picture.png"}) {
-      std::ofstream(path_ / name) << "";
-    }
+  Scenes() {
+    for (const char* name : {"b.toml", "a.toml", "inner/c.toml", ".hidden/d.toml", ".secret.toml", "picture.png"})
+      put(name, "");
   }
-  ~Scenes() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scenes(const Scenes&) = delete;
-  Scenes& operator=(const Scenes&) = delete;
-  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
 };
 
 // A state whose scene stands in `folder`, with the dialog open.

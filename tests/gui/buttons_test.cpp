@@ -127,6 +127,16 @@ TEST_CASE("the entries of the menus") {
   CHECK(bench.interface().take_full_screen());
 }
 
+TEST_CASE("F10 opens one menu after the other") {
+  Bench bench(at(0, Mode::move));
+  bench.frames(2);
+  for (const std::string entry : {"menu/open", "menu/undo", "menu/fit", "menu/step", "menu/open"}) {
+    bench.key(GLFW_KEY_F10);
+    CAPTURE(entry);
+    CHECK(bench.has(entry));
+  }
+}
+
 TEST_CASE("a recent file is opened from its menu") {
   Bench bench(at(0, Mode::move));
   bench.state.recent = {"/somewhere/a.toml", "/somewhere/b.toml"};

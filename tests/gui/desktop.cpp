@@ -100,17 +100,6 @@ std::string Desktop::missing() {
   return {};
 }
 
-Desktop::Folder::Folder() {
-  std::string pattern = (fs::temp_directory_path() / "raywalk-window-XXXXXX").string();
-  REQUIRE(mkdtemp(pattern.data()) != nullptr);
-  path = pattern;
-}
-
-Desktop::Folder::~Folder() {
-  std::error_code ignored;
-  fs::remove_all(path, ignored);
-}
-
 Desktop::Desktop(int width, int height) {
   int ends[2] = {-1, -1};
   REQUIRE(pipe2(ends, O_CLOEXEC) == 0);

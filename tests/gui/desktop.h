@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "gui/folder.h"
+
 namespace raywalk::test {
 
 // A program that was started; ended at the end.
@@ -46,14 +48,9 @@ class Desktop {
   // Writes what is on the screen as a PNG.
   void picture(const std::filesystem::path& path) const;
   // A folder that is gone at the end.
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
-  struct Folder {
-    Folder();
-    ~Folder();
-    std::filesystem::path path;
-  };
   Folder folder_;
   std::string display_;
   std::optional<Child> server_;

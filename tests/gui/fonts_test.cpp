@@ -1,0 +1,71 @@
+#include "gui/fonts.h"
+
+#include <imgui.h>
+#include <filesystem>
+#include <fstream>
+
+#include "gui/folder.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void check_complete(const Fonts& fonts) {
+  for (const ImFont* font : {fonts.text, fonts.strong, fonts.small, fonts.title, fonts.code, fonts.code_strong})
+    CHECK(font != nullptr);
+}
+
+}  // namespace
+
+TEST_CASE("fonts are found in subfolders, earlier folders first, better names before others") {
+  const Folder folder;
+  const std::string own = folder.put("own/Inter.ttf", "no font");
+  const std::string regular = folder.put("system/deep/er/Inter-Regular.otf", "no font");
+  const std::string mono = folder.put("system/JetBrainsMono-Regular.ttf", "no font");
+  folder.put("system/Inter-Regular.txt", "no font");
+  const FontFiles both = find_fonts({folder / "own", folder / "missing", folder / "system"});
+  CHECK(both.text == own);
+  CHECK(both.code == mono);
+  CHECK(both.strong == "");
+  CHECK(find_fonts({folder / "system"}).text == regular);
+  folder.put("system/Inter.ttf", "no font");
+  CHECK(find_fonts({folder / "system"}).text == regular);
+  CHECK(find_fonts({}) == FontFiles{});
+}
+
+TEST_CASE("without fonts, and with files that are none, ImGui's own face stands in") {
+  const Folder folder;
+  ImFontAtlas atlas;
+  check_complete(build_fonts(atlas, {}, 1, 1));
+  ImFontAtlas other;
+  const std::string empty = folder.put("Inter-Regular.otf", "");
+  check_complete(build_fonts(other, {empty, folder / "gone.ttf", "", ""}, 2, 1));
+}
+
+TEST_CASE("faces grow with the scale, and their height in units does not depend on the density") {
+  ImFontAtlas small, large, dense;
+  const Fonts one = build_fonts(small, {}, 1, 1), three = build_fonts(large, {}, 3, 1),
+              two = build_fonts(dense, {}, 1, 2);
+  CHECK(line_height(three, *three.text) == Approx(3 * line_height(one, *one.text)).margin(1));
+  CHECK(line_height(two, *two.text) == Approx(line_height(one, *one.text)).margin(0.5));
+  CHECK(line_height(one, *one.title) > line_height(one, *one.text));
+}
+
+TEST_CASE("the installed faces have every character that the texts use") {
+  const FontFiles files = find_fonts(font_folders(""));
+  if (files.text.empty() || files.code.empty()) RAYWALK_SKIP("Inter or JetBrains Mono is not installed");
+#if IMGUI_VERSION_NUM < 19200
+  ImFontAtlas atlas;
+  const Fonts fonts = build_fonts(atlas, files, 1, 1);
+  for (const ImWchar character : {u'A', u'\u00e9', u'\u00e7', u'\u00b0', u'\u00b7', u'\u2190', u'\u2191', u'\u2192',
+                                  u'\u2193', u'\u2013', u'\u2212', u'\u00d7'}) {
+    CAPTURE(static_cast<int>(character));
+    CHECK(fonts.text->FindGlyphNoFallback(character) != nullptr);
+    CHECK(fonts.small->FindGlyphNoFallback(character) != nullptr);
+  }
+#endif
+}

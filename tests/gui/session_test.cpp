@@ -1,0 +1,176 @@
+#include "gui/session.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "gui/bench.h"
+#include "gui/folder.h"
+#include "gui/report.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+GuiOptions options(const Folder& folder) {
+  GuiOptions result;
+  result.data_dir = RAYWALK_SOURCE_DIR;
+  result.state_dir = folder / "state";
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the window starts with the classic scene, at the first step") {
+  const Folder folder;
+  const auto state = start(options(folder));
+  REQUIRE(state.has_value());
+  CHECK_THAT(state->path, contains("classic.toml"));
+  CHECK(state->position == 0);
+  CHECK_FALSE(state->dirty);
+}
+
+TEST_CASE("options choose mode, tab, theme, scale and position") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  wanted.start_mode = "trace";
+  wanted.start_tab = "stack";
+  wanted.theme = "projector";
+  wanted.ui_scale = 1.5;
+  wanted.start_position = 12;
+  const auto state = start(wanted);
+  REQUIRE(state.has_value());
+  CHECK(state->mode == Mode::trace);
+  CHECK(state->tab == Tab::stack);
+  CHECK(state->theme == Theme::projector);
+  CHECK(state->ui_scale == 1.5);
+  CHECK(state->position == 12);
+  wanted.start_position = -1;
+  const auto at_end = start(wanted);
+  REQUIRE(at_end.has_value());
+  CHECK(at_end->position == at_end->timeline->steps());
+  wanted.ui_scale = 99;
+  CHECK(start(wanted)->ui_scale == max_ui_scale);
+}
+
+TEST_CASE("what no option can be is refused with what it can be") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  wanted.theme = "purple";
+  const auto state = start(wanted);
+  REQUIRE_FALSE(state.has_value());
+  CHECK_THAT(state.error().text(), contains("purple"));
+  CHECK_THAT(state.error().text(), contains("projector"));
+  wanted = options(folder);
+  wanted.start_mode = "fly";
+  CHECK_FALSE(start(wanted).has_value());
+  wanted = options(folder);
+  wanted.start_tab = "nothing";
+  CHECK_FALSE(start(wanted).has_value());
+}
+
+TEST_CASE("a scene that cannot be read is an error that names it") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  wanted.scene_path = folder / "missing.toml";
+  auto state = start(wanted);
+  REQUIRE_FALSE(state.has_value());
+  CHECK_THAT(state.error().text(), contains("missing.toml"));
+  folder.put("broken.toml", "[[object]]\nradius = ");
+  wanted.scene_path = folder / "broken.toml";
+  state = start(wanted);
+  REQUIRE_FALSE(state.has_value());
+  CHECK(state.error().line == 2);
+}
+
+TEST_CASE("settings are kept; broken ones are as good as none") {
+  const Folder folder;
+  const Settings chosen{Theme::projector, 2.25, Tab::tree};
+  write_settings(folder / "state", chosen);
+  CHECK(read_settings(folder / "state") == chosen);
+  GuiOptions wanted = options(folder);
+  CHECK(start(wanted)->theme == Theme::projector);
+  wanted.theme = "dark";
+  CHECK(start(wanted)->theme == Theme::dark);
+  for (const std::string text : {"", "{", "[1, 2]", R"({"theme": 7, "ui_scale": "large", "tab": "x"})", "\xff\xfe"}) {
+    std::ofstream(folder / "state/settings.json") << text;
+    CAPTURE(text);
+    CHECK(read_settings(folder / "state") == Settings{});
+  }
+  std::ofstream(folder / "state/settings.json") << R"({"ui_scale": 1e9})";
+  CHECK(read_settings(folder / "state").ui_scale == max_ui_scale);
+  CHECK(read_settings("") == Settings{});
+}
+
+TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  auto state = start(wanted);
+  REQUIRE(state.has_value());
+  update(*state, action::AddObject{action::ObjectKind::polygon});
+  update(*state, action::Tick{60});
+  REQUIRE(fs::exists(folder / "state/autosave.toml"));
+  CHECK(start(wanted)->question.has_value());
+  wanted.screenshot_path = folder / "picture.png";
+  CHECK_FALSE(start(wanted)->question.has_value());
+}
+
+TEST_CASE("the 3-D image follows the scene, and goes no further than coarse while it is dragged") {
+  State state = classic();
+  state.document.scene.image = {33, 25};
+  LiveImage image;
+  CHECK_FALSE(image.rests(state));
+  while (image.work(state, 50)) {
+  }
+  CHECK(image.preview().finished());
+  CHECK(image.preview().size() == ImageSize{33, 25});
+  CHECK(image.rests(state));
+  ++state.revision;
+  CHECK_FALSE(image.rests(state));
+  state.drag = Drag{};
+  while (image.work(state, 1)) {
+  }
+  CHECK(image.preview().has_every_pixel());
+  CHECK_FALSE(image.preview().finished());
+  state.drag.reset();
+  CHECK_FALSE(image.rests(state));
+}
+
+TEST_CASE("a demo hands its actions out one by one, at a walking pace") {
+  Demo demo({action::Step{}, action::Clear{}});
+  CHECK(demo.due(0.01) == nullptr);
+  const Action* first = demo.due(1);
+  REQUIRE(first != nullptr);
+  CHECK(std::holds_alternative<action::Step>(*first));
+  CHECK(demo.due(0) == nullptr);
+  CHECK_FALSE(demo.over());
+  CHECK(std::holds_alternative<action::Clear>(*demo.due(1)));
+  CHECK(demo.over());
+  CHECK(demo.due(10) == nullptr);
+}
+
+TEST_CASE("the report says what a test needs to aim and to judge") {
+  Bench bench;
+  bench.frames(2);
+  update(bench.state, action::SetMode{Mode::trace});
+  update(bench.state, action::Jump{7});
+  bench.state.path = "caf\xe9.toml";  // names of files need not be UTF-8
+  bench.frames(2);
+  const Preview preview;
+  const auto json = nlohmann::json::parse(
+      report(bench.state, bench.interface(), preview, 1, {12, 0.25, 1280, 720, true}), nullptr, false);
+  REQUIRE(json.is_object());
+  CHECK(json["mode"] == "trace");
+  CHECK(json["position"] == 7);
+  CHECK(json["steps"] == bench.state.timeline->steps());
+  CHECK(json["window"]["frames"] == 12);
+  CHECK(json["objects"].size() == bench.state.scene().objects.size());
+  const Rect step = bench.rect("step");
+  CHECK(json["items"]["step"][0].get<float>() == step.x);
+  CHECK(json["items"]["step"][3].get<float>() == step.height);
+}
