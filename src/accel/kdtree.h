@@ -51,8 +51,9 @@ class KdTree {
         const T t = (node.plane - ray.origin[axis]) * slabs.inverse[axis];
         // Rounding may put the crossing on the wrong side of either end: widen it, and visit both children if in doubt.
         const T slack = std::isinf(t) ? T(0) : 16 * std::numeric_limits<T>::epsilon() * std::abs(t);
+        // From the plane itself the ray crosses at t = 0, so that what it goes into is the farther child.
         const bool below_first =
-            ray.origin[axis] < node.plane || (ray.origin[axis] == node.plane && slabs.negative[axis]);
+            ray.origin[axis] < node.plane || (ray.origin[axis] == node.plane && !slabs.negative[axis]);
         const std::uint32_t near = below_first ? node.first : node.first + 1;
         const std::uint32_t far = below_first ? node.first + 1 : node.first;
         if (std::isnan(t)) {  // in the plane, without slope

@@ -36,9 +36,10 @@ struct Prism {
 /// ray is computed once and shared by both of its edges (half-open rule, so an edge's end belongs to one of the two).
 /// The number of edges crossed before the ray enters the slab tells whether it is inside there, and so whether the next
 /// crossing leads out or in; one that leads the other way is rounding's, at a corner, and is passed over. Every
-/// decision is made in t alone, so no ray slips between two faces. A face that the ray departs from is crossed at
-/// exactly t = 0, and then that face says whether the ray starts inside. From inside there is always a way out: where
-/// rounding put the start of such a ray beyond a corner or a rim, that is at once, at the smallest positive t.
+/// decision is made in t alone, in double even for float rays, so no ray slips between two faces. A face that the ray
+/// departs from is crossed at exactly t = 0, and then that face says whether the ray starts inside. From inside there
+/// is always a way out: where rounding put the start of such a ray beyond a corner or a rim, that is at once, at the
+/// smallest positive t.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
@@ -79,21 +80,21 @@ T Prism<T>::twice_signed_area() const {
 namespace detail {
 
 /// The stretch of a ray between the planes of a prism's caps, and the caps that bound it.
-template <class T>
 struct Slab {
-  T in = -infinity<T>, out = infinity<T>;
+  double in = -infinity<double>, out = infinity<double>;
   int in_part, out_part;
 };
 
 template <class T>
-Slab<T> slab_along(const Prism<T>& prism, const Ray<T>& ray, int departed_part) {
-  const T half = prism.height / 2, z = ray.origin.z, slope = ray.direction.z;
-  Slab<T> slab{-infinity<T>, infinity<T>, prism.bottom(), prism.top()};
+Slab slab_along(const Prism<T>& prism, const Ray<T>& ray, int departed_part) {
+  const double half = static_cast<double>(prism.height) / 2;
+  const double z = static_cast<double>(ray.origin.z), slope = static_cast<double>(ray.direction.z);
+  Slab slab{-infinity<double>, infinity<double>, prism.bottom(), prism.top()};
   if (slope != 0) {
-    slab.in = departed_part == prism.bottom() ? T(0) : (-half - z) / slope;
-    slab.out = departed_part == prism.top() ? T(0) : (half - z) / slope;
+    slab.in = departed_part == prism.bottom() ? 0 : (-half - z) / slope;
+    slab.out = departed_part == prism.top() ? 0 : (half - z) / slope;
   } else if (!(-half <= z && z <= half)) {
-    slab.out = -infinity<T>;
+    slab.out = -infinity<double>;
   }
   if (slope < 0) {
     std::swap(slab.in, slab.out);
@@ -103,37 +104,40 @@ Slab<T> slab_along(const Prism<T>& prism, const Ray<T>& ray, int departed_part) 
 }
 
 /// A face crossed at t = numerator / denominator; at infinity when there is none.
-template <class T>
 struct FaceCrossing {
-  T t = infinity<T>;
+  double t = infinity<double>;
   int part = no_part;
-  T numerator{0}, denominator{0};
+  double numerator = 0, denominator = 0;
 };
 
 /// How a line of the plan crosses a polygon: whether it is inside at `start`, the first edges after it that lead into
 /// the polygon and out of it, and the last one before it that leads out.
-template <class T>
 struct SideCrossings {
   bool inside = false;
-  FaceCrossing<T> in, out, out_before{-infinity<T>, no_part, 0, 0};
+  FaceCrossing in, out, out_before{-infinity<double>, no_part, 0, 0};
 };
 
 template <class T>
-SideCrossings<T> cross_sides(const Prism<T>& prism, const Vec2<T>& o, const Vec2<T>& d, T start, int departed_part) {
-  SideCrossings<T> crossings;
+SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d, double start, int departed_part) {
+  SideCrossings crossings;
   // The nearest that run to the line's right (0) and to its left (1).
-  FaceCrossing<T> after[2], before[2] = {crossings.out_before, crossings.out_before};
-  T side = cross(d, prism.corner(0) - o);
+  FaceCrossing after[2], before[2] = {crossings.out_before, crossings.out_before};
+  const double steps = 1 / dot(d, d);  // t of a point is its place along d, times this
+  Vec2d corner = Vec2d(prism.corner(0)) - o;
+  double side = cross(d, corner);
   for (int i = 0; i < prism.sides(); ++i) {
-    const T next_side = cross(d, prism.corner_after(i) - o);
+    const Vec2d next = Vec2d(prism.corner_after(i)) - o;
+    const double next_side = cross(d, next);
     if ((side >= 0) != (next_side >= 0)) {
       // The rate at which the line nears the edge's is computed from the edge itself: the difference of its ends' sides
-      // loses digits when the edge is short and far. Its sign, though, is that of the difference.
-      const Vec2<T> edge = prism.edge(i);
-      const T rate = cross(d, edge), difference = next_side - side;
+      // loses digits when the edge is short and far. Its sign, though, is that of the difference. However much of the
+      // quotient is rounding, where the two are nearly parallel, the crossing lies between the ends.
+      const Vec2d edge = Vec2d(prism.corner_after(i)) - Vec2d(prism.corner(i));
+      const double rate = cross(d, edge), difference = next_side - side;
       const bool agree = rate != 0 && (rate > 0) == (difference > 0);
-      const T above = cross(prism.corner(i) - o, edge), below = agree ? rate : difference;
-      const T t = departed_part == i ? T(0) : above / below;
+      const double above = cross(corner, edge), below = agree ? rate : difference;
+      const auto [from, to] = std::minmax({dot(d, corner) * steps, dot(d, next) * steps});
+      const double t = departed_part == i ? 0 : std::clamp(above / below, from, to);
       if (t <= start) {
         crossings.inside = !crossings.inside;
         if (i != departed_part && t > before[below > 0].t) before[below > 0] = {t, i, above, below};
@@ -141,6 +145,7 @@ SideCrossings<T> cross_sides(const Prism<T>& prism, const Vec2<T>& o, const Vec2
         after[below > 0] = {t, i, above, below};
       }
     }
+    corner = next;
     side = next_side;
   }
   // Around a counter-clockwise polygon the edges run to the left where the line leaves it.
@@ -167,7 +172,8 @@ template <class T>
 bool departs_inwards(const Prism<T>& prism, const Vec3<T>& direction, int part) {
   if (part == prism.top()) return direction.z < 0;
   if (part == prism.bottom()) return direction.z > 0;
-  return (cross(plan(direction), prism.edge(part)) < 0) == (prism.twice_signed_area() > 0);
+  const Vec2d edge = Vec2d(prism.corner_after(part)) - Vec2d(prism.corner(part));
+  return (cross(Vec2d(plan(direction)), edge) < 0) == (prism.twice_signed_area() > 0);
 }
 
 }  // namespace detail
@@ -179,18 +185,21 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
   const bool departs = departed_part != no_part;
   const bool departs_in = departs && detail::departs_inwards(prism, ray.direction, departed_part);
   auto slab = detail::slab_along(prism, ray, departed_part);
-  if (departs_in && slab.out <= 0) slab.out = at_once;
+  if (departs_in && slab.out <= 0) slab.out = static_cast<double>(at_once);
   if (!(slab.in <= slab.out && slab.out > 0)) return std::nullopt;
 
   // An upright ray stays where it is on the plan: any line through that point tells whether it is inside.
   const bool upright = ray.direction.x == 0 && ray.direction.y == 0;
-  const T start = upright ? T(0) : std::max(slab.in, T(0));
-  const Vec2<T> o = plan(ray.origin);
-  const auto sides = detail::cross_sides(prism, o, upright ? Vec2<T>(1, 0) : plan(ray.direction), start, departed_part);
+  const double start = upright ? 0 : std::max(slab.in, 0.0);
+  const auto sides = detail::cross_sides(prism, Vec2d(plan(ray.origin)),
+                                         upright ? Vec2d(1, 0) : Vec2d(plan(ray.direction)), start, departed_part);
   const bool inside = departs ? departs_in : sides.inside;
 
-  detail::FaceCrossing<T> next;
-  const auto meet_cap = [&](T t, int part) { next = {t, part, t * ray.direction.z, ray.direction.z}; };
+  detail::FaceCrossing next;
+  const auto meet_cap = [&](double t, int part) {
+    const double slope = static_cast<double>(ray.direction.z);
+    next = {t, part, t * slope, slope};
+  };
   if (inside && slab.in > 0) {
     meet_cap(slab.in, slab.in_part);
   } else if (inside && upright) {
@@ -201,17 +210,18 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
     // the two crossings is the one at the corner.
     const bool left_already = departs && !sides.inside && -sides.out_before.t < sides.in.t;
     if (left_already || next.part == no_part) {
-      const int part = left_already ? sides.out_before.part : detail::neighbouring_side(prism, o, departed_part);
-      next = {at_once, part, at_once, 1};
+      const int part =
+          left_already ? sides.out_before.part : detail::neighbouring_side(prism, plan(ray.origin), departed_part);
+      next = {static_cast<double>(at_once), part, static_cast<double>(at_once), 1};
     }
     if (slab.out < next.t) meet_cap(slab.out, slab.out_part);
   } else if (!upright && sides.in.t < slab.out) {
     next = sides.in;
   }
-  if constexpr (std::decay_t<Explain>::wanted)
-    explain.plane(static_cast<double>(next.numerator), static_cast<double>(next.denominator));
-  if (!(next.t < t_max)) return std::nullopt;
-  return Crossing<T>{next.t, next.part};
+  if constexpr (std::decay_t<Explain>::wanted) explain.plane(next.numerator, next.denominator);
+  const T t = std::max(static_cast<T>(next.t), at_once);
+  if (!(t < t_max)) return std::nullopt;
+  return Crossing<T>{t, next.part};
 }
 
 template <class T>
