@@ -30,8 +30,10 @@ template <class T>
 [[nodiscard]] Refraction<T> refraction_at(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal, T n1, T n2) {
   const T eta = n1 / n2;
   const T cos_in = std::clamp(-dot(unit_incident, facing_normal), T(0), T(1));
-  // 1 - eta^2 (1 - cos^2) without the cancellation near eta = 1 and near the critical angle.
-  const T k = (1 - eta) * (1 + eta) + (eta * cos_in) * (eta * cos_in);
+  // 1 - eta^2 (1 - cos^2), over n2^2 so that neither equal indices nor the critical angle lose digits: the difference
+  // of near indices is exact, and a rounded eta does not enter.
+  const T inwards = n1 * cos_in;
+  const T k = ((n2 - n1) * (n2 + n1) + inwards * inwards) / (n2 * n2);
   if (k < 0) return {eta, cos_in, k, 0, 1};
   const T cos_out = std::sqrt(k);
   // Fresnel's equations for a dielectric. At grazing incidence both cosines may vanish together: all is reflected.
