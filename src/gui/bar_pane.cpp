@@ -107,7 +107,7 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
     const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
     ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(14), y});
     command_button(ui, Command::undo, {height, height}, flat);
-    ImGui::SameLine(0, ui.px(2));
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
     ButtonLook redo = flat;
     redo.icon = Icon::redo;
     command_button(ui, Command::redo, {height, height}, redo);

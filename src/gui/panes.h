@@ -42,6 +42,7 @@ class PropertiesPane {
 
  private:
   FormMemory memory_;
+  bool focus_field_ = false;
 };
 
 /// The 3-D image as far as it is.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <algorithm>
+#include <utility>
 
 namespace raywalk {
 
@@ -203,7 +204,10 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
     ImGui::PushID(static_cast<int>(target.kind));
     ImGui::PushID(target.index);
     Form form(ui, memory_, width);
-    if (focus) form.focus_next();
+    // First the pane, a frame later its field: newer versions of ImGui look for the field only where the focus is.
+    if (std::exchange(focus_field_, false)) form.focus_next();
+    if (focus) ImGui::SetWindowFocus();
+    focus_field_ |= focus;
     switch (target.kind) {
       case TargetKind::object:
       case TargetKind::radius:

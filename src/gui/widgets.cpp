@@ -204,14 +204,13 @@ void choice(const Ui& ui, std::initializer_list<Command> commands, float height,
   const ImVec2 least = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height}, to_imgui(shades.raised),
                                             ImGui::GetStyle().FrameRounding);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ImGui::GetStyle().ItemSpacing.y});
-  bool beside = false;
+  float x = least.x;
   for (const Command command : commands) {
-    if (beside) ImGui::SameLine();
-    command_button(ui, command, {std::max(button_width(ui, command, look) - less, 1.0f), height}, look);
-    beside = true;
+    const float own = std::max(button_width(ui, command, look) - less, 1.0f);
+    ImGui::SetCursorScreenPos({x, least.y});
+    command_button(ui, command, {own, height}, look);
+    x += own;
   }
-  ImGui::PopStyleVar();
 }
 
 void menu_item(const Ui& ui, Command command) {
