@@ -28,6 +28,12 @@ namespace detail {
 
 }  // namespace detail
 
+/// The `path` of a ray that leaves the end of the ray with `path` as its `branch`-th: distinct branches draw
+/// independently, and no draw depends on how many others there are. A primary ray's path is 0.
+[[nodiscard]] constexpr std::uint64_t child_path(std::uint64_t path, std::uint32_t branch) {
+  return detail::mix(detail::mix(path) + branch);
+}
+
 /// Uniform in [0, 1), a multiple of 2^-24, so that float and double runs draw the same numbers.
 template <class T>
 [[nodiscard]] constexpr T random_unit(const RandomKey& key) {

@@ -1,0 +1,147 @@
+#include "math/sampler.h"
+
+#include <array>
+#include <cmath>
+
+namespace raywalk {
+
+std::string_view sampler_name(Sampler sampler) {
+  switch (sampler) {
+    case Sampler::random:
+      return "random";
+    case Sampler::jittered:
+      return "jittered";
+    case Sampler::sobol:
+      return "sobol";
+  }
+  return "";
+}
+
+namespace detail {
+
+namespace {
+
+constexpr int unit_bits = 24;
+constexpr std::uint32_t unit = 1u << unit_bits;
+
+std::uint32_t random_bits(RandomKey key, std::uint32_t dimensions_on) {
+  key.dimension += dimensions_on;
+  return static_cast<std::uint32_t>(random_unit<double>(key) * unit);
+}
+
+/// What all samples of a key have in common; `salt` tells apart what is derived from it.
+std::uint32_t stream(RandomKey key, std::uint32_t salt) {
+  key.sample = 0;
+  std::uint64_t bits = mix(key.seed ^ 0x5bd1e995cc9e2d51u);  // a world apart from random_unit's numbers
+  bits = mix(bits ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
+                     static_cast<std::uint32_t>(key.pixel_y)));
+  bits = mix(bits ^ (static_cast<std::uint64_t>(key.dimension) << 32 | key.effect));
+  bits = mix(bits ^ key.path);
+  return static_cast<std::uint32_t>(mix(bits ^ salt) >> 32);
+}
+
+/// Place of `i` in a permutation of 0..count-1 that `seed` chooses: a bijection of the next power of two, walked until
+/// it comes back in range (A. Kensler, "Correlated Multi-Jittered Sampling", Pixar 2013). i < count.
+std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t seed) {
+  std::uint32_t mask = count - 1;
+  for (int shift = 1; shift < 32; shift *= 2) mask |= mask >> shift;
+  do {
+    i ^= seed;
+    i *= 0xe170893du;
+    i ^= seed >> 16;
+    i ^= (i & mask) >> 4;
+    i ^= seed >> 8;
+    i *= 0x0929eb3fu;
+    i ^= seed >> 23;
+    i ^= (i & mask) >> 1;
+    i *= 1 | seed >> 27;
+    i *= 0x6935fa69u;
+    i ^= (i & mask) >> 11;
+    i *= 0x74dcb303u;
+    i ^= (i & mask) >> 2;
+    i *= 0x9e501cc3u;
+    i ^= (i & mask) >> 2;
+    i *= 0xc860a3dfu;
+    i &= mask;
+    i ^= i >> 5;
+  } while (i >= count);
+  return static_cast<std::uint32_t>((static_cast<std::uint64_t>(i) + seed) % count);
+}
+
+/// A step of 2^-24 in cell `cell` of `cells` equal ones, chosen by a random one of the whole interval. In integers, so
+/// that rounding carries nothing into a neighbouring cell. cells <= 2^24.
+std::uint32_t within(std::uint32_t cell, std::uint32_t cells, std::uint32_t random) {
+  const auto begin_of = [cells](std::uint64_t i) { return (i * unit + cells - 1) / cells; };
+  const std::uint64_t begin = begin_of(cell), size = begin_of(cell + 1) - begin;
+  return static_cast<std::uint32_t>(begin + (size * random >> unit_bits));
+}
+
+std::uint32_t reversed(std::uint32_t x) {
+  x = x << 16 | x >> 16;
+  x = (x & 0x00ff00ffu) << 8 | (x & 0xff00ff00u) >> 8;
+  x = (x & 0x0f0f0f0fu) << 4 | (x & 0xf0f0f0f0u) >> 4;
+  x = (x & 0x33333333u) << 2 | (x & 0xccccccccu) >> 2;
+  return (x & 0x55555555u) << 1 | (x & 0xaaaaaaaau) >> 1;
+}
+
+/// Owen's nested uniform scramble of the binary digits, the first digit being bit 0: each digit flips or not by a hash
+/// of `seed` and the digits before it (S. Laine and T. Karras, "Stratified Sampling for Stochastic Transparency", EGSR
+/// 2011; with N. Vegdahl's constants, 2021, which flip all digits evenly).
+std::uint32_t owen_scrambled(std::uint32_t digits, std::uint32_t seed) {
+  digits ^= digits * 0x3d20adeau;
+  digits += seed;
+  digits *= seed >> 16 | 1;
+  digits ^= digits * 0x05526c56u;
+  digits ^= digits * 0x53a22864u;
+  return digits;
+}
+
+/// By bit of the index, the digits that it flips in the second coordinate, first digit highest: S. Joe and F. Kuo's
+/// direction numbers (2008) of the polynomial x + 1 with m = 1. (The first coordinate is the index, its bits reversed.)
+constexpr std::array<std::uint32_t, 32> second_directions = [] {
+  std::array<std::uint32_t, 32> v{0x80000000u};
+  for (std::size_t i = 1; i < v.size(); ++i) v[i] = v[i - 1] ^ v[i - 1] >> 1;
+  return v;
+}();
+
+/// The index whose point is this sample's: shuffled, so that what belongs together in one dimension pair does not in
+/// another, yet aligned blocks of 2^m stay such (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
+std::uint32_t shuffled_index(const RandomKey& key) {
+  return reversed(owen_scrambled(reversed(key.sample), stream(key, 1)));
+}
+
+}  // namespace
+
+std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count) {
+  const std::uint32_t random = random_bits(key, 0);
+  if (key.sample >= count || count > unit) return random;
+  return within(permuted(key.sample, count, stream(key, 0)), count, random);
+}
+
+DrawnPair draw_jittered_pair(const RandomKey& key, std::uint32_t count) {
+  const std::uint32_t u = random_bits(key, 0);
+  const std::uint32_t v = random_bits(key, 1);
+  const auto edge = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)));  // rounded right: exact
+  if (key.sample >= edge * edge) return {u, v};
+  const std::uint32_t cell = permuted(key.sample, edge * edge, stream(key, 0));
+  return {within(cell % edge, edge, u), within(cell / edge, edge, v)};
+}
+
+std::uint32_t draw_sobol(const RandomKey& key) {
+  // The first coordinate's digits, first at bit 0, are the index itself.
+  return reversed(owen_scrambled(shuffled_index(key), stream(key, 2))) >> (32 - unit_bits);
+}
+
+DrawnPair draw_sobol_pair(const RandomKey& key) {
+  const std::uint32_t index = shuffled_index(key);
+  std::uint32_t second = 0;
+  for (std::size_t bit = 0; bit < 32; ++bit)
+    if (index >> bit & 1) second ^= second_directions[bit];
+  const std::uint32_t u = owen_scrambled(index, stream(key, 2));
+  const std::uint32_t v = owen_scrambled(reversed(second), stream(key, 3));
+  return {reversed(u) >> (32 - unit_bits), reversed(v) >> (32 - unit_bits)};
+}
+
+}  // namespace detail
+
+}  // namespace raywalk

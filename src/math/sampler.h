@@ -1,0 +1,76 @@
+#pragma once
+// Samplers: how the n samples of one pixel lie to each other. Each number is a pure function of its key and of n, so
+// neither order nor threads nor other draws can change it.
+
+#include "math/random.h"
+#include "math/vec.h"
+
+#include <string_view>
+
+namespace raywalk {
+
+enum class Sampler {
+  random,    ///< each sample by itself
+  jittered,  ///< pairs: one in each cell of a k x k grid, k the root of n rounded down, what is left over anywhere;
+             ///< single numbers: one in each of n cells. In an order of its own for each key
+  sobol,     ///< a (0, 2)-sequence: every 2^m samples from a multiple of 2^m on have one in each elementary interval
+};
+
+[[nodiscard]] std::string_view sampler_name(Sampler sampler);  ///< "jittered"
+
+namespace detail {
+
+/// Numbers in [0, 2^24): the interval [0, 1) in steps of 2^-24.
+struct DrawnPair {
+  std::uint32_t u, v;
+};
+[[nodiscard]] std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count);
+[[nodiscard]] DrawnPair draw_jittered_pair(const RandomKey& key, std::uint32_t count);
+[[nodiscard]] std::uint32_t draw_sobol(const RandomKey& key);
+[[nodiscard]] DrawnPair draw_sobol_pair(const RandomKey& key);
+
+template <class T>
+[[nodiscard]] constexpr T unit_of(std::uint32_t drawn) {
+  return static_cast<T>(drawn) * static_cast<T>(1.0 / 16777216.0);
+}
+
+}  // namespace detail
+
+/// Sample `key.sample` of `count` (>= 1) in [0, 1), a multiple of 2^-24, the same for float and double. Uniform for
+/// each key; keys that differ in more than the sample are independent of each other.
+template <class T>
+[[nodiscard]] T draw(Sampler sampler, const RandomKey& key, std::uint32_t count) {
+  switch (sampler) {
+    case Sampler::random:
+      break;
+    case Sampler::jittered:
+      return detail::unit_of<T>(detail::draw_jittered(key, count));
+    case Sampler::sobol:
+      return detail::unit_of<T>(detail::draw_sobol(key));
+  }
+  return random_unit<T>(key);
+}
+
+/// A pair that fills the unit square evenly. Takes dimensions `key.dimension` and the one after it.
+template <class T>
+[[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, std::uint32_t count) {
+  detail::DrawnPair drawn{};
+  switch (sampler) {
+    case Sampler::random: {
+      RandomKey second = key;
+      ++second.dimension;
+      const T u = random_unit<T>(key);
+      const T v = random_unit<T>(second);
+      return {u, v};
+    }
+    case Sampler::jittered:
+      drawn = detail::draw_jittered_pair(key, count);
+      break;
+    case Sampler::sobol:
+      drawn = detail::draw_sobol_pair(key);
+      break;
+  }
+  return {detail::unit_of<T>(drawn.u), detail::unit_of<T>(drawn.v)};
+}
+
+}  // namespace raywalk
