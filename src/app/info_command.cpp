@@ -15,6 +15,9 @@ namespace {
 // One overload a kind: a kind without one does not compile.
 std::string_view kind_of(const PointLight& /*light*/) { return "point light"; }
 std::string_view kind_of(const DirectionalLight& /*light*/) { return "directional light"; }
+std::string_view kind_of(const SpotLight& /*light*/) { return "spot light"; }
+std::string_view kind_of(const SphereLight& /*light*/) { return "sphere light"; }
+std::string_view kind_of(const RectangleLight& /*light*/) { return "rectangle light"; }
 
 std::string count_of(std::size_t count, std::string_view what) {
   std::string words(what);

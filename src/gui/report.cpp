@@ -72,7 +72,7 @@ std::string report(const State& state, const Interface& interface, const Preview
   Json objects = Json::object(), lights = Json::object(), items = Json::object();
   for (const Object& object : state.scene().objects) objects[object.name] = place(middle(object.shape));
   for (const Light& light : state.scene().lights) {
-    if (const auto* point = std::get_if<PointLight>(&light.kind)) lights[light.name] = place(plan(point->position));
+    if (const auto middle = middle_of(light)) lights[light.name] = place(plan(*middle));
   }
   for (const auto& [name, rect] : interface.items()) items[name] = {rect.x, rect.y, rect.width, rect.height};
   json["objects"] = std::move(objects);

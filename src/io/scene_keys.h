@@ -61,10 +61,28 @@ inline constexpr NumberRule view_angle{
     .hint = "45 is a usual angle of view, 90 a very wide one",
 };
 
+inline constexpr NumberRule cone_angle{
+    .expected = "a full angle in degrees above 0 and at most 180",
+    .high = 180,
+    .above_low = true,
+    .hint = "30 is a narrow spot, 90 a wide one",
+};
+inline constexpr NumberRule inner_cone_angle{
+    .expected = "a full angle in degrees from 0 to 180",
+    .high = 180,
+    .hint = "up to half of it from the axis the light is at its full strength",
+};
+inline constexpr NumberRule lobe_angle{
+    .expected = "half an angle in degrees from 0 to 90",
+    .high = 90,
+    .hint = "0 is sharp, 5 a brushed metal, 20 very rough",
+};
+
 struct WholeRule {
   int low = 1, high = 1;
 };
-inline constexpr WholeRule cell_count{1, 10001}, pixel_count{1, 32768}, depth_count{1, 1000};
+inline constexpr WholeRule cell_count{1, 10001}, pixel_count{1, 32768}, depth_count{1, 1000}, sample_count{1, 1 << 20},
+    light_grid_count{1, 256};
 
 /// The names of a choice's values in a scene file.
 template <class Value>
@@ -79,9 +97,29 @@ struct Names<ShadowKind> {
       {{ShadowKind::opaque, "opaque"}, {ShadowKind::filtered, "filtered"}}};
 };
 
+template <>
+struct Names<Integrator> {
+  static constexpr std::array<std::pair<Integrator, std::string_view>, integrator_count> all{
+      {{Integrator::automatic, integrator_name(Integrator::automatic)},
+       {Integrator::cast, integrator_name(Integrator::cast)},
+       {Integrator::whitted, integrator_name(Integrator::whitted)},
+       {Integrator::distributed, integrator_name(Integrator::distributed)},
+       {Integrator::path, integrator_name(Integrator::path)}}};
+};
+template <>
+struct Names<SamplerKind> {
+  static constexpr std::array<std::pair<SamplerKind, std::string_view>, sampler_count> all{
+      {{SamplerKind::random, sampler_name(SamplerKind::random)},
+       {SamplerKind::jittered, sampler_name(SamplerKind::jittered)},
+       {SamplerKind::sobol, sampler_name(SamplerKind::sobol)}}};
+};
+
 /// What a variant's alternatives are called under `type`.
 constexpr std::string_view type_name(const PointLight& /*light*/) { return "point"; }
 constexpr std::string_view type_name(const DirectionalLight& /*light*/) { return "directional"; }
+constexpr std::string_view type_name(const SpotLight& /*light*/) { return "spot"; }
+constexpr std::string_view type_name(const SphereLight& /*light*/) { return "sphere"; }
+constexpr std::string_view type_name(const RectangleLight& /*light*/) { return "rectangle"; }
 template <class S>
 constexpr auto type_name(const S& shape) -> decltype(shape_name(shape)) {
   return shape_name(shape);
@@ -99,6 +137,12 @@ void describe(Fields& f, Camera& camera) {
   f.point("look_at", camera.look_at, required);
   f.direction("up", camera.up, optional);
   f.together(camera.fov);
+  f.number("aperture", camera.aperture, not_negative, optional);
+  f.number_or_nothing("focus", camera.focus, above_zero);
+  f.pair("shutter", camera.shutter_open, camera.shutter_close, coordinate, "[open, close]");
+  f.check(camera.shutter_open <= camera.shutter_close, "shutter",
+          "the shutter closes before it opens (expected [open, close] with open at most close)",
+          "[0, 0.5] is open from the time 0 to the time 0.5; equal times freeze all motion");
 }
 
 template <class Fields>
@@ -129,6 +173,38 @@ void describe(Fields& f, PointLight& light) {
 template <class Fields>
 void describe(Fields& f, DirectionalLight& light) {
   f.direction("direction", light.direction, required);
+}
+
+template <class Fields>
+void describe(Fields& f, SpotLight& light) {
+  f.point("position", light.position, required);
+  f.point("look_at", light.look_at, required);
+  f.check(length(light.look_at - light.position) >= 1 / most_magnitude, "look_at",
+          "the spot looks at its own position (expected another point)",
+          "look_at is a point in the middle of its light");
+  f.number("angle", light.angle, cone_angle, optional);
+  f.number("inner_angle", light.inner_angle, inner_cone_angle, optional);
+  f.check(light.inner_angle <= light.angle, "inner_angle",
+          "the inner angle is wider than the angle (expected at most the angle)",
+          "give both when you make the cone narrower than 40 degrees");
+  f.attenuation("attenuation", light.attenuation);
+}
+
+template <class Fields>
+void describe(Fields& f, SphereLight& light) {
+  f.point("position", light.position, required);
+  f.number("radius", light.radius, not_negative, required);
+  f.whole("samples", light.samples, light_grid_count);
+  f.attenuation("attenuation", light.attenuation);
+}
+
+template <class Fields>
+void describe(Fields& f, RectangleLight& light) {
+  f.point("corner", light.corner, required);
+  f.point("u", light.u, required);
+  f.point("v", light.v, required);
+  f.whole("samples", light.samples, light_grid_count);
+  f.attenuation("attenuation", light.attenuation);
 }
 
 template <class Fields>
@@ -207,6 +283,13 @@ void describe(Fields& f, Checker& checker) {
 }
 
 template <class Fields>
+void describe(Fields& f, ImageTexture& texture) {
+  f.file("file", texture.file);
+  f.number("width", texture.width, above_zero, optional);
+  f.number("height", texture.height, above_zero, optional);
+}
+
+template <class Fields>
 void describe(Fields& f, Material& material) {
   f.colour("ambient", material.ambient);
   f.colour("diffuse", material.diffuse);
@@ -216,9 +299,13 @@ void describe(Fields& f, Material& material) {
   f.colour("transmission", material.transmission);
   f.number("ior", material.ior, above_zero, optional);
   f.yes_or_no("dielectric", material.dielectric);
+  f.number("gloss", material.gloss, lobe_angle, optional);
+  f.number("translucency", material.translucency, lobe_angle, optional);
+  f.colour("absorption", material.absorption);
   f.choice("shadow", material.shadow);
   f.colour("emission", material.emission);
   f.table_or_nothing("checker", material.checker);
+  f.table_or_nothing("texture", material.texture);
 }
 
 template <class Fields>
@@ -227,6 +314,15 @@ void describe(Fields& f, Object& object) {
   f.type("type", object.shape);
   f.steps("transform", object.transform);
   f.table("material", object.material, optional);
+}
+
+template <class Fields>
+void describe(Fields& f, RenderChoices& render) {
+  f.choice("integrator", render.integrator);
+  f.whole("samples", render.samples, sample_count);
+  f.choice("sampler", render.sampler);
+  f.whole_or_nothing("light_grid", render.light_grid, light_grid_count);
+  f.number("tolerance", render.tolerance, not_negative, optional);
 }
 
 template <class Fields>
@@ -239,6 +335,7 @@ void describe(Fields& f, Scene& scene) {
   f.table("screen", scene.camera.screen, optional);
   f.table("image", scene.image, optional);
   f.table("limits", scene.limits, optional);
+  f.table("render", scene.render, optional);
   f.tables("light", scene.lights);
   f.tables("object", scene.objects);
 }

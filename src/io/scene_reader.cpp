@@ -15,7 +15,7 @@ using scene_keys::Presence;
 
 namespace {
 
-constexpr std::size_t longest_text = 10'000, longest_name = 100, most_corners = 1'000;
+constexpr std::size_t longest_text = 10'000, longest_name = 100, longest_file = 1'000, most_corners = 1'000;
 
 /// A value as a message shows it, in few words.
 std::string found(const toml::node& node) {
@@ -177,6 +177,22 @@ void SceneReader::whole(std::string_view key, int& value, scene_keys::WholeRule 
   value = static_cast<int>(integer->get());
 }
 
+void SceneReader::whole_or_nothing(std::string_view key, std::optional<int>& value, scene_keys::WholeRule rule) {
+  int number = rule.low;
+  whole(key, number, rule);
+  value = table_.contains(key) ? std::optional(number) : std::nullopt;
+}
+
+void SceneReader::pair(std::string_view key, double& first, double& second, const NumberRule& rule,
+                       std::string_view expected) {
+  const toml::node* node = take(key, Presence::optional);
+  if (node == nullptr) return;
+  const auto both = numbers_of(*node, key, rule, 2, 2, std::string(expected));
+  if (both.empty()) return;
+  first = both[0];
+  second = both[1];
+}
+
 void SceneReader::colour(std::string_view key, Rgbd& value) {
   const toml::node* node = take(key, Presence::optional);
   if (node == nullptr) return;
@@ -245,6 +261,17 @@ void SceneReader::text(std::string_view key, std::string& value) {
   if (text == nullptr) return fail_type(*node, key, "text in quotes", "write " + std::string(key) + " = \"...\"");
   if (text->get().size() > longest_text)
     return fail_type(*node, key, fmt::format("at most {} bytes", longest_text), "say it in fewer words");
+  value = text->get();
+}
+
+void SceneReader::file(std::string_view key, std::string& value) {
+  const toml::node* node = take(key, Presence::required);
+  if (node == nullptr) return;
+  const auto* text = node->as_string();
+  const bool is_name = text != nullptr && !text->get().empty() && text->get().size() <= longest_file &&
+                       text->get().find('\0') == std::string::npos;
+  if (!is_name)
+    return fail_type(*node, key, "the name of a file in quotes", "it is looked for from the scene's own folder");
   value = text->get();
 }
 

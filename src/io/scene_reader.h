@@ -55,6 +55,12 @@ class SceneReader {
   void number(std::string_view key, double& value, const scene_keys::NumberRule& rule, scene_keys::Presence presence);
   void number_or_nothing(std::string_view key, std::optional<double>& value, const scene_keys::NumberRule& rule);
   void whole(std::string_view key, int& value, scene_keys::WholeRule rule);
+  void whole_or_nothing(std::string_view key, std::optional<int>& value, scene_keys::WholeRule rule);
+  /// Two numbers, or what they were when the key is left out.
+  void pair(std::string_view key, double& first, double& second, const scene_keys::NumberRule& rule,
+            std::string_view expected);
+  /// The name of a file, which need not exist.
+  void file(std::string_view key, std::string& value);
   void yes_or_no(std::string_view key, bool& value);
   void colour(std::string_view key, Rgbd& value);
   void point(std::string_view key, Vec3d& value, scene_keys::Presence presence);

@@ -32,6 +32,14 @@ class Lister {
   void whole(std::string_view key, int& value, scene_keys::WholeRule /*rule*/) {
     add(key, {.text = std::to_string(value)}, true);
   }
+  void whole_or_nothing(std::string_view key, std::optional<int>& value, scene_keys::WholeRule /*rule*/) {
+    if (value) add(key, {.text = std::to_string(*value)}, false);
+  }
+  void pair(std::string_view key, double& first, double& second, const scene_keys::NumberRule& /*rule*/,
+            std::string_view /*expected*/) {
+    add(key, list({first, second}, Shorthand::none), true);
+  }
+  void file(std::string_view key, std::string& value) { add(key, {.text = toml_text::quoted(value)}, false); }
   void yes_or_no(std::string_view key, bool& value) { add(key, {.text = value ? "true" : "false"}, true); }
   void colour(std::string_view key, Rgbd& value) { add(key, list({value.x, value.y, value.z}, Shorthand::grey), true); }
   void point(std::string_view key, Vec3d& value, scene_keys::Presence presence) {

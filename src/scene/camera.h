@@ -31,8 +31,12 @@ struct Camera {
   Vec3d up{0.0, 0.0, 1.0};       ///< not parallel to the view
   std::optional<FieldOfView> fov;
   Screen screen{1, 1.0, 21};
+  double aperture = 0;          ///< radius of the lens, in scene units; 0: a pinhole
+  std::optional<double> focus;  ///< distance from the eye, along the view, of the plane that is sharp; absent: look_at
+  double shutter_open = 0, shutter_close = 1;  ///< in the time of the objects' motion; open <= close
   friend bool operator==(const Camera&, const Camera&) = default;
 
+  [[nodiscard]] double focus_distance() const { return focus ? *focus : length(look_at - eye); }
   /// Half the extent of the image plane at distance 1 along the axis that `extent_axis` names.
   [[nodiscard]] double half_extent() const {
     constexpr double pi = 3.14159265358979323846;

@@ -2,6 +2,7 @@
 
 #include "math/vec.h"
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -25,11 +26,47 @@ struct DirectionalLight {
   friend bool operator==(const DirectionalLight&, const DirectionalLight&) = default;
 };
 
+/// A point light that shines into a cone only: in full up to half of `inner_angle` from its axis, then ever less (a
+/// smooth step in the cosine) down to nothing at half of `angle`.
+struct SpotLight {
+  Vec3d position{0.0};
+  Vec3d look_at{1.0, 0.0, 0.0};  ///< a point on the cone's axis, not `position`
+  double angle = 60;             ///< full angle of the cone in degrees, 0 < angle <= 180
+  double inner_angle = 40;       ///< full angle in degrees, 0 <= inner_angle <= angle
+  Attenuation attenuation;
+  friend bool operator==(const SpotLight&, const SpotLight&) = default;
+};
+
+/// Area lights. Each is the mean of point lights spread evenly over it: it has no back, is never hit and hides nothing.
+/// At every hit it is tried at samples x samples of its points.
+struct SphereLight {
+  Vec3d position{0.0};  ///< its centre
+  double radius = 1;    ///< >= 0; 0 is a point light
+  int samples = 1;      ///< >= 1
+  Attenuation attenuation;
+  friend bool operator==(const SphereLight&, const SphereLight&) = default;
+};
+
+struct RectangleLight {
+  Vec3d corner{0.0};
+  Vec3d u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0};  ///< its edges from `corner`; both 0 is a point light
+  int samples = 1;                           ///< >= 1
+  Attenuation attenuation;
+  friend bool operator==(const RectangleLight&, const RectangleLight&) = default;
+};
+
 struct Light {
   std::string name;
   Rgbd strength{1.0};
-  std::variant<PointLight, DirectionalLight> kind;
+  std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, RectangleLight> kind;
   friend bool operator==(const Light&, const Light&) = default;
 };
+
+/// The middle of a light, or nothing for one that is infinitely far away.
+[[nodiscard]] std::optional<Vec3d> middle_of(const Light& light);
+/// Moves the light with all that belongs to it; a directional one stays.
+void move_by(Light& light, const Vec3d& way);
+/// Whether the light has an extent, so that it has penumbras.
+[[nodiscard]] bool is_area(const Light& light);
 
 }  // namespace raywalk

@@ -2,7 +2,10 @@
 
 #include "math/vec.h"
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -13,6 +16,26 @@ struct Checker {
   Rgbd odd{0.0};
   double size = 1.0;  ///< edge of a square, > 0
   friend bool operator==(const Checker&, const Checker&) = default;
+};
+
+/// Pixels of a texture in linear RGB, top row first.
+struct TexturePixels {
+  int width = 0, height = 0;
+  std::vector<Vec3<float>> pixels;
+};
+
+/// An image laid over the surface and repeated without end. Its lower left corner lies at (u, v) = (0, 0) of the shape,
+/// its right edge at u = width and its upper edge at v = height. Between the centres of pixels colours are interpolated
+/// bilinearly. The colour multiplies the material's ambient and diffuse.
+struct ImageTexture {
+  std::string file;              ///< as the scene states it: relative to the scene's folder
+  double width = 1, height = 1;  ///< of one copy on the surface, in units of the shape's (u, v), > 0
+  /// What the file holds. Null until a reader has loaded it; then the texture is white.
+  std::shared_ptr<const TexturePixels> pixels{};
+  /// The pixels follow from the file.
+  friend bool operator==(const ImageTexture& a, const ImageTexture& b) {
+    return a.file == b.file && a.width == b.width && a.height == b.height;
+  }
 };
 
 /// What a surface does to shadow rays: stop them, or let them through weighted by `transmission` at each crossing.
@@ -29,9 +52,13 @@ struct Material {
   Rgbd transmission{0.0};   ///< kt: share of the refracted ray
   double ior = 1.5;         ///< index of refraction inside, > 0; only used when something transmits
   bool dielectric = false;  ///< share kr + kt between the two by the exact Fresnel equations
+  double gloss = 0;         ///< half angle in degrees, 0..90, of the cone about the mirror direction that kr gathers
+  double translucency = 0;  ///< the same about the refracted direction, for kt; in both, all directions count the same
+  Rgbd absorption{0.0};     ///< a: of the light inside, exp(-a d) is left after the way d (Beer); where kt > 0
   ShadowKind shadow = ShadowKind::opaque;
   Rgbd emission{0.0};  ///< radiance the surface gives off by itself
   std::optional<Checker> checker;
+  std::optional<ImageTexture> texture{};
   friend bool operator==(const Material&, const Material&) = default;
 
   [[nodiscard]] bool reflects() const { return !is_black(reflection); }

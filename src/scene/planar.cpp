@@ -72,8 +72,9 @@ std::string why_not_planar(const Scene& scene) {
   if (scene.camera.look_at.z != 0) return "the camera does not look along z = 0";
   if (scene.camera.up.x != 0 || scene.camera.up.y != 0 || !(scene.camera.up.z > 0)) return "up is not +z";
   for (const Light& light : scene.lights) {
-    if (const auto* point = std::get_if<PointLight>(&light.kind); point && point->position.z != 0)
-      return light.name + " does not lie in z = 0";
+    if (const auto middle = middle_of(light); middle && middle->z != 0) return light.name + " does not lie in z = 0";
+    if (const auto* spot = std::get_if<SpotLight>(&light.kind); spot && spot->look_at.z != 0)
+      return light.name + " does not shine along z = 0";
     if (const auto* sun = std::get_if<DirectionalLight>(&light.kind); sun && sun->direction.z != 0)
       return light.name + " does not shine along z = 0";
   }

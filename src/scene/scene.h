@@ -3,6 +3,7 @@
 #include "scene/camera.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "scene/render_choices.h"
 #include "scene/transform_step.h"
 #include "shape/shape.h"
 
@@ -39,6 +40,7 @@ struct Scene {
   Camera camera;
   ImageSize image;
   TraceLimits limits;
+  RenderChoices render{};
   Rgbd background{0.0};
   Rgbd ambient{1.0};  ///< ambient light, multiplied by each material's ka
   std::vector<Light> lights;
@@ -46,7 +48,7 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// Whether the strip of `scene` is exactly the middle row of its image: eye, look-at and point lights in z = 0,
+/// Whether the strip of `scene` is exactly the middle row of its image: eye, look-at and the middle of lights in z = 0,
 /// directional lights without z, up along z, and every surface that meets z = 0 with a normal whose z is exactly 0.
 /// Empty when planar; otherwise the reason in words, naming the object.
 [[nodiscard]] std::string why_not_planar(const Scene& scene);

@@ -30,7 +30,9 @@ typename World<T>::Lamp lamp_of(int index, const Light& light) {
   if (const auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
     lamp.directional = true;
     lamp.place = Vec3<T>(normalize(sun->direction));
-  } else if (const auto* point = std::get_if<PointLight>(&light.kind)) {
+  } else if (const auto* point = std::get_if<PointLight>(&light.kind); point == nullptr) {
+    lamp.place = Vec3<T>(*middle_of(light));
+  } else {
     lamp.place = Vec3<T>(point->position);
     lamp.constant = static_cast<T>(point->attenuation.constant);
     lamp.linear = static_cast<T>(point->attenuation.linear);

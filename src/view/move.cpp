@@ -73,9 +73,12 @@ void move_object(Object& object, const Grip& grip) {
 
 void move_light(Light& light, const Grip& grip) {
   std::visit(Overloaded{
-                 [&](PointLight& point) { shift(point.position, shift_of(grip, plan(point.position))); },
                  [&](DirectionalLight& sun) {
                    turn(sun.direction, turn_of(grip, grip.sun_pivot, angle_of(plan(sun.direction))));
+                 },
+                 [&](auto&) {
+                   const Vec2d by = shift_of(grip, plan(*middle_of(light)));
+                   if (by != Vec2d(0.0)) move_by(light, Vec3d(by, 0));
                  },
              },
              light.kind);

@@ -64,7 +64,6 @@ std::optional<PlanLine> plan_line(const Plane<double>& plane) {
 
 Vec2d light_place(const Light& light, const PlanCamera& camera, const Viewport& viewport) {
   return std::visit(Overloaded{
-                        [](const PointLight& point) { return plan(point.position); },
                         [&](const DirectionalLight& sun) {
                           const Vec2d towards = plan(sun.direction);
                           const double size = length(towards);
@@ -72,6 +71,7 @@ Vec2d light_place(const Light& light, const PlanCamera& camera, const Viewport& 
                           const double far = 0.42 * std::min(viewport.width, viewport.height) / camera.pixels_per_unit;
                           return camera.centre + far / size * towards;
                         },
+                        [&](const auto&) { return plan(*middle_of(light)); },
                     },
                     light.kind);
 }

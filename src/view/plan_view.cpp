@@ -26,7 +26,7 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport) {
   include(screen.first);
   include(screen.last);
   for (const Light& light : scene.lights)
-    if (const auto* point = std::get_if<PointLight>(&light.kind)) include(plan(point->position));
+    if (const auto middle = middle_of(light)) include(plan(*middle));
   for (const Object& object : scene.objects) {
     if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape); sphere && object.transform.empty()) {
       include(plan(sphere->centre) - detail::plan_radius(*sphere));

@@ -21,7 +21,7 @@ struct RayLook {
 std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool known) {
   if (known) return ray.endless ? std::nullopt : std::optional(plan(ray.end));
   const bool to_a_place = ray.light >= 0 && ray.light < static_cast<int>(scene.lights.size()) &&
-                          std::holds_alternative<PointLight>(scene.lights[static_cast<std::size_t>(ray.light)].kind);
+                          middle_of(scene.lights[static_cast<std::size_t>(ray.light)]).has_value();
   return to_a_place ? std::optional(plan(ray.origin + ray.direction)) : std::nullopt;
 }
 

@@ -28,6 +28,14 @@ class KeyLister {
     add(key);
   }
   void whole(std::string_view key, int& /*value*/, scene_keys::WholeRule /*rule*/) { add(key); }
+  void whole_or_nothing(std::string_view key, std::optional<int>& /*value*/, scene_keys::WholeRule /*rule*/) {
+    add(key);
+  }
+  void pair(std::string_view key, double& /*first*/, double& /*second*/, const scene_keys::NumberRule& /*rule*/,
+            std::string_view /*expected*/) {
+    add(key);
+  }
+  void file(std::string_view key, std::string& /*value*/) { add(key); }
   void yes_or_no(std::string_view key, bool& /*value*/) { add(key); }
   void colour(std::string_view key, Rgbd& /*value*/) { add(key); }
   void point(std::string_view key, Vec3d& /*value*/, scene_keys::Presence /*presence*/) { add(key); }
@@ -95,8 +103,8 @@ TEST_CASE("every key, table and word of the format is explained in the classic s
   Scene scene;
   scene_keys::describe(lister, scene);
   CHECK(lister.keys.size() > 30);
-  CHECK(lister.table_keys() ==
-        std::set<std::string>{"camera", "checker", "image", "light", "limits", "material", "object", "screen"});
+  CHECK(lister.table_keys() == std::set<std::string>{"camera", "checker", "image", "light", "limits", "material",
+                                                     "object", "render", "screen", "texture"});
   for (const std::string& key : lister.keys) {
     INFO(key);
     CHECK(std::regex_search(classic, std::regex("\\b" + key + " = ")));

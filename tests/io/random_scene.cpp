@@ -132,6 +132,16 @@ std::string random_text(Random& random) {
   return text;
 }
 
+RenderChoices random_choices(Random& random) {
+  RenderChoices choices;
+  choices.integrator = static_cast<Integrator>(random.below(integrator_count));
+  choices.sampler = static_cast<SamplerKind>(random.below(sampler_count));
+  if (random.chance(0.5)) choices.samples = 1 + static_cast<int>(random.below(64));
+  if (random.chance(0.5)) choices.light_grid = 1 + static_cast<int>(random.below(8));
+  if (random.chance(0.5)) choices.tolerance = random.unit();
+  return choices;
+}
+
 }  // namespace
 
 double Random::number() {
@@ -171,6 +181,10 @@ Material random_material(Random& random) {
   if (random.chance(0.3)) material.ior = 1 + random.unit();
   material.dielectric = random.chance(0.2);
   if (random.chance(0.2)) material.shadow = ShadowKind::filtered;
+  if (random.chance(0.2)) material.gloss = 90 * random.unit();
+  if (random.chance(0.2)) material.translucency = 90 * random.unit();
+  if (random.chance(0.2)) maybe(material.absorption);
+  if (random.chance(0.2)) material.texture = ImageTexture{random_text(random), random.positive(), random.positive()};
   if (random.chance(0.2)) material.checker = Checker{random_colour(random), random_colour(random), random.positive()};
   return material;
 }
@@ -185,11 +199,31 @@ Object random_object(Random& random, const std::string& name) {
 Light random_light(Random& random, const std::string& name) {
   Light light{name, Rgbd(1.0), {}};
   if (random.chance(0.5)) light.strength = random_colour(random);
-  if (random.chance(0.3))
-    light.kind = DirectionalLight{random_direction(random)};
-  else
-    light.kind = PointLight{random_point(random),
-                            random.chance(0.5) ? Attenuation{} : Attenuation{random.unit(), 0, random.unit() + 0.1}};
+  const Attenuation attenuation =
+      random.chance(0.5) ? Attenuation{} : Attenuation{random.unit(), 0, random.unit() + 0.1};
+  const int samples = 1 + static_cast<int>(random.below(5));
+  switch (random.below(6)) {
+    case 0:
+      light.kind = DirectionalLight{random_direction(random)};
+      break;
+    case 1: {
+      const Vec3d position = random_point(random);
+      const double angle = 180 * (1 - random.unit());
+      light.kind = SpotLight{position, position + random_direction(random), angle, angle * random.unit(), attenuation};
+      if (std::get<SpotLight>(light.kind).look_at == position) std::get<SpotLight>(light.kind).position = Vec3d(0.0);
+      break;
+    }
+    case 2:
+      light.kind =
+          SphereLight{random_point(random), random.chance(0.2) ? 0.0 : random.positive(), samples, attenuation};
+      break;
+    case 3:
+      light.kind =
+          RectangleLight{random_point(random), random_point(random), random_point(random), samples, attenuation};
+      break;
+    default:
+      light.kind = PointLight{random_point(random), attenuation};
+  }
   return light;
 }
 
@@ -207,6 +241,10 @@ Scene random_scene(Random& random) {
   if (random.chance(0.3))
     scene.image = {1 + static_cast<int>(random.below(999)), 1 + static_cast<int>(random.below(999))};
   if (random.chance(0.3)) scene.limits = {1 + static_cast<int>(random.below(20)), random.unit()};
+  if (random.chance(0.3)) scene.camera.aperture = random.positive();
+  if (random.chance(0.3)) scene.camera.focus = random.positive();
+  if (random.chance(0.3)) scene.camera.shutter_close = 1 + (scene.camera.shutter_open = random.unit());
+  if (random.chance(0.3)) scene.render = random_choices(random);
   if (random.chance(0.3)) scene.background = random_colour(random);
   if (random.chance(0.3)) scene.ambient = random_colour(random);
   for (std::size_t i = random.below(4); i > 0; --i)

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace raywalk {
+
+/// How light is followed.
+enum class Integrator {
+  automatic,    ///< `distributed` when the scene calls for one of its effects, else `whitted`, with the same bits
+  cast,         ///< the nearest object, its shadows and local shading (Appel 1968)
+  whitted,      ///< mirrors and glass besides, all sharp; draws no random number (Whitted 1980)
+  distributed,  ///< gloss, translucency, penumbras, depth of field and motion blur besides (Cook, Porter, Carpenter
+                ///< 1984)
+  path,         ///< light from everywhere: path tracing (Kajiya 1986)
+};
+inline constexpr int integrator_count = 5;
+[[nodiscard]] constexpr std::string_view integrator_name(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::automatic:
+      return "automatic";
+    case Integrator::cast:
+      return "cast";
+    case Integrator::whitted:
+      return "whitted";
+    case Integrator::distributed:
+      return "distributed";
+    case Integrator::path:
+      return "path";
+  }
+  return "";
+}
+
+/// Where the samples of a pixel, a lens, a light or a lobe fall.
+enum class SamplerKind {
+  random,    ///< anywhere, each by itself
+  jittered,  ///< one anywhere in each cell of a grid
+  sobol,     ///< a Sobol sequence, scrambled as by Owen
+};
+inline constexpr int sampler_count = 3;
+[[nodiscard]] constexpr std::string_view sampler_name(SamplerKind sampler) {
+  switch (sampler) {
+    case SamplerKind::random:
+      return "random";
+    case SamplerKind::jittered:
+      return "jittered";
+    case SamplerKind::sobol:
+      return "sobol";
+  }
+  return "";
+}
+
+/// How a scene is rendered, unless the command line says otherwise. None of it changes what the scene is.
+struct RenderChoices {
+  Integrator integrator = Integrator::automatic;
+  int samples = 1;  ///< of each pixel, >= 1
+  SamplerKind sampler = SamplerKind::jittered;
+  std::optional<int> light_grid{};  ///< for the `samples` of every area light
+  double tolerance = 0;             ///< of adaptive sampling (render/adaptive.h); 0: every pixel takes all samples
+  friend bool operator==(const RenderChoices&, const RenderChoices&) = default;
+};
+
+}  // namespace raywalk
