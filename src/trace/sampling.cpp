@@ -19,7 +19,7 @@ RectangleSeen::RectangleSeen(const Vec3d& point, const Vec3d& corner, const Vec3
   const double g0 = angle(below, right), g1 = angle(right, above), g2 = angle(above, left), g3 = angle(left, below);
   b0_ = below;
   b1_ = above;
-  k_ = 2 * pi<double> - g2 - g3;
+  k_ = 2 * pi_v<double> - g2 - g3;
   solid_angle_ = z_ < 0 ? g0 + g1 - k_ : 0;
 }
 

@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace raywalk {
 
-template <class T>
-inline constexpr T pi = T(3.14159265358979323846L);
+using std::numbers::pi_v;
 
 /// Two axes that make a right-handed frame with a unit vector (T. Duff et al., "Building an Orthonormal Basis,
 /// Revisited", JCGT 6(1), 2017).
 template <class T>
-struct Frame {
-  explicit Frame(const Vec3<T>& unit) : n(unit) {
+struct Basis {
+  explicit Basis(const Vec3<T>& unit) : n(unit) {
     const T sign = std::copysign(T(1), n.z);
     const T a = -1 / (sign + n.z);
     const T b = n.x * n.y * a;
@@ -38,7 +38,7 @@ template <class T>
   if (x == 0 && y == 0) return {0, 0};
   const bool wide = std::abs(x) > std::abs(y);
   const T radius = wide ? x : y;
-  const T angle = wide ? pi<T> / 4 * (y / x) : pi<T> / 2 - pi<T> / 4 * (x / y);
+  const T angle = wide ? pi_v<T> / 4 * (y / x) : pi_v<T> / 2 - pi_v<T> / 4 * (x / y);
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
@@ -55,7 +55,7 @@ template <class T>
 }
 template <class T>
 [[nodiscard]] constexpr T uniform_cone_pdf(T one_minus_cos) {
-  return 1 / (2 * pi<T> * one_minus_cos);
+  return 1 / (2 * pi_v<T> * one_minus_cos);
 }
 /// 1 - cos of an angle in radians, without cancellation.
 template <class T>
@@ -78,7 +78,7 @@ template <class T>
 }
 template <class T>
 [[nodiscard]] constexpr T cosine_hemisphere_pdf(T cos) {
-  return cos > 0 ? cos / pi<T> : T(0);
+  return cos > 0 ? cos / pi_v<T> : T(0);
 }
 
 /// A direction above z = 0 by a power of its cosine, >= 0: the lobe about a mirrored ray (Phong) or of half vectors
@@ -97,7 +97,7 @@ template <class T>
 }
 template <class T>
 [[nodiscard]] T power_cosine_pdf(T cos, T exponent) {
-  return cos > 0 ? (exponent + 1) / (2 * pi<T>)*std::pow(cos, exponent) : T(0);
+  return cos > 0 ? (exponent + 1) / (2 * pi_v<T>)*std::pow(cos, exponent) : T(0);
 }
 
 /// Weights of the second and third corner of a triangle for a point of it; density 1 / area (G. Turk 1990).
@@ -137,9 +137,9 @@ template <class T>
 template <class T>
 [[nodiscard]] Vec3<T> towards_sphere(const Vec2<T>& u, const Vec3<T>& point, const Vec3<T>& centre,
                                      const SphereSeen<T>& seen) {
-  const Frame<T> frame(normalize(centre - point));
-  if (seen.one_minus_cos == 0) return frame.n;
-  return frame.to_world(uniform_cone(u, seen.one_minus_cos));
+  const Basis<T> basis(normalize(centre - point));
+  if (seen.one_minus_cos == 0) return basis.n;
+  return basis.to_world(uniform_cone(u, seen.one_minus_cos));
 }
 
 /// Of a spot's strength, what is left at an angle: 1 within the inner cone, 0 outside the outer one, between them a

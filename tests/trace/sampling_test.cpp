@@ -34,7 +34,7 @@ int cell_of(const Vec3d& direction, double reach) {
       direction.z > 0 ? (direction.x * direction.x + direction.y * direction.y) / (1 + direction.z) : 1 - direction.z;
   const int ring = static_cast<int>(down / reach * rings);
   if (ring >= rings) return -1;
-  const double turn = std::atan2(direction.y, direction.x) / (2 * pi<double>)+0.5;
+  const double turn = std::atan2(direction.y, direction.x) / (2 * pi_v<double>)+0.5;
   return ring * sectors + std::min(static_cast<int>(turn * sectors), sectors - 1);
 }
 
@@ -45,11 +45,11 @@ std::vector<double> shares(const Density& density, double reach) {
   for (int ring = 0; ring < rings * fine; ++ring)
     for (int sector = 0; sector < sectors * fine; ++sector) {
       const double down = (ring + 0.5) / (rings * fine) * reach;
-      const double turn = ((sector + 0.5) / (sectors * fine) - 0.5) * 2 * pi<double>;
+      const double turn = ((sector + 0.5) / (sectors * fine) - 0.5) * 2 * pi_v<double>;
       const double sin = std::sqrt(down * (2 - down));
       const Vec3d direction(sin * std::cos(turn), sin * std::sin(turn), 1 - down);
       share[static_cast<std::size_t>(ring / fine * sectors + sector / fine)] +=
-          density(direction) * 2 * pi<double> * reach / (rings * fine * sectors * fine);
+          density(direction) * 2 * pi_v<double> * reach / (rings * fine * sectors * fine);
     }
   return share;
 }
@@ -87,18 +87,18 @@ void follows(const Draw& draw, const Density& density, double reach = 2) {
 
 }  // namespace
 
-TEST_CASE("a frame is orthonormal and right-handed about any unit vector") {
+TEST_CASE("a basis is orthonormal and right-handed about any unit vector") {
   for (std::uint32_t i = 0; i < 5000; ++i) {
     const Vec3d n = i == 0   ? Vec3d(0, 0, 1)
                     : i == 1 ? Vec3d(0, 0, -1)
                     : i == 2 ? Vec3d(1, 0, -0.0)
                              : uniform_sphere(drawn(i));
-    const Frame<double> frame(n);
-    const Vec3d wrong = cross(frame.s, frame.t) - frame.n;
-    if (!(std::abs(dot(frame.s, frame.t)) < 1e-14 && std::abs(dot(frame.s, n)) < 1e-14 && length(wrong) < 1e-14 &&
-          std::abs(length(frame.s) - 1) < 1e-14))
+    const Basis<double> basis(n);
+    const Vec3d wrong = cross(basis.s, basis.t) - basis.n;
+    if (!(std::abs(dot(basis.s, basis.t)) < 1e-14 && std::abs(dot(basis.s, n)) < 1e-14 && length(wrong) < 1e-14 &&
+          std::abs(length(basis.s) - 1) < 1e-14))
       FAIL("about " << n.x << ' ' << n.y << ' ' << n.z);
-    CHECK(frame.to_world({0, 0, 1}) == n);
+    CHECK(basis.to_world({0, 0, 1}) == n);
   }
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("the disk is filled evenly, and square rings become circles") {
     const Vec2d p = concentric_disk(drawn(i));
     const double r2 = dot(p, p);
     if (!(r2 <= 1 + 1e-15)) FAIL("outside: " << r2);
-    const double turn = std::atan2(p.y, p.x) / (2 * pi<double>)+0.5;
+    const double turn = std::atan2(p.y, p.x) / (2 * pi_v<double>)+0.5;
     ++held[static_cast<std::size_t>(std::min(r2 * 10, 9.999)) * 12 +
            static_cast<std::size_t>(std::min(turn * 12, 11.99))];
   }
@@ -127,7 +127,7 @@ TEST_CASE("the disk is filled evenly, and square rings become circles") {
 
 TEST_CASE("directions follow their densities") {
   SECTION("whole sphere") {
-    follows([](const Vec2d& u) { return uniform_sphere(u); }, [](const Vec3d&) { return 1 / (4 * pi<double>); });
+    follows([](const Vec2d& u) { return uniform_sphere(u); }, [](const Vec3d&) { return 1 / (4 * pi_v<double>); });
   }
   SECTION("cosine") {
     follows([](const Vec2d& u) { return cosine_hemisphere(u); },
@@ -211,7 +211,7 @@ TEST_CASE("area to solid angle: the tables' polygon formula comes out") {
     const Vec3d way(2 * u.x - 1, 2 * u.y - 1, 1);
     sum += 1 / solid_angle_density(0.25, way, Vec3d(0, 0, -1)) / n;
   }
-  CHECK(sum == Approx(4 * pi<double> / 6).epsilon(1e-5));
+  CHECK(sum == Approx(4 * pi_v<double> / 6).epsilon(1e-5));
   CHECK(solid_angle_density(1.0, Vec3d(1, 2, 0), Vec3d(0, 0, 1)) == std::numeric_limits<double>::infinity());
 }
 
@@ -277,9 +277,9 @@ TEST_CASE("what a point sees of a rectangle: its solid angle, and points even by
     Vec3d point, corner, u, v;
     double solid_angle;  // 0: by sums over the area
   };
-  const std::vector<Case> cases{{{0, 0, 0}, {-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, 4 * pi<double> / 6},
-                                {{0, 0, 0}, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 4 * pi<double> / 6},
-                                {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 4 * pi<double> / 24},
+  const std::vector<Case> cases{{{0, 0, 0}, {-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, 4 * pi_v<double> / 6},
+                                {{0, 0, 0}, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 4 * pi_v<double> / 6},
+                                {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 4 * pi_v<double> / 24},
                                 {{1, 2, 3}, {2, 2.5, 3.3}, {0.6, 0.8, 0}, {-1.6, 1.2, 0}, 0},
                                 {{0, 0, 0}, {-0.5, 3, 0.01}, {1, 0, 0}, {0, 4, 0}, 0},
                                 {{0, 0, 0}, {50, 40, 30}, {0, 1, 0}, {0, 0, 2}, 0}};
