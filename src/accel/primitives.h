@@ -32,6 +32,12 @@ class Primitives {
   }
 
   [[nodiscard]] int size() const { return static_cast<int>(shapes_.size()); }
+  /// A primitive in its own space, and the map that takes it into the world; null when it stands there already.
+  [[nodiscard]] const Shape<T>& shape(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const Placement<T>* place_of(int id) const {
+    if (place_of_.empty() || place_of_[static_cast<std::size_t>(id)] == unplaced) return nullptr;
+    return &places_[static_cast<std::size_t>(place_of_[static_cast<std::size_t>(id)])];
+  }
 
   /// The lowest id of a primitive that equals this one in shape and place. All of them are one surface: the lowest is
   /// hit, and what departs from it departs from all.
@@ -73,11 +79,6 @@ class Primitives {
 
  private:
   static constexpr std::int32_t unplaced = -1;
-  [[nodiscard]] const Shape<T>& shape(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
-  [[nodiscard]] const Placement<T>* place_of(int id) const {
-    if (place_of_.empty() || place_of_[static_cast<std::size_t>(id)] == unplaced) return nullptr;
-    return &places_[static_cast<std::size_t>(place_of_[static_cast<std::size_t>(id)])];
-  }
   /// The part of primitive `id` that the ray departs from, or no_part.
   [[nodiscard]] int departed_part(const Ray<T>& ray, int id) const {
     const int from = ray.departure.primitive;
