@@ -29,7 +29,8 @@ namespace raywalk {
 namespace {
 
 using Run = std::function<ExitCode()>;
-constexpr const char* scene_help = "A scene file, or the name of a scene that comes with Raywalk";
+constexpr const char* scene_help =
+    "A scene file (.toml, .nff, or .test of ray tracing courses), or the name of a scene that comes with Raywalk";
 
 template <class Value>
 void store(Value& target, const Value& value) {
@@ -123,6 +124,10 @@ void declare_render(CLI::App& program, Run& run) {
   add_size(command, to.size);
   constexpr int most_samples = 1 << 20, most_threads = 1024;
   add_whole(command, "--spp", to.sampling.per_pixel, 1, most_samples, "Samples of each pixel (1 when left out)");
+  command
+      .add_flag("--corner-samples", to.sampling.corners,
+                "A ray through each corner of the pixels, whose mean is the pixel: as ray counts of NFF scenes have it")
+      ->excludes("--spp");
   add_limits(command, to.depth, to.threshold);
   add_whole(command, "--threads", to.threads, 0, most_threads,
             "Threads; 0, as when left out: as many as the machine runs at once");

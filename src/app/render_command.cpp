@@ -38,11 +38,11 @@ std::optional<Error> why_too_large(ImageSize size) {
 }
 
 /// What is done of an interrupted render goes into a file of its own: the old image stays whole.
-ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering) {
+ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering, Encoding encoding) {
   const std::string interrupted = fmt::format("interrupted with {:.1f}% done", rendering.done * 100);
   if (rendering.done == 0) return fail({"", 0, 0, "interrupted before anything was done; nothing was written", ""});
   const std::string path = partial_path(options.image);
-  if (const auto written = write_image(path, rendering.image()); !written) {
+  if (const auto written = write_image(path, rendering.image(), encoding); !written) {
     note(interrupted);
     return fail(written.error());
   }
@@ -110,10 +110,11 @@ ExitCode render_command(const RenderOptions& options) {
     rendering = render(scene, settings);
   }
   if (!rendering) return fail(rendering.error());
-  if (!rendering->finished) return keep_partial(options, *rendering);
+  if (!rendering->finished) return keep_partial(options, *rendering, scene.encoding);
 
   const auto write_start = Clock::now();
-  if (const auto written = write_image(options.image, rendering->image()); !written) return fail(written.error());
+  if (const auto written = write_image(options.image, rendering->image(), scene.encoding); !written)
+    return fail(written.error());
   report.write_seconds = seconds_since(write_start);
   if (!options.statistics.empty())
     if (const auto written = write_file_atomically(options.statistics, statistics_json(*rendering, report)); !written)

@@ -31,7 +31,7 @@ std::vector<std::string> shipped_scenes() {
 std::string scene_path(const std::string& scene) {
   std::error_code ignored;
   if (fs::exists(scene, ignored) || fs::path(scene).has_parent_path()) return scene;
-  const fs::path file = fs::path(scene).extension() == ".toml" ? scene : scene + ".toml";
+  const fs::path file = has_scene_ending(scene) ? scene : scene + ".toml";
   const fs::path shipped = fs::path(data_dir()) / "scenes" / file;
   return fs::exists(shipped, ignored) ? shipped.string() : scene;
 }

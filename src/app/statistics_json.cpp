@@ -16,6 +16,7 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
                    {"width", report.size.width},
                    {"height", report.size.height},
                    {"samples", report.sampling.per_pixel},
+                   {"corner_samples", report.sampling.corners},
                    {"seed", report.sampling.seed},
                    {"depth", report.limits.depth},
                    {"threshold", report.limits.threshold},

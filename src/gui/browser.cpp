@@ -36,7 +36,7 @@ FolderListing list_folder(const std::string& folder) {
     if (!name.starts_with(".")) {
       if (entry->is_directory(unknown)) {
         listing.folders.push_back(name);
-      } else if (entry->path().extension() == ".toml") {
+      } else if (has_scene_ending(name)) {
         listing.files.push_back(name);
       }
     }
@@ -51,7 +51,7 @@ void Browser::begin(const State& state, const std::string& home) {
   const fs::path current(state.path);
   go_to(absolute(state.path.empty() ? home : current.parent_path().string()));
   typed_.clear();
-  if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.filename().string();
+  if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
   focus_typed_ = true;
 }
 

@@ -8,8 +8,8 @@
 
 namespace raywalk {
 
-/// What of a folder a person can choose from: its folders, then its scenes (*.toml), both in the order of the alphabet;
-/// hidden ones are left out.
+/// What of a folder a person can choose from: its folders, then its scenes (by their endings), both in the order of the
+/// alphabet; hidden ones are left out.
 struct FolderListing {
   bool readable = true;
   std::vector<std::string> folders, files;

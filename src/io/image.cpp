@@ -34,6 +34,16 @@ bool has_nan(const Rgb<float>& c) { return std::isnan(c.x) || std::isnan(c.y) ||
 
 std::uint32_t swap_bytes(std::uint32_t x) { return x << 24 | (x & 0xff00) << 8 | (x >> 8 & 0xff00) | x >> 24; }
 
+std::uint8_t to_byte(float channel, Encoding encoding) {
+  switch (encoding) {
+    case Encoding::srgb:
+      return to_srgb8(channel);
+    case Encoding::truncated:
+      return static_cast<std::uint8_t>(255 * static_cast<double>(std::clamp(channel, 0.0F, 1.0F)));
+  }
+  return 0;
+}
+
 Result<Image> bad_pfm(const std::string& file, const std::string& what) {
   return tl::unexpected(
       Error{file, 0, 0, what, "a colour PFM starts with PF, the width and height, and -1.0, then 12 bytes a pixel"});
@@ -70,7 +80,7 @@ std::size_t count_nan_pixels(const Image& image) {
   return static_cast<std::size_t>(std::count_if(image.pixels.begin(), image.pixels.end(), has_nan));
 }
 
-Result<std::string> encode_png(const Image& image) {
+Result<std::string> encode_png(const Image& image, Encoding encoding) {
   constexpr std::size_t most_pixels = std::size_t{1} << 28;  // stb counts bytes in an int
   if (image.pixels.empty() || image.pixels.size() > most_pixels)
     return tl::unexpected(Error{"", 0, 0,
@@ -81,7 +91,7 @@ Result<std::string> encode_png(const Image& image) {
   bytes.reserve(image.pixels.size() * 3);
   for (const Rgb<float>& pixel : image.pixels) {
     const Rgb<float> c = has_nan(pixel) ? Rgb<float>(1, 0, 1) : pixel;
-    for (const float channel : {c.x, c.y, c.z}) bytes.push_back(to_srgb8(channel));
+    for (const float channel : {c.x, c.y, c.z}) bytes.push_back(to_byte(channel, encoding));
   }
   std::string png;
   const auto append = [](void* to, void* data, int size) {
@@ -110,13 +120,13 @@ std::string encode_pfm(const Image& image) {
   return bytes;
 }
 
-Result<ImageWritten> write_image(const std::string& path, const Image& image) {
+Result<ImageWritten> write_image(const std::string& path, const Image& image, Encoding encoding) {
   const auto format = image_format_of(path);
   if (!format) return tl::unexpected(format.error());
   std::string bytes;
   switch (*format) {
     case ImageFormat::png: {
-      auto png = encode_png(image);
+      auto png = encode_png(image, encoding);
       if (!png) {
         png.error().file = path;
         return tl::unexpected(png.error());

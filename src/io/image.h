@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/error.h"
-#include "math/vec.h"
+#include "scene/scene.h"
 
 #include <cstddef>
 #include <string>
@@ -33,8 +33,8 @@ enum class ImageFormat { png, pfm };
 /// Pixels with a channel that is not a number: each is a defect of the tracer or the scene.
 [[nodiscard]] std::size_t count_nan_pixels(const Image& image);
 
-/// 8 bits a channel, sRGB. A pixel that is not a number is painted in full magenta, so that it is seen.
-[[nodiscard]] Result<std::string> encode_png(const Image& image);
+/// 8 bits a channel. A pixel that is not a number is painted in full magenta, so that it is seen.
+[[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb);
 /// Portable float map: linear, bottom row first, little-endian; what is not a number stays so.
 [[nodiscard]] std::string encode_pfm(const Image& image);
 
@@ -42,8 +42,9 @@ struct ImageWritten {
   std::size_t nan_pixels = 0;  ///< to be reported: they are in the picture (magenta in a PNG)
 };
 
-/// Writes the format that the ending names, all or nothing.
-[[nodiscard]] Result<ImageWritten> write_image(const std::string& path, const Image& image);
+/// Writes the format that the ending names, all or nothing. The encoding is that of an 8-bit picture.
+[[nodiscard]] Result<ImageWritten> write_image(const std::string& path, const Image& image,
+                                               Encoding encoding = Encoding::srgb);
 
 /// Reads a colour PFM of either byte order.
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);

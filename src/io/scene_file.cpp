@@ -1,12 +1,15 @@
 #include "io/scene_file.h"
 
 #include "io/file.h"
+#include "io/nff_reader.h"
 #include "io/scene_reader.h"
+#include "io/test_format_reader.h"
 #include "io/toml_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace raywalk {
@@ -18,6 +21,14 @@ using detail::SceneReader;
 
 /// Meshes come in files of their own, so a larger scene file is a mistake.
 constexpr std::size_t most_bytes = std::size_t{16} << 20;
+/// Other formats hold their millions of shapes themselves.
+constexpr std::size_t most_foreign_bytes = std::size_t{2} << 30;
+
+bool ends_with(std::string_view path, std::string_view ending) {
+  if (path.size() <= ending.size()) return false;
+  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  return std::equal(path.end() - static_cast<std::ptrdiff_t>(ending.size()), path.end(), ending.begin(), same);
+}
 
 /// Where a value stands, or the nearest table around it that the file has.
 toml::source_region place_of(const toml::table& root, std::string_view table, std::string_view key) {
@@ -109,10 +120,27 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
   return document;
 }
 
+SceneFormat scene_format_of(std::string_view path) {
+  for (int i = 0; i < scene_format_count; ++i)
+    if (ends_with(path, scene_ending(static_cast<SceneFormat>(i)))) return static_cast<SceneFormat>(i);
+  return SceneFormat::toml;
+}
+
+bool has_scene_ending(std::string_view path) { return ends_with(path, scene_ending(scene_format_of(path))); }
+
 Result<SceneDocument> read_scene(const std::string& path) {
-  const auto text = read_file(path, most_bytes);
+  const SceneFormat format = scene_format_of(path);
+  const auto text = read_file(path, format == SceneFormat::toml ? most_bytes : most_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
-  return parse_scene(*text, path);
+  switch (format) {
+    case SceneFormat::toml:
+      return parse_scene(*text, path);
+    case SceneFormat::nff:
+      return parse_nff(*text, path);
+    case SceneFormat::test:
+      return parse_test_format(*text, path);
+  }
+  return SceneDocument{};
 }
 
 }  // namespace raywalk

@@ -18,8 +18,32 @@ struct SceneDocument {
   std::vector<std::string> warnings;  ///< one line each, "FILE:LINE:COL: ..."
 };
 
-/// Reads a scene, or says what is wrong with it at which place. `file_name` is for messages only.
+/// The formats that scenes are read from. Only our own is written.
+enum class SceneFormat {
+  toml,
+  nff,   ///< io/nff_reader.h
+  test,  ///< io/test_format_reader.h
+};
+inline constexpr int scene_format_count = 3;
+[[nodiscard]] constexpr std::string_view scene_ending(SceneFormat format) {
+  switch (format) {
+    case SceneFormat::toml:
+      return ".toml";
+    case SceneFormat::nff:
+      return ".nff";
+    case SceneFormat::test:
+      return ".test";
+  }
+  return "";
+}
+/// The format that the ending of `path` names, in upper or lower case; our own for any other ending.
+[[nodiscard]] SceneFormat scene_format_of(std::string_view path);
+/// Whether `path` ends as one of the formats does.
+[[nodiscard]] bool has_scene_ending(std::string_view path);
+
+/// Reads a scene in our own format, or says what is wrong with it at which place. `file_name` is for messages only.
 [[nodiscard]] Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name);
+/// Reads a scene in the format that the ending of `path` names. One of another format than ours comes without a text.
 [[nodiscard]] Result<SceneDocument> read_scene(const std::string& path);
 
 /// The text of `scene`, which reads back as the same scene, bit for bit. What `previous_text` shares with it stays as
@@ -29,8 +53,8 @@ struct SceneDocument {
 /// Fails when `scene` breaks a rule of the format (a radius that is not finite, two objects of one name).
 [[nodiscard]] Result<std::string> format_scene(const Scene& scene, std::string_view previous_text = {});
 
-/// Writes `document.scene` in the layout of `document.text`, all or nothing, and on success makes `document.text` what
-/// was written.
+/// Writes `document.scene`, in our own format whatever it was read from, in the layout of `document.text`, all or
+/// nothing, and on success makes `document.text` what was written. Refuses a name with the ending of another format.
 [[nodiscard]] Result<void> write_scene(SceneDocument& document, const std::string& path);
 
 }  // namespace raywalk

@@ -113,6 +113,16 @@ struct Names<SamplerKind> {
        {SamplerKind::jittered, sampler_name(SamplerKind::jittered)},
        {SamplerKind::sobol, sampler_name(SamplerKind::sobol)}}};
 };
+template <>
+struct Names<ShadingNormal> {
+  static constexpr std::array<std::pair<ShadingNormal, std::string_view>, 2> all{
+      {{ShadingNormal::facing, "facing"}, {ShadingNormal::fixed, "fixed"}}};
+};
+template <>
+struct Names<Encoding> {
+  static constexpr std::array<std::pair<Encoding, std::string_view>, 2> all{
+      {{Encoding::srgb, "srgb"}, {Encoding::truncated, "truncated"}}};
+};
 
 /// What a variant's alternatives are called under `type`.
 constexpr std::string_view type_name(const PointLight& /*light*/) { return "point"; }
@@ -152,10 +162,17 @@ void describe(Fields& f, Screen& screen) {
   f.whole("cells", screen.cells, cell_count);
 }
 
+/// The members of a scene that [image] holds.
+struct ImageTable {
+  ImageSize size;
+  Encoding encoding = Encoding::srgb;
+};
+
 template <class Fields>
-void describe(Fields& f, ImageSize& image) {
-  f.whole("width", image.width, pixel_count);
-  f.whole("height", image.height, pixel_count);
+void describe(Fields& f, ImageTable& image) {
+  f.whole("width", image.size.width, pixel_count);
+  f.whole("height", image.size.height, pixel_count);
+  f.choice("encoding", image.encoding);
 }
 
 template <class Fields>
@@ -303,6 +320,10 @@ void describe(Fields& f, Material& material) {
   f.number("translucency", material.translucency, lobe_angle, optional);
   f.colour("absorption", material.absorption);
   f.choice("shadow", material.shadow);
+  f.choice("normal", material.normal);
+  f.check(material.normal == ShadingNormal::facing || !material.transmits(), "normal",
+          "a fixed normal does not go with transmission (expected \"facing\")",
+          "light is refracted at the side that it comes from");
   f.colour("emission", material.emission);
   f.table_or_nothing("checker", material.checker);
   f.table_or_nothing("texture", material.texture);
@@ -333,7 +354,10 @@ void describe(Fields& f, Scene& scene) {
   f.colour("ambient", scene.ambient);
   f.table("camera", scene.camera, required);
   f.table("screen", scene.camera.screen, optional);
-  f.table("image", scene.image, optional);
+  ImageTable image{scene.image, scene.encoding};
+  f.table("image", image, optional);
+  scene.image = image.size;
+  scene.encoding = image.encoding;
   f.table("limits", scene.limits, optional);
   f.table("render", scene.render, optional);
   f.tables("light", scene.lights);

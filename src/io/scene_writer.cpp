@@ -94,6 +94,11 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
 }
 
 Result<void> write_scene(SceneDocument& document, const std::string& path) {
+  const SceneFormat format = scene_format_of(path);
+  if (format != SceneFormat::toml)
+    return tl::unexpected(
+        Error{path, 0, 0, "scenes in " + std::string(scene_ending(format)) + " are read, not written (expected .toml)",
+              "save it as a file that ends in .toml"});
   auto text = format_scene(document.scene, document.text);
   if (!text) {
     // The place in a text that nobody has seen says nothing; the message names the key and the object.

@@ -38,6 +38,19 @@ class Film {
   std::vector<Rgb<T>> means_;
 };
 
+/// From a film of the corners of pixels, the film of the pixels: one column and one row fewer.
+template <class T>
+[[nodiscard]] Film<T> mean_of_corners(const Film<T>& corners) {
+  Film<T> film({corners.size().width - 1, corners.size().height - 1});
+  for (int row = 0; row < film.size().height; ++row)
+    for (int column = 0; column < film.size().width; ++column) {
+      const Rgb<T> above = corners.at(column, row) + corners.at(column + 1, row);
+      const Rgb<T> below = corners.at(column, row + 1) + corners.at(column + 1, row + 1);
+      film.add(column, row, 0, (above + below) / T(4));
+    }
+  return film;
+}
+
 /// Each number rounded to float once.
 template <class T>
 [[nodiscard]] Image image_of(const Film<T>& film) {

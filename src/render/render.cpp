@@ -107,7 +107,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   rendering.done = static_cast<double>(taken) / static_cast<double>(all);
   rendering.trace_seconds = seconds_since(trace_start);
   if (rendering.finished) reporter.report(1);
-  rendering.film = std::move(film);
+  rendering.film = settings.sampling.corners ? mean_of_corners(film) : std::move(film);
   return rendering;
 }
 
@@ -138,11 +138,14 @@ Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settin
 
 Result<Rendering> render(const Scene& scene, const RenderSettings& settings) {
   const ImageSize size = settings.size.value_or(scene.image);
-  return render_pixels(scene, settings, size, size);
+  const int more = settings.sampling.corners ? 1 : 0;
+  return render_pixels(scene, settings, {size.width + more, size.height + more}, size);
 }
 
 Result<Rendering> render_strip(const Scene& scene, const RenderSettings& settings) {
-  return render_pixels(scene, settings, {scene.camera.screen.cells, 1}, settings.size.value_or(scene.image));
+  RenderSettings of_cells = settings;
+  of_cells.sampling.corners = false;
+  return render_pixels(scene, of_cells, {scene.camera.screen.cells, 1}, settings.size.value_or(scene.image));
 }
 
 }  // namespace raywalk

@@ -61,6 +61,7 @@ struct Rendering {
 /// The strip: one row of as many pixels as SCREEN has cells. For a planar scene, at one sample a pixel, cell i equals
 /// bit for bit pixel k i + (k - 1) / 2 of the middle row of every image of that size that has an odd number of rows and
 /// k times the cells in columns, k odd. With more samples that holds for k = 1. `settings.size` is that of the image.
+/// Cells have no corners: `settings.sampling.corners` is not heeded.
 [[nodiscard]] Result<Rendering> render_strip(const Scene& scene, const RenderSettings& settings = {});
 
 }  // namespace raywalk

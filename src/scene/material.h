@@ -41,6 +41,12 @@ struct ImageTexture {
 /// What a surface does to shadow rays: stop them, or let them through weighted by `transmission` at each crossing.
 enum class ShadowKind { opaque, filtered };
 
+/// Which side of a surface lights shine on.
+enum class ShadingNormal {
+  facing,  ///< the side the ray came from: the normal turns to face the ray
+  fixed,   ///< the front, whichever side the ray came from; highlights of lights behind show too (course scenes)
+};
+
 /// How a surface answers light (J. Blinn 1977 for the highlight, T. Whitted 1980 for the secondary rays). All
 /// reflectances are linear RGB, normally in 0..1.
 struct Material {
@@ -56,7 +62,8 @@ struct Material {
   double translucency = 0;  ///< the same about the refracted direction, for kt; in both, all directions count the same
   Rgbd absorption{0.0};     ///< a: of the light inside, exp(-a d) is left after the way d (Beer); where kt > 0
   ShadowKind shadow = ShadowKind::opaque;
-  Rgbd emission{0.0};  ///< radiance the surface gives off by itself
+  ShadingNormal normal = ShadingNormal::facing;  ///< fixed only where nothing transmits
+  Rgbd emission{0.0};                            ///< radiance the surface gives off by itself
   std::optional<Checker> checker;
   std::optional<ImageTexture> texture{};
   friend bool operator==(const Material&, const Material&) = default;

@@ -33,12 +33,19 @@ struct ImageSize {
   friend bool operator==(const ImageSize&, const ImageSize&) = default;
 };
 
+/// How linear light becomes the 8 bits of a picture. Both clamp to 0..1.
+enum class Encoding {
+  srgb,       ///< the sRGB curve, rounded
+  truncated,  ///< no curve, floor(255 c): as course scenes want it
+};
+
 /// A scene as a person describes it: plain values, in double, right-handed, z towards the reader of the plan.
 struct Scene {
   std::string title;
   std::string description;
   Camera camera;
   ImageSize image;
+  Encoding encoding = Encoding::srgb;
   TraceLimits limits;
   RenderChoices render{};
   Rgbd background{0.0};

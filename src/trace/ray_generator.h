@@ -17,6 +17,9 @@ struct Pixel {
 struct Sampling {
   int per_pixel = 1;  ///< 1: the centre. More: jittered in a k x k grid, what is left over anywhere in the pixel
   std::uint64_t seed = 0;
+  /// Rays through the corners of the pixels instead of their centres: what is formed is one column and one row larger
+  /// than the image, and each pixel is the mean of its four corners. Takes no other samples: per_pixel = 1.
+  bool corners = false;
   friend bool operator==(const Sampling&, const Sampling&) = default;
 };
 
@@ -28,7 +31,7 @@ template <class T>
 class RayGenerator {
  public:
   /// `size`: what is rendered. `whole`: the image that it is, or is a strip of; only its aspect matters, and only for a
-  /// camera that states its angle along y.
+  /// camera that states its angle along y. With `sampling.corners`, `size` is that of the corners.
   RayGenerator(const Camera& camera, ImageSize size, ImageSize whole, Sampling sampling = {})
       : size_(size), sampling_(sampling), eye_(camera.eye) {
     const Vec3d forward = normalize(camera.look_at - camera.eye);
@@ -51,7 +54,7 @@ class RayGenerator {
       upwards += moved.y;
       random_draws += 2;
     }
-    const T width = static_cast<T>(size_.width);
+    const T width = static_cast<T>(sampling_.corners ? size_.width - 1 : size_.width);
     return {eye_, normalize(forward_ + (across / width) * right_ + (upwards / width) * up_)};
   }
 

@@ -46,7 +46,7 @@ template <class Policy>
 struct Tracer<Policy>::Shading {
   Departure departure;  ///< of the rays that leave from here
   Vec3<T> position;
-  Vec3<T> normal;  ///< unit length, on the side the ray came from
+  Vec3<T> normal;  ///< unit length, on the side the ray came from unless the surface keeps its own
   const Surface* surface;
   Rgb<T> ambient, diffuse;          ///< with the pattern's colour
   Rgb<T> reflection, transmission;  ///< kr' and kt'
@@ -121,7 +121,7 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
   Shading at;
   at.departure = {hit.primitive, hit.part};
   at.position = point.position;
-  at.normal = entering ? point.normal : -point.normal;
+  at.normal = entering || surface.fixed_normal ? point.normal : -point.normal;
   at.surface = &surface;
   at.ambient = surface.ambient;
   at.diffuse = surface.diffuse;
@@ -158,7 +158,7 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
     -> std::optional<Traced> {
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
   const Vec3<T> to_light = lamp.directional ? lamp.place : lamp.place - at.position;
-  if (!(dot(at.normal, to_light) > 0)) {
+  if (!(dot(at.normal, to_light) > 0) && !at.surface->lit_from_behind) {
     ++statistics_.ends(Ending::facing_away);
     note(Line::form_shadow_ray, depth, [&] {
       return RayNotFormed{ray.number,      RayKind::shadow, Ending::facing_away, Vec3d(at.position),
@@ -238,12 +238,12 @@ void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& 
   const T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
   const Rgb<T> light = visible * lamp.strength * (1 / attenuation);
   const Vec3<T> l = shadow.direction * (1 / distance);
-  const T n_l = dot(at.normal, l);
+  const T n_l = std::max(dot(at.normal, l), T(0));  // below 0 only where a light behind may show
   Rgb<T> specular{0};
   if (!is_black(at.surface->specular)) {
     // Blinn's half vector, between the light and the eye of this ray.
     const Vec3<T> h = l - ray.ray.direction;
-    const T n_h = std::max(dot(at.normal, h) / length(h), T(0));
+    const T n_h = std::max(T(0), dot(at.normal, h) / length(h));  // 0 too for h = 0, of a light straight behind
     specular = light * at.surface->specular * std::pow(n_h, at.surface->shininess);
   }
   direct.add(lamp, light * at.diffuse * n_l, specular);

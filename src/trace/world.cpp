@@ -19,6 +19,8 @@ typename World<T>::Surface surface_of(const Material& m) {
                                      m.dielectric,
                                      m.transmits(),
                                      m.shadow == ShadowKind::filtered && m.transmits(),
+                                     m.normal == ShadingNormal::fixed,
+                                     m.normal == ShadingNormal::fixed && !is_black(m.specular),
                                      {}};
   if (m.checker) surface.checker = {Rgb<T>(m.checker->even), Rgb<T>(m.checker->odd), static_cast<T>(m.checker->size)};
   return surface;

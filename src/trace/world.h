@@ -21,6 +21,8 @@ struct World {
     Rgb<T> ambient, diffuse, specular, reflection, transmission, emission;
     T shininess, ior;
     bool dielectric, transmits, filters_shadows;
+    bool fixed_normal;     ///< the shading normal does not turn to face the ray
+    bool lit_from_behind;  ///< and a light behind it may show its highlight
     std::optional<Pattern> checker;
   };
 

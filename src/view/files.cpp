@@ -92,7 +92,8 @@ void ask_or_do(State& state, Intent intent, const std::string& path) {
 }
 
 void save(State& state) {
-  if (state.path.empty()) {
+  // A scene of another format is saved as one of ours, under a new name.
+  if (state.path.empty() || scene_format_of(state.path) != SceneFormat::toml) {
     state.prompt = PathPrompt::save_as;
     return;
   }

@@ -95,7 +95,7 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
 TEST_CASE("options of features that do not exist yet are not taken silently") {
   const Folder folder;
   for (const std::string option : {"--integrator=path", "--numerics=robust", "--sampler=sobol", "--light-grid=3",
-                                   "--tolerance=0.1", "--corner-samples"}) {
+                                   "--tolerance=0.1"}) {
     INFO(option);
     CHECK(folder.run({"render", classic, "-o", "x.png", option}).exit_code == 2);
   }

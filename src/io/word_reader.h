@@ -1,0 +1,85 @@
+#pragma once
+// Texts of words and numbers, as NFF and the course format are: word by word, with a place for every message. Internal
+// to `io`.
+
+#include "io/error.h"
+#include "io/scene_keys.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk::detail {
+
+/// Refuses what is no text at all: an empty file, or one with control characters.
+[[nodiscard]] Result<void> check_plain_text(std::string_view text, const std::string& file);
+
+/// Goes through a text. The first error stays; after it every question is answered with nothing or zero at once, so
+/// callers need to look only once per item. `#` opens a comment that reaches to the end of its line.
+class WordReader {
+ public:
+  /// Where the numbers of an item may stand.
+  enum class Scope {
+    line,  ///< in the line of the word that opens it
+    text,  ///< on any lines
+  };
+
+  WordReader(std::string_view text, std::string file, Scope scope)
+      : text_(text), file_(std::move(file)), scope_(scope) {}
+
+  /// The word that opens the next item, wherever it stands; empty at the end of the text and after an error.
+  [[nodiscard]] std::string_view item();
+  /// The item's next word; empty when it has no more.
+  [[nodiscard]] std::string_view word();
+  /// The same without taking it.
+  [[nodiscard]] std::string_view peek();
+  /// In a text of lines: refuses words that nobody asked for.
+  void end_item();
+
+  /// The item's next number. `what` names it in messages: "the radius".
+  double number(std::string_view what, const scene_keys::NumberRule& rule);
+  int whole(std::string_view what, scene_keys::WholeRule rule);
+  Vec3d point(std::string_view what);
+  Vec3d direction(std::string_view what);
+  Rgbd colour(std::string_view what);
+
+  /// At the word taken last.
+  void fail(std::string message, std::string hint);
+  void warn(const std::string& message);
+  /// In the line of the item.
+  void fail_item(std::string message, std::string hint);
+  /// "found X (expected ...)" about the word taken last, or that none is left.
+  void fail_word(std::string_view what, std::string_view word, const std::string& expected, std::string hint);
+
+  [[nodiscard]] bool ok() const { return !error_; }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] int item_line() const { return item_place_.line; }
+
+ private:
+  /// Skips blanks and comments; line ends too when asked. Stands then at a word, a line end or the text's end.
+  void skip(bool over_lines);
+  [[nodiscard]] std::string_view take();
+  [[nodiscard]] std::size_t word_end(std::size_t from) const;
+  /// Where a word stands. Its column is counted only for a message: a line may hold a million words.
+  struct Place {
+    int line = 1;
+    std::size_t line_begin = 0, at = 0;
+  };
+  [[nodiscard]] int column_of(const Place& place) const;
+  void fail_at(const Place& place, std::string message, std::string hint);
+
+  std::string_view text_;
+  std::string file_;
+  Scope scope_;
+  Place here_;
+  Place word_place_;  ///< of the word taken last, or where one is missing
+  Place item_place_;
+  std::string_view item_;
+  std::optional<Error> error_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace raywalk::detail
