@@ -138,6 +138,7 @@ void declare_render(CLI::App& program, Run& run) {
              accelerator_name, "How the objects that a ray may meet are found; the picture is the same");
   add_precision(command, to.precision);
   command.add_option("--stats", to.statistics, "Write what was done and how long it took, as JSON")->type_name("FILE");
+  command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
       "What is left out is as the scene says. Neither --threads nor --accel changes a bit of the picture.\n"
       "Ctrl-C writes what is done to NAME.partial.png and leaves an old image whole; twice, it ends at once.\n\n"
@@ -243,6 +244,22 @@ std::string hint_for(const CLI::App& program, const CLI::ParseError& error, int 
   return command_name(program) + " --help says what there is";
 }
 
+/// "raywalk classic step": the scene before the command.
+std::optional<Error> why_misplaced(const CLI::App& program, int argc, const char* const* argv) {
+  const auto chosen = program.get_subcommands();
+  const CLI::Option* scene = program.get_option_no_throw("SCENE");
+  if (chosen.empty() || scene == nullptr || scene->count() == 0 || chosen.back()->count() > 1) return std::nullopt;
+  const CLI::Option* own = chosen.back()->get_option_no_throw("SCENE");
+  if (own == nullptr || own->count() > 0) return std::nullopt;  // it has two scenes
+  const std::string command = chosen.back()->get_name(), given = scene->results().front();
+  std::string rest;
+  for (int i = 1; i < argc; ++i)
+    if (argv[i] != command && argv[i] != given) rest += std::string(" ") + argv[i];
+  return Error{"", 0, 0,
+               fmt::format("raywalk: the command {} comes after the scene {}; it has to come first", command, given),
+               fmt::format("raywalk {} {}{}", command, given, rest)};
+}
+
 ExitCode printed(const std::string& text) {
   const auto result = print(text);
   return result ? ExitCode::done : fail(result.error());
@@ -272,6 +289,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion& version) {
     return printed(version.what() + std::string("\n"));
   } catch (const CLI::ParseError& error) {
+    if (const auto misplaced = why_misplaced(program, argc, argv)) return refuse(*misplaced);
     return refuse({"", 0, 0, command_name(program) + ": " + error.what(), hint_for(program, error, argc, argv)});
   }
   return run();

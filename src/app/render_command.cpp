@@ -105,7 +105,7 @@ ExitCode render_command(const RenderOptions& options) {
   {
     ProgressBar bar;
     RenderSettings settings{size, options.sampling, options.precision, options.accelerator, options.threads};
-    settings.progress = [&bar](const Progress& progress) { bar.show(progress); };
+    if (!options.quiet) settings.progress = [&bar](const Progress& progress) { bar.show(progress); };
     settings.cancel = &Interrupt::flag();
     rendering = render(scene, settings);
   }
@@ -119,7 +119,7 @@ ExitCode render_command(const RenderOptions& options) {
   if (!options.statistics.empty())
     if (const auto written = write_file_atomically(options.statistics, statistics_json(*rendering, report)); !written)
       return fail(written.error());
-  if (terminal_width() > 0) note(summary(options, *rendering, size));
+  if (terminal_width() > 0 && !options.quiet) note(summary(options, *rendering, size));
   if (rendering->statistics.not_finite > 0)
     return fail(
         {options.image, 0, 0,

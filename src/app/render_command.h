@@ -10,6 +10,7 @@ namespace raywalk {
 
 /// What `raywalk render` was asked for; what is absent is the scene's own.
 struct RenderOptions {
+  bool quiet = false;                    ///< neither progress nor, at the end, what was done
   std::string scene, image, statistics;  ///< paths; no statistics: empty
   std::optional<ImageSize> size{};
   std::optional<int> depth{};

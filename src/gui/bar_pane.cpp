@@ -75,6 +75,8 @@ void walk_menu(const Ui& ui) {
   for (const Command command : {Command::step_back, Command::step_ray_back, Command::step_pixel_back})
     menu_item(ui, command);
   ImGui::Separator();
+  for (const Command command : {Command::grain_line, Command::grain_ray, Command::grain_pixel}) menu_item(ui, command);
+  ImGui::Separator();
   for (const Command command : {Command::play, Command::slower, Command::faster}) menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::first, Command::last, Command::clear}) menu_item(ui, command);
@@ -134,23 +136,28 @@ void palette_pane(const Ui& ui, const Rect& where) {
                               Command::add_light};
     ButtonLook add{.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = true};
     ButtonLook remove{.look = Look::flat, .icon = Icon::minus, .font = nullptr, .label = true};
+    bool in_short = false;
+    const auto word = [&](Command command) {
+      return in_short ? short_label(command, ui.state) : command_label(command, ui.state);
+    };
     const auto width = [&] {
-      float sum = button_width(ui, Command::remove, remove) + ui.px(20);
-      for (const Command command : adds) sum += button_width(ui, command, add) + ImGui::GetStyle().ItemSpacing.x;
+      float sum = button_width(ui, word(Command::remove), remove) + ui.px(20);
+      for (const Command command : adds) sum += button_width(ui, word(command), add) + ImGui::GetStyle().ItemSpacing.x;
       return sum;
     };
-    // In a narrow window first the letters shrink, then the icons go, then the space beside the words.
+    // In a narrow window first the letters shrink, then the words, then the icons go, then the space beside the words.
     if (width() > where.width) add.font = remove.font = ui.fonts.small;
+    if (width() > where.width) in_short = true;
     if (width() > where.width) add.icon = remove.icon = Icon::none;
     const float less = std::max(width() - where.width, 0.0f) / static_cast<float>(adds.size() + 1);
     const auto narrowed = [&](Command command, const ButtonLook& look) {
-      return ImVec2{std::max(button_width(ui, command, look) - less, 1.0f), height};
+      return ImVec2{std::max(button_width(ui, word(command), look) - less, 1.0f), height};
     };
     for (const Command command : adds) {
-      command_button(ui, command, narrowed(command, add), add);
+      command_button(ui, command, narrowed(command, add), add, word(command));
       ImGui::SameLine();
     }
-    command_button(ui, Command::remove, narrowed(Command::remove, remove), remove);
+    command_button(ui, Command::remove, narrowed(Command::remove, remove), remove, word(Command::remove));
   }
   end_pane();
 }

@@ -95,12 +95,13 @@ void Browser::entries(const Ui& ui, float height) {
 }
 
 void Browser::draw(const Ui& ui, const std::string& home) {
-  const PathPrompt wanted = ui.state.question ? PathPrompt::none : ui.state.prompt;
+  // While a question stands in front of it the dialog waits, and comes back as it was.
+  const PathPrompt wanted = ui.state.prompt;
   if (wanted != asking_) {
     asking_ = wanted;
     if (asking_ != PathPrompt::none) begin(ui.state, home);
   }
-  if (asking_ == PathPrompt::none) return;
+  if (asking_ == PathPrompt::none || ui.state.question) return;
   const bool saves = asking_ == PathPrompt::save_as;
   const std::string title(text(saves ? TextId::menu_save_as : TextId::menu_open));
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
@@ -131,8 +132,9 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   std::array<char, 4096> buffer{};
   std::strncpy(buffer.data(), typed_.c_str(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputTextWithHint("##path", std::string(text(TextId::path_label)).c_str(), buffer.data(),
-                                                buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##path", std::string(text(TextId::path_label)).c_str(), buffer.data(), buffer.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   typed_ = buffer.data();
   ui.publish("browser-path");
   const ImVec2 large{ui.px(130), line};

@@ -14,9 +14,10 @@ namespace {
 constexpr float margin = 10, box_padding = 6, between_boxes = 8, row_gap = 1, pointer_column = 22, indent = 18;
 
 struct CodeSizes {
-  explicit CodeSizes(const Ui& ui)
-      : row(line_height(ui.fonts, *ui.fonts.code) + ui.px(row_gap)),
-        heading(line_height(ui.fonts, *ui.fonts.code_strong) + ui.px(4)) {}
+  /// Lines stand closer by this factor where there is little room.
+  explicit CodeSizes(const Ui& ui, float squeeze = 1)
+      : row(squeeze * (line_height(ui.fonts, *ui.fonts.code) + ui.px(row_gap))),
+        heading(squeeze * (line_height(ui.fonts, *ui.fonts.code_strong) + ui.px(4))) {}
   float row, heading;
 };
 
@@ -111,7 +112,8 @@ void code_pane(const Ui& ui, const Rect& where) {
   const bool visible = begin_pane(ui, "code", where, ui.colours.panel);
   ImGui::PopStyleVar();
   if (visible) {
-    const CodeSizes sizes(ui);
+    constexpr float closest = 0.8f;
+    const CodeSizes sizes(ui, std::clamp(where.height / code_height(ui), closest, 1.0f));
     const Shades shades(ui.state.theme);
     const float scroll = ImGui::GetScrollY(), left = where.x + ui.px(margin);
     const bool scrolls = ImGui::GetScrollMaxY() > 0;

@@ -52,6 +52,16 @@ std::string command_label(Command command, const State& state) {
   return row.label ? std::string(text(*row.label)) : row.label_text;
 }
 
+std::string short_label(Command command, const State& state) {
+  constexpr std::array in_short{std::pair{Command::add_solid_sphere, TextId::short_solid_sphere},
+                                std::pair{Command::add_transparent_sphere, TextId::short_transparent_sphere},
+                                std::pair{Command::add_polygon, TextId::short_polygon},
+                                std::pair{Command::add_light, TextId::short_light_source}};
+  for (const auto& [of, id] : in_short)
+    if (of == command) return std::string(text(id));
+  return command_label(command, state);
+}
+
 std::string command_hint(Command command) { return row_of(command).hint; }
 
 bool enabled(Command command, const State& state) {

@@ -68,10 +68,14 @@ inline constexpr int command_count = static_cast<int>(Command::menu) + 1;
 [[nodiscard]] std::string_view command_name(Command command);
 /// As on its button: "STEP". What it shows may depend on the state (AUTO or PAUSE).
 [[nodiscard]] std::string command_label(Command command, const State& state);
+/// The same where there is little room; the label itself where that is short.
+[[nodiscard]] std::string short_label(Command command, const State& state);
 /// What it does, in one clause, without the key.
 [[nodiscard]] std::string command_hint(Command command);
 /// The key that stands in menus and tooltips: "Ctrl+Shift+S"; empty when there is none.
 [[nodiscard]] std::string command_key(Command command);
+/// All of them: "Space, \u2192, Page Down".
+[[nodiscard]] std::string all_command_keys(Command command);
 
 [[nodiscard]] bool enabled(Command command, const State& state);
 /// Whether it is what is chosen now, for those that choose.

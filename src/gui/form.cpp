@@ -11,7 +11,7 @@
 namespace raywalk {
 
 Form::Form(const Ui& ui, FormMemory& memory, float width)
-    : ui_(ui), memory_(memory), width_(width), label_width_(std::min(ui.px(124), width * 0.42f)) {}
+    : ui_(ui), memory_(memory), width_(width), label_width_(std::min(ui.px(166), width * 0.42f)) {}
 
 void Form::heading(std::string_view text) {
   ImGui::Dummy({1, ui_.px(2)});
@@ -20,22 +20,47 @@ void Form::heading(std::string_view text) {
   pop_font();
 }
 
-void Form::row(std::string_view text) {
-  name_ = "property/" + std::string(text);
+void Form::row(const FormLabel& of) {
+  name_ = "property/" + of.words;
+  refused_in_row_ = false;
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {at.x + label_width_ - ui_.px(6), at.y + ImGui::GetFrameHeight()}, true);
-  label(ui_.colours.dim_text, text);
+  label(ui_.colours.dim_text, of.words);
+  tooltip(ui_, name_ + "/label", std::string(of.hint));
+  ui_.publish(name_ + "/label");
   ImGui::PopClipRect();
   ImGui::SameLine();
   ImGui::SetCursorPosX(left + label_width_);
 }
 
-void Form::before_field(float width) {
+void Form::before_field(const std::string& field, float width) {
   if (focus_) ImGui::SetKeyboardFocusHere();
   focus_ = false;
   ImGui::SetNextItemWidth(std::max(width, ui_.px(24)));
+  reddened_ = memory_.refused == ImGui::GetID(field.c_str()) && memory_.refused != 0;
+  if (reddened_) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(ui_.colours.error));
+}
+
+void Form::after_field(const std::string& field, bool refused, double least, double most) {
+  if (reddened_) ImGui::PopStyleColor();
+  reddened_ = false;
+  const unsigned id = ImGui::GetID(field.c_str());
+  // The next thing that is done, here or in another field, ends the talk about it.
+  if (refused) {
+    memory_.refused = id;
+    memory_.why = fill(TextId::refused_number, {number_text(least), number_text(most)});
+  } else if (ImGui::IsItemActivated()) {
+    memory_.refused = 0;
+  }
+  refused_in_row_ |= memory_.refused == id;
+}
+
+void Form::end_row() {
+  if (!refused_in_row_) return;
+  paragraph(ui_.colours.error, memory_.why);
+  ui_.publish(name_ + "/refused");
 }
 
 bool Form::changed(bool now, const std::string& field) {
@@ -43,41 +68,49 @@ bool Form::changed(bool now, const std::string& field) {
   if (now) {
     continues_ = memory_.edited == id;
     memory_.edited = id;
+    memory_.refused = 0;
   }
   if (!ImGui::IsItemActive() && memory_.edited == id) memory_.edited = 0;
   return now;
 }
 
-bool Form::drag(const std::string& id, double& value, double step, double least, double most) {
+bool Form::drag(const std::string& id, double& value, double step, double least, double most, float width) {
+  before_field(id, width);
   double next = value;
   const bool now =
       ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &next, static_cast<float>(step), &least, &most, "%.5g");
   // Typing may leave the limits; comparing this way round also refuses what is not a number.
   const bool good = next >= least && next <= most;
   if (now && good) value = next;
-  return changed(now && good, id);
+  const bool is_change = changed(now && good, id);
+  after_field(id, now && !good, least, most);
+  return is_change;
 }
 
-bool Form::number(std::string_view text, double& value, double step, double least, double most) {
-  row(text);
-  before_field(width_ - label_width_);
-  const bool now = drag("##" + name_, value, step, least, most);
+bool Form::number(const FormLabel& of, double& value, double step, double least, double most) {
+  row(of);
+  const bool now = drag("##" + name_, value, step, least, most, width_ - label_width_);
   ui_.publish(name_);
+  end_row();
   return now;
 }
 
-bool Form::whole(std::string_view text, int& value, int least, int most) {
-  row(text);
-  before_field(width_ - label_width_);
+bool Form::whole(const FormLabel& of, int& value, int least, int most) {
+  row(of);
+  const std::string id = "##" + name_;
+  before_field(id, width_ - label_width_);
   int next = value;
-  const bool now = ImGui::InputInt(("##" + name_).c_str(), &next) && next >= least && next <= most;
+  const bool now = ImGui::InputInt(id.c_str(), &next), good = next >= least && next <= most;
   ui_.publish(name_);
-  if (now) value = next;
-  return changed(now, "##" + name_);
+  if (now && good) value = next;
+  const bool is_change = changed(now && good, id);
+  after_field(id, now && !good, least, most);
+  end_row();
+  return is_change;
 }
 
-bool Form::vector(std::string_view text, double* values, int count, double step) {
-  row(text);
+bool Form::vector(const FormLabel& of, double* values, int count, double step, double least) {
+  row(of);
   constexpr double far = 1e6;
   const float gap = ui_.px(4);
   const float each = (width_ - label_width_ - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
@@ -85,16 +118,16 @@ bool Form::vector(std::string_view text, double* values, int count, double step)
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui_.px(4), ImGui::GetStyle().FramePadding.y});
   for (int i = 0; i < count; ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    before_field(each);
-    now |= drag("##" + name_ + std::to_string(i), values[i], step, -far, far);
+    now |= drag("##" + name_ + std::to_string(i), values[i], step, least, far, each);
     ui_.publish(name_ + "/" + std::to_string(i));
   }
   ImGui::PopStyleVar();
+  end_row();
   return now;
 }
 
-bool Form::colour(std::string_view text, Rgbd& value, double most) {
-  row(text);
+bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
+  row(of);
   const float gap = ui_.px(4), swatch = ImGui::GetFrameHeight();
   const float each = (width_ - label_width_ - swatch - 3 * gap) / 3;
   std::array<double, 3> channels{value.x, value.y, value.z};
@@ -102,8 +135,7 @@ bool Form::colour(std::string_view text, Rgbd& value, double most) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui_.px(4), ImGui::GetStyle().FramePadding.y});
   for (std::size_t i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    before_field(each);
-    now |= drag("##" + name_ + std::to_string(i), channels[i], 0.005, 0, most);
+    now |= drag("##" + name_ + std::to_string(i), channels[i], 0.005, 0, most, each);
     ui_.publish(name_ + "/" + std::to_string(i));
   }
   ImGui::PopStyleVar();
@@ -129,24 +161,27 @@ bool Form::colour(std::string_view text, Rgbd& value, double most) {
     ImGui::EndPopup();
   }
   if (now) value = {channels[0], channels[1], channels[2]};
+  end_row();
   return now;
 }
 
-bool Form::flag(std::string_view text, bool& value) {
-  name_ = "property/" + std::string(text);
-  before_field(0);
+bool Form::flag(const FormLabel& of, bool& value) {
+  name_ = "property/" + of.words;
   const bool now = ImGui::Checkbox(("##" + name_).c_str(), &value);
   ui_.publish(name_);
   const bool is_change = changed(now, "##" + name_);
+  tooltip(ui_, name_, std::string(of.hint));
   ImGui::SameLine();
-  label(ui_.colours.dim_text, text);
+  label(ui_.colours.dim_text, of.words);
+  tooltip(ui_, name_ + "/label", std::string(of.hint));
+  ui_.publish(name_ + "/label");
   return is_change;
 }
 
-bool Form::text(std::string_view text, std::string& value) {
-  row(text);
-  before_field(width_ - label_width_);
+bool Form::text(const FormLabel& of, std::string& value) {
+  row(of);
   const std::string id = "##" + name_;
+  before_field(id, width_ - label_width_);
   const bool naming = memory_.naming == ImGui::GetID(id.c_str());
   std::array<char, 256> buffer{};
   const std::string& shown = naming ? memory_.typed : value;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/ui.h"
+#include "view/text.h"
 
 #include <string>
 #include <vector>
@@ -9,13 +10,24 @@ namespace raywalk {
 
 /// What a form remembers between frames.
 struct FormMemory {
-  unsigned edited = 0;  ///< ImGui's id of the field whose edits continue each other; 0: none
-  unsigned naming = 0;  ///< the text field being typed in
-  std::string typed;    ///< what stands in it
+  unsigned edited = 0;   ///< ImGui's id of the field whose edits continue each other; 0: none
+  unsigned naming = 0;   ///< the text field being typed in
+  std::string typed;     ///< what stands in it
+  unsigned refused = 0;  ///< the field whose last input was refused; 0: none
+  std::string why;       ///< what is said below it
+};
+
+/// The words beside a field, and what they mean.
+struct FormLabel {
+  FormLabel(TextId id) : words(raywalk::text(id)), hint(explanation(id)) {}  // NOLINT: stands for its words
+  FormLabel(std::string the_words) : words(std::move(the_words)) {}          // NOLINT
+  std::string words;
+  std::string_view hint{};
 };
 
 /// Rows of a label and fields. Each field changes its value in place and tells whether it did; all numbers are kept
-/// within their limits, which are those of the scene's format.
+/// within their limits, which are those of the scene's format: what is typed
+/// beyond them is refused, says so below the field, and is gone when the field is left.
 class Form {
  public:
   Form(const Ui& ui, FormMemory& memory, float width);
@@ -25,29 +37,34 @@ class Form {
 
   void heading(std::string_view text);
   /// `step`: change for each unit of dragging.
-  bool number(std::string_view label, double& value, double step, double least, double most);
-  bool whole(std::string_view label, int& value, int least, int most);
+  bool number(const FormLabel& label, double& value, double step, double least, double most);
+  bool whole(const FormLabel& label, int& value, int least, int most);
   /// x, y and z, or the first `count` of them.
-  bool vector(std::string_view label, double* values, int count, double step);
+  bool vector(const FormLabel& label, double* values, int count, double step, double least = -1e6);
   /// Linear RGB as three numbers, and a field of its colour that opens a palette.
-  bool colour(std::string_view label, Rgbd& value, double most);
-  bool flag(std::string_view label, bool& value);
+  bool colour(const FormLabel& label, Rgbd& value, double most);
+  bool flag(const FormLabel& label, bool& value);
   /// True once, when the typing has ended; `value` is then the new text.
-  bool text(std::string_view label, std::string& value);
+  bool text(const FormLabel& label, std::string& value);
 
   /// Whether the last change joins the one before it into one entry of undo.
   [[nodiscard]] bool continues() const { return continues_; }
 
  private:
-  void row(std::string_view label);
-  bool drag(const std::string& id, double& value, double step, double least, double most);
+  void row(const FormLabel& label);
+  /// A field from here to `after_field`.
+  void before_field(const std::string& field, float width);
+  void after_field(const std::string& field, bool refused, double least, double most);
+  /// Says below the row why what was typed was not taken, if it was not.
+  void end_row();
+  bool drag(const std::string& id, double& value, double step, double least, double most, float width);
   bool changed(bool now, const std::string& field);
-  void before_field(float width);
 
   const Ui& ui_;
   FormMemory& memory_;
   float width_, label_width_;
   std::string name_;  ///< of the row, for tests
+  bool refused_in_row_ = false, reddened_ = false;
   bool focus_ = false, continues_ = false;
 };
 

@@ -47,8 +47,7 @@ class Loop {
     while (!state_.quit) {
       if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
       pass_time();
-      for (const KeyPress& key : window_.take_keys())
-        interface_.press(state_, fonts_, unit(), window_.scale(), key), apply();
+      for (const KeyPress& key : window_.take_keys()) interface_.press(state_, fonts_, unit(), dpi(), key), apply();
       if (window_.take_close_request()) act(action::Quit{});
       if (window_.minimised()) continue;
       if (frames_due_ > 0) frame(nullptr);
@@ -61,9 +60,16 @@ class Loop {
   }
 
  private:
-  [[nodiscard]] float unit() const {
+  [[nodiscard]] float unit() const { return shrink() * wished_unit(); }
+  [[nodiscard]] float wished_unit() const {
     return window_.scale() * static_cast<float>(state_.ui_scale * theme_scale(state_.theme));
   }
+  /// Nothing is cut off in a small window: everything is drawn smaller.
+  [[nodiscard]] float shrink() const {
+    const auto [width, height] = window_.extent();
+    return shrink_to_fit(width, height, wished_unit());
+  }
+  [[nodiscard]] float dpi() const { return shrink() * window_.scale(); }
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
   [[nodiscard]] bool settled() const {
     return frames_due_ == 0 && image_.rests(state_) && demo_.over() && !state_.playing;
@@ -162,7 +168,7 @@ class Loop {
                         image_.preview().done(),
                         image_.preview().has_every_pixel(),
                         image_.preview().finished()};
-    interface_.draw(state_, fonts_, unit(), window_.scale(), shown);
+    interface_.draw(state_, fonts_, unit(), dpi(), shown);
     const Colour ground = palette(state_.theme).window;
     window_.end_frame(
         {static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255, static_cast<float>(ground.b) / 255},
@@ -180,7 +186,7 @@ class Loop {
     if (options_.report_path.empty()) return;
     const ImVec2 extent = ImGui::GetIO().DisplaySize;
     const WindowReport window{frames_drawn_, first_frame_, extent.x, extent.y, patience() != 0 && !state_.playing};
-    const std::string text = report(state_, interface_, image_.preview(), window_.scale(), window);
+    const std::string text = report(state_, interface_, image_.preview(), dpi(), window);
     if (Result<void> written = write_file_atomically(options_.report_path, text); !written && failure_) {
       failure_ = tl::unexpected(written.error());
       state_.quit = true;

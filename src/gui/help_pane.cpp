@@ -1,5 +1,7 @@
+#include "gui/key_list.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "gui/words.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -15,7 +17,10 @@ void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
     // Lines longer than this are hard to read.
     const float width = std::min(ImGui::GetContentRegionAvail().x, ui.px(760));
     const float term_width = std::min(ui.px(210), width * 0.4f), left = ImGui::GetCursorPosX();
-    for (const HelpSection& section : help()) {
+    std::vector<HelpSection> sections = help();
+    sections.push_back({std::string(words::keys), {}});
+    for (const KeyListRow& row : key_list()) sections.back().entries.push_back({row.keys, row.does});
+    for (const HelpSection& section : sections) {
       push_font(ui.fonts.title);
       label(ui.colours.text, section.title);
       pop_font();

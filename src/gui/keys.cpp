@@ -15,11 +15,18 @@ std::string key_name(int key) {
     case GLFW_KEY_SPACE:
       return "Space";
     case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
       return "Enter";
     case GLFW_KEY_TAB:
       return "Tab";
     case GLFW_KEY_DELETE:
       return "Del";
+    case GLFW_KEY_BACKSPACE:
+      return "Backspace";
+    case GLFW_KEY_PAGE_UP:
+      return "Page Up";
+    case GLFW_KEY_PAGE_DOWN:
+      return "Page Down";
     case GLFW_KEY_HOME:
       return "Home";
     case GLFW_KEY_END:
@@ -33,9 +40,13 @@ std::string key_name(int key) {
     case GLFW_KEY_DOWN:
       return "\u2193";
     case GLFW_KEY_MINUS:
+    case GLFW_KEY_KP_SUBTRACT:
       return "\u2212";
     case GLFW_KEY_KP_ADD:
+    case GLFW_KEY_EQUAL:  // where the plus stands on many keyboards
       return "+";
+    case GLFW_KEY_KP_0:
+      return "0";
     default:
       return "key " + std::to_string(key);
   }
@@ -95,11 +106,30 @@ bool answer_by_key(const KeyPress& press, const Ui& ui) {
 
 }  // namespace
 
-std::string command_key(Command command) {
-  const Key& key = command_table[static_cast<std::size_t>(command)].keys[0];
+namespace {
+
+std::string whole_name(const Key& key) {
   if (key.key == 0) return {};
-  return std::string(key.ctrl ? "Ctrl+" : "") + (key.alt ? "Alt+" : "") + (key.shift ? "Shift+" : "") +
-         key_name(key.key);
+  const bool plus_by_shift = key.key == GLFW_KEY_EQUAL;
+  return std::string(key.ctrl ? "Ctrl+" : "") + (key.alt ? "Alt+" : "") +
+         (key.shift && !plus_by_shift ? "Shift+" : "") + key_name(key.key);
+}
+
+}  // namespace
+
+std::string command_key(Command command) {
+  return whole_name(command_table[static_cast<std::size_t>(command)].keys[0]);
+}
+
+std::string all_command_keys(Command command) {
+  std::vector<std::string> names;
+  for (const Key& key : command_table[static_cast<std::size_t>(command)].keys) {
+    const std::string name = whole_name(key);
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
 }
 
 namespace {

@@ -12,11 +12,19 @@ float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, 
 
 }  // namespace
 
+float shrink_to_fit(float width, float height, float unit) {
+  const float part = std::min(width / (least_width * unit), height / (least_height * unit));
+  // In steps: fonts are made anew for each. Smaller than the least nobody could read it.
+  constexpr float steps = 32, least = 0.3f;
+  return std::clamp(std::floor(part * steps) / steps, least, 1.0f);
+}
+
 Layout lay_out(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float hairline = std::max(std::round(unit), 1.0f);  // between neighbours
+  const bool low = height < low_window * unit;
   Layout layout;
-  layout.bar = {0, 0, width, take(height, 44 * unit)};
+  layout.bar = {0, 0, width, take(height, (low ? 38 : 44) * unit)};
   const float top = std::min(layout.bar.bottom() + hairline, height), below = height - top;
 
   // The code gets its longest line; the plan, a third of the window at least.
@@ -24,12 +32,13 @@ Layout lay_out(const LayoutWishes& wishes) {
   const float left = std::max(width - side - hairline, 0.0f);
   const float transport = take(below * 0.6f, wishes.transport);
   layout.transport = {0, height - transport, left, transport};
-  const float strip = take((below - transport) * 0.3f, 42 * unit);
+  const float strip = take((below - transport) * 0.3f, (low ? 36 : 42) * unit);
   layout.strip = {0, std::max(layout.transport.y - hairline - strip, top), left, strip};
   layout.plan = {0, top, left, layout.strip.y - top};
 
   // The tabs need room for a picture; what the code does not need is theirs.
-  const float code = take(below, std::min(wishes.code, std::max(below * 0.5f, below - 250 * unit)));
+  const float least_tabs = std::clamp(below * 0.36f, 190 * unit, 250 * unit);
+  const float code = take(below, std::min(wishes.code, std::max(below * 0.5f, below - least_tabs)));
   layout.side = {width - side, top, side, code};
   const float tabs_top = std::min(layout.side.bottom() + hairline, height);
   layout.tabs = {width - side, tabs_top, side, height - tabs_top};

@@ -32,6 +32,13 @@ struct LayoutWishes {
   float code_width = 0;              ///< width that the code asks for
 };
 
+/// Below this many units at scale 1 buttons that have a key or a menu entry too give way to the plan.
+inline constexpr float low_window = 430;
+/// What has room for everything, in units at scale 1. In a smaller window all is drawn smaller.
+inline constexpr float least_width = 640, least_height = 360;
+/// How much smaller: 1 where nothing need be.
+[[nodiscard]] float shrink_to_fit(float width, float height, float unit);
+
 [[nodiscard]] Layout lay_out(const LayoutWishes& wishes);
 
 }  // namespace raywalk

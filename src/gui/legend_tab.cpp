@@ -61,8 +61,15 @@ void legend_pane(const Ui& ui, const Rect& where) {
     const Legend content = legend(ui.state);
     const float height = line_height(ui.fonts, *ui.fonts.small), gap = ui.px(7);
     const float length = ui.px(where.width < ui.px(640) ? 24 : 34);
-    float width = 0;
-    for (const LegendRow& row : content.rays) width += length + gap + ImGui::CalcTextSize(row.name.c_str()).x;
+    const auto width_of = [&](std::string LegendRow::* name) {
+      float sum = 0;
+      for (const LegendRow& row : content.rays) sum += length + gap + ImGui::CalcTextSize((row.*name).c_str()).x;
+      return sum;
+    };
+    const float least_between = ui.px(8) * static_cast<float>(content.rays.size());
+    const bool in_short = width_of(&LegendRow::name) + least_between > where.width - ui.px(28);
+    const auto name = in_short ? &LegendRow::short_name : &LegendRow::name;
+    const float width = width_of(name);
     // Spread, but not too far; in a narrow window as close as they must be.
     const float room = (where.width - ui.px(28) - width) / static_cast<float>(content.rays.size());
     const float between = std::clamp(room, ui.px(4), ui.px(22));
@@ -71,8 +78,8 @@ void legend_pane(const Ui& ui, const Rect& where) {
     for (const LegendRow& row : content.rays) {
       sample(ui, row, x, y + height / 2, length);
       x += length + gap;
-      ImGui::GetWindowDrawList()->AddText({std::round(x), y}, to_imgui(ui.colours.dim_text), row.name.c_str());
-      x += ImGui::CalcTextSize(row.name.c_str()).x + between;
+      ImGui::GetWindowDrawList()->AddText({std::round(x), y}, to_imgui(ui.colours.dim_text), (row.*name).c_str());
+      x += ImGui::CalcTextSize((row.*name).c_str()).x + between;
     }
     pop_font();
   }

@@ -18,20 +18,20 @@ constexpr double tiny = 1e-6, huge = 1e6;
 void material_rows(const Ui& ui, Form& form, int index, const Object& object) {
   form.heading(text(TextId::material));
   Material m = object.material;
-  bool now = form.colour(text(TextId::ambient), m.ambient, 1);
-  now |= form.colour(text(TextId::diffuse), m.diffuse, 1);
-  now |= form.colour(text(TextId::specular), m.specular, 1);
-  now |= form.number(text(TextId::shininess), m.shininess, 0.5, 0, 1e5);
-  now |= form.colour(text(TextId::reflection), m.reflection, 1);
-  now |= form.colour(text(TextId::transmission), m.transmission, 1);
-  now |= form.number(text(TextId::ior), m.ior, 0.005, 0.01, 100);
-  now |= form.flag(text(TextId::dielectric), m.dielectric);
+  bool now = form.colour(TextId::ambient, m.ambient, 1);
+  now |= form.colour(TextId::diffuse, m.diffuse, 1);
+  now |= form.colour(TextId::specular, m.specular, 1);
+  now |= form.number(TextId::shininess, m.shininess, 0.5, 0, 1e5);
+  now |= form.colour(TextId::reflection, m.reflection, 1);
+  now |= form.colour(TextId::transmission, m.transmission, 1);
+  now |= form.number(TextId::ior, m.ior, 0.005, 0.01, 100);
+  now |= form.flag(TextId::dielectric, m.dielectric);
   bool filtered = m.shadow == ShadowKind::filtered;
-  now |= form.flag(text(TextId::filtered_shadow), filtered);
+  now |= form.flag(TextId::filtered_shadow, filtered);
   m.shadow = filtered ? ShadowKind::filtered : ShadowKind::opaque;
-  now |= form.colour(text(TextId::emission), m.emission, huge);
+  now |= form.colour(TextId::emission, m.emission, huge);
   bool checkered = m.checker.has_value();
-  if (form.flag(text(TextId::checker), checkered)) {
+  if (form.flag(TextId::checker, checkered)) {
     now = true;
     m.checker = checkered ? std::optional<Checker>(Checker{}) : std::nullopt;
   }
@@ -39,19 +39,19 @@ void material_rows(const Ui& ui, Form& form, int index, const Object& object) {
 }
 
 bool shape_rows(Form& form, Sphere<double>& sphere) {
-  bool now = form.vector(text(TextId::centre), &sphere.centre.x, 3, 0.01);
-  now |= form.number(text(TextId::radius), sphere.radius, 0.01, tiny, huge);
+  bool now = form.vector(TextId::centre, &sphere.centre.x, 3, 0.01);
+  now |= form.number(TextId::radius, sphere.radius, 0.01, tiny, huge);
   return now;
 }
 
 bool shape_rows(Form& form, Plane<double>& plane) {
-  bool now = form.vector(text(TextId::position), &plane.point.x, 3, 0.01);
-  now |= form.vector(text(TextId::normal), &plane.normal.x, 3, 0.01);
+  bool now = form.vector(TextId::position, &plane.point.x, 3, 0.01);
+  now |= form.vector(TextId::normal, &plane.normal.x, 3, 0.01);
   return now;
 }
 
 bool shape_rows(Form& form, Prism<double>& prism) {
-  bool now = form.number(text(TextId::height), prism.height, 0.01, tiny, huge);
+  bool now = form.number(TextId::height, prism.height, 0.01, tiny, huge);
   int number = 0;
   for (Vec2d& corner : prism.corners)
     now |= form.vector(fill(TextId::corner, {std::to_string(++number)}), &corner.x, 2, 0.01);
@@ -59,24 +59,24 @@ bool shape_rows(Form& form, Prism<double>& prism) {
 }
 
 bool shape_rows(Form& form, Box<double>& box) {
-  bool now = form.vector(text(TextId::lowest), &box.min.x, 3, 0.01);
-  now |= form.vector(text(TextId::highest), &box.max.x, 3, 0.01);
+  bool now = form.vector(TextId::lowest, &box.min.x, 3, 0.01);
+  now |= form.vector(TextId::highest, &box.max.x, 3, 0.01);
   return now;
 }
 
 template <QuadricKind Kind>
 bool shape_rows(Form& form, Quadric<double, Kind>& quadric) {
-  bool now = form.vector(text(TextId::radii), &quadric.radii.x, 3, 0.01);
-  if (std::isfinite(quadric.z_min)) now |= form.number(text(TextId::lowest), quadric.z_min, 0.01, -huge, huge);
-  if (std::isfinite(quadric.z_max)) now |= form.number(text(TextId::highest), quadric.z_max, 0.01, -huge, huge);
-  now |= form.flag(text(TextId::capped), quadric.capped);
+  bool now = form.vector(TextId::radii, &quadric.radii.x, 3, 0.01);
+  if (std::isfinite(quadric.z_min)) now |= form.number(TextId::lowest, quadric.z_min, 0.01, -huge, huge);
+  if (std::isfinite(quadric.z_max)) now |= form.number(TextId::highest, quadric.z_max, 0.01, -huge, huge);
+  now |= form.flag(TextId::capped, quadric.capped);
   return now;
 }
 
 bool shape_rows(Form& form, Disk<double>& disk) {
-  bool now = form.vector(text(TextId::centre), &disk.centre.x, 3, 0.01);
-  now |= form.vector(text(TextId::normal), &disk.normal.x, 3, 0.01);
-  now |= form.number(text(TextId::radius), disk.radius, 0.01, tiny, huge);
+  bool now = form.vector(TextId::centre, &disk.centre.x, 3, 0.01);
+  now |= form.vector(TextId::normal, &disk.normal.x, 3, 0.01);
+  now |= form.number(TextId::radius, disk.radius, 0.01, tiny, huge);
   return now;
 }
 
@@ -99,7 +99,7 @@ bool shape_rows(Form& form, Triangle<double>& triangle) {
 void object_rows(const Ui& ui, Form& form, int index) {
   const Object& object = ui.state.scene().objects[static_cast<std::size_t>(index)];
   std::string name = object.name;
-  if (form.text(text(TextId::name), name)) ui.act(action::Rename{{TargetKind::object, index}, name});
+  if (form.text(TextId::name, name)) ui.act(action::Rename{{TargetKind::object, index}, name});
   Shape<double> shape = object.shape;
   if (std::visit([&](auto& s) { return shape_rows(form, s); }, shape))
     ui.act(action::SetShape{index, shape, form.continues()});
@@ -109,30 +109,30 @@ void object_rows(const Ui& ui, Form& form, int index) {
 void light_rows(const Ui& ui, Form& form, int index) {
   Light light = ui.state.scene().lights[static_cast<std::size_t>(index)];
   std::string name = light.name;
-  if (form.text(text(TextId::name), name)) ui.act(action::Rename{{TargetKind::light, index}, name});
-  bool now = form.colour(text(TextId::strength), light.strength, huge);
+  if (form.text(TextId::name, name)) ui.act(action::Rename{{TargetKind::light, index}, name});
+  bool now = form.colour(TextId::strength, light.strength, huge);
   if (auto* point = std::get_if<PointLight>(&light.kind)) {
-    now |= form.vector(text(TextId::position), &point->position.x, 3, 0.01);
+    now |= form.vector(TextId::position, &point->position.x, 3, 0.01);
     Attenuation& a = point->attenuation;
     std::array<double, 3> terms{a.constant, a.linear, a.quadratic};
-    if (form.vector(text(TextId::attenuation), terms.data(), 3, 0.005)) {
-      a = {std::max(terms[0], 0.0), std::max(terms[1], 0.0), std::max(terms[2], 0.0)};
+    if (form.vector(TextId::attenuation, terms.data(), 3, 0.005, 0)) {
+      a = {terms[0], terms[1], terms[2]};
       now = true;
     }
   } else if (auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
-    now |= form.vector(text(TextId::direction), &sun->direction.x, 3, 0.01);
+    now |= form.vector(TextId::direction, &sun->direction.x, 3, 0.01);
   }
   if (now) ui.act(action::SetLight{index, light, form.continues()});
 }
 
 void camera_rows(const Ui& ui, Form& form) {
   Camera camera = ui.state.scene().camera;
-  bool now = form.vector(text(TextId::position), &camera.eye.x, 3, 0.01);
-  now |= form.vector(text(TextId::look_at), &camera.look_at.x, 3, 0.01);
-  now |= form.number(text(TextId::screen_distance), camera.screen.distance, 0.01, tiny, huge);
-  if (camera.screen.width) now |= form.number(text(TextId::screen_width), *camera.screen.width, 0.01, tiny, huge);
-  if (camera.fov) now |= form.number(text(TextId::view_angle), camera.fov->degrees, 0.2, 0.1, 179.9);
-  now |= form.whole(text(TextId::screen_cells), camera.screen.cells, 1, 1001);
+  bool now = form.vector(TextId::position, &camera.eye.x, 3, 0.01);
+  now |= form.vector(TextId::look_at, &camera.look_at.x, 3, 0.01);
+  now |= form.number(TextId::screen_distance, camera.screen.distance, 0.01, tiny, huge);
+  if (camera.screen.width) now |= form.number(TextId::screen_width, *camera.screen.width, 0.01, tiny, huge);
+  if (camera.fov) now |= form.number(TextId::view_angle, camera.fov->degrees, 0.2, 0.1, 179.9);
+  now |= form.whole(TextId::screen_cells, camera.screen.cells, 1, 1001);
   if (now) ui.act(action::SetCamera{camera, form.continues()});
 }
 
@@ -140,12 +140,12 @@ void scene_rows(const Ui& ui, Form& form) {
   form.heading(words::scene_settings);
   const Scene& scene = ui.state.scene();
   Rgbd background = scene.background, ambient = scene.ambient;
-  bool now = form.colour(text(TextId::background), background, huge);
-  now |= form.colour(text(TextId::ambient_light), ambient, huge);
+  bool now = form.colour(TextId::background, background, huge);
+  now |= form.colour(TextId::ambient_light, ambient, huge);
   if (now) ui.act(action::SetSurroundings{background, ambient, form.continues()});
   TraceLimits limits = scene.limits;
-  now = form.whole(text(TextId::depth_limit), limits.depth, 1, 50);
-  now |= form.number(text(TextId::threshold), limits.threshold, 0.0005, 0, 1);
+  now = form.whole(TextId::depth_limit, limits.depth, 1, 50);
+  now |= form.number(TextId::threshold, limits.threshold, 0.0005, 0, 1);
   if (now) ui.act(action::SetLimits{limits, form.continues()});
 }
 

@@ -22,7 +22,8 @@ struct Rows {
   explicit Rows(const Ui& ui, float width) {
     constexpr float low = 560;  // units at scale 1
     const bool tight = ImGui::GetIO().DisplaySize.y < ui.px(low);
-    big = ui.px(tight ? 38 : 46);
+    compact = ImGui::GetIO().DisplaySize.y < ui.px(low_window);
+    big = ui.px(compact ? 34 : tight ? 38 : 46);
     gap = ui.px(tight ? 6 : 9);
     top = ui.px(tight ? 5 : 8);
     bottom = ui.px(tight ? 8 : margin);
@@ -34,7 +35,10 @@ struct Rows {
     const float transport = big + ui.px(3 * step_width) + 3 * space, ends = ui.px(2 * small) + 2 * space;
     speed = ends + ui.px(most_speed);
     beside = transport + grain + speed + ui.px(28) <= inner;
-    if (!beside) {
+    if (compact) {
+      beside = true;
+      shrink = std::clamp(inner / transport, 0.3f, 1.0f);
+    } else if (!beside) {
       const float room = inner - least_shrink * transport - ui.px(usual_gap);
       own_row = room < ends + ui.px(least_speed);
       // In a row of its own the slider takes what is left of it, if that is enough to be of use.
@@ -52,6 +56,7 @@ struct Rows {
   float big, gap, top, bottom, grain, speed, slider, inner, sentence, scrub, height;
   float shrink = 1;
   bool beside, own_row = false;
+  bool compact;  ///< without the grain and the speed, which the menu and the keys have
 };
 
 // A bar to drag along, `fraction` of it filled; where it was dragged to, if it was.
@@ -108,18 +113,17 @@ void speed_control(const Ui& ui, const Rows& rows) {
 
 void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const State& state = ui.state;
-  const std::string status = status_line(state);
   push_font(ui.fonts.small);
   // The bar must not change its length while it is dragged, so there is room for the longest status from the start.
-  const auto number = [](std::size_t count) { return std::to_string(count); };
-  const std::string steps_text = std::to_string(state.timeline->steps()),
-                    pixels_text = number(state.timeline->pixels().size());
-  const float widest = ImGui::CalcTextSize(fill(TextId::status, {steps_text, steps_text, pixels_text, pixels_text,
-                                                                 number(state.timeline->rays().size())})
-                                               .c_str())
-                           .x;
+  const auto widest_of = [&](bool in_short) {
+    return ImGui::CalcTextSize(widest_status_line(state, in_short).c_str()).x;
+  };
+  const float least_bar = rows.beside || rows.own_row ? ui.px(rows.compact ? 150 : 260) : rows.grain + ui.px(220);
+  const bool in_short = widest_of(false) + least_bar > rows.inner;
+  const float widest = widest_of(in_short);
   pop_font();
-  const bool with_status = widest + ui.px(rows.beside ? 260 : 420) < rows.inner;
+  const std::string status = in_short ? short_status_line(state) : status_line(state);
+  const bool with_status = widest + least_bar <= rows.inner;
   const float right = at.x + rows.inner;
   if (!rows.beside && !rows.own_row) at.x += rows.grain + ui.px(8);
   const float edge = ui.px(26);
@@ -148,7 +152,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
     const int position = static_cast<int>(std::lround(static_cast<double>(*to) * steps));
     if (position != state.position) ui.act(action::Jump{position});
   }
-  tooltip(ui, "scrub", std::string(words::scrub_hint));
+  tooltip(ui, "scrub", std::string(words::scrub_hint) + "\n" + status_line(state));
   ImGui::SetCursorScreenPos({left + length + ui.px(8), at.y});
   command_button(ui, Command::last, {edge, edge}, last);
   if (!with_status) return;
@@ -199,6 +203,11 @@ void transport_pane(const Ui& ui, const Rect& where) {
     ImGui::SameLine();
     command_button(ui, Command::clear, step, {.look = Look::plain, .icon = Icon::none, .font = font});
 
+    if (rows.compact) {
+      scrub_row(ui, rows, {left, y + rows.big + rows.gap});
+      end_pane();
+      return;
+    }
     const float second = y + rows.big + rows.gap, third = second + (rows.own_row ? ui.px(small) + rows.gap : 0);
     const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
     const float grain_x = rows.beside ? speed_x - rows.grain - ui.px(4) : left;

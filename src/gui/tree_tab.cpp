@@ -88,6 +88,18 @@ void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& sp
             node.current || node.hovered ? ui.px(200) : column - ui.px(6), ui.colours.panel.with_alpha(200));
 }
 
+// What the node's sign stands for, and what its ray could bring.
+void explain(const Ui& ui, const TreeNode& node) {
+  const std::string what = node_text(node);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
+  ImGui::BeginTooltip();
+  push_font(ui.fonts.small);
+  ImGui::TextUnformatted(what.c_str());
+  pop_font();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
@@ -107,9 +119,11 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
     const auto levels = static_cast<float>(std::max(tree.levels, 1));
     const float margin = ui.px(10);
     const float column = std::clamp((where.width - 2 * margin) / columns, ui.px(least_column), ui.px(most_column));
-    const float level = std::clamp(where.height / levels, ui.px(least_level), ui.px(most_level));
+    // The lowest nodes have their labels below them.
+    const float below = line_height(ui.fonts, *ui.fonts.small) + ui.px(4);
+    const float level = std::clamp((where.height - below) / levels, ui.px(least_level), ui.px(most_level));
     const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(most_radius));
-    const float width = column * columns + 2 * margin, height = level * levels;
+    const float width = column * columns + 2 * margin, height = level * levels + below;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float indent = std::max((where.width - width) / 2, 0.0f) + margin + column / 2;
     const auto place = [&](const TreeNode& node) {
@@ -128,6 +142,7 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
       if (ImGui::IsItemHovered()) {
         pointed_at = node.ray;
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        explain(ui, node);
       }
       ui.publish(name);
       draw_node(ui, node, at, {column, level, radius});

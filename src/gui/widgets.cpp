@@ -182,14 +182,18 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   return pressed;
 }
 
-float button_width(const Ui& ui, Command command, const ButtonLook& look) {
-  return measure(ui, command_label(command, ui.state), look).width() + 2 * ui.px(12);
+float button_width(const Ui& ui, const std::string& label, const ButtonLook& look) {
+  return measure(ui, label, look).width() + 2 * ui.px(12);
 }
 
-void command_button(const Ui& ui, Command command, ImVec2 size, const ButtonLook& look) {
+float button_width(const Ui& ui, Command command, const ButtonLook& look) {
+  return button_width(ui, command_label(command, ui.state), look);
+}
+
+void command_button(const Ui& ui, Command command, ImVec2 size, const ButtonLook& look, const std::string& label) {
   const bool is_chosen = look.look == Look::choice && chosen(command, ui.state);
-  if (button(ui, command_name(command), command_label(command, ui.state), hint_of(command), size, look, is_chosen,
-             enabled(command, ui.state)))
+  if (button(ui, command_name(command), label.empty() ? command_label(command, ui.state) : label, hint_of(command),
+             size, look, is_chosen, enabled(command, ui.state)))
     perform(command, ui);
 }
 

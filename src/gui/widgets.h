@@ -27,9 +27,12 @@ struct ButtonLook {
 };
 
 /// A button for a command: label, tooltip with its key, enabled or not, chosen or not. `size` 0: as the label needs.
-void command_button(const Ui& ui, Command command, ImVec2 size = {0, 0}, const ButtonLook& look = {});
+/// `label`: in place of the command's own.
+void command_button(const Ui& ui, Command command, ImVec2 size = {0, 0}, const ButtonLook& look = {},
+                    const std::string& label = {});
 /// Width that command_button takes when it is left free.
 [[nodiscard]] float button_width(const Ui& ui, Command command, const ButtonLook& look = {});
+[[nodiscard]] float button_width(const Ui& ui, const std::string& label, const ButtonLook& look = {});
 /// The same for what is no command; `name` is for tests and ImGui. Whether it was pressed.
 bool button(const Ui& ui, std::string_view name, const std::string& label, const std::string& hint, ImVec2 size,
             const ButtonLook& look, bool is_chosen = false, bool is_enabled = true);

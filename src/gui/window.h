@@ -32,6 +32,11 @@ class Window {
   Window(Window&&) = delete;
   Window& operator=(Window&&) = delete;
 
+  struct Extent {
+    float width = 0, height = 0;
+  };
+  /// Of the window, in units.
+  [[nodiscard]] Extent extent() const;
   /// Pixels of the framebuffer per unit: 2 on a display that is twice as dense as its coordinates say.
   [[nodiscard]] float density() const;
   /// How much larger than at 96 dots per inch things should be, in units.

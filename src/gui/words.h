@@ -6,6 +6,7 @@
 namespace raywalk::words {
 
 inline constexpr std::string_view menu_walk = "Walk";
+inline constexpr std::string_view keys = "Keys";
 inline constexpr std::string_view scrub_hint = "Where the walk stands; drag to go anywhere";
 inline constexpr std::string_view speed_hint = "How fast AUTO goes; it may be changed while it runs";
 inline constexpr std::string_view scene_settings = "Scene";

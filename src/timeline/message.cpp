@@ -46,7 +46,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
     if (!timeline_.of_strip()) return {MessageId::image_pixel_begun, {begun.column, begun.row}};
-    return {MessageId::pixel_begun, {begun.column + 1, scene_.camera.screen.cells}};
+    return {MessageId::pixel_begun, {begun.column, scene_.camera.screen.cells - 1}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const RayFormed& formed) const {
@@ -54,7 +54,7 @@ class Describer {
       case RayKind::primary: {
         const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
         if (!timeline_.of_strip()) return {MessageId::image_primary_formed, {pixel.column, pixel.row}};
-        return {MessageId::primary_formed, {pixel.column + 1}};
+        return {MessageId::primary_formed, {pixel.column}};
       }
       case RayKind::shadow:
         return {MessageId::shadow_formed, {shaded(), light(formed.light)}};
@@ -178,7 +178,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelPut& put) const {
     if (!timeline_.of_strip()) return {MessageId::image_pixel_put, {put.column, put.row, put.shade}};
-    return {MessageId::pixel_put, {put.column + 1, put.shade}};
+    return {MessageId::pixel_put, {put.column, put.shade}};
   }
 
   const Scene& scene_;

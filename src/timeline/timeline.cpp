@@ -89,7 +89,24 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
                        record.endless = false;
                      }
                    },
-                   [&](const Decided&) {},
+                   [&](const Decided& decided) {
+                     if (decided.why != Ending::total_internal_reflection) return;
+                     // The refract ray that does not exist would graze the surface, at best: a stub along it says so.
+                     const RayRecord shaded = rays_[static_cast<std::size_t>(ray)];
+                     RayRecord record;
+                     record.formed = false;
+                     record.kind = RayKind::refract;
+                     record.ending = Ending::total_internal_reflection;
+                     record.parent = ray;
+                     record.origin = shaded.end;
+                     const Vec3d along = shaded.direction - dot(shaded.direction, shaded.normal) * shaded.normal;
+                     const double size = length(along);
+                     record.direction = size > 0 ? along / size : shaded.direction;
+                     record.end = record.origin + record.direction;
+                     record.share = Rgbd(0.0);
+                     record.found_at = after;
+                     add_ray(record);
+                   },
                    [&](const ShadeCalled& called) {
                      ray = index_of(called.ray);
                      if (called.missed) return;

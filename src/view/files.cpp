@@ -40,10 +40,11 @@ void carry_out(State& state, Intent intent, const std::string& path) {
 bool write_to(State& state, const std::string& path) {
   const Result<void> written = write_scene(state.document, path);
   if (!written) {
-    state.after_save.reset();
     complain(state, written.error());
+    if (state.prompt == PathPrompt::none) state.after_save.reset();
     return false;
   }
+  state.prompt = PathPrompt::none;
   state.path = path;
   state.saved = state.scene();
   state.dirty = false;
@@ -82,7 +83,21 @@ void show_document(State& state, SceneDocument document, std::string path) {
   ++state.revision;
   record_again(state);
   state.position = 0;
-  state.camera = fit(state.scene(), state.viewport);
+  state.camera = fitted(state);
+}
+
+void ask_path(State& state, PathPrompt prompt) {
+  state.prompt = prompt;
+  state.playing = false;
+  if (state.notice && state.notice->kind == Notice::Kind::error) state.notice.reset();
+}
+
+void open(State& state, const std::string& path) {
+  const bool asked = std::exchange(state.prompt, PathPrompt::none) == PathPrompt::open;
+  ask_or_do(state, Intent::open, path);
+  // What cannot be opened: the dialog stays, and says why.
+  if (asked && !state.question && state.notice && state.notice->kind == Notice::Kind::error)
+    state.prompt = PathPrompt::open;
 }
 
 void ask_or_do(State& state, Intent intent, const std::string& path) {
@@ -93,16 +108,15 @@ void ask_or_do(State& state, Intent intent, const std::string& path) {
 
 void save(State& state) {
   // A scene of another format is saved as one of ours, under a new name.
-  if (state.path.empty() || scene_format_of(state.path) != SceneFormat::toml) {
-    state.prompt = PathPrompt::save_as;
-    return;
-  }
+  const bool is_ours = !state.path.empty() && scene_format_of(state.path) == SceneFormat::toml;
+  if (!is_ours) return ask_path(state, PathPrompt::save_as);
   static_cast<void>(write_to(state, state.path));
 }
 
 void save_as(State& state, const std::string& path) {
   if (path.empty()) return;
-  state.prompt = PathPrompt::none;
+  // A dialog that asked for the path stays until the file is written, and shows what went wrong.
+  if (state.prompt == PathPrompt::save_as) state.notice.reset();
   const bool has_ending = std::filesystem::path(path).has_extension();
   const std::string whole = has_ending ? path : path + ".toml";
   std::error_code failed;
@@ -126,16 +140,17 @@ void answer(State& state, action::Answer answer) {
       state.after_save_path = question.path;
       return save(state);
     case Question::Kind::recover:
-      if (answer == action::Answer::save || answer == action::Answer::cancel) return;
+      if (answer == action::Answer::save) return;
       state.question.reset();
-      if (answer == action::Answer::recover) return recover(state, question.path);
-      return forget_autosave(state);
+      if (answer == action::Answer::recover) return recover(state, question.path, question.autosave);
+      if (answer == action::Answer::discard) discard_autosave(state, question.autosave);
+      return;
     case Question::Kind::overwrite:
       if (answer == action::Answer::discard || answer == action::Answer::recover) return;
       state.question.reset();
       if (answer == action::Answer::save) {
         static_cast<void>(write_to(state, question.path));
-      } else {
+      } else if (state.prompt == PathPrompt::none) {  // else the dialog asks for another
         state.after_save.reset();
       }
       return;

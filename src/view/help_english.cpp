@@ -4,6 +4,17 @@
 
 namespace raywalk {
 
+namespace {
+
+HelpSection numbers() {
+  HelpSection section{"Materials, lights and limits", {}};
+  for (const Explanation& e : explanations())
+    section.entries.push_back({std::string(text(e.property)), std::string(e.text)});
+  return section;
+}
+
+}  // namespace
+
 std::vector<HelpSection> help() {
   return {
       {"What this is",
@@ -47,6 +58,7 @@ std::vector<HelpSection> help() {
          "in the plan and in the code; click to go to it."},
         {"Stack", "The SHADEs that wait for others to return, the innermost on top."},
         {"Legend", "What the colours, dashes and signs mean."}}},
+      numbers(),
       {"Why rays end",
        {{"hit", "It met an object; that point is shaded."},
         {"left the scene", "It met nothing and brings the background."},
@@ -60,33 +72,6 @@ std::vector<HelpSection> help() {
          "Light inside glass meets the surface at so flat an angle that nothing gets out: "
          "no refract ray exists, and all of it is mirrored."},
         {"faces away", "The light is behind the surface and cannot reach it, so no shadow ray is formed."}}},
-      {"Keys",
-       {{"Right, Space, Page Down", "STEP"},
-        {"Left, Page Up", "BACK"},
-        {"Shift with Right or Left", "to the next or previous ray"},
-        {"Control with Right or Left", "to the next or previous pixel"},
-        {"Home, End", "to the start or the end"},
-        {"1, 2, 3 in Trace", "one step is a line, a ray, a pixel"},
-        {"A", "AUTO or PAUSE"},
-        {"+ and -", "faster and slower"},
-        {"C", "CLEAR"},
-        {"M, T, F1", "Move, Trace, Help"},
-        {"I, R, K, L", "the panes: image, ray tree, stack, legend"},
-        {"X", "the plan and the pane change places"},
-        {"1, 2, 3, 4 in Move", "add a solid sphere, a transparent sphere, a polygon, a light"},
-        {"Tab in Move", "selects the next thing; with Shift the one before; Enter goes to its numbers"},
-        {"Arrow keys in Move", "move what is selected; with Shift in larger steps"},
-        {"Delete", "removes what is selected"},
-        {"Shift while dragging", "along one axis; lengths and angles in round numbers"},
-        {"Control while dragging", "places on the grid"},
-        {"Escape", "takes a drag back, closes what is open, ends AUTO"},
-        {"Mouse wheel", "zooms, as Alt with Up and Down; drag the empty plan to move it; F fits everything in"},
-        {"Control with Z or Y", "undo, redo"},
-        {"Control with N, O, S", "new, open, save; with Shift and S: save as"},
-        {"Control with + or -", "larger or smaller letters; with 0 as at first"},
-        {"P", "light colours for a projector, or dark ones"},
-        {"F10, F11", "the menus, the full screen"},
-        {"Control with Q", "quit"}}},
   };
 }
 

@@ -125,6 +125,32 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
   return things;
 }
 
+/// Distance in pixels from a label's box to what a body draws; 0 where they touch.
+double distance_to_box(const Body& body, const Box& label) {
+  constexpr int columns = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= columns; ++i)
+    for (const double y : {label.min.y, label.max.y})
+      least = std::min(least, distance_to(body.item, {label.min.x + (label.max.x - label.min.x) * i / columns, y}));
+  return least;
+}
+
+/// How easily a label is taken for that of another body, 0..1: much where another is nearer than its own, a little
+/// where another is near at all.
+double mistakable(const Labelled& thing, const std::vector<Body>& bodies, const Box& label, double unit) {
+  double own = 0, other = std::numeric_limits<double>::infinity();
+  for (const Body& body : bodies) {
+    const double distance = distance_to_box(body, label);
+    if (thing.body && body.item.target == thing.body) {
+      own = distance;
+    } else {
+      other = std::min(other, distance);
+    }
+  }
+  const double crowded = 60 * unit, enough = 2 * own + 4 * unit;
+  return std::max(other < enough ? 0.9 * (1 - other / enough) : 0.0, 0.3 * std::max(0.0, 1 - other / crowded));
+}
+
 /// How far from the middle of its thing, in this direction, a label stands clear of it: 0..1 of the way beside the box
 /// around it. A slanted wall's box is mostly empty, so its label may stand nearer.
 double clear_at(const Labelled& thing, const std::vector<Body>& bodies, const Vec2d& half, const Vec2d& way) {
@@ -167,7 +193,7 @@ void draw_labels(Painter& painter) {
       for (const Box& taken : painter.kept_free) cost += box.overlap(taken);
       for (const Body& body : bodies)
         if (!own || body.item.target != own) cost += 0.7 * area * covered(body, box);
-      return cost;
+      return cost + (own ? 0 : area * mistakable(thing, bodies, box, painter.sizes.unit));
     };
     Vec2d best = thing.at;
     double least = std::numeric_limits<double>::infinity();

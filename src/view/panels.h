@@ -54,12 +54,13 @@ struct TreeNode {
   bool future;   ///< not yet formed at this position: drawn as an outline, its texts are empty
   bool current;  ///< the ray of the line that has just run
   bool hovered;
-  bool returned;       ///< its SHADE has returned
-  std::string symbol;  ///< one or two characters for how it ended
-  std::string label;   ///< what it met: the object's or light's name, or why it ended
-  std::string share;   ///< largest part of the pixel it can bring: "100%"
-  Colour colour;       ///< of its kind
-  Colour shade;        ///< what it brought back, where `returned`; else the colour of an empty cell
+  bool returned;                 ///< its SHADE has returned
+  std::optional<Ending> ending;  ///< where `known`
+  std::string symbol;            ///< one or two characters for how it ended
+  std::string label;             ///< what it met: the object's or light's name, or why it ended
+  std::string share;             ///< largest part of the pixel it can bring: "100%"
+  Colour colour;                 ///< of its kind
+  Colour shade;                  ///< what it brought back, where `returned`; else the colour of an empty cell
 };
 
 struct TreePanel {
@@ -68,6 +69,9 @@ struct TreePanel {
   int levels = 0;               ///< y in 0..levels - 1
   std::vector<TreeNode> nodes;  ///< parents before children
 };
+
+/// What a node is, in a line or two, for the tooltip that explains its sign.
+[[nodiscard]] std::string node_text(const TreeNode& node);
 
 /// The tree of the pixel under way, as far as it is known. Its shape is that of the whole tree from the start, so that
 /// nothing moves while it is walked.
@@ -106,7 +110,8 @@ struct LegendRow {
   RayKind kind;
   RayStyle style;  ///< dash lengths in pixels at scale 1
   std::string name;
-  std::string meaning;  ///< one clause
+  std::string short_name;  ///< where there is little room
+  std::string meaning;     ///< one clause
 };
 /// Signs on the plan besides the rays.
 struct LegendSign {
@@ -128,8 +133,12 @@ struct Counts {
   int depth = 0;  ///< of the line just run
 };
 [[nodiscard]] Counts counts(const State& state);
-/// Counts in one line: "step 12 of 840 · pixel 3 of 21 · 5 rays".
+/// Counts in one line: "step 12 of 840 · pixel 3 · rays 5". Pixels are counted from 0, as everywhere.
 [[nodiscard]] std::string status_line(const State& state);
+/// The same in few letters: "12 / 840".
+[[nodiscard]] std::string short_status_line(const State& state);
+/// A line as wide as any of these becomes in this walk, and in one a little longer.
+[[nodiscard]] std::string widest_status_line(const State& state, bool in_short);
 
 /// Buttons and text of an open question.
 struct QuestionPanel {

@@ -18,7 +18,7 @@ Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& 
   return camera.centre + from_centre / camera.pixels_per_unit;
 }
 
-PlanCamera fit(const Scene& scene, const Viewport& viewport) {
+PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   Bounds<double> box;
   const auto include = [&](const Vec2d& p) { box.include(Vec3d(p, 0)); };
   const detail::ScreenPlace screen = detail::screen_place(scene.camera);
@@ -46,10 +46,15 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport) {
         if (length(nearest - middle) < near) include(nearest);
       }
   const Vec2d size = plan(box.max) - plan(box.min);
-  constexpr double margin = 0.86;  // the rest is for labels and handles
-  const double widest = std::max({size.x / viewport.width, size.y / viewport.height, 1e-9});
-  return {plan(box.min) + size / 2.0, std::clamp(margin / widest, 1e-6, 1e9), true};
+  // What is left at the sides is for symbols, labels and handles.
+  const auto room = [&](double pixels) {
+    return pixels - 2 * std::min(std::max(0.07 * pixels, 34 * unit), 0.2 * pixels);
+  };
+  const double widest = std::max({size.x / room(viewport.width), size.y / room(viewport.height), 1e-9});
+  return {plan(box.min) + size / 2.0, std::clamp(1 / widest, 1e-6, 1e9), true};
 }
+
+PlanCamera fitted(const State& state) { return fit(state.scene(), state.viewport, Sizes(state).unit); }
 
 Sizes::Sizes(const State& state)
     : unit(state.ui_scale * theme_scale(state.theme)),

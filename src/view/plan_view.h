@@ -11,7 +11,10 @@ namespace raywalk {
 [[nodiscard]] Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& pixels);
 
 /// The camera that shows everything of the scene that has a place in the plan, with a margin.
-[[nodiscard]] PlanCamera fit(const Scene& scene, const Viewport& viewport);
+/// `unit`: pixels per unit at scale 1, for the margin that symbols and names need.
+[[nodiscard]] PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit = 1);
+/// That of a state's scene, pane and scale.
+[[nodiscard]] PlanCamera fitted(const State& state);
 
 /// Everything that is drawn in the pane. Move mode has handles, trace mode the rays formed so far.
 [[nodiscard]] DisplayList plan_view(const State& state, const Viewport& viewport);

@@ -72,7 +72,7 @@ std::string_view template_of(MessageId id) {
     case MessageId::start:
       return "Nothing has run yet.";
     case MessageId::pixel_begun:
-      return "Pixel {0} of {1} is next.";
+      return "Pixel {0} is next; SCREEN has pixels 0 to {1}.";
     case MessageId::primary_formed:
       return "A primary ray leaves EYE through pixel {0} of SCREEN.";
     case MessageId::found_hit:

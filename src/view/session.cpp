@@ -5,7 +5,10 @@
 #include "view/update_parts.h"
 
 #include <algorithm>
+#include <array>
+#include <ctime>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace raywalk {
@@ -18,11 +21,61 @@ constexpr std::size_t most_recent = 10;
 constexpr std::size_t most_bytes = 64 << 20;
 /// First line of an autosave: the file that it belongs to. For the reader of scenes it is a comment.
 constexpr std::string_view autosave_head = "# autosave of: ";
+constexpr std::string_view time_head = "# written on: ";  ///< its second line
 
 std::string file_in(const State& state, const char* name) {
   return (std::filesystem::path(state.state_dir) / name).string();
 }
-std::string autosave_path(const State& state) { return file_in(state, "autosave.toml"); }
+std::string autosave_path(const State& state) { return file_in(state, state.autosave_file.c_str()); }
+constexpr int most_autosaves = 99;
+/// The name of the autosave of this number, from 1 on.
+std::string autosave_name(int number) {
+  return number == 1 ? "autosave.toml" : "autosave-" + std::to_string(number) + ".toml";
+}
+
+/// The time of now, for people: "2026-11-21 at 14:05".
+std::string now_text() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  std::array<char, 64> text{};
+  if (localtime_r(&now, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%d at %H:%M", &parts);
+  return text.data();
+}
+
+/// What follows `head` in the line at `begin`, and where the next line begins; nothing when there is no such line.
+struct HeadLine {
+  std::string value;
+  std::size_t next;
+};
+std::optional<HeadLine> head_line(const std::string& text, std::size_t begin, std::string_view head) {
+  if (text.compare(begin, head.size(), head) != 0) return std::nullopt;
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  return HeadLine{text.substr(begin + head.size(), end - begin - head.size()), std::min(end + 1, text.size())};
+}
+
+/// Asks whether to recover the latest of the autosaves that earlier sittings left, if there is one.
+void ask_to_recover(State& state) {
+  std::filesystem::file_time_type latest{};
+  std::string found;
+  for (int i = 1; i <= most_autosaves; ++i) {
+    std::error_code missing;
+    const std::filesystem::path path = file_in(state, autosave_name(i).c_str());
+    const auto written = std::filesystem::last_write_time(path, missing);
+    if (missing || (!found.empty() && written <= latest)) continue;
+    latest = written;
+    found = autosave_name(i);
+  }
+  if (found.empty()) return;
+  const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), most_bytes);
+  if (!autosaved) return;
+  state.question = Question{Question::Kind::recover, Intent::open, {}, found, {}};
+  std::size_t next = 0;
+  if (const auto line = head_line(*autosaved, 0, autosave_head)) {
+    state.question->path = line->value;
+    next = line->next;
+  }
+  if (const auto line = head_line(*autosaved, next, time_head)) state.question->when = line->value;
+}
 std::string recent_path(const State& state) { return file_in(state, "recent.txt"); }
 
 Result<void> write_in_folder(const State& state, const std::string& path, const std::string& bytes) {
@@ -34,7 +87,9 @@ Result<void> write_in_folder(const State& state, const std::string& path, const 
 Result<void> write_autosave(const State& state) {
   const Result<std::string> written = format_scene(state.scene(), state.document.text);
   if (!written) return tl::unexpected(written.error());
-  return write_in_folder(state, autosave_path(state), std::string(autosave_head) + state.path + "\n" + written.value());
+  return write_in_folder(
+      state, autosave_path(state),
+      std::string(autosave_head) + state.path + "\n" + std::string(time_head) + now_text() + "\n" + written.value());
 }
 
 }  // namespace
@@ -56,12 +111,20 @@ void forget_autosave(State& state) {
   std::filesystem::remove(autosave_path(state), failed);
 }
 
-void recover(State& state, const std::string& original) {
-  Result<SceneDocument> document = read_scene(autosave_path(state));
+void discard_autosave(State& state, const std::string& autosave) {
+  std::error_code failed;  // nothing there is as good as removed
+  std::filesystem::remove(file_in(state, autosave.c_str()), failed);
+  ask_to_recover(state);
+}
+
+void recover(State& state, const std::string& original, const std::string& autosave) {
+  Result<SceneDocument> document = read_scene(file_in(state, autosave.c_str()));
   if (!document) return complain(state, document.error().text());
   std::string& text = document->text;
-  if (text.starts_with(autosave_head)) text.erase(0, std::min(text.size(), text.find('\n') + 1));
+  if (const auto line = head_line(text, 0, autosave_head)) text.erase(0, line->next);
+  if (const auto line = head_line(text, 0, time_head)) text.erase(0, line->next);
   const Result<SceneDocument> file = read_scene(original);
+  state.autosave_file = autosave;  // what it holds is this sitting's work now
   show_document(state, std::move(*document), original);
   // Without a file to compare with, everything is unsaved.
   if (file) state.saved = file->scene;
@@ -96,14 +159,13 @@ void restore_session(State& state) {
     if (end > start) state.recent.push_back(recent->substr(start, end - start));
     start = end + 1;
   }
-  const Result<std::string> autosaved = read_file(detail::autosave_path(state), detail::most_bytes);
-  if (!autosaved) return;
-  std::string path;
-  if (autosaved->starts_with(detail::autosave_head)) {
-    const std::size_t begin = detail::autosave_head.size();
-    path = autosaved->substr(begin, std::min(autosaved->find('\n'), autosaved->size()) - begin);
+  // An autosave that nobody has decided on is never written over.
+  for (int i = 1; i <= detail::most_autosaves; ++i) {
+    state.autosave_file = detail::autosave_name(i);
+    std::error_code failed;
+    if (!std::filesystem::exists(detail::autosave_path(state), failed)) break;
   }
-  state.question = Question{Question::Kind::recover, Intent::open, path};
+  detail::ask_to_recover(state);
 }
 
 }  // namespace raywalk

@@ -34,7 +34,7 @@ std::string ray_text(const State& state, const RayRecord& ray) {
   const Timeline& timeline = *state.timeline;
   if (ray.parent < 0)
     return fill(TextId::stack_primary_ray,
-                {std::to_string(timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column + 1)});
+                {std::to_string(timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column)});
   const int from = ray_of(timeline, ray.parent).object;
   const std::string name = from < 0 ? std::string() : state.scene().objects[static_cast<std::size_t>(from)].name;
   return fill(TextId::stack_ray_from, {std::string(text(ray.kind)), name});

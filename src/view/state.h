@@ -46,12 +46,14 @@ enum class Intent { new_scene, open, quit };
 struct Question {
   enum class Kind {
     unsaved,    ///< answers: save, discard, cancel
-    recover,    ///< an autosave was found at the start; answers: recover, discard
+    recover,    ///< an autosave was found at the start; answers: recover, discard, cancel (asks at the next start)
     overwrite,  ///< SaveAs names another file that exists; answers: save, cancel
   };
   Kind kind = Kind::unsaved;
   Intent intent = Intent::quit;  ///< goes on with this after save or discard
   std::string path;  ///< of Intent::open, of the file that the autosave belongs to (may be empty), or to overwrite
+  std::string autosave{};  ///< recover: the autosave
+  std::string when{};      ///< recover: the time at which it was written, for people
 };
 
 /// A path that the window has to ask for; answered by Open or SaveAs, or taken back by CancelPrompt.
@@ -88,6 +90,8 @@ struct State {
   std::vector<std::string> recent;  ///< paths, the latest first
   /// Folder for the autosave and the list of recent files; empty: neither is kept.
   std::string state_dir;
+  /// Where this sitting's autosave goes: a name in state_dir that was free at the start.
+  std::string autosave_file = "autosave.toml";
   double autosave_in = 0;  ///< seconds until the next autosave may be written
   std::uint64_t autosaved_revision = 0;
 

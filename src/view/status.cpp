@@ -1,9 +1,11 @@
 // The sentence, the legend, the counts, and the questions.
 
 #include "view/panels.h"
+#include "view/plan_geometry.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace raywalk {
@@ -22,7 +24,8 @@ std::string ray_text(const State& state, int index) {
   std::string what;
   if (ray.parent < 0) {
     const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
-    what = fill(TextId::ray_of_cell, {std::string(text(ray.kind)), std::to_string(column + 1)});
+    what = timeline.of_strip() ? fill(TextId::ray_of_cell, {std::string(text(ray.kind)), std::to_string(column)})
+                               : fill(TextId::ray_of_pixel, {std::string(text(ray.kind))});
   } else {
     const int from = timeline.rays()[static_cast<std::size_t>(ray.parent)].object;
     what = fill(TextId::ray_from, {std::string(text(ray.kind)), from < 0 ? "" : object_name(state, from)});
@@ -31,14 +34,41 @@ std::string ray_text(const State& state, int index) {
   return known ? what + ": " + std::string(text(ray.ending)) : what;
 }
 
+/// The name of an object or a light, or EYE or SCREEN.
+std::string short_name(const State& state, const Target& target) {
+  if (target.kind == TargetKind::light) return state.scene().lights[static_cast<std::size_t>(target.index)].name;
+  if (detail::belongs_to_object(target)) return object_name(state, target.index);
+  return str(target.kind == TargetKind::eye || target.kind == TargetKind::view_direction ? TextId::eye
+                                                                                         : TextId::screen);
+}
+
 std::string cell_text(const State& state, int cell) {
   const Timeline& timeline = *state.timeline;
   for (std::size_t i = 0; i < timeline.pixels().size(); ++i) {
     const PixelRecord& pixel = timeline.pixels()[i];
     if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.position))
-      return fill(TextId::cell_with_shade, {std::to_string(cell + 1), colour_text(pixel.shade)});
+      return fill(TextId::cell_with_shade, {std::to_string(cell), colour_text(pixel.shade)});
   }
-  return fill(TextId::cell_number, {std::to_string(cell + 1)});
+  return fill(TextId::cell_number, {std::to_string(cell)});
+}
+
+/// Why the plan does not show what one may look for, and how to get it back; empty when it does.
+std::string view_hint(const State& state) {
+  constexpr double tiny = 0.15;  // of the size that fits
+  if (state.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(TextId::shown_tiny);
+  if (!state.selected || !exists(state, state.selected) || state.drag) return {};
+  const Vec2d at = to_pixels(state.camera, state.viewport, detail::place_of(state, state.selected, state.viewport));
+  const bool inside = at.x >= 0 && at.y >= 0 && at.x <= state.viewport.width && at.y <= state.viewport.height;
+  return inside ? std::string() : fill(TextId::out_of_view, {short_name(state, state.selected)});
+}
+
+std::string move_sentence(const State& state) {
+  std::string said = str(TextId::first_step_move);
+  const int steps = state.timeline->steps();
+  if (const std::string hint = view_hint(state); !hint.empty()) return hint;
+  if (state.position == 0) return said;
+  if (state.position == steps) return said + " " + str(TextId::walk_stands_at_end);
+  return said + " " + fill(TextId::walk_stands_at, {std::to_string(state.position), std::to_string(steps)});
 }
 
 }  // namespace
@@ -83,7 +113,7 @@ std::string target_text(const State& state, const Target& target) {
 std::string sentence(const State& state) {
   switch (state.mode) {
     case Mode::move:
-      return str(TextId::first_step_move);
+      return move_sentence(state);
     case Mode::help:
       return str(TextId::first_step_help);
     case Mode::trace:
@@ -96,13 +126,13 @@ std::string sentence(const State& state) {
 
 Legend legend(const State& state) {
   Legend legend;
-  const auto row = [&](RayKind kind, TextId meaning) {
-    legend.rays.push_back({kind, ray_style(state.theme, kind), std::string(text(kind)), str(meaning)});
+  const auto row = [&](RayKind kind, TextId in_short, TextId meaning) {
+    legend.rays.push_back({kind, ray_style(state.theme, kind), std::string(text(kind)), str(in_short), str(meaning)});
   };
-  row(RayKind::primary, TextId::legend_primary);
-  row(RayKind::shadow, TextId::legend_shadow);
-  row(RayKind::reflect, TextId::legend_reflect);
-  row(RayKind::refract, TextId::legend_refract);
+  row(RayKind::primary, TextId::short_primary, TextId::legend_primary);
+  row(RayKind::shadow, TextId::short_shadow, TextId::legend_shadow);
+  row(RayKind::reflect, TextId::short_reflect, TextId::legend_reflect);
+  row(RayKind::refract, TextId::short_refract, TextId::legend_refract);
   const auto sign = [&](Ending ending, TextId meaning) {
     legend.signs.push_back({std::string(symbol(ending)), str(meaning)});
   };
@@ -110,7 +140,7 @@ Legend legend(const State& state) {
   sign(Ending::missed, TextId::sign_missed);
   sign(Ending::blocked, TextId::sign_blocked);
   sign(Ending::reached_light, TextId::sign_reached_light);
-  for (const Ending limit : {Ending::depth, Ending::threshold, Ending::facing_away})
+  for (const Ending limit : {Ending::depth, Ending::threshold, Ending::total_internal_reflection, Ending::facing_away})
     legend.signs.push_back({std::string(symbol(limit)), std::string(text(limit))});
   legend.signs.push_back({"-|", str(TextId::sign_stub)});
   legend.signs.push_back({"->", str(TextId::sign_normal)});
@@ -129,10 +159,6 @@ Counts counts(const State& state) {
     if (ray.formed) ++counts.formed[static_cast<std::size_t>(ray.kind)];
     if (ray.found_at <= state.position) ++counts.ended[static_cast<std::size_t>(ray.ending)];
   }
-  // Total internal reflection leaves no ray and no stub, only a decision.
-  for (int i = 0; i < state.position; ++i)
-    if (const auto* decided = std::get_if<Decided>(&timeline.event(i).detail); decided != nullptr && decided->why)
-      ++counts.ended[static_cast<std::size_t>(*decided->why)];
   return counts;
 }
 
@@ -140,8 +166,24 @@ std::string status_line(const State& state) {
   const Counts now = counts(state);
   int rays = 0;
   for (const int formed : now.formed) rays += formed;
-  return fill(TextId::status, {std::to_string(now.position), std::to_string(now.steps), std::to_string(now.pixel),
-                               std::to_string(now.pixels), std::to_string(rays)});
+  const int cell = current_cell(state);
+  return fill(TextId::status, {std::to_string(now.position), std::to_string(now.steps),
+                               cell < 0 ? str(TextId::status_none) : std::to_string(cell), std::to_string(rays)});
+}
+
+std::string short_status_line(const State& state) {
+  return fill(TextId::status_short, {std::to_string(state.position), std::to_string(state.timeline->steps())});
+}
+
+std::string widest_status_line(const State& state, bool in_short) {
+  // As many digits as most walks have, so that an edit that makes the walk a little longer changes nothing.
+  const auto digits = [](int number, std::size_t least) {
+    return std::string(std::max(std::to_string(number).size(), least), '0');
+  };
+  const std::string steps = digits(state.timeline->steps(), 4);
+  if (in_short) return fill(TextId::status_short, {steps, steps});
+  return fill(TextId::status, {steps, steps, digits(state.scene().camera.screen.cells - 1, 2),
+                               digits(static_cast<int>(state.timeline->rays().size()), 3)});
 }
 
 QuestionPanel question_panel(const State& state) {
@@ -170,8 +212,12 @@ QuestionPanel question_panel(const State& state) {
       choice(Answer::cancel, TextId::answer_cancel);
       break;
     case Question::Kind::recover:
-      panel.text = fill(TextId::ask_recover, {question.path.empty() ? str(TextId::untitled) : question.path});
+      panel.text = question.path == state.path
+                       ? fill(TextId::ask_recover, {file, question.when})
+                       : fill(TextId::ask_recover_other,
+                              {question.path.empty() ? str(TextId::untitled) : question.path, question.when, file});
       choice(Answer::recover, TextId::answer_recover);
+      choice(Answer::cancel, TextId::answer_later);
       choice(Answer::discard, TextId::answer_throw_away);
       break;
     case Question::Kind::overwrite:

@@ -6,6 +6,7 @@
 #include "timeline/message.h"
 #include "timeline/timeline.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,10 @@ enum class TextId {
   transparent_sphere,
   polygon,
   light_source,
+  short_solid_sphere,  ///< where there is little room
+  short_transparent_sphere,
+  short_polygon,
+  short_light_source,
   plane,
   eye,
   screen,
@@ -33,10 +38,11 @@ enum class TextId {
   drag_corner,
   drag_edge,
   drag_rotation,
-  cell_number,      ///< {0} cell from 1
-  cell_with_shade,  ///< {0} cell from 1, {1} colour
+  cell_number,      ///< {0} cell
+  cell_with_shade,  ///< {0} cell, {1} colour
   ray_from,         ///< {0} ray kind, {1} object
-  ray_of_cell,      ///< {0} ray kind, {1} cell from 1
+  ray_of_cell,      ///< {0} ray kind, {1} cell
+  ray_of_pixel,     ///< {0} ray kind
 
   // Modes, tabs, buttons.
   mode_move,
@@ -83,13 +89,15 @@ enum class TextId {
   answer_discard,
   answer_recover,
   answer_throw_away,
+  answer_later,
   answer_overwrite,
   answer_cancel,
-  ask_unsaved_new,   ///< {0} file
-  ask_unsaved_open,  ///< {0} file, {1} the file to open
-  ask_unsaved_quit,  ///< {0} file
-  ask_recover,       ///< {0} file
-  ask_overwrite,     ///< {0} file
+  ask_unsaved_new,    ///< {0} file
+  ask_unsaved_open,   ///< {0} file, {1} the file to open
+  ask_unsaved_quit,   ///< {0} file
+  ask_recover,        ///< {0} file, {1} when
+  ask_recover_other,  ///< {0} file, {1} when, {2} the file that is open now
+  ask_overwrite,      ///< {0} file
 
   // Properties.
   properties,
@@ -144,10 +152,17 @@ enum class TextId {
   name_final,  ///< what calls return, as the pseudocode calls it
   name_refl,
   name_refr,
+  node_future,     ///< {0} ray kind
+  node_share,      ///< {0} ray kind, {1} share
+  node_under_way,  ///< its end is not known yet
   tree_empty,
   stack_empty,
   image_waiting,
   image_row_marked,
+  short_primary,  ///< rays, where there is little room
+  short_shadow,
+  short_reflect,
+  short_refract,
   legend_primary,
   legend_shadow,
   legend_reflect,
@@ -158,17 +173,24 @@ enum class TextId {
   sign_reached_light,
   sign_stub,
   sign_normal,
-  status,  ///< {0} position, {1} steps, {2} pixel, {3} pixels, {4} rays
+  status,        ///< {0} position, {1} steps, {2} pixel, {3} rays
+  status_short,  ///< {0} position, {1} steps
+  status_none,   ///< in place of a pixel's number
   first_step_trace,
   first_step_move,
   first_step_help,
   after_last_step,
+  walk_stands_at_end,  ///< said in Move: after a change the walk stays at its end
+  walk_stands_at,      ///< {0} position, {1} steps
+  out_of_view,         ///< {0} what
+  shown_tiny,
 
   // Notices.
-  saved_as,   ///< {0} file
-  opened,     ///< {0} file
-  recovered,  ///< {0} file
-  refused,    ///< {0} why
+  saved_as,        ///< {0} file
+  opened,          ///< {0} file
+  recovered,       ///< {0} file
+  refused,         ///< {0} why
+  refused_number,  ///< {0} least, {1} most
   refused_name_empty,
   refused_name_taken,  ///< {0} name
   refused_last_corners,
@@ -201,6 +223,18 @@ enum class TextId {
 [[nodiscard]] std::string step_text(const Scene& scene, const Timeline& timeline, int position);
 /// All steps, one a line.
 [[nodiscard]] std::string transcript(const Scene& scene, const Timeline& timeline);
+
+// ---- Properties
+// ------------------------------------------------------------------------------------------------------
+
+/// What a property is, for who does not know its name.
+struct Explanation {
+  TextId property;
+  std::string_view text;
+};
+[[nodiscard]] std::span<const Explanation> explanations();
+/// That of one property; empty for those that need none.
+[[nodiscard]] std::string_view explanation(TextId property);
 
 // ---- Help -----------------------------------------------------------------------------------------------------------
 

@@ -42,6 +42,14 @@ std::string_view text(TextId id) {
       return "{0}: drag to move it; a double click adds a corner here";
     case TextId::drag_rotation:
       return "{0}: drag to turn it";
+    case TextId::short_solid_sphere:
+      return "Solid";
+    case TextId::short_transparent_sphere:
+      return "Glass";
+    case TextId::short_polygon:
+      return "Polygon";
+    case TextId::short_light_source:
+      return "Light";
     case TextId::cell_number:
       return "Pixel {0} of SCREEN";
     case TextId::cell_with_shade:
@@ -50,6 +58,8 @@ std::string_view text(TextId id) {
       return "{0} from {1}";
     case TextId::ray_of_cell:
       return "{0} of pixel {1}";
+    case TextId::ray_of_pixel:
+      return "{0} of the image's pixel";
     case TextId::mode_move:
       return "Move";
     case TextId::mode_trace:
@@ -134,6 +144,8 @@ std::string_view text(TextId id) {
       return "Recover";
     case TextId::answer_throw_away:
       return "Throw away";
+    case TextId::answer_later:
+      return "Later";
     case TextId::answer_overwrite:
       return "Replace it";
     case TextId::answer_cancel:
@@ -145,7 +157,12 @@ std::string_view text(TextId id) {
     case TextId::ask_unsaved_quit:
       return "{0} has changes that are not saved. Save them before leaving?";
     case TextId::ask_recover:
-      return "Raywalk ended last time without saving {0}. Recover what was done?";
+      return "Raywalk ended on {1} before the changes to {0} were saved. Recover them? Later asks again at the next "
+             "start.";
+    case TextId::ask_recover_other:
+      return "Raywalk ended on {1} before the changes to {0} were saved. Recover them in place of {2}, which you "
+             "opened "
+             "now? Later asks again at the next start.";
     case TextId::ask_overwrite:
       return "{0} exists already. Replace it?";
     case TextId::properties:
@@ -171,9 +188,9 @@ std::string_view text(TextId id) {
     case TextId::ior:
       return "Index of refraction";
     case TextId::dielectric:
-      return "Fresnel shares kr + kt";
+      return "Dielectric (Fresnel)";
     case TextId::filtered_shadow:
-      return "Lets light through to shadows";
+      return "Filtered shadow";
     case TextId::emission:
       return "Emission";
     case TextId::checker:
@@ -219,9 +236,9 @@ std::string_view text(TextId id) {
     case TextId::ambient_light:
       return "Ambient light";
     case TextId::depth_limit:
-      return "Deepest SHADE";
+      return "Deepest SHADE (depth)";
     case TextId::threshold:
-      return "Least share of a ray";
+      return "Least share (threshold)";
     case TextId::depth_badge:
       return "DEPTH {0}";
     case TextId::stack_main:
@@ -248,6 +265,12 @@ std::string_view text(TextId id) {
       return "REFLSHADE";
     case TextId::name_refr:
       return "REFRSHADE";
+    case TextId::node_future:
+      return "{0}: not reached yet";
+    case TextId::node_share:
+      return "{0}: at most {1} of the pixel";
+    case TextId::node_under_way:
+      return "what it meets is not known yet";
     case TextId::tree_empty:
       return "The rays of a pixel will stand here as a tree. Press STEP.";
     case TextId::stack_empty:
@@ -256,6 +279,14 @@ std::string_view text(TextId id) {
       return "Rendering...";
     case TextId::image_row_marked:
       return "The marked row is SCREEN.";
+    case TextId::short_primary:
+      return "primary";
+    case TextId::short_shadow:
+      return "shadow";
+    case TextId::short_reflect:
+      return "reflect";
+    case TextId::short_refract:
+      return "refract";
     case TextId::legend_primary:
       return "from EYE through a pixel of SCREEN";
     case TextId::legend_shadow:
@@ -273,11 +304,15 @@ std::string_view text(TextId id) {
     case TextId::sign_reached_light:
       return "reached the light";
     case TextId::sign_stub:
-      return "not formed, because of a limit (a short piece with a bar on the plan)";
+      return "not formed (a short piece with a bar on the plan)";
     case TextId::sign_normal:
       return "thin arrow at a hit: the surface's normal";
     case TextId::status:
-      return "step {0} of {1} \u00b7 pixel {2} of {3} \u00b7 rays {4}";
+      return "step {0} of {1} \u00b7 pixel {2} \u00b7 rays {3}";
+    case TextId::status_short:
+      return "{0} / {1}";
+    case TextId::status_none:
+      return "\u2013";
     case TextId::first_step_trace:
       return "Press STEP to run the first line, or AUTO to let it walk by itself.";
     case TextId::first_step_move:
@@ -286,6 +321,14 @@ std::string_view text(TextId id) {
       return "Choose Move to arrange the scene, or Trace to walk through it.";
     case TextId::after_last_step:
       return "Every pixel of SCREEN has its final shade. CLEAR starts again.";
+    case TextId::walk_stands_at_end:
+      return "The walk stands at its end, also after a change; CLEAR starts it again.";
+    case TextId::walk_stands_at:
+      return "The walk stands at step {0} of {1}.";
+    case TextId::out_of_view:
+      return "{0} is out of view: Fit (F) shows the whole scene.";
+    case TextId::shown_tiny:
+      return "The scene is shown very small: Fit (F) shows it as large as it can be.";
     case TextId::saved_as:
       return "Saved as {0}";
     case TextId::opened:
@@ -294,6 +337,8 @@ std::string_view text(TextId id) {
       return "Recovered {0}. It is not saved yet.";
     case TextId::refused:
       return "Not done: {0}";
+    case TextId::refused_number:
+      return "Not taken: a number from {0} to {1} is expected";
     case TextId::refused_name_empty:
       return "Not done: a name cannot be empty";
     case TextId::refused_name_taken:

@@ -56,6 +56,16 @@ void lay_out(TreePanel& panel) {
 
 }  // namespace
 
+std::string node_text(const TreeNode& node) {
+  std::string what(text(node.kind));
+  if (node.future) return fill(TextId::node_future, {what});
+  if (!node.share.empty()) what = fill(TextId::node_share, {what, node.share});
+  if (!node.ending) return what + "\n" + std::string(text(TextId::node_under_way));
+  const bool named = *node.ending == Ending::hit || *node.ending == Ending::reached_light;
+  const std::string end = named ? std::string(text(*node.ending)) + ": " + node.label : node.label;
+  return what + "\n" + node.symbol + "   " + end;
+}
+
 TreePanel tree_panel(const State& state) {
   const Timeline& timeline = *state.timeline;
   TreePanel panel;
@@ -80,6 +90,7 @@ TreePanel tree_panel(const State& state) {
     node.colour = ray_style(state.theme, ray.kind).colour;
     node.shade = palette(state.theme).empty_cell;
     if (node.known) {
+      node.ending = ray.ending;
       node.symbol = symbol(ray.ending);
       node.label = label_of(state.scene(), ray);
     }

@@ -90,9 +90,8 @@ void set_light(State& state, const SetLight& set) {
   detail::commit_if_valid(state, std::move(next), -1, set.light, {Action(set).index(), set.light}, set.continues);
 }
 
-void ask_path(State& state, PathPrompt prompt) {
-  state.prompt = prompt;
-  state.playing = false;
+void refit(State& state) {
+  if (state.camera.fitted) state.camera = fitted(state);
 }
 
 /// What each action does once it is known to be sensible here.
@@ -130,7 +129,7 @@ void apply(State& state, const Action& action) {
           },
           [&](const ResizePlan& a) {
             state.viewport = {std::clamp(a.viewport.width, 1.0, 1e5), std::clamp(a.viewport.height, 1.0, 1e5)};
-            if (state.camera.fitted) state.camera = fit(state.scene(), state.viewport);
+            refit(state);
           },
           [&](const PointerMoved& a) { detail::pointer_moved(state, a); },
           [&](const PointerPressed& a) { detail::pointer_pressed(state, a); },
@@ -144,7 +143,7 @@ void apply(State& state, const Action& action) {
           [&](const CancelDrag&) { detail::cancel_drag(state); },
           [&](const Zoom& a) { detail::zoom(state, a.at, a.factor); },
           [&](const Pan& a) { detail::pan(state, a.by); },
-          [&](const FitView&) { state.camera = fit(state.scene(), state.viewport); },
+          [&](const FitView&) { state.camera = fitted(state); },
           [&](const HoverRay& a) { state.hovered_ray = exists(state, {TargetKind::ray, a.ray}) ? a.ray : -1; },
           [&](const HoverLine& a) { state.hovered_line = a.line; },
           [&](const Select& a) {
@@ -178,14 +177,11 @@ void apply(State& state, const Action& action) {
           [&](const Undo&) { detail::undo(state); },
           [&](const Redo&) { detail::redo(state); },
           [&](const New&) { detail::ask_or_do(state, Intent::new_scene, {}); },
-          [&](const Open& a) {
-            state.prompt = PathPrompt::none;
-            detail::ask_or_do(state, Intent::open, a.path);
-          },
+          [&](const Open& a) { detail::open(state, a.path); },
           [&](const Save&) { detail::save(state); },
           [&](const SaveAs& a) { detail::save_as(state, a.path); },
-          [&](const AskOpen&) { ask_path(state, PathPrompt::open); },
-          [&](const AskSaveAs&) { ask_path(state, PathPrompt::save_as); },
+          [&](const AskOpen&) { detail::ask_path(state, PathPrompt::open); },
+          [&](const AskSaveAs&) { detail::ask_path(state, PathPrompt::save_as); },
           [&](const CancelPrompt&) {
             state.prompt = PathPrompt::none;
             state.after_save.reset();
@@ -199,8 +195,14 @@ void apply(State& state, const Action& action) {
             state.prompt = PathPrompt::none;
             detail::ask_or_do(state, Intent::quit, {});
           },
-          [&](const SetTheme& a) { state.theme = a.theme; },
-          [&](const SetUiScale& a) { state.ui_scale = std::clamp(a.scale, min_ui_scale, max_ui_scale); },
+          [&](const SetTheme& a) {
+            state.theme = a.theme;
+            refit(state);
+          },
+          [&](const SetUiScale& a) {
+            state.ui_scale = std::clamp(a.scale, min_ui_scale, max_ui_scale);
+            refit(state);
+          },
           [&](const SetTab& a) { state.tab = a.tab; },
           [&](const DismissNotice&) { state.notice.reset(); },
       },

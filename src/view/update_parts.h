@@ -64,6 +64,9 @@ void rename(State& state, const action::Rename& rename);
 
 // files.cpp
 void show_document(State& state, SceneDocument document, std::string path);
+/// Opens the dialog for a path.
+void ask_path(State& state, PathPrompt prompt);
+void open(State& state, const std::string& path);
 void ask_or_do(State& state, Intent intent, const std::string& path);
 void save(State& state);
 void save_as(State& state, const std::string& path);
@@ -72,7 +75,9 @@ void answer(State& state, action::Answer answer);
 // session.cpp
 void autosave(State& state, double seconds);
 void forget_autosave(State& state);
-void recover(State& state, const std::string& original);
+/// Removes an autosave of an earlier sitting, and asks about the next one.
+void discard_autosave(State& state, const std::string& autosave);
+void recover(State& state, const std::string& original, const std::string& autosave);
 void add_recent(State& state, const std::string& path);
 
 // new_scene.cpp

@@ -76,6 +76,8 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"info", classic, "--spp", "3"}, "--spp"},
       {{"rendr", classic}, "did you mean render"},
       {{"--no-such-option"}, "--no-such-option"},
+      {{classic, "info"}, "raywalk info " + classic},
+      {{classic, "render", "-o", "x.png"}, "raywalk render " + classic + " -o x.png"},
       {{classic, "info", classic}, "does not go with a command"},
       {{"--theme", "dark", "info", classic}, "does not go with a command"},
   };

@@ -26,11 +26,11 @@ TEST_CASE("step writes the transcript of the strip, of a cell, or of a pixel of 
   CHECK(strip.exit_code == 0);
   CHECK(strip.err == "");
   CHECK(strip.out == transcript(scene, record_strip(scene)));
-  CHECK_THAT(strip.out, contains("Pixel 1 of 21") && contains("Pixel 21 of 21"));
+  CHECK_THAT(strip.out, contains("Pixel 0 is next; SCREEN has pixels 0 to 20") && contains("Pixel 20 is next"));
 
   const Outcome cell = folder.run({"step", classic, "--pixel", "10", "--format", "text"});
   CHECK(cell.out == transcript(scene, record_cell(scene, 10)));
-  CHECK_THAT(cell.out, contains("Pixel 11 of 21") && !contains("Pixel 12"));
+  CHECK_THAT(cell.out, contains("Pixel 10 is next") && !contains("Pixel 11 ") && !contains("Pixel 0 "));
 
   const Outcome pixel = folder.run({"step", classic, "--pixel", "40,30", "--size", "63x41"});
   CHECK(pixel.out == transcript(scene, record_pixel(scene, {63, 41}, 40, 30)));

@@ -61,6 +61,16 @@ TEST_CASE("at 1280 x 720 every pane has room for what it shows") {
   CHECK(layout.tabs.width > 400);
 }
 
+TEST_CASE("in a small window everything is drawn smaller, never below what can be read") {
+  using raywalk::shrink_to_fit;
+  CHECK(shrink_to_fit(1280, 720, 1) == 1);
+  CHECK(shrink_to_fit(1280, 720, 2) == 1);
+  CHECK(shrink_to_fit(1280, 720, 2.5f) < 1);
+  CHECK(shrink_to_fit(400, 300, 1) <= 400 / 640.0f);
+  CHECK(shrink_to_fit(400, 300, 1) > 0.9f * 400 / 640);
+  CHECK(shrink_to_fit(10, 10, 1) > 0.2f);
+}
+
 TEST_CASE("the side is never narrower than the longest line of code where the window has room for both") {
   const Layout layout = raywalk::lay_out({960, 540, 1, 134, 413, 310});
   CHECK(layout.side.width >= 310);

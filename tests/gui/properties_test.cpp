@@ -65,6 +65,38 @@ TEST_CASE("numbers outside the format's limits are not taken over") {
   }
 }
 
+TEST_CASE("what is refused is explained below its field and gone when the field is left") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const double before = sphere(bench).radius;
+  const std::string refused = field(TextId::radius, "/refused");
+  bench.double_click(field(TextId::radius));
+  bench.type("-3");
+  bench.frames(2);
+  CHECK(bench.has(refused));
+  bench.enter();
+  CHECK(bench.has(refused));
+  CHECK(sphere(bench).radius == before);
+  // The next thing that is typed ends it.
+  type_into(bench, field(TextId::centre, "/0"), "1.5");
+  CHECK_FALSE(bench.has(refused));
+  CHECK(sphere(bench).centre.x == 1.5);
+  type_into(bench, field(TextId::radius), "0.75");
+  CHECK_FALSE(bench.has(refused));
+  CHECK(sphere(bench).radius == 0.75);
+}
+
+TEST_CASE("what a property means is said where it stands") {
+  for (const TextId id : {TextId::ambient, TextId::diffuse, TextId::specular, TextId::shininess, TextId::reflection,
+                          TextId::transmission, TextId::ior, TextId::dielectric, TextId::filtered_shadow,
+                          TextId::attenuation, TextId::depth_limit, TextId::threshold})
+    CHECK_FALSE(explanation(id).empty());
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  CHECK(bench.has(field(TextId::diffuse, "/label")));
+  CHECK(bench.has(field(TextId::dielectric, "/label")));
+}
+
 TEST_CASE("dragging a number is one entry of undo") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);

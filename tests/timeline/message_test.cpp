@@ -100,7 +100,7 @@ TEST_CASE("messages name what the events say") {
       ++seen;
     }
     if (const auto* put = std::get_if<PixelPut>(&event.detail)) {
-      CHECK(std::get<int>(message.arguments[0]) == put->column + 1);
+      CHECK(std::get<int>(message.arguments[0]) == put->column);
       CHECK(std::get<Rgbd>(message.arguments[1]) == put->shade);
       ++seen;
     }

@@ -184,93 +184,23 @@ TEST_CASE("another file is not replaced without asking") {
   CHECK_FALSE(state.question);
 }
 
-TEST_CASE("what is not saved is autosaved within seconds, and recovered at the next start") {
+TEST_CASE("the dialog for a path stays until the file is read or written") {
   const TemporaryFolder folder;
   State state = saved_state(folder);
-  make_dirty(state);
-  const Scene scene = state.scene();
-  for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
-  const std::string autosave = folder.file("state/autosave.toml");
-  REQUIRE(std::filesystem::exists(autosave));
-
-  // As after a crash: a new state on the same file.
-  State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
-  restore_session(next);
-  REQUIRE(next.question);
-  CHECK(next.question->kind == Question::Kind::recover);
-  CHECK(next.question->path == folder.file("scene.toml"));
-  CHECK_THAT(question_panel(next).text, contains("scene.toml"));
-  update(next, action::AnswerQuestion{Answer::cancel});
-  CHECK(next.question);
-  update(next, action::AnswerQuestion{Answer::recover});
-  CHECK(next.scene() == scene);
-  CHECK(next.dirty);
-  CHECK(next.path == folder.file("scene.toml"));
-  CHECK(broken_promise(next) == "");
-  update(next, action::Save{});
-  CHECK(read_document(folder.file("scene.toml")).scene == scene);
-  CHECK_FALSE(std::filesystem::exists(autosave));
-}
-
-TEST_CASE("a thrown away autosave is gone, and so is that of a scene that was left on purpose") {
-  const TemporaryFolder folder;
-  const std::string autosave = folder.file("state/autosave.toml");
-  State state = saved_state(folder);
-  const auto leave_autosave = [&] {
-    make_dirty(state);
-    for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
-    REQUIRE(std::filesystem::exists(autosave));
-  };
-  leave_autosave();
-  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
-  restore_session(next);
-  update(next, action::AnswerQuestion{Answer::discard});
-  CHECK_FALSE(std::filesystem::exists(autosave));
-  CHECK_FALSE(next.question);
-  leave_autosave();
-  update(state, action::Quit{});
-  update(state, action::AnswerQuestion{Answer::discard});
-  CHECK_FALSE(std::filesystem::exists(autosave));
-}
-
-TEST_CASE("a scene that was never saved is recovered without a path") {
-  const TemporaryFolder folder;
-  State state = busy_state();
-  state.state_dir = folder.file("state");
-  make_dirty(state);
-  const Scene scene = state.scene();
-  update(state, action::Tick{1});
-  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
-  restore_session(next);
-  update(next, action::AnswerQuestion{Answer::recover});
-  CHECK(next.scene() == scene);
-  CHECK(next.path.empty());
-  CHECK(next.dirty);
-  CHECK(broken_promise(next) == "");
-}
-
-TEST_CASE("leaving while recovery is offered keeps the autosave for the next start") {
-  const TemporaryFolder folder;
-  State state = saved_state(folder);
-  make_dirty(state);
-  update(state, action::Tick{1});
-  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
-  restore_session(next);
-  update(next, action::Quit{});
-  CHECK(next.quit);
-  CHECK(std::filesystem::exists(folder.file("state/autosave.toml")));
-}
-
-TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
-  const TemporaryFolder folder;
-  std::filesystem::create_directories(folder.file("state"));
-  REQUIRE(write_file_atomically(folder.file("state/autosave.toml"), "# autosave of: /x.toml\nnonsense = ["));
-  State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
-  restore_session(state);
-  update(state, action::AnswerQuestion{Answer::recover});
-  CHECK(state.scene() == busy_scene());
+  update(state, action::AskSaveAs{});
+  update(state, action::SaveAs{folder.file("no/such/folder/x.toml")});
+  CHECK(state.prompt == PathPrompt::save_as);
   REQUIRE(state.notice);
   CHECK(state.notice->kind == Notice::Kind::error);
+  update(state, action::SaveAs{folder.file("other.toml")});
+  CHECK(state.prompt == PathPrompt::none);
+  CHECK(state.path == folder.file("other.toml"));
+  update(state, action::AskOpen{});
+  update(state, action::Open{folder.file("missing.toml")});
+  CHECK(state.prompt == PathPrompt::open);
+  CHECK(state.notice->kind == Notice::Kind::error);
+  update(state, action::Open{folder.file("scene.toml")});
+  CHECK(state.prompt == PathPrompt::none);
 }
 
 TEST_CASE("autosaves are seldom, and none is written while nothing changes") {

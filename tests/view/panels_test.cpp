@@ -244,6 +244,7 @@ TEST_CASE("counts are those of a walk through the events") {
       if (const auto* found = std::get_if<Found>(&detail)) ++expected.ended[static_cast<std::size_t>(found->ending)];
       if (const auto* stub = std::get_if<RayNotFormed>(&detail)) ++expected.ended[static_cast<std::size_t>(stub->why)];
       if (std::holds_alternative<PixelBegun>(detail)) ++expected.pixel;
+      // Total internal reflection leaves a stub.
       if (const auto* decided = std::get_if<Decided>(&detail); decided != nullptr && decided->why)
         ++expected.ended[static_cast<std::size_t>(*decided->why)];
     }
@@ -256,6 +257,44 @@ TEST_CASE("counts are those of a walk through the events") {
   }
   CHECK(expected.ended[static_cast<std::size_t>(Ending::total_internal_reflection)] > 0);
   CHECK_THAT(status_line(state), contains(std::to_string(state.timeline->steps())));
+}
+
+TEST_CASE("in Move the sentence says how to get back what is out of view") {
+  State state = classic_state();
+  update(state, action::SetMode{Mode::move});
+  update(state, action::Select{{TargetKind::light, 0}});
+  update(state, action::Pan{{5000, 0}});
+  CHECK_THAT(sentence(state), contains(state.scene().lights[0].name) && contains("Fit (F)"));
+  update(state, action::FitView{});
+  CHECK(sentence(state) == text(TextId::first_step_move));
+  update(state, action::Zoom{{320, 240}, 0.01});
+  CHECK(sentence(state) == text(TextId::shown_tiny));
+}
+
+TEST_CASE("total internal reflection leaves a stub along the surface") {
+  const State state = busy_state();
+  int seen = 0;
+  for (const RayRecord& ray : state.timeline->rays()) {
+    if (ray.ending != Ending::total_internal_reflection) continue;
+    ++seen;
+    CHECK_FALSE(ray.formed);
+    CHECK(ray.kind == RayKind::refract);
+    const RayRecord& parent = state.timeline->rays()[static_cast<std::size_t>(ray.parent)];
+    CHECK(ray.origin == parent.end);
+    CHECK(std::abs(dot(ray.direction, parent.normal)) < 1e-12);
+    CHECK(dot(ray.direction, parent.direction) >= 0);
+    CHECK(length(ray.direction) == Approx(1));
+  }
+  CHECK(seen > 0);
+}
+
+TEST_CASE("the longest status has room for every status of the walk") {
+  State state = classic_state();
+  for (int position = 0; position <= state.timeline->steps(); position += 7) {
+    state.position = position;
+    CHECK(status_line(state).size() <= widest_status_line(state, false).size() + 2);  // a dash of three bytes
+    CHECK(short_status_line(state).size() <= widest_status_line(state, true).size());
+  }
 }
 
 TEST_CASE("the legend has all kinds of rays and the signs of the tree") {
@@ -277,4 +316,9 @@ TEST_CASE("the sentence says what to do first and what comes last") {
   CHECK(sentence(state) == text(TextId::first_step_help));
   update(state, action::Jump{1 << 20});
   CHECK_THAT(sentence(state), contains(std::string(text(TextId::after_last_step))));
+  update(state, action::SetMode{Mode::move});
+  CHECK_THAT(sentence(state), contains(std::string(text(TextId::walk_stands_at_end))));
+  update(state, action::Jump{7});
+  update(state, action::SetMode{Mode::move});
+  CHECK_THAT(sentence(state), contains("step 7 of " + std::to_string(state.timeline->steps())));
 }

@@ -1,0 +1,58 @@
+#include "gui/key_list.h"
+
+#include "gui/commands.h"
+
+namespace raywalk {
+
+namespace {
+
+struct Group {
+  const char* does;
+  std::vector<Command> commands;
+};
+
+const std::vector<Group>& groups() {
+  using enum Command;
+  static const std::vector<Group> all{
+      {"one step on \u00b7 back", {step, step_back}},
+      {"to the next ray \u00b7 the ray before", {step_ray, step_ray_back}},
+      {"to the end of the pixel \u00b7 of the pixel before", {step_pixel, step_pixel_back}},
+      {"to the start \u00b7 to the end", {first, last}},
+      {"AUTO, and pause \u00b7 CLEAR", {play, clear}},
+      {"AUTO slower \u00b7 faster", {slower, faster}},
+      {"Trace: a step is a line \u00b7 a ray \u00b7 a pixel", {grain_line, grain_ray, grain_pixel}},
+      {"Move \u00b7 Trace \u00b7 Help", {mode_move, mode_trace, mode_help}},
+      {"3-D image \u00b7 ray tree \u00b7 stack \u00b7 legend", {tab_image, tab_tree, tab_stack, tab_legend}},
+      {"the plan and the pane change places", {exchange}},
+      {"fit the whole scene in \u00b7 zoom in \u00b7 out", {fit, zoom_in, zoom_out}},
+      {"Move: add a solid sphere \u00b7 a transparent sphere \u00b7 a polygon \u00b7 a light",
+       {add_solid_sphere, add_transparent_sphere, add_polygon, add_light}},
+      {"Move: select the next thing \u00b7 the one before", {select_next, select_previous}},
+      {"Move: type its numbers \u00b7 remove it", {edit_properties, remove}},
+      {"undo \u00b7 redo", {undo, redo}},
+      {"new \u00b7 open \u00b7 save \u00b7 save as \u00b7 quit", {new_scene, open, save, save_as, quit}},
+      {"dark theme or the projector's", {theme}},
+      {"letters larger \u00b7 smaller \u00b7 as at first", {scale_up, scale_down, scale_reset}},
+      {"the menus \u00b7 the full screen", {menu, full_screen}},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::vector<KeyListRow> key_list() {
+  std::vector<KeyListRow> rows;
+  for (const Group& group : groups()) {
+    KeyListRow row{{}, group.does};
+    for (const Command command : group.commands)
+      row.keys += (row.keys.empty() ? "" : " \u00b7 ") + all_command_keys(command);
+    rows.push_back(std::move(row));
+  }
+  rows.push_back({"\u2190, \u2192, \u2191, \u2193", "Move: nudge what is selected; with Shift in larger steps"});
+  rows.push_back({"Shift \u00b7 Ctrl, while dragging", "along one axis, round lengths and angles \u00b7 on the grid"});
+  rows.push_back({"mouse wheel", "zoom; drag the empty plan to move it"});
+  rows.push_back({"Esc", "takes a drag back, closes what is open, ends AUTO"});
+  return rows;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,173 @@
+// What is found at the start of work that was lost.
+#include "fixtures.h"
+#include "io/file.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+using action::Answer;
+
+namespace {
+
+void make_dirty(State& state) {
+  Material material = state.scene().objects[0].material;
+  material.shininess += 1;
+  update(state, action::SetMaterial{0, material});
+  REQUIRE(state.dirty);
+}
+
+State saved_state(const TemporaryFolder& folder, const std::string& name = "scene.toml") {
+  State state = state_of(busy_scene());
+  state.state_dir = folder.file("state");
+  update(state, action::SaveAs{folder.file(name)});
+  REQUIRE_FALSE(state.dirty);
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("what is not saved is autosaved within seconds, and recovered at the next start") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  const Scene scene = state.scene();
+  for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
+  const std::string autosave = folder.file("state/autosave.toml");
+  REQUIRE(std::filesystem::exists(autosave));
+
+  // As after a crash: a new state on the same file.
+  State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
+  restore_session(next);
+  REQUIRE(next.question);
+  CHECK(next.question->kind == Question::Kind::recover);
+  CHECK(next.question->path == folder.file("scene.toml"));
+  CHECK_THAT(question_panel(next).text, contains("scene.toml") && contains(std::string(next.question->when)));
+  CHECK_THAT(next.question->when, Catch::Matchers::Matches("20[0-9]{2}-[01][0-9]-[0-3][0-9] at [0-2][0-9]:[0-5][0-9]"));
+  update(next, action::AnswerQuestion{Answer::recover});
+  CHECK(next.scene() == scene);
+  CHECK(next.dirty);
+  CHECK(next.path == folder.file("scene.toml"));
+  CHECK(broken_promise(next) == "");
+  update(next, action::Save{});
+  CHECK(read_document(folder.file("scene.toml")).scene == scene);
+  CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("Later keeps an autosave whatever is done meanwhile, and the next start asks about it again") {
+  const TemporaryFolder folder;
+  State crashed = saved_state(folder);
+  make_dirty(crashed);
+  const Scene lost = crashed.scene();
+  update(crashed, action::Tick{autosave_every + 1});
+
+  // Another file is opened: the question says which one it is about and which one is open.
+  REQUIRE(write_file_atomically(folder.file("other.toml"), read_file(folder.file("scene.toml"), 1 << 20).value()));
+  State other = make_state(read_document(folder.file("other.toml")), folder.file("other.toml"), folder.file("state"));
+  restore_session(other);
+  REQUIRE(other.question);
+  CHECK_THAT(question_panel(other).text, contains("scene.toml") && contains("other.toml"));
+  update(other, action::AnswerQuestion{Answer::cancel});
+  CHECK_FALSE(other.question);
+  make_dirty(other);
+  update(other, action::Tick{autosave_every + 1});
+  CHECK(std::filesystem::exists(folder.file("state/autosave-2.toml")));
+  update(other, action::Save{});
+  CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave-2.toml")));
+
+  State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
+  restore_session(next);
+  REQUIRE(next.question);
+  CHECK(next.question->path == folder.file("scene.toml"));
+  update(next, action::AnswerQuestion{Answer::recover});
+  CHECK(next.scene() == lost);
+  update(next, action::Save{});
+  CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave.toml")));
+}
+
+TEST_CASE("of two autosaves the later is asked about first, and after it is thrown away the other") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  std::filesystem::create_directories(folder.file("state"));
+  for (const char* name : {"autosave.toml", "autosave-2.toml"}) {
+    REQUIRE(write_file_atomically(
+        folder.file(std::string("state/") + name),
+        "# autosave of: /" + std::string(name) + "\n" + read_file(folder.file("scene.toml"), 1 << 20).value()));
+  }
+  const auto now = std::filesystem::file_time_type::clock::now();
+  std::filesystem::last_write_time(folder.file("state/autosave.toml"), now - std::chrono::hours(1));
+  State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
+  restore_session(next);
+  REQUIRE(next.question);
+  CHECK(next.question->path == "/autosave-2.toml");
+  update(next, action::AnswerQuestion{Answer::discard});
+  REQUIRE(next.question);
+  CHECK(next.question->path == "/autosave.toml");
+  CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave-2.toml")));
+  update(next, action::AnswerQuestion{Answer::discard});
+  CHECK_FALSE(next.question);
+  CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave.toml")));
+}
+
+TEST_CASE("a thrown away autosave is gone, and so is that of a scene that was left on purpose") {
+  const TemporaryFolder folder;
+  const std::string autosave = folder.file("state/autosave.toml");
+  State state = saved_state(folder);
+  const auto leave_autosave = [&] {
+    make_dirty(state);
+    for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
+    REQUIRE(std::filesystem::exists(autosave));
+  };
+  leave_autosave();
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(next);
+  update(next, action::AnswerQuestion{Answer::discard});
+  CHECK_FALSE(std::filesystem::exists(autosave));
+  CHECK_FALSE(next.question);
+  leave_autosave();
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::discard});
+  CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("a scene that was never saved is recovered without a path") {
+  const TemporaryFolder folder;
+  State state = busy_state();
+  state.state_dir = folder.file("state");
+  make_dirty(state);
+  const Scene scene = state.scene();
+  update(state, action::Tick{1});
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(next);
+  update(next, action::AnswerQuestion{Answer::recover});
+  CHECK(next.scene() == scene);
+  CHECK(next.path.empty());
+  CHECK(next.dirty);
+  CHECK(broken_promise(next) == "");
+}
+
+TEST_CASE("leaving while recovery is offered keeps the autosave for the next start") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  update(state, action::Tick{1});
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(next);
+  update(next, action::Quit{});
+  CHECK(next.quit);
+  CHECK(std::filesystem::exists(folder.file("state/autosave.toml")));
+}
+
+TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("state"));
+  REQUIRE(write_file_atomically(folder.file("state/autosave.toml"), "# autosave of: /x.toml\nnonsense = ["));
+  State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(state);
+  update(state, action::AnswerQuestion{Answer::recover});
+  CHECK(state.scene() == busy_scene());
+  REQUIRE(state.notice);
+  CHECK(state.notice->kind == Notice::Kind::error);
+}
