@@ -1,19 +1,17 @@
-// The command line: every subcommand and option is declared here and nowhere else.
+// The command line: every subcommand and option is declared here, those about files in app/file_commands.cpp.
 #include "app/program.h"
 
-#include "app/arguments.h"
+#include "app/file_commands.h"
 #include "app/info_command.h"
 #include "app/names.h"
+#include "app/options.h"
 #include "app/render_command.h"
 #include "app/step_command.h"
 #include "app/window_command.h"
 #include "io/image.h"
 #include "io/scene_keys.h"
-#include "io/spelling.h"
 
 #include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,68 +25,6 @@
 namespace raywalk {
 
 namespace {
-
-using Run = std::function<ExitCode()>;
-constexpr const char* scene_help =
-    "A scene file (.toml, .nff, or .test of ray tracing courses), or the name of a scene that comes with Raywalk";
-
-template <class Value>
-void store(Value& target, const Value& value) {
-  target = value;
-}
-template <class Value>
-void store(std::optional<Value>& target, const Value& value) {
-  target.emplace(value);
-}
-
-/// An option whose value `parse` reads, or refuses with nothing; then `complain` says why.
-template <class Target, class Parse, class Complain>
-CLI::Option* add_value(CLI::App& command, const std::string& name, Target& target, const Parse& parse,
-                       const Complain& complain, const std::string& type, const std::string& help) {
-  const CLI::callback_t take = [name, &target, parse, complain](const CLI::results_t& words) {
-    const auto value = parse(words.front());
-    if (!value) throw CLI::ValidationError(name, "\"" + words.front() + "\" " + complain(words.front()));
-    store(target, *value);
-    return true;
-  };
-  return command.add_option(name, take, help)->type_name(type);
-}
-
-template <class Target, class Parse>
-CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
-                        const std::string& type, const std::string& expected, const std::string& help) {
-  const auto complain = [expected](const std::string&) { return "is not understood (expected " + expected + ")"; };
-  return add_value(command, name, target, parse, complain, type, help);
-}
-
-/// An option that takes one of a few words.
-template <class Choice, std::size_t Count, class NameOf>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& target,
-                        const std::array<Choice, Count>& choices, NameOf name_of, const std::string& help) {
-  std::vector<std::string_view> words;
-  std::string type;
-  for (const Choice choice : choices) {
-    words.push_back(name_of(choice));
-    type += (type.empty() ? "" : "|") + std::string(words.back());
-  }
-  const auto parse = [choices, name_of](const std::string& word) -> std::optional<Choice> {
-    for (const Choice choice : choices)
-      if (word == name_of(choice)) return choice;
-    return std::nullopt;
-  };
-  const auto complain = [words](const std::string& word) {
-    const std::string meant = nearest_word(word, words);
-    return "is not known (expected " + one_of(words) + ")" + (meant.empty() ? "" : "; did you mean " + meant + "?");
-  };
-  return add_value(command, name, target, parse, complain, type, help);
-}
-
-CLI::Option* add_whole(CLI::App& command, const std::string& name, auto& target, int low, int high,
-                       const std::string& help) {
-  return add_parsed(
-      command, name, target, [=](const std::string& text) { return parse_whole(text, low, high); }, "N",
-      "a whole number from " + std::to_string(low) + " to " + std::to_string(high), help);
-}
 
 void add_precision(CLI::App& command, Precision& target) {
   add_choice(command, "--precision", target, std::array{Precision::float_, Precision::double_}, precision_name,
@@ -117,7 +53,7 @@ void declare_render(CLI::App& program, Run& run) {
     const auto format = image_format_of(path);
     return format ? std::string() : format.error().text();
   };
-  command.add_option("-o,--output", to.image, "The picture: .png (8-bit) or .pfm (linear float)")
+  command.add_option("-o,--output", to.image, "The picture: .png (8-bit), or .pfm and .exr (linear float)")
       ->required()
       ->check(CLI::Validator(ending, "", "ending"))
       ->type_name("IMAGE");
@@ -282,6 +218,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   declare_render(program, run);
   declare_step(program, run);
   declare_info(program, run);
+  declare_convert(program, run);
+  declare_generate(program, run);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -23,12 +23,6 @@ class Descriptor {
 
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   [[nodiscard]] int number() const { return number_; }
-  /// Closes it now. Network file systems report a full disk only here.
-  [[nodiscard]] bool close() {
-    const int number = number_;
-    number_ = -1;
-    return ::close(number) == 0;
-  }
 
  private:
   int number_;
@@ -88,15 +82,6 @@ Result<std::filesystem::path> follow_links(const std::string& path) {
   return tl::unexpected(cannot("follow the link", path, ELOOP, "the symbolic links lead in a circle"));
 }
 
-Result<void> write_directly(const std::string& path, std::string_view bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file.is_open()) return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, false)));
-  if (const int error = write_all(file.number(), bytes))
-    return tl::unexpected(cannot("write", path, error, hint_for_writing(error, false)));
-  if (!file.close()) return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, false)));
-  return {};
-}
-
 /// Opens a new file in `folder` under a name that nobody has; the name is put into `name`. -1 and errno on failure.
 int open_new_file(const std::filesystem::path& folder, std::string& name) {
   constexpr int most_tries = 1000;
@@ -136,40 +121,85 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
   }
 }
 
-Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {
+FileWriter::~FileWriter() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!new_name_.empty()) ::unlink(new_name_.c_str());
+}
+
+tl::unexpected<Error> FileWriter::give_up(int error_number) {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+  const bool replaces = exists_ && !new_name_.empty();
+  if (!new_name_.empty()) ::unlink(new_name_.c_str());
+  new_name_.clear();
+  return tl::unexpected(cannot("write", path_, error_number, hint_for_writing(error_number, replaces)));
+}
+
+Result<void> FileWriter::open(const std::string& path) {
+  path_ = path;
   if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot write: the file name is empty", "give a file name"});
   const auto target = follow_links(path);
   if (!target) return tl::unexpected(target.error());
+  target_ = target->string();
   struct stat old{};
-  const bool exists = ::stat(target->c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode))
+  exists_ = ::stat(target_.c_str(), &old) == 0;
+  if (exists_ && S_ISDIR(old.st_mode))
     return tl::unexpected(
         Error{path, 0, 0, "cannot write: this is a folder (expected a file name)", "add a file name to the path"});
-  if (exists && !S_ISREG(old.st_mode)) return write_directly(path, bytes);
-  if (exists && ::access(target->c_str(), W_OK) != 0)
+  if (exists_ && !S_ISREG(old.st_mode)) {
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) return give_up(errno);
+    return {};
+  }
+  if (exists_ && ::access(target_.c_str(), W_OK) != 0)
     return tl::unexpected(cannot("write", path, errno, "the file is write-protected; choose another name"));
-
-  const std::filesystem::path folder = target->has_parent_path() ? target->parent_path() : ".";
+  old_mode_ = old.st_mode & 07777;
+  old_user_ = old.st_uid;
+  old_group_ = old.st_gid;
+  const std::filesystem::path folder = target->has_parent_path() ? target->parent_path() : std::filesystem::path(".");
   std::string new_name;
-  Descriptor file(open_new_file(folder, new_name));
-  if (!file.is_open()) return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, exists)));
-  const auto give_up = [&](int error) {
-    ::unlink(new_name.c_str());
-    return tl::unexpected(cannot("write", path, error, hint_for_writing(error, exists)));
+  descriptor_ = open_new_file(folder, new_name);
+  if (descriptor_ < 0) return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, exists_)));
+  new_name_ = new_name;
+  return {};
+}
+
+Result<void> FileWriter::write(std::string_view bytes) {
+  if (const int error = write_all(descriptor_, bytes)) return give_up(error);
+  return {};
+}
+
+Result<void> FileWriter::commit() {
+  const auto close_now = [this] {
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    return ::close(descriptor) == 0;  // network file systems report a full disk only here
   };
-  if (const int error = write_all(file.number(), bytes)) return give_up(error);
-  if (exists) {
+  if (new_name_.empty()) {
+    if (!close_now()) return give_up(errno);
+    return {};
+  }
+  if (exists_) {
     // The owner first: changing it clears the set-user-id bits. Only the superuser may, so failing is no error.
-    if (::fchown(file.number(), old.st_uid, old.st_gid) != 0) errno = 0;
-    if (::fchmod(file.number(), old.st_mode & 07777) != 0) return give_up(errno);
+    if (::fchown(descriptor_, old_user_, old_group_) != 0) errno = 0;
+    if (::fchmod(descriptor_, old_mode_) != 0) return give_up(errno);
   }
   // Without this a crash of the machine soon after could leave the name on an empty file.
-  if (::fsync(file.number()) != 0 && errno != EINVAL) return give_up(errno);
-  if (!file.close()) return give_up(errno);
-  if (::rename(new_name.c_str(), target->c_str()) != 0) return give_up(errno);
-  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (::fsync(descriptor_) != 0 && errno != EINVAL) return give_up(errno);
+  if (!close_now()) return give_up(errno);
+  if (::rename(new_name_.c_str(), target_.c_str()) != 0) return give_up(errno);
+  new_name_.clear();
+  const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+  const Descriptor directory(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.is_open()) ::fsync(directory.number());
   return {};
+}
+
+Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {
+  FileWriter file;
+  if (const auto opened = file.open(path); !opened) return opened;
+  if (const auto written = file.write(bytes); !written) return written;
+  return file.commit();
 }
 
 }  // namespace raywalk

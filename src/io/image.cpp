@@ -69,11 +69,18 @@ Result<ImageFormat> image_format_of(const std::string& path) {
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (ending == ".png") return ImageFormat::png;
   if (ending == ".pfm") return ImageFormat::pfm;
-  return tl::unexpected(Error{path, 0, 0,
-                              (ending.empty() ? std::string("the file name has no ending")
-                                              : "\"" + ending + "\" is no image format that can be written") +
-                                  " (expected .png or .pfm)",
-                              "name it .png for a picture to look at, .pfm for linear numbers to compute with"});
+  if (ending == ".exr") {
+    if (has_exr()) return ImageFormat::exr;
+    return tl::unexpected(
+        Error{path, 0, 0, "this build of Raywalk cannot write OpenEXR (expected .png or .pfm)",
+              "install libopenexr-dev and build again, or write a .pfm, which holds the same numbers"});
+  }
+  return tl::unexpected(
+      Error{path, 0, 0,
+            (ending.empty() ? std::string("the file name has no ending")
+                            : "\"" + ending + "\" is no image format that can be written") +
+                " (expected .png, .pfm or .exr)",
+            "name it .png for a picture to look at, .pfm or .exr for linear numbers to compute with"});
 }
 
 std::size_t count_nan_pixels(const Image& image) {
@@ -137,6 +144,15 @@ Result<ImageWritten> write_image(const std::string& path, const Image& image, En
     case ImageFormat::pfm:
       bytes = encode_pfm(image);
       break;
+    case ImageFormat::exr: {
+      auto exr = encode_exr(image);
+      if (!exr) {
+        exr.error().file = path;
+        return tl::unexpected(exr.error());
+      }
+      bytes = std::move(*exr);
+      break;
+    }
   }
   if (const auto written = write_file_atomically(path, bytes); !written) return tl::unexpected(written.error());
   return ImageWritten{count_nan_pixels(image)};

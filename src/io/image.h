@@ -25,7 +25,10 @@ struct Image {
   }
 };
 
-enum class ImageFormat { png, pfm };
+enum class ImageFormat { png, pfm, exr };
+
+/// Whether this build can write and read OpenEXR files.
+[[nodiscard]] bool has_exr();
 
 /// The format that the ending of `path` names, in upper or lower case. Ask before a long render, not after it.
 [[nodiscard]] Result<ImageFormat> image_format_of(const std::string& path);
@@ -38,6 +41,9 @@ enum class ImageFormat { png, pfm };
 /// Portable float map: linear, bottom row first, little-endian; what is not a number stays so.
 [[nodiscard]] std::string encode_pfm(const Image& image);
 
+/// OpenEXR: linear, 32-bit floats, packed without loss. Fails in a build without the library.
+[[nodiscard]] Result<std::string> encode_exr(const Image& image);
+
 struct ImageWritten {
   std::size_t nan_pixels = 0;  ///< to be reported: they are in the picture (magenta in a PNG)
 };
@@ -49,5 +55,8 @@ struct ImageWritten {
 /// Reads a colour PFM of either byte order.
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);
 [[nodiscard]] Result<Image> read_pfm(const std::string& path);
+
+/// Reads the red, green and blue of an OpenEXR file; a channel that it has not is black.
+[[nodiscard]] Result<Image> decode_exr(std::string_view bytes, const std::string& file_name);
 
 }  // namespace raywalk

@@ -48,7 +48,7 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"render", classic}, "--output is required"},
       {{"render", "-o", "x.png"}, "SCENE is required"},
       {{"render", classic, "-o"}, "--output"},
-      {{"render", classic, "-o", "x.jpg"}, "expected .png or .pfm"},
+      {{"render", classic, "-o", "x.jpg"}, "expected .png, .pfm or .exr"},
       {{"render", classic, "-o", "x"}, "no ending"},
       {{"render", classic, "-o", "x.png", "--size", "640"}, "such as 640x480"},
       {{"render", classic, "-o", "x.png", "--size", "0x480"}, "such as 640x480"},

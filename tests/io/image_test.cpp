@@ -186,15 +186,15 @@ TEST_CASE("the ending says the format") {
   CHECK(image_format_of("a.png") == ImageFormat::png);
   CHECK(image_format_of("dir.d/A.PnG") == ImageFormat::png);
   CHECK(image_format_of("a.b.pfm") == ImageFormat::pfm);
-  for (const std::string path : {"a", "a.", "a.exr", "a.jpg", "dir.png/a", ".png.txt", ""}) {
+  for (const std::string path : {"a", "a.", "a.hdr", "a.jpg", "dir.png/a", ".png.txt", ""}) {
     INFO(path);
     const auto format = image_format_of(path);
     REQUIRE(!format);
-    CHECK_THAT(format.error().message, contains("(expected .png or .pfm)"));
+    CHECK_THAT(format.error().message, contains("(expected .png, .pfm or .exr)"));
   }
-  CHECK_THAT(image_format_of("a.exr").error().message, contains("\".exr\""));
+  CHECK_THAT(image_format_of("a.hdr").error().message, contains("\".hdr\""));
   const TemporaryFolder folder;
-  CHECK(!write_image(folder.file("a.exr"), two_by_three()));
+  CHECK(!write_image(folder.file("a.hdr"), two_by_three()));
   CHECK(folder.entries() == 0);
 }
 

@@ -1,0 +1,34 @@
+#!/bin/bash
+# Renders the thumbnail of every scene in this folder to pictures/NAME.png and writes the gallery in README.md.
+#
+#   scenes/pictures.sh [RAYWALK]        the program; build/release/raywalk when left out
+#
+# Each picture is 240 pixels wide, in the shape of the scene's own. It takes as many samples as the scene's [render]
+# asks for, at least 9.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+raywalk=${1:-$here/../build/release/raywalk}
+[ -x "$raywalk" ] || { echo "pictures.sh: there is no program $raywalk; build the release preset first" >&2; exit 2; }
+mkdir -p "$here/pictures"
+gallery=$(mktemp)
+trap 'rm -f "$gallery"' EXIT
+
+# fact SCENE NAME: one line of `raywalk info`.
+fact() { "$raywalk" info "$1" 2>/dev/null | sed -n "s/^$2  *//p" | head -n 1; }
+
+for scene in "$here"/*.toml; do
+  name=$(basename "$scene" .toml)
+  read -r width height < <(fact "$scene" image | sed 's/^\([0-9]*\) x \([0-9]*\) .*/\1 \2/')
+  samples=$(sed -n '/^\[render\]/,/^\[[^r]/s/^samples *= *\([0-9]*\).*/\1/p' "$scene" | head -n 1)
+  [ "${samples:-1}" -ge 9 ] || samples=9
+  "$raywalk" render "$scene" -o "$here/pictures/$name.png" --size "240x$((240 * height / width))" --spp "$samples" 2>/dev/null
+  printf '| ![%s](pictures/%s.png) | [`%s`](%s.toml) | %s |\n' "$name" "$name" "$name" "$name" "$(fact "$scene" description)"
+done >"$gallery"
+
+{
+  sed '/^| picture/,$d' "$here/README.md"
+  echo '| picture | scene | what it shows |'
+  echo '|---|---|---|'
+  cat "$gallery"
+} >"$here/README.md.new"
+mv "$here/README.md.new" "$here/README.md"

@@ -1,0 +1,83 @@
+#pragma once
+// How options of the command line are declared: each with what it reads, and what it says when that is not understood.
+
+#include "app/arguments.h"
+#include "app/console.h"
+#include "io/spelling.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// What a command line asks for, run after all of it is understood.
+using Run = std::function<ExitCode()>;
+inline constexpr const char* scene_help =
+    "A scene file (.toml, .nff, or .test of ray tracing courses), or the name of a scene that comes with Raywalk";
+
+namespace detail {
+template <class Value>
+void store_value(Value& target, const Value& value) {
+  target = value;
+}
+template <class Value>
+void store_value(std::optional<Value>& target, const Value& value) {
+  target.emplace(value);
+}
+}  // namespace detail
+
+/// An option whose value `parse` reads, or refuses with nothing; then `complain` says why.
+template <class Target, class Parse, class Complain>
+CLI::Option* add_value(CLI::App& command, const std::string& name, Target& target, const Parse& parse,
+                       const Complain& complain, const std::string& type, const std::string& help) {
+  const CLI::callback_t take = [name, &target, parse, complain](const CLI::results_t& words) {
+    const auto value = parse(words.front());
+    if (!value) throw CLI::ValidationError(name, "\"" + words.front() + "\" " + complain(words.front()));
+    detail::store_value(target, *value);
+    return true;
+  };
+  return command.add_option(name, take, help)->type_name(type);
+}
+
+template <class Target, class Parse>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
+                        const std::string& type, const std::string& expected, const std::string& help) {
+  const auto complain = [expected](const std::string&) { return "is not understood (expected " + expected + ")"; };
+  return add_value(command, name, target, parse, complain, type, help);
+}
+
+/// An option that takes one of a few words.
+template <class Choice, std::size_t Count, class NameOf>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& target,
+                        const std::array<Choice, Count>& choices, NameOf name_of, const std::string& help) {
+  std::vector<std::string_view> words;
+  std::string type;
+  for (const Choice choice : choices) {
+    words.push_back(name_of(choice));
+    type += (type.empty() ? "" : "|") + std::string(words.back());
+  }
+  const auto parse = [choices, name_of](const std::string& word) -> std::optional<Choice> {
+    for (const Choice choice : choices)
+      if (word == name_of(choice)) return choice;
+    return std::nullopt;
+  };
+  const auto complain = [words](const std::string& word) {
+    const std::string meant = nearest_word(word, words);
+    return "is not known (expected " + one_of(words) + ")" + (meant.empty() ? "" : "; did you mean " + meant + "?");
+  };
+  return add_value(command, name, target, parse, complain, type, help);
+}
+
+inline CLI::Option* add_whole(CLI::App& command, const std::string& name, auto& target, int low, int high,
+                              const std::string& help) {
+  return add_parsed(
+      command, name, target, [=](const std::string& text) { return parse_whole(text, low, high); }, "N",
+      "a whole number from " + std::to_string(low) + " to " + std::to_string(high), help);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,139 @@
+// OpenEXR, by the format's own library (C. Everitt, F. Kainz et al., Industrial Light & Magic 2002; now the Academy
+// Software Foundation). Its exceptions end here.
+#include "io/image.h"
+
+#ifdef RAYWALK_EXR
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#endif
+
+namespace raywalk {
+
+#ifdef RAYWALK_EXR
+
+namespace {
+
+class StringOut : public Imf::OStream {
+ public:
+  explicit StringOut(std::string& bytes) : OStream("memory"), bytes_(bytes) {}
+  void write(const char* data, int size) override {
+    // The table of lines is written over at the end.
+    const auto count = static_cast<std::size_t>(size);
+    if (at_ + count > bytes_.size()) bytes_.resize(at_ + count);
+    std::memcpy(bytes_.data() + at_, data, count);
+    at_ += count;
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t position) override { at_ = static_cast<std::size_t>(position); }
+
+ private:
+  std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+class StringIn : public Imf::IStream {
+ public:
+  explicit StringIn(std::string_view bytes) : IStream("memory"), bytes_(bytes) {}
+  bool read(char* to, int size) override {
+    const auto count = static_cast<std::size_t>(size);
+    if (count > bytes_.size() || at_ > bytes_.size() - count) throw std::runtime_error("the file ends too early");
+    std::memcpy(to, bytes_.data() + at_, count);
+    at_ += count;
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override {
+    at_ = static_cast<std::size_t>(std::min<std::uint64_t>(position, bytes_.size()));
+  }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Where the channels of pixel (0, 0) lie, and how far it is to the next ones. The library wants no const.
+Imf::FrameBuffer frame_of(Image& image, std::ptrdiff_t first) {
+  static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
+  constexpr std::size_t pixel = sizeof(Rgb<float>);
+  char* base = reinterpret_cast<char*>(image.pixels.data() - first);
+  const std::size_t row = pixel * static_cast<std::size_t>(image.width);
+  Imf::FrameBuffer frame;
+  frame.insert("R", Imf::Slice(Imf::FLOAT, base, pixel, row, 1, 1, 0));
+  frame.insert("G", Imf::Slice(Imf::FLOAT, base + sizeof(float), pixel, row, 1, 1, 0));
+  frame.insert("B", Imf::Slice(Imf::FLOAT, base + 2 * sizeof(float), pixel, row, 1, 1, 0));
+  return frame;
+}
+
+}  // namespace
+
+bool has_exr() { return true; }
+
+Result<std::string> encode_exr(const Image& image) {
+  std::string bytes;
+  try {
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    StringOut stream(bytes);
+    {
+      Imf::OutputFile file(stream, header, 0);
+      file.setFrameBuffer(frame_of(const_cast<Image&>(image), 0));  // NOLINT: only read from
+      file.writePixels(image.height);
+    }  // the table of lines is written on closing
+  } catch (const std::exception& error) {
+    return tl::unexpected(Error{"", 0, 0, std::string("the OpenEXR picture cannot be made: ") + error.what(),
+                                "choose another size, or write a .pfm"});
+  }
+  return bytes;
+}
+
+Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
+  try {
+    StringIn stream(bytes);
+    Imf::InputFile file(stream, 0);
+    const auto window = file.header().dataWindow();
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+    if (width < 1 || height < 1 || width > most_pixels / height)
+      return tl::unexpected(Error{file_name, 0, 0, "the size of the picture is wrong (expected at most 2^28 pixels)",
+                                  "is this the right file?"});
+    Image image{static_cast<int>(width), static_cast<int>(height), {}};
+    image.pixels.resize(static_cast<std::size_t>(width * height));
+    const std::ptrdiff_t first = window.min.y * static_cast<std::ptrdiff_t>(width) + window.min.x;
+    file.setFrameBuffer(frame_of(image, first));
+    file.readPixels(window.min.y, window.max.y);
+    return image;
+  } catch (const std::exception& error) {
+    return tl::unexpected(Error{file_name, 0, 0,
+                                std::string("this is no OpenEXR picture that can be read: ") + error.what(),
+                                "is this the right file, and is it whole?"});
+  }
+}
+
+#else
+
+namespace {
+Error without_library(const std::string& file) {
+  return {file, 0, 0, "this build of Raywalk knows no OpenEXR", "install libopenexr-dev and build again"};
+}
+}  // namespace
+
+bool has_exr() { return false; }
+Result<std::string> encode_exr(const Image& /*image*/) { return tl::unexpected(without_library("")); }
+Result<Image> decode_exr(std::string_view /*bytes*/, const std::string& file_name) {
+  return tl::unexpected(without_library(file_name));
+}
+
+#endif
+
+}  // namespace raywalk

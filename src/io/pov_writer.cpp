@@ -1,0 +1,180 @@
+#include "io/pov_writer.h"
+
+#include "io/pov_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <type_traits>
+
+namespace raywalk {
+
+namespace {
+
+using detail::FlatFrame;
+using detail::pov_colour;
+using detail::pov_number;
+using detail::pov_vector;
+using detail::PovLosses;
+
+/// Away from everything; POV-Ray meets nothing beyond 1e7.
+constexpr double far_away = 1e5;
+
+std::string head(const Scene& scene) {
+  std::string title = scene.title.empty() ? "A scene of Raywalk" : scene.title;
+  std::replace_if(title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return fmt::format(
+      "// {}\n"
+      "// Written by raywalk convert. To render it as Raywalk does, at {} sample{} a pixel and in one thread:\n"
+      "//   povray +W{} +H{} {} +WT1 -D +ISCENE.pov\n"
+      "#version 3.7;\n"
+      "global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} ambient_light {} }}\n"
+      "background {{ color {} }}\n",
+      title, scene.render.samples, scene.render.samples == 1 ? "" : "s", scene.image.width, scene.image.height,
+      scene.render.samples == 1 ? "-A" : fmt::format("+A0.0 +AM1 +R{}", std::lround(std::sqrt(scene.render.samples))),
+      std::min(scene.limits.depth, 256), scene.limits.threshold, pov_colour(scene.ambient),
+      pov_colour(scene.background));
+}
+
+std::string camera_text(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  const Vec3d forward = normalize(camera.look_at - camera.eye), right = normalize(cross(forward, camera.up));
+  const Vec3d width = 2 * camera.half_extent() * right, height = 2 * camera.half_extent() * cross(right, forward);
+  // The angle is that of one side of the picture; the other side follows from its pixels.
+  const bool by_height = camera.extent_axis() == FovAxis::y;
+  std::string text = fmt::format("camera {{ perspective\n  location {}\n  direction {}\n  right {}{}\n  up {}{}\n",
+                                 pov_vector(camera.eye), pov_vector(forward), pov_vector(width),
+                                 by_height ? " * image_width / image_height" : "", pov_vector(height),
+                                 by_height ? "" : " * image_height / image_width");
+  if (camera.aperture > 0)
+    text += fmt::format("  aperture {} focal_point {} blur_samples {} confidence 0 variance 0\n", 2 * camera.aperture,
+                        pov_vector(camera.eye + camera.focus_distance() * forward), std::max(scene.render.samples, 4));
+  return text + "}\n";
+}
+
+/// The light's colour and how it fades, as far as POV-Ray can say it: 2 / (1 + (d / fade_distance)^fade_power).
+std::string fading(const Light& light, const Attenuation& a, double usual_distance, PovLosses& losses) {
+  Attenuation used = a;
+  if (a.linear > 0 && a.quadratic > 0) {
+    losses.insert("attenuation with a linear and a quadratic term: taken as at the distance of what is looked at");
+    used.quadratic += a.linear / usual_distance;
+    used.linear = 0;
+  }
+  const bool linear = used.linear > 0;
+  const double fade = linear ? used.linear : used.quadratic;
+  if (fade == 0) return "color " + pov_colour(light.strength / used.constant);
+  // Without a constant term it is one so small that it shows nowhere.
+  const double least = linear ? 1e-4 * fade * usual_distance : 1e-8 * fade * usual_distance * usual_distance;
+  const double constant = std::max(used.constant, least);
+  const double distance = linear ? constant / fade : std::sqrt(constant / fade);
+  return fmt::format("color {} fade_distance {} fade_power {}", pov_colour(light.strength / (2 * constant)), distance,
+                     linear ? 1 : 2);
+}
+
+/// POV-Ray spreads n samples from edge to edge; ours lie in the middles of n cells.
+std::string area(const Vec3d& u, const Vec3d& v, int samples, bool jittered) {
+  const double inner = (samples - 1.0) / samples;
+  return fmt::format(" area_light {}, {}, {}, {} area_illumination on{}", pov_vector(inner * u), pov_vector(inner * v),
+                     samples, samples, jittered ? " jitter" : "");
+}
+
+class LightText {
+ public:
+  LightText(const Scene& scene, const Light& light, PovLosses& losses)
+      : scene_(scene), light_(light), losses_(losses) {}
+
+  std::string operator()(const PointLight& at) const {
+    return pov_vector(at.position) + " " + faded(at.position, at.attenuation);
+  }
+  std::string operator()(const DirectionalLight& sun) const {
+    const Vec3d away = far_away * normalize(sun.direction);
+    return pov_vector(away) + " color " + pov_colour(light_.strength) + " parallel point_at <0, 0, 0>";
+  }
+  std::string operator()(const SpotLight& spot) const {
+    return pov_vector(spot.position) + " " + faded(spot.position, spot.attenuation) +
+           fmt::format(" spotlight point_at {} radius {} falloff {} tightness 0", pov_vector(spot.look_at),
+                       spot.inner_angle / 2, spot.angle / 2);
+  }
+  std::string operator()(const SphereLight& sphere) const {
+    const std::string text = pov_vector(sphere.position) + " " + faded(sphere.position, sphere.attenuation);
+    const int samples = scene_.render.light_grid.value_or(sphere.samples);
+    if (sphere.radius == 0 || samples == 1) return text;
+    losses_.insert("sphere lights, which become disks that face what they light");
+    return text + area({2 * sphere.radius, 0, 0}, {0, 0, 2 * sphere.radius}, samples, jittered()) + " circular orient";
+  }
+  std::string operator()(const RectangleLight& rectangle) const {
+    const Vec3d middle = rectangle.corner + 0.5 * (rectangle.u + rectangle.v);
+    const std::string text = pov_vector(middle) + " " + faded(middle, rectangle.attenuation);
+    const int samples = scene_.render.light_grid.value_or(rectangle.samples);
+    if (samples == 1) return text;
+    return text + area(rectangle.u, rectangle.v, samples, jittered());
+  }
+
+ private:
+  [[nodiscard]] std::string faded(const Vec3d& from, const Attenuation& attenuation) const {
+    const double distance = length(scene_.camera.look_at - from);
+    return fading(light_, attenuation, distance > 0 ? distance : 1, losses_);
+  }
+  [[nodiscard]] bool jittered() const { return scene_.render.integrator != Integrator::whitted; }
+
+  const Scene& scene_;
+  const Light& light_;
+  PovLosses& losses_;
+};
+
+std::string comment(std::string name) {
+  std::replace_if(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return "// " + name + "\n";
+}
+
+/// The texture's name, and its declaration in front of `text` when it is new.
+class Textures {
+ public:
+  std::string use(const std::string& texture, std::string& text) {
+    const auto [entry, is_new] = numbers_.emplace(texture, static_cast<int>(numbers_.size()) + 1);
+    if (is_new) text += fmt::format("#declare Texture_{} =\n{}", entry->second, texture);
+    return fmt::format("texture {{ Texture_{} }}", entry->second);
+  }
+
+ private:
+  std::map<std::string, int> numbers_;
+};
+
+std::string object_text(const Object& object, Textures& textures, PovLosses& losses) {
+  const Material& material = object.material;
+  const bool patterned = material.checker.has_value();
+  const auto frame = patterned ? detail::flat_frame(object.shape) : std::nullopt;
+  const std::string shape = detail::pov_shape(object.shape), matrix = detail::pov_matrix(object.transform);
+  std::string declared;
+  const std::string texture = textures.use(detail::pov_texture(material, frame, losses), declared);
+  // In POV-Ray whatever transmits lets shadow rays pass. Where it should not, a double that nobody sees stops them in
+  // its place.
+  const bool stops = material.transmits() && material.shadow == ShadowKind::opaque;
+  std::string text = comment(object.name) + declared + shape + "\n  " + texture + " " + detail::pov_interior(material) +
+                     (stops ? " no_shadow" : "") + "\n" + matrix + "}\n";
+  if (stops) text += shape + "\n  pigment { rgb 0 } no_image no_reflection\n" + matrix + "}\n";
+  return text;
+}
+
+}  // namespace
+
+PovText format_pov(const Scene& scene) {
+  PovText pov;
+  PovLosses losses;
+  pov.text = head(scene) + camera_text(scene);
+  for (const Light& light : scene.lights) {
+    if (is_black(light.strength)) continue;
+    pov.text +=
+        comment(light.name) + "light_source { " + std::visit(LightText(scene, light, losses), light.kind) + " }\n";
+  }
+  Textures textures;
+  for (const Object& object : scene.objects) pov.text += object_text(object, textures, losses);
+  if (scene.encoding == Encoding::truncated) losses.insert("8-bit pictures without the sRGB curve");
+  if (scene.render.integrator == Integrator::path) losses.insert("light from everywhere (path tracing)");
+  pov.left_out.assign(losses.begin(), losses.end());
+  return pov;
+}
+
+}  // namespace raywalk

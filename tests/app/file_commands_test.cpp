@@ -1,0 +1,82 @@
+#include "app/process.h"
+#include "io/scene_file.h"
+#include "support/catch.h"
+
+#include <string>
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+const std::string scenes = std::string(RAYWALK_SOURCE_DIR) + "/scenes/";
+const std::string nff =
+    "v from 0 -5 1 at 0 0 1 up 0 0 1 angle 40 resolution 64 48\nl 3 -4 5\nf 1 0.5 0.2 0.8 0.2 20 0 0\ns 0 0 1 1\n"
+    "c 2 0 0 0.5 2 0 2 0.2\np 4 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n";
+
+}  // namespace
+
+TEST_CASE("convert writes our own format without loss, comments and all") {
+  const Folder folder;
+  for (const std::string name : {"classic", "quadrics", "whitted"}) {
+    const Outcome outcome = folder.run({"convert", scenes + name + ".toml", name + ".toml"});
+    CHECK(outcome.exit_code == 0);
+    const auto before = read_scene(scenes + name + ".toml"), after = read_scene(folder / (name + ".toml"));
+    REQUIRE(before);
+    REQUIRE(after);
+    CHECK(before->scene == after->scene);
+    CHECK(before->text == after->text);
+  }
+}
+
+TEST_CASE("convert writes a foreign scene as ours, and every command opens a foreign one") {
+  const Folder folder;
+  folder.write("a.nff", nff);
+  CHECK(folder.run({"convert", "a.nff", "a.toml"}).exit_code == 0);
+  const auto before = read_scene(folder / "a.nff"), after = read_scene(folder / "a.toml");
+  REQUIRE(before);
+  REQUIRE(after);
+  CHECK(before->scene == after->scene);
+  const Outcome info = folder.run({"info", "a.nff"});
+  CHECK(info.exit_code == 0);
+  CHECK_THAT(info.out, contains("1 sphere"));
+  CHECK(folder.run({"step", "a.nff", "--pixel", "3,4"}).exit_code == 0);
+  CHECK(folder.run({"render", "a.nff", "-o", "a.pfm", "--corner-samples"}).exit_code == 0);
+  CHECK(folder.run({"render", "a.toml", "-o", "b.pfm", "--corner-samples"}).exit_code == 0);
+  CHECK(folder.read("a.pfm") == folder.read("b.pfm"));
+  CHECK(folder.run({"render", "a.nff", "-o", "a.pfm", "--corner-samples", "--spp", "4"}).exit_code == 2);
+}
+
+TEST_CASE("convert writes POV-Ray's language, and says what of a scene is not in it") {
+  const Folder folder;
+  CHECK(folder.run({"convert", scenes + "whitted.toml", "whitted.pov"}).err.find("without") == std::string::npos);
+  const std::string pov = folder.read("whitted.pov");
+  CHECK_THAT(pov, contains("#version 3.7"));
+  CHECK_THAT(pov, contains("sphere { <-0.6, 1.25, -0.6>, 0.9"));
+  CHECK_THAT(pov, contains("max_trace_level 6"));
+  folder.write("fixed.test", "size 8 6\ncamera 0 0 4 0 0 0 0 1 0 30\nsphere 0 0 0 1\n");
+  const Outcome outcome = folder.run({"convert", "fixed.test", "fixed.pov"});
+  CHECK(outcome.exit_code == 0);
+  CHECK_THAT(outcome.err, contains("fixed normals"));
+  CHECK_THAT(outcome.err, contains("sRGB"));
+}
+
+TEST_CASE("convert and generate refuse what they cannot write, and leave nothing behind") {
+  const Folder folder;
+  CHECK(folder.run({"convert", scenes + "classic.toml", "classic.nff"}).exit_code == 2);
+  CHECK(folder.run({"convert", scenes + "classic.toml"}).exit_code == 2);
+  CHECK(folder.run({"convert", "nothing.toml", "a.pov"}).exit_code == 1);
+  CHECK(folder.run({"generate", "cubes", "-o", "a.nff"}).exit_code == 2);
+  CHECK(folder.run({"generate", "mesh", "-o", "a.toml"}).exit_code == 2);
+  CHECK(folder.run({"generate", "mesh", "--count", "0", "-o", "a.ply"}).exit_code == 2);
+  CHECK(folder.run({"generate", "mesh", "-o", "no/such/folder.ply"}).exit_code == 1);
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("generate writes what can be rendered at once") {
+  const Folder folder;
+  CHECK(folder.run({"generate", "flake", "--levels", "1", "-o", "flake.toml"}).exit_code == 0);
+  CHECK(folder.run({"generate", "spheres", "--count", "50", "--seed", "2", "-o", "spheres.nff"}).exit_code == 0);
+  for (const std::string name : {"flake.toml", "spheres.nff"})
+    CHECK(folder.run({"render", name, "-o", name + ".png", "--size", "32x32"}).exit_code == 0);
+}

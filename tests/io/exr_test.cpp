@@ -1,0 +1,74 @@
+#include "io/file.h"
+#include "io/image.h"
+#include "support/catch.h"
+#include "temporary_folder.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+/// Numbers that 16 bits or a curve would change.
+Image sample() {
+  Image image{5, 3, {}};
+  for (int i = 0; i < 15; ++i) {
+    const float x = static_cast<float>(i);
+    image.pixels.emplace_back(x / 7, 1e-20F * x, 1e20F * x + 0.1F);
+  }
+  image.at(4, 2) = {-1.5F, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::denorm_min()};
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("an OpenEXR picture reads back as it was, to the last bit and with the top row on top") {
+  if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
+  const TemporaryFolder folder;
+  const Image image = sample();
+  REQUIRE(write_image(folder.file("a.exr"), image));
+  const auto bytes = read_file(folder.file("a.exr"), 1 << 20);
+  REQUIRE(bytes);
+  CHECK(bytes->substr(0, 4) == std::string("\x76\x2f\x31\x01"));
+  const auto again = decode_exr(*bytes, "a.exr");
+  REQUIRE(again);
+  CHECK(*again == image);
+  CHECK(folder.entries() == 1);  // nothing temporary is left
+}
+
+TEST_CASE("an OpenEXR picture keeps what is not a number, and says so") {
+  if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
+  const TemporaryFolder folder;
+  Image image = sample();
+  image.at(1, 1).y = std::numeric_limits<float>::quiet_NaN();
+  const auto written = write_image(folder.file("a.EXR"), image);
+  REQUIRE(written);
+  CHECK(written->nan_pixels == 1);
+  const auto again = decode_exr(contents(folder.file("a.EXR")), "a.EXR");
+  REQUIRE(again);
+  CHECK(std::isnan(again->at(1, 1).y));
+  CHECK(again->at(1, 1).x == image.at(1, 1).x);
+}
+
+TEST_CASE("what is no whole OpenEXR picture is refused with a message") {
+  if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
+  const auto whole = encode_exr(sample());
+  REQUIRE(whole);
+  for (std::size_t size = 0; size < whole->size(); size += 7) {
+    const auto image = decode_exr(whole->substr(0, size), "cut.exr");
+    INFO(size << " of " << whole->size() << " bytes");
+    REQUIRE(!image);
+    CHECK(image.error().file == "cut.exr");
+    CHECK(!image.error().hint.empty());
+  }
+  CHECK(!decode_exr("PF\n1 1\n-1.0\n123456789012", "a.pfm"));
+}
+
+TEST_CASE("without the library, asking for .exr says how to get it") {
+  const auto format = image_format_of("a.exr");
+  CHECK(format.has_value() == has_exr());
+  if (!format) CHECK_THAT(format.error().hint, contains("libopenexr-dev"));
+}
