@@ -107,11 +107,9 @@ struct Names<Integrator> {
        {Integrator::path, integrator_name(Integrator::path)}}};
 };
 template <>
-struct Names<SamplerKind> {
-  static constexpr std::array<std::pair<SamplerKind, std::string_view>, sampler_count> all{
-      {{SamplerKind::random, sampler_name(SamplerKind::random)},
-       {SamplerKind::jittered, sampler_name(SamplerKind::jittered)},
-       {SamplerKind::sobol, sampler_name(SamplerKind::sobol)}}};
+struct Names<Sampler> {
+  static constexpr std::array<std::pair<Sampler, std::string_view>, sampler_count> all{
+      {{Sampler::random, "random"}, {Sampler::jittered, "jittered"}, {Sampler::sobol, "sobol"}}};
 };
 template <>
 struct Names<ShadingNormal> {

@@ -8,7 +8,7 @@ namespace raywalk {
 /// or the number of other draws.
 struct RandomKey {
   std::uint64_t seed = 0;
-  std::int32_t pixel_x = 0, pixel_y = 0;  ///< twice the pixel's offset from the image centre, in pixels
+  std::int32_t pixel_x = 0, pixel_y = 0;  ///< where the pixel lies, from the image's centre (trace/ray_generator.h)
   std::uint32_t sample = 0;
   std::uint32_t effect = 0;     ///< which effect draws
   std::uint64_t path = 0;       ///< place in the ray tree

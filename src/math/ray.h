@@ -21,6 +21,7 @@ struct Ray {
   Vec3<T> origin;
   Vec3<T> direction;
   Departure departure{};
+  T time = 0;  ///< what moves is met where it is then
 
   [[nodiscard]] Vec3<T> at(T t) const { return origin + t * direction; }
 };

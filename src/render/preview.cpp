@@ -84,8 +84,8 @@ class Preview::WorkIn final : public Preview::Work {
   WorkIn(const Scene& scene, const PreviewSettings& settings)
       : Work(settings),
         world_(scene, settings.accelerator),
-        centres_(scene.camera, settings.size, settings.size),
-        spread_(scene.camera, settings.size, settings.size, Sampling{settings.samples}),
+        centres_(scene, settings.size, settings.size),
+        spread_(scene, settings.size, settings.size, Sampling{settings.samples}),
         first_(settings.size),
         mean_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}) {
     begin_pass();

@@ -63,7 +63,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   Film<T> film(size);
   const auto build_start = Clock::now();
   const World<T> world(scene, settings.accelerator);
-  const RayGenerator<T> camera(scene.camera, size, whole, settings.sampling);
+  const RayGenerator<T> camera(scene, size, whole, settings.sampling);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);
   rendering.accelerator = world.accelerator.kind();

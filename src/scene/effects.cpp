@@ -48,37 +48,131 @@ EffectUse use_if(const Scene& scene, Calls calls, const std::string& because, co
   return object ? EffectUse{true, object->name + " " + because} : EffectUse{false, "none: " + none};
 }
 
+/// Of the lights that shine, the first one that `calls` accepts, or null.
+template <class Calls>
+const Light* first_light(const Scene& scene, Calls calls) {
+  const auto found = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                  [&](const Light& light) { return !is_black(light.strength) && calls(light); });
+  return found == scene.lights.end() ? nullptr : &*found;
+}
+
+bool is_glossy(const Material& m) { return m.gloss > 0 && (m.reflects() || m.transmits()); }
+bool is_translucent(const Material& m) { return m.translucency > 0 && m.transmits(); }
+
+EffectUse left_out(Integrator integrator, std::string_view what) {
+  return {false, "none: " + std::string(integrator_name(integrator)) + " " + std::string(what)};
+}
+
+EffectUse shadows(const Scene& scene) {
+  const Light* lamp = first_light(scene, [](const Light&) { return true; });
+  if (lamp == nullptr) return {false, "none: no light shines"};
+  if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
+  return {true, lamp->name + " shines on objects"};
+}
+
+EffectUse refraction(const Scene& scene, Integrator integrator) {
+  if (integrator == Integrator::cast) return left_out(integrator, "follows no ray beyond the first hit");
+  return use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
+}
+
+/// Whatever transmits reflects too: a share by Fresnel's equations, or all of it beyond the critical angle.
+EffectUse reflection(const Scene& scene, Integrator integrator) {
+  if (integrator == Integrator::cast) return left_out(integrator, "follows no ray beyond the first hit");
+  EffectUse use = use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
+  const auto shares = [](const Material& m) { return m.transmits() && m.dielectric; };
+  const auto transmits = [](const Material& m) { return m.transmits(); };
+  if (!use.used && first_object(scene, transmits) != nullptr) {
+    use = use_if(scene, shares, "reflects a share of the light as a dielectric", "");
+    if (!use.used) use = use_if(scene, transmits, "can reflect totally inside", "");
+  }
+  return use;
+}
+
+EffectUse gloss(const Scene& scene, Integrator integrator) {
+  const EffectUse use = use_if(scene, is_glossy, "has a rough reflection", "every mirror is sharp");
+  return use.used && !draws_random(integrator) ? left_out(integrator, "takes every mirror as sharp") : use;
+}
+
+EffectUse translucency(const Scene& scene, Integrator integrator) {
+  const EffectUse use = use_if(scene, is_translucent, "scatters what it transmits", "every transmitter is clear");
+  return use.used && !draws_random(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
+}
+
+EffectUse penumbra(const Scene& scene, Integrator integrator) {
+  const Light* area = first_light(scene, is_area);
+  if (area == nullptr) return {false, "none: every light is a point or a direction"};
+  if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
+  if (draws_random(integrator)) return {true, area->name + " has an extent"};
+  area = first_light(scene, [&](const Light& light) { return light_grid_of(scene, light) > 1; });
+  if (area == nullptr) return left_out(integrator, "takes every light from its middle");
+  const std::string grid = std::to_string(light_grid_of(scene, *area));
+  return {true, area->name + " is a grid of " + grid + " x " + grid + " points"};
+}
+
+EffectUse depth_of_field(const Scene& scene, Integrator integrator) {
+  if (!(scene.camera.aperture > 0)) return {false, "none: the camera is a pinhole"};
+  if (!draws_random(integrator)) return left_out(integrator, "takes the lens as a pinhole");
+  return {true, "the camera has a lens"};
+}
+
+EffectUse motion_blur(const Scene& /*scene*/, Integrator /*integrator*/) { return {false, "none: nothing moves"}; }
+
+EffectUse antialiasing(int samples_per_pixel) {
+  if (samples_per_pixel <= 1) return {false, "none: one sample in the centre of each pixel"};
+  return {true, std::to_string(samples_per_pixel) + " samples are taken in each pixel"};
+}
+
+EffectUse indirect_light(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::path:
+      return {true, "path follows light from everywhere"};
+    case Integrator::cast:
+      return left_out(integrator, "follows no ray beyond the first hit");
+    case Integrator::automatic:
+    case Integrator::whitted:
+    case Integrator::distributed:
+      break;
+  }
+  return {false, "none: Whitted's algorithm follows mirrors and glass only"};
+}
+
 }  // namespace
 
+Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
+  if (scene.render.integrator != Integrator::automatic) return scene.render.integrator;
+  const Integrator whole = Integrator::distributed;
+  const bool calls = samples_per_pixel > 1 || gloss(scene, whole).used || translucency(scene, whole).used ||
+                     penumbra(scene, whole).used || depth_of_field(scene, whole).used || motion_blur(scene, whole).used;
+  return calls ? Integrator::distributed : Integrator::whitted;
+}
+
+int light_grid_of(const Scene& scene, const Light& light) {
+  if (!is_area(light)) return 1;
+  if (scene.render.light_grid) return *scene.render.light_grid;
+  if (const auto* sphere = std::get_if<SphereLight>(&light.kind)) return sphere->samples;
+  if (const auto* rectangle = std::get_if<RectangleLight>(&light.kind)) return rectangle->samples;
+  return 1;
+}
+
 Effects effects_of(const Scene& scene, int samples_per_pixel) {
+  const Integrator integrator = integrator_of(scene, samples_per_pixel);
   Effects effects;
-  const auto lamp = std::find_if(scene.lights.begin(), scene.lights.end(),
-                                 [](const Light& light) { return !is_black(light.strength); });
-  effects[Effect::shadows] = lamp == scene.lights.end() ? EffectUse{false, "none: no light shines"}
-                             : scene.objects.empty()    ? EffectUse{false, "none: nothing casts or catches a shadow"}
-                                                        : EffectUse{true, lamp->name + " shines on objects"};
-  effects[Effect::refraction] =
-      use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
-  // Whatever transmits reflects too: a share by Fresnel's equations, or all of it beyond the critical angle.
-  EffectUse& reflection = effects[Effect::reflection];
-  reflection = use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
-  if (!reflection.used && effects.used(Effect::refraction)) {
-    const auto shares = [](const Material& m) { return m.transmits() && m.dielectric; };
-    reflection = use_if(scene, shares, "reflects a share of the light as a dielectric", "");
-    if (!reflection.used)
-      reflection = use_if(scene, [](const Material& m) { return m.transmits(); }, "can reflect totally inside", "");
-  }
-  effects[Effect::textures] = use_if(
-      scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "no material has a pattern");
-  effects[Effect::antialiasing] =
-      samples_per_pixel > 1 ? EffectUse{true, std::to_string(samples_per_pixel) + " samples are taken in each pixel"}
-                            : EffectUse{false, "none: one sample in the centre of each pixel"};
-  effects[Effect::gloss] = {false, "none: every mirror is sharp"};
-  effects[Effect::translucency] = {false, "none: every transmitter is clear"};
-  effects[Effect::penumbra] = {false, "none: every light is a point or a direction"};
-  effects[Effect::depth_of_field] = {false, "none: the camera is a pinhole"};
-  effects[Effect::motion_blur] = {false, "none: nothing moves"};
-  effects[Effect::indirect_light] = {false, "none: Whitted's algorithm follows mirrors and glass only"};
+  effects[Effect::shadows] = shadows(scene);
+  effects[Effect::reflection] = reflection(scene, integrator);
+  effects[Effect::refraction] = refraction(scene, integrator);
+  effects[Effect::gloss] = gloss(scene, integrator);
+  effects[Effect::translucency] = translucency(scene, integrator);
+  effects[Effect::penumbra] = penumbra(scene, integrator);
+  effects[Effect::depth_of_field] = depth_of_field(scene, integrator);
+  effects[Effect::motion_blur] = motion_blur(scene, integrator);
+  effects[Effect::antialiasing] = antialiasing(samples_per_pixel);
+  effects[Effect::indirect_light] = indirect_light(integrator);
+  effects[Effect::textures] =
+      use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "");
+  EffectUse& textures = effects[Effect::textures];
+  if (!textures.used)
+    textures = use_if(
+        scene, [](const Material& m) { return m.texture.has_value(); }, "wears an image", "no material has a pattern");
   return effects;
 }
 

@@ -31,7 +31,8 @@ struct EffectUse {
   std::string why;  ///< one clause, for people: "the material of Mirror Sphere reflects"
 };
 
-/// Which effects a scene calls for and why. Enabled but inert counts as not used.
+/// Which effects a scene calls for and why. Enabled but inert counts as not used, and so does what the integrator
+/// leaves out.
 class Effects {
  public:
   [[nodiscard]] const EffectUse& operator[](Effect effect) const { return uses_[static_cast<std::size_t>(effect)]; }
@@ -42,6 +43,17 @@ class Effects {
   std::array<EffectUse, effect_count> uses_;
 };
 
+/// With the scene's own choices of rendering; an integrator that leaves an effect out makes it unused.
 [[nodiscard]] Effects effects_of(const Scene& scene, int samples_per_pixel = 1);
+
+/// The scene's integrator, `automatic` resolved: distributed where an effect of it is called for, else whitted.
+[[nodiscard]] Integrator integrator_of(const Scene& scene, int samples_per_pixel = 1);
+/// Whether it may draw random numbers: cast and whitted take their samples in fixed places.
+[[nodiscard]] constexpr bool draws_random(Integrator integrator) {
+  return integrator == Integrator::distributed || integrator == Integrator::path;
+}
+
+/// Points of a light that are tried from one hit, along each of its two sides; 1 for a light without an extent.
+[[nodiscard]] int light_grid_of(const Scene& scene, const Light& light);
 
 }  // namespace raywalk

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "math/sampler.h"
+
 #include <optional>
 #include <string_view>
 
@@ -31,30 +33,13 @@ inline constexpr int integrator_count = 5;
   return "";
 }
 
-/// Where the samples of a pixel, a lens, a light or a lobe fall.
-enum class SamplerKind {
-  random,    ///< anywhere, each by itself
-  jittered,  ///< one anywhere in each cell of a grid
-  sobol,     ///< a Sobol sequence, scrambled as by Owen
-};
 inline constexpr int sampler_count = 3;
-[[nodiscard]] constexpr std::string_view sampler_name(SamplerKind sampler) {
-  switch (sampler) {
-    case SamplerKind::random:
-      return "random";
-    case SamplerKind::jittered:
-      return "jittered";
-    case SamplerKind::sobol:
-      return "sobol";
-  }
-  return "";
-}
 
 /// How a scene is rendered, unless the command line says otherwise. None of it changes what the scene is.
 struct RenderChoices {
   Integrator integrator = Integrator::automatic;
   int samples = 1;  ///< of each pixel, >= 1
-  SamplerKind sampler = SamplerKind::jittered;
+  Sampler sampler = Sampler::jittered;  ///< where samples of pixel, lens, light and lobe fall
   std::optional<int> light_grid{};  ///< for the `samples` of every area light
   double tolerance = 0;             ///< of adaptive sampling (render/adaptive.h); 0: every pixel takes all samples
   friend bool operator==(const RenderChoices&, const RenderChoices&) = default;

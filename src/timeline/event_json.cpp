@@ -27,6 +27,7 @@ class Writer {
     to_["ray"] = formed.ray;
     spawned(formed.kind, formed.parent, formed.origin, formed.direction, formed.share);
     light(formed.light);
+    if (formed.light_sample > 0) to_["light_sample"] = formed.light_sample;
     if (!formed.snell) return;
     const SnellNumbers& s = *formed.snell;
     to_["snell"] = {{"n1", s.n1}, {"n2", s.n2}, {"cos_in", s.cos_in}, {"cos_out", s.cos_out}, {"fresnel", s.fresnel}};
@@ -37,6 +38,7 @@ class Writer {
     to_["why"] = ending_name(stub.why);
     spawned(stub.kind, stub.parent, stub.origin, stub.direction, stub.share);
     light(stub.light);
+    if (stub.light_sample > 0) to_["light_sample"] = stub.light_sample;
   }
 
   void operator()(const Found& found) const {
@@ -79,6 +81,7 @@ class Writer {
     }
     to_["reflect"] = triple(computed.reflect);
     to_["refract"] = triple(computed.refract);
+    if (computed.passed != Rgbd(1.0)) to_["passed"] = triple(computed.passed);
     to_["total"] = triple(computed.total);
   }
 

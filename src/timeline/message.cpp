@@ -77,6 +77,8 @@ class Describer {
     switch (stub.why) {
       case Ending::facing_away:
         return {MessageId::shadow_facing_away, {shaded(), light(stub.light)}};
+      case Ending::outside_cone:
+        return {MessageId::shadow_outside_cone, {shaded(), light(stub.light)}};
       case Ending::depth: {
         const int deepest = frame(timeline_.current_frame(position_)).depth;
         return {reflect ? MessageId::reflect_depth : MessageId::refract_depth, {deepest}};
@@ -121,6 +123,7 @@ class Describer {
       case Ending::total_internal_reflection:
       case Ending::path_length:
       case Ending::facing_away:
+      case Ending::outside_cone:
         break;  // these rays are not formed
     }
     return {};

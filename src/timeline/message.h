@@ -24,6 +24,7 @@ enum class MessageId {
   shade_missed,             ///< a secondary ray that missed: the background returns: [ray kind, colour]
   shadow_formed,            ///< [object, light]
   shadow_facing_away,       ///< [object, light]
+  shadow_outside_cone,      ///< [object, light]
   light_reached,            ///< [light]
   light_filtered,           ///< [light, share that passes, colour]
   light_blocked,            ///< [light, blocker]

@@ -7,7 +7,7 @@ namespace {
 template <class T>
 Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, PixelBlock block, const Sampling& sampling) {
   const World<T> world(scene);
-  const RayGenerator<T> camera(scene.camera, size, whole, sampling);
+  const RayGenerator<T> camera(scene, size, whole, sampling);
   Recorder recorder;
   for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample)
     trace_watched(world, camera, block, [](const Pixel&, const Rgb<T>&) {}, recorder);

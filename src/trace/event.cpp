@@ -36,6 +36,8 @@ std::string_view ending_name(Ending ending) {
       return "path_length";
     case Ending::facing_away:
       return "facing_away";
+    case Ending::outside_cone:
+      return "outside_cone";
   }
   return "";
 }

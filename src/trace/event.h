@@ -26,8 +26,9 @@ enum class Ending {
   total_internal_reflection,  ///< not formed: no refracted direction exists
   path_length,                ///< not formed: the path is as long as the path tracer allows
   facing_away,                ///< not formed: the light is behind the surface
+  outside_cone,               ///< not formed: the spot does not shine this way
 };
-inline constexpr int ending_count = 9;
+inline constexpr int ending_count = 10;
 
 [[nodiscard]] std::string_view ray_kind_name(RayKind kind);  ///< "primary"
 [[nodiscard]] std::string_view ending_name(Ending ending);   ///< "total_internal_reflection"
@@ -64,6 +65,7 @@ struct RayFormed {
   int light = -1;                       ///< shadow rays: index of the light
   bool light_at_end = false;            ///< shadow rays: origin + direction is the light itself
   std::optional<SnellNumbers> snell{};  ///< refract rays
+  int light_sample = 0;                 ///< shadow rays: which of the points of a light with an extent
 };
 
 /// form_*_ray when a limit, or a light behind the surface, forbids it. `direction`: where it would have gone.
@@ -74,6 +76,7 @@ struct RayNotFormed {
   Vec3d origin, direction;
   Rgbd share;
   int light = -1;
+  int light_sample = 0;
 };
 
 /// find_*: how a ray ended. The point and all that follows it are present when something was met.
@@ -102,18 +105,19 @@ struct ShadeCalled {
   Rgbd background{0.0};
 };
 
-/// What one light added.
+/// What one light added; of a light with an extent, all its points together.
 struct LightTerm {
   int light;
   Rgbd diffuse{0.0}, specular{0.0};  ///< 0 when blocked or behind the surface
 };
 
-/// compute_rtnshade: total = ambient + emission + lights + reflect + refract.
+/// compute_rtnshade: total = passed (ambient + emission + lights + reflect + refract).
 struct ShadeComputed {
   Rgbd ambient, emission;
   std::vector<LightTerm> lights;
   Rgbd reflect, refract;  ///< kr' I(reflect) and kt' I(refract)
   Rgbd total;
+  Rgbd passed{1.0};  ///< what the way of the ray through an absorbing object leaves
 };
 
 /// put_final_shade.

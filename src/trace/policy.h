@@ -21,12 +21,15 @@ class Observer {
 /// The effects whose code stands inside the hit loop. A kernel without one holds none of its code.
 struct HitEffects {
   bool reflection = true, refraction = true, textures = true;
+  bool penumbra = true;  ///< lights with an extent
+  bool lobes = true;     ///< gloss and translucency
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
 
 [[nodiscard]] inline HitEffects hit_effects(const Effects& effects) {
-  return {effects.used(Effect::reflection), effects.used(Effect::refraction), effects.used(Effect::textures)};
+  return {effects.used(Effect::reflection), effects.used(Effect::refraction), effects.used(Effect::textures),
+          effects.used(Effect::penumbra), effects.used(Effect::gloss) || effects.used(Effect::translucency)};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.

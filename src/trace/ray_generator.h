@@ -1,9 +1,15 @@
 #pragma once
 
-#include "math/random.h"
 #include "math/ray.h"
+#include "math/sampler.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
+#include "trace/sampling.h"
+#include "trace/statistics.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace raywalk {
 
@@ -13,9 +19,9 @@ struct Pixel {
   int sample = 0;
 };
 
-/// How the samples of a pixel are placed.
+/// How many samples a pixel takes, and which.
 struct Sampling {
-  int per_pixel = 1;  ///< 1: the centre. More: jittered in a k x k grid, what is left over anywhere in the pixel
+  int per_pixel = 1;  ///< 1: the centre. More: spread over the pixel as the scene's sampler does
   std::uint64_t seed = 0;
   /// Rays through the corners of the pixels instead of their centres: what is formed is one column and one row larger
   /// than the image, and each pixel is the mean of its four corners. Takes no other samples: per_pixel = 1.
@@ -23,64 +29,125 @@ struct Sampling {
   friend bool operator==(const Sampling&, const Sampling&) = default;
 };
 
-/// Forms camera rays for an image, or for a strip of it.
+/// Forms camera rays for an image, or for a strip of it: where in the pixel, through which point of the lens, and when.
 ///
 /// Coordinates come from centred integers by one division, (2i + 1 - W) / W: the middle row's height is then exactly 0,
 /// and the cells of a strip W / k wide equal every k-th column bit for bit when k is odd (both divide the same number).
+/// What is drawn for a pixel depends on that same fraction, so it is alike for both too.
 template <class T>
 class RayGenerator {
  public:
   /// `size`: what is rendered. `whole`: the image that it is, or is a strip of; only its aspect matters, and only for a
   /// camera that states its angle along y. With `sampling.corners`, `size` is that of the corners.
+  RayGenerator(const Scene& scene, ImageSize size, ImageSize whole, Sampling sampling = {})
+      : RayGenerator(scene.camera, size, whole, sampling) {
+    const Effects effects = effects_of(scene, sampling.per_pixel);
+    draws_ = draws_random(integrator_of(scene, sampling.per_pixel));
+    sampler_ = scene.render.sampler;
+    if (effects.used(Effect::depth_of_field)) lens_radius_ = static_cast<T>(scene.camera.aperture);
+    moves_ = effects.used(Effect::motion_blur);
+  }
+  /// As if it were a pinhole, its shutter open for no time, the samples of a pixel jittered.
   RayGenerator(const Camera& camera, ImageSize size, ImageSize whole, Sampling sampling = {})
       : size_(size), sampling_(sampling), eye_(camera.eye) {
     const Vec3d forward = normalize(camera.look_at - camera.eye);
-    const Vec3d right = normalize(cross(forward, camera.up));
+    const Vec3d right = normalize(cross(forward, camera.up)), up = cross(right, forward);
     const double aspect = static_cast<double>(whole.width) / whole.height;
     const double half_width = camera.half_extent() * (camera.extent_axis() == FovAxis::y ? aspect : 1);
     forward_ = Vec3<T>(forward);
     right_ = Vec3<T>(half_width * right);
-    up_ = Vec3<T>(half_width * cross(right, forward));
-    while ((strata_ + 1) * (strata_ + 1) <= sampling.per_pixel) ++strata_;
+    up_ = Vec3<T>(half_width * up);
+    width_ = static_cast<T>(sampling.corners ? size.width - 1 : size.width);
+    const int pixels = sampling.corners ? size.width - 1 : size.width;
+    for (int i = 0; i < size.width; ++i) column_keys_.push_back(fraction_key(2 * i + 1 - size.width, pixels));
+    for (int i = 0; i < size.height; ++i) row_keys_.push_back(fraction_key(size.height - 1 - 2 * i, pixels));
+    lens_right_ = Vec3<T>(right);
+    lens_up_ = Vec3<T>(up);
+    focus_ = static_cast<T>(camera.focus_distance());
+    shutter_open_ = static_cast<T>(camera.shutter_open);
+    shutter_close_ = static_cast<T>(camera.shutter_close);
   }
 
-  /// The ray of a sample: from the eye, of unit length. Counts what it draws.
-  [[nodiscard]] Ray<T> primary_ray(const Pixel& pixel, std::uint64_t& random_draws) const {
+  /// The ray of a sample, of unit length. Counts what it draws.
+  [[nodiscard]] Ray<T> primary_ray(const Pixel& pixel, Statistics& statistics) const {
     T across = static_cast<T>(2 * pixel.column + 1 - size_.width);
     T upwards = static_cast<T>(size_.height - 1 - 2 * pixel.row);
     if (sampling_.per_pixel > 1) {
-      const Vec2<T> moved = offset(pixel);
+      const Vec2<T> moved = offset(pixel, statistics);
       across += moved.x;
       upwards += moved.y;
-      random_draws += 2;
     }
-    const T width = static_cast<T>(sampling_.corners ? size_.width - 1 : size_.width);
-    return {eye_, normalize(forward_ + (across / width) * right_ + (upwards / width) * up_)};
+    const Vec3<T> through = forward_ + (across / width_) * right_ + (upwards / width_) * up_;
+    Ray<T> ray{eye_, normalize(through)};
+    if (lens_radius_ > 0) {
+      // A thin lens: all that leaves it for one pixel meets in one point of the plane in focus.
+      const Vec2<T> on_lens = lens_radius_ * concentric_disk(draw_for(pixel, Effect::depth_of_field, statistics));
+      const Vec3<T> aside = on_lens.x * lens_right_ + on_lens.y * lens_up_;
+      ray.origin = eye_ + aside;
+      ray.direction = normalize(focus_ * through - aside);
+    }
+    ray.time = shutter_open_;
+    if (moves_) {
+      const T share = draw<T>(sampler_, key(pixel, Effect::motion_blur), count());
+      statistics.drew(Effect::motion_blur, 1);
+      ray.time = shutter_open_ + share * (shutter_close_ - shutter_open_);
+    }
+    return ray;
   }
 
   [[nodiscard]] ImageSize size() const { return size_; }
+  [[nodiscard]] const Sampling& sampling() const { return sampling_; }
+  [[nodiscard]] Sampler sampler() const { return sampler_; }
+  /// The samples of a pixel, as samplers count them.
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(sampling_.per_pixel); }
+
+  /// What every draw for a sample of a pixel begins with: an effect, at the end of the primary ray.
+  [[nodiscard]] RandomKey key(const Pixel& pixel, Effect effect) const {
+    return {sampling_.seed, column_keys_[static_cast<std::size_t>(pixel.column)],
+            row_keys_[static_cast<std::size_t>(pixel.row)], static_cast<std::uint32_t>(pixel.sample),
+            static_cast<std::uint32_t>(effect)};
+  }
 
  private:
+  /// A number for the fraction, the same for equal ones: a cell of the strip and the pixel that it equals draw alike.
+  /// Distinct for all pictures up to 32768 x 32768.
+  [[nodiscard]] static std::int32_t fraction_key(int numerator, int denominator) {
+    const int divisor = std::max(std::gcd(numerator, denominator), 1);
+    const auto above = static_cast<std::uint32_t>(numerator / divisor);
+    return static_cast<std::int32_t>(above << 16 ^ static_cast<std::uint32_t>(denominator / divisor));
+  }
+
+  [[nodiscard]] Vec2<T> draw_for(const Pixel& pixel, Effect effect, Statistics& statistics) const {
+    statistics.drew(effect, 2);
+    return draw_pair<T>(sampler_, key(pixel, effect), count());
+  }
+
   /// From the pixel's centre, in half pixels, each in [-1, 1).
-  [[nodiscard]] Vec2<T> offset(const Pixel& pixel) const {
-    RandomKey key{sampling_.seed, 2 * pixel.column + 1 - size_.width, 2 * pixel.row + 1 - size_.height,
-                  static_cast<std::uint32_t>(pixel.sample), static_cast<std::uint32_t>(Effect::antialiasing)};
-    const T u = random_unit<T>(key);
-    key.dimension = 1;
-    const T v = random_unit<T>(key);
-    if (pixel.sample >= strata_ * strata_) return {2 * u - 1, 2 * v - 1};
-    const T cells = static_cast<T>(strata_);
-    const int column = pixel.sample % strata_;
-    const int row = pixel.sample / strata_;
-    const T x = (static_cast<T>(column) + u) / cells;
-    const T y = (static_cast<T>(row) + v) / cells;
-    return {2 * x - 1, 2 * y - 1};
+  [[nodiscard]] Vec2<T> offset(const Pixel& pixel, Statistics& statistics) const {
+    const Vec2<T> unit = draws_ ? draw_for(pixel, Effect::antialiasing, statistics) : fixed_place(pixel.sample);
+    return {2 * unit.x - 1, 2 * unit.y - 1};
+  }
+
+  /// Where sample `sample` falls when nothing is drawn: the first ones in a k x k grid, what is left over in one row.
+  [[nodiscard]] Vec2<T> fixed_place(int sample) const {
+    int edge = 1;
+    while ((edge + 1) * (edge + 1) <= sampling_.per_pixel) ++edge;
+    const int square = edge * edge, left_over = sampling_.per_pixel - square;
+    if (sample >= square) return {(static_cast<T>(sample - square) + T(0.5)) / static_cast<T>(left_over), T(0.5)};
+    return {(static_cast<T>(sample % edge) + T(0.5)) / static_cast<T>(edge),
+            (static_cast<T>(sample / edge) + T(0.5)) / static_cast<T>(edge)};
   }
 
   ImageSize size_;
   Sampling sampling_;
-  int strata_ = 1;
+  Sampler sampler_ = Sampler::jittered;
+  bool draws_ = true, moves_ = false;
+  std::vector<std::int32_t> column_keys_, row_keys_;
+  T width_;                             ///< pixels across the picture
   Vec3<T> eye_, forward_, right_, up_;  ///< right and up as long as half the image's width at distance 1
+  T lens_radius_ = 0, focus_;           ///< radius 0: nothing is drawn for the lens
+  Vec3<T> lens_right_, lens_up_;        ///< unit length
+  T shutter_open_, shutter_close_;
 };
 
 }  // namespace raywalk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/query.h"
+#include "scene/effects.h"
 #include "trace/event.h"
 
 #include <array>
@@ -13,9 +14,15 @@ struct Statistics {
   std::array<std::uint64_t, ray_kind_count> rays{};
   std::array<std::uint64_t, ending_count> ended{};
   TestCounts tests;
-  std::uint64_t random_draws = 0;
-  std::uint64_t not_finite = 0;  ///< final shades that are NaN or infinite: failures, each one
+  std::uint64_t random_draws = 0;                   ///< numbers drawn, of all effects together
+  std::array<std::uint64_t, effect_count> draws{};  ///< and of each
+  std::uint64_t not_finite = 0;                     ///< final shades that are NaN or infinite: failures, each one
 
+  void drew(Effect effect, int numbers) {
+    random_draws += static_cast<std::uint64_t>(numbers);
+    draws[static_cast<std::size_t>(effect)] += static_cast<std::uint64_t>(numbers);
+  }
+  [[nodiscard]] std::uint64_t drawn(Effect effect) const { return draws[static_cast<std::size_t>(effect)]; }
   std::uint64_t& formed(RayKind kind) { return rays[static_cast<std::size_t>(kind)]; }
   [[nodiscard]] std::uint64_t formed(RayKind kind) const { return rays[static_cast<std::size_t>(kind)]; }
   std::uint64_t& ends(Ending ending) { return ended[static_cast<std::size_t>(ending)]; }
@@ -27,6 +34,7 @@ struct Statistics {
     tests.nodes += other.tests.nodes;
     tests.primitives += other.tests.primitives;
     random_draws += other.random_draws;
+    for (std::size_t i = 0; i < draws.size(); ++i) draws[i] += other.draws[i];
     not_finite += other.not_finite;
     return *this;
   }

@@ -1,6 +1,8 @@
 #pragma once
 // The tracer: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980, with Blinn's highlight
-// (1977). `main_algorithm` and `shade` are the two procedures that the visualiser shows; every comment of the form of a
+// (1977); distributed: R. Cook, T. Porter and L. Carpenter, "Distributed ray tracing", SIGGRAPH 1984, which sends each
+// of the same rays to a place that is drawn: on the light, in the lobe, on the lens, in the shutter's time.
+// `main_algorithm` and `shade` are the two procedures that the visualiser shows; every comment of the form of a
 // pseudocode line heads the statement that the line names, and a test holds the texts together. What a statement does
 // stands in the function it calls, below (trace/tracer_steps.h).
 
@@ -11,6 +13,9 @@
 #include "trace/world.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
 
 namespace raywalk {
 
@@ -48,12 +53,27 @@ class Tracer {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
  private:
+  /// Place of a ray in the ray tree, which draws are keyed by; only kernels that draw carry it along.
+  struct Branch {
+    std::uint64_t path = 0;
+  };
+  /// The transmitting object that a ray travels in, where that is known; only kernels that refract carry it along.
+  struct Medium {
+    const typename World<T>::Surface* surface = nullptr;
+  };
+  template <class Member>
+  struct Without {};
+  template <bool Has, class Member>
+  using Only = std::conditional_t<Has, Member, Without<Member>>;
+  static constexpr bool draws = Policy::effects.penumbra || Policy::effects.lobes;
   /// A ray on its way: what it is, and the largest part of the pixel it can bring.
   struct Traced {
     Ray<T> ray;
     RayKind kind;
     Rgb<T> share;
     int number;  ///< in the recording; 0 when nobody watches
+    [[no_unique_address]] Only<draws, Branch> branch{};
+    [[no_unique_address]] Only<Policy::effects.refraction, Medium> medium{};
   };
   using Nearest = std::optional<Hit<T>>;
   /// The hit, made ready for SHADE: place, normal and the weights that "If reflective" and "If transparent" test.
@@ -66,15 +86,17 @@ class Tracer {
     const Shading at = prepare(ray, hit);
     Direct direct;
     for (const Lamp& lamp : world_.lamps) {
-      // Form shadow ray
-      const auto shadow = form_shadow_ray(depth, at, ray, lamp);
-      if (!shadow) {
-        add_unlit(direct, lamp);
-        continue;
+      for (int sample = 0; sample < samples_of(lamp); ++sample) {
+        // Form shadow ray
+        const auto shadow = form_shadow_ray(depth, at, ray, lamp, sample);
+        if (!shadow) {
+          add_unlit(direct, lamp);
+          continue;
+        }
+        // Find intersection
+        const Rgb<T> visible = find_intersection(depth, *shadow, lamp);
+        add_light(direct, at, ray, lamp, shadow->ray, visible);
       }
-      // Find intersection
-      const Rgb<T> visible = find_intersection(depth, *shadow, lamp);
-      add_light(direct, at, ray, lamp, shadow->ray, visible);
     }
     Rgb<T> reflected{0}, refracted{0};
     if constexpr (Policy::effects.reflection) {
@@ -112,14 +134,18 @@ class Tracer {
 
   void begin(const Pixel& pixel);
   Traced form_primary_ray(const Pixel& pixel);
-  std::optional<Traced> form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp);
+  std::optional<Traced> form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample);
   std::optional<Traced> form_reflect_ray(int depth, const Shading& at, const Traced& ray);
   std::optional<Traced> form_refract_ray(int depth, const Shading& at, const Traced& ray);
+  template <class Draw>
   std::optional<Traced> form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
-                                           const Vec3<T>& direction, const Rgb<T>& weight);
+                                           const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction);
   Nearest find_closest(Line line, int depth, const Traced& ray);
   Rgb<T> find_intersection(int depth, const Traced& shadow, const Lamp& lamp);
   Rgb<T> light_passed(const Ray<T>& shadow, T t_max);
+  [[nodiscard]] static int samples_of(const Lamp& lamp);
+  Vec3<T> light_point(const Traced& ray, const Lamp& lamp, int sample);
+  Vec3<T> spread(const Traced& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& side, Effect effect);
   bool decide_intersected(const Nearest& nearest);
   bool decide_reflective(int depth, const Shading& at);
   bool decide_transparent(int depth, const Shading& at);
@@ -147,9 +173,11 @@ class Tracer {
   const RayGenerator<T>& camera_;
   Observer& observer_;
   Statistics statistics_;
-  int rays_formed_ = 0;  ///< numbers the rays of a recording
+  [[no_unique_address]] Only<draws, RandomKey> key_{};  ///< of the sample under way
+  int rays_formed_ = 0;                                 ///< numbers the rays of a recording
 };
 
 }  // namespace raywalk
 
+#include "trace/tracer_draws.h"
 #include "trace/tracer_steps.h"

@@ -34,6 +34,12 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
           Vec3d(point.normal), Rgbd(1.0), explanation.numbers};
 }
 
+/// What is left of light after a way inside an object that absorbs it (A. Beer 1852).
+template <class T>
+Rgb<T> left_after(const Rgb<T>& absorption, T way) {
+  return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
+}
+
 template <class T>
 bool even_square(const Vec2<T>& uv, T size) {
   const T half = (std::floor(uv.x / size) + std::floor(uv.y / size)) / 2;
@@ -52,6 +58,8 @@ struct Tracer<Policy>::Shading {
   Rgb<T> reflection, transmission;  ///< kr' and kt'
   T n1 = 1, n2 = 1;
   Refraction<T> refraction{};  ///< where the surface transmits
+  bool entering = true;        ///< the ray comes from outside
+  Rgb<T> passed{1};            ///< what the ray's way through an absorbing object leaves
 };
 
 template <class Policy>
@@ -61,19 +69,23 @@ struct Tracer<Policy>::Direct {
 
   void add(const Lamp& lamp, const Rgb<T>& diffuse, const Rgb<T>& specular) {
     sum += diffuse + specular;
-    if constexpr (Observer::watches) terms.push_back({lamp.index, Rgbd(diffuse), Rgbd(specular)});
+    if constexpr (Observer::watches) {
+      if (terms.empty() || terms.back().light != lamp.index) terms.push_back({lamp.index});
+      terms.back().diffuse += Rgbd(diffuse);
+      terms.back().specular += Rgbd(specular);
+    }
   }
 };
 
 template <class Policy>
 void Tracer<Policy>::begin(const Pixel& pixel) {
+  if constexpr (draws) key_ = camera_.key(pixel, Effect::penumbra);
   note(Line::for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
 }
 
 template <class Policy>
 auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  const Traced primary{camera_.primary_ray(pixel, statistics_.random_draws), RayKind::primary, Rgb<T>(1),
-                       rays_formed_++};
+  const Traced primary{camera_.primary_ray(pixel, statistics_), RayKind::primary, Rgb<T>(1), rays_formed_++};
   ++statistics_.formed(RayKind::primary);
   note(Line::form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -134,8 +146,17 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
       at.ambient *= colour;
       at.diffuse *= colour;
     }
+    if (surface.picture) {
+      const Rgb<T> colour = surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part));
+      at.ambient *= colour;
+      at.diffuse *= colour;
+    }
   }
   if constexpr (Policy::effects.refraction) {
+    at.entering = entering;
+    const Surface* through = ray.medium.surface;
+    if (through == nullptr && !entering) through = &surface;
+    if (through != nullptr && through->absorbs) at.passed = detail::left_after(through->absorption, hit.t);
     if (surface.transmits) {
       at.n1 = entering ? T(1) : surface.ior;
       at.n2 = entering ? surface.ior : T(1);
@@ -154,23 +175,27 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp)
+auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample)
     -> std::optional<Traced> {
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
-  const Vec3<T> to_light = lamp.directional ? lamp.place : lamp.place - at.position;
-  if (!(dot(at.normal, to_light) > 0) && !at.surface->lit_from_behind) {
-    ++statistics_.ends(Ending::facing_away);
+  const Vec3<T> to_light = lamp.directional ? lamp.place : light_point(ray, lamp, sample) - at.position;
+  const bool faces = dot(at.normal, to_light) > 0 || at.surface->lit_from_behind;
+  if (!faces || (lamp.spot && !lamp.shines_along(to_light))) {
+    const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
+    ++statistics_.ends(why);
     note(Line::form_shadow_ray, depth, [&] {
-      return RayNotFormed{ray.number,      RayKind::shadow, Ending::facing_away, Vec3d(at.position),
-                          Vec3d(to_light), Rgbd(ray.share), lamp.index};
+      return RayNotFormed{ray.number,      RayKind::shadow, why,        Vec3d(at.position),
+                          Vec3d(to_light), Rgbd(ray.share), lamp.index, sample};
     });
     return std::nullopt;
   }
-  const Traced shadow{{at.position, to_light, at.departure}, RayKind::shadow, ray.share, rays_formed_++};
+  const Traced shadow{{at.position, to_light, at.departure, ray.ray.time}, RayKind::shadow, ray.share, rays_formed_++};
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
-    return RayFormed{shadow.number,   ray.number,      RayKind::shadow, Vec3d(at.position),
-                     Vec3d(to_light), Rgbd(ray.share), lamp.index,      !lamp.directional};
+    RayFormed event{shadow.number,   ray.number,      RayKind::shadow, Vec3d(at.position),
+                    Vec3d(to_light), Rgbd(ray.share), lamp.index,      !lamp.directional};
+    event.light_sample = sample;
+    return event;
   });
   return shadow;
 }
@@ -216,8 +241,13 @@ auto Tracer<Policy>::light_passed(const Ray<T>& shadow, T t_max) -> Rgb<T> {
       ++statistics_.tests.primitives;
       const auto crossing = primitives.intersect(id, rest, reach);
       if (!crossing) break;
-      passed *= world_.surface(id).transmission;
-      rest.origin = primitives.surface_at(id, rest, *crossing).position;
+      const Surface& surface = world_.surface(id);
+      const SurfacePoint<T> point = primitives.surface_at(id, rest, *crossing);
+      passed *= surface.filter;
+      if (surface.absorbs &&
+          dot(point.normal, rest.direction) > 0)  // it leaves, and was inside since the crossing before
+        passed *= detail::left_after(surface.absorption, length(point.position - rest.origin));
+      rest.origin = point.position;
       rest.departure = {id, crossing->part};
       reach -= crossing->t;
     }
@@ -236,8 +266,10 @@ void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& 
   if (is_black(visible)) return add_unlit(direct, lamp);
   const T distance = lamp.directional ? T(1) : length(shadow.direction);
   const T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
-  const Rgb<T> light = visible * lamp.strength * (1 / attenuation);
+  Rgb<T> light = visible * lamp.strength * (1 / attenuation);
   const Vec3<T> l = shadow.direction * (1 / distance);
+  if (lamp.spot) light *= spot_falloff(-dot(l, lamp.axis), lamp.cos_inner, lamp.cos_outer);
+  if constexpr (Policy::effects.penumbra) light *= lamp.share;
   const T n_l = std::max(dot(at.normal, l), T(0));  // below 0 only where a light behind may show
   Rgb<T> specular{0};
   if (!is_black(at.surface->specular)) {
@@ -271,30 +303,44 @@ bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
 template <class Policy>
 auto Tracer<Policy>::form_reflect_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
   const Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.normal));
-  return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection);
+  return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection,
+                            [&] { return spread(ray, direction, at.surface->gloss, at.normal, Effect::gloss); });
 }
 
 template <class Policy>
 auto Tracer<Policy>::form_refract_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
   const Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
-  return form_secondary_ray(Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission);
+  return form_secondary_ray(Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission, [&] {
+    return spread(ray, direction, at.surface->translucency, -at.normal, Effect::translucency);
+  });
 }
 
-/// Both limits are tested before the ray is formed.
+/// Both limits are tested before the ray is formed, and before anything is drawn for it: `sharp` is the middle of its
+/// lobe.
 template <class Policy>
+template <class Draw>
 auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
-                                        const Vec3<T>& direction, const Rgb<T>& weight) -> std::optional<Traced> {
-  const Rgb<T> share = parent.share * weight;
+                                        const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction)
+    -> std::optional<Traced> {
+  const Rgb<T> share = parent.share * at.passed * weight;
   const bool too_deep = depth + 1 > world_.depth;
   if (too_deep || max_component(share) < world_.threshold) {
     const Ending why = too_deep ? Ending::depth : Ending::threshold;
     ++statistics_.ends(why);
     note(line, depth,
-         [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(direction), Rgbd(share)}; });
+         [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(sharp), Rgbd(share)}; });
     return std::nullopt;
   }
-  const Traced formed{{at.position, direction, at.departure}, kind, share, rays_formed_++};
+  const Vec3<T> direction = draw_direction();
+  Traced formed{{at.position, direction, at.departure, parent.ray.time}, kind, share, rays_formed_++};
+  if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
+  if constexpr (Policy::effects.refraction) {
+    if (kind == RayKind::refract)
+      formed.medium.surface = at.entering ? at.surface : nullptr;
+    else
+      formed.medium.surface = at.entering ? parent.medium.surface : at.surface->transmits ? at.surface : nullptr;
+  }
   ++statistics_.formed(kind);
   note(line, depth, [&] {
     RayFormed event{formed.number, parent.number, kind, Vec3d(at.position), Vec3d(direction), Rgbd(share)};
@@ -312,11 +358,13 @@ template <class Policy>
 auto Tracer<Policy>::compute_rtnshade(int depth, const Shading& at, const Direct& direct, const Rgb<T>& reflected,
                                       const Rgb<T>& refracted) -> Rgb<T> {
   const Rgb<T> ambient = at.ambient * world_.ambient;
-  const Rgb<T> total = ambient + at.surface->emission + direct.sum + reflected + refracted;
+  Rgb<T> total = ambient + at.surface->emission + direct.sum + reflected + refracted;
+  if constexpr (Policy::effects.refraction) total *= at.passed;
   if constexpr (Observer::watches)
     note(Line::compute_rtnshade, depth, [&] {
-      return ShadeComputed{Rgbd(ambient), Rgbd(at.surface->emission), direct.terms, Rgbd(reflected), Rgbd(refracted),
-                           Rgbd(total)};
+      return ShadeComputed{
+          Rgbd(ambient),  Rgbd(at.surface->emission), direct.terms, Rgbd(reflected), Rgbd(refracted), Rgbd(total),
+          Rgbd(at.passed)};
     });
   return total;
 }

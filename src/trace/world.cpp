@@ -1,13 +1,23 @@
 #include "trace/world.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace raywalk {
 
 namespace {
 
+constexpr double degree = std::numbers::pi / 180;
+
+/// 1 - cos of half an angle in degrees.
 template <class T>
-typename World<T>::Surface surface_of(const Material& m) {
+T lobe(double degrees) {
+  return static_cast<T>(one_minus_cos_of(degrees * degree));
+}
+
+template <class T>
+typename World<T>::Surface surface_of(const Material& m, Integrator integrator) {
   typename World<T>::Surface surface{Rgb<T>(m.ambient),
                                      Rgb<T>(m.diffuse),
                                      Rgb<T>(m.specular),
@@ -21,25 +31,75 @@ typename World<T>::Surface surface_of(const Material& m) {
                                      m.shadow == ShadowKind::filtered && m.transmits(),
                                      m.normal == ShadingNormal::fixed,
                                      m.normal == ShadingNormal::fixed && !is_black(m.specular),
+                                     {},
                                      {}};
+  if (m.texture && m.texture->pixels)
+    surface.picture = {m.texture->pixels, static_cast<T>(m.texture->width), static_cast<T>(m.texture->height)};
+  surface.absorption = Rgb<T>(m.absorption);
+  surface.absorbs = m.transmits() && !is_black(m.absorption);
+  surface.filter = surface.transmission;
+  if (draws_random(integrator)) {
+    surface.gloss = lobe<T>(m.gloss);
+    surface.translucency = lobe<T>(m.translucency);
+  }
+  if (integrator == Integrator::cast) {
+    surface.reflection = surface.transmission = Rgb<T>(0);
+    surface.transmits = false;
+  }
   if (m.checker) surface.checker = {Rgb<T>(m.checker->even), Rgb<T>(m.checker->odd), static_cast<T>(m.checker->size)};
   return surface;
 }
 
 template <class T>
-typename World<T>::Lamp lamp_of(int index, const Light& light) {
+void set(typename World<T>::Lamp& lamp, const Attenuation& attenuation) {
+  lamp.constant = static_cast<T>(attenuation.constant);
+  lamp.linear = static_cast<T>(attenuation.linear);
+  lamp.quadratic = static_cast<T>(attenuation.quadratic);
+}
+
+// One overload a kind: a kind without one does not compile.
+template <class T>
+void set(typename World<T>::Lamp& lamp, const PointLight& light) {
+  set<T>(lamp, light.attenuation);
+}
+template <class T>
+void set(typename World<T>::Lamp& lamp, const DirectionalLight& light) {
+  lamp.directional = true;
+  lamp.place = Vec3<T>(normalize(light.direction));
+}
+template <class T>
+void set(typename World<T>::Lamp& lamp, const SpotLight& light) {
+  lamp.spot = true;
+  lamp.axis = Vec3<T>(normalize(light.look_at - light.position));
+  lamp.cos_inner = static_cast<T>(std::cos(light.inner_angle / 2 * degree));
+  lamp.cos_outer = static_cast<T>(std::cos(light.angle / 2 * degree));
+  set<T>(lamp, light.attenuation);
+}
+template <class T>
+void set(typename World<T>::Lamp& lamp, const SphereLight& light) {
+  lamp.extent = World<T>::Extent::sphere;
+  lamp.radius = static_cast<T>(light.radius);
+  set<T>(lamp, light.attenuation);
+}
+template <class T>
+void set(typename World<T>::Lamp& lamp, const RectangleLight& light) {
+  lamp.extent = World<T>::Extent::rectangle;
+  lamp.corner = Vec3<T>(light.corner);
+  lamp.u = Vec3<T>(light.u);
+  lamp.v = Vec3<T>(light.v);
+  set<T>(lamp, light.attenuation);
+}
+
+template <class T>
+typename World<T>::Lamp lamp_of(int index, const Scene& scene, bool draws) {
+  const Light& light = scene.lights[static_cast<std::size_t>(index)];
   typename World<T>::Lamp lamp{index, Rgb<T>(light.strength), false, Vec3<T>(0), 1, 0, 0};
-  if (const auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
-    lamp.directional = true;
-    lamp.place = Vec3<T>(normalize(sun->direction));
-  } else if (const auto* point = std::get_if<PointLight>(&light.kind); point == nullptr) {
-    lamp.place = Vec3<T>(*middle_of(light));
-  } else {
-    lamp.place = Vec3<T>(point->position);
-    lamp.constant = static_cast<T>(point->attenuation.constant);
-    lamp.linear = static_cast<T>(point->attenuation.linear);
-    lamp.quadratic = static_cast<T>(point->attenuation.quadratic);
-  }
+  if (const auto middle = middle_of(light)) lamp.place = Vec3<T>(*middle);
+  std::visit([&](const auto& kind) { set<T>(lamp, kind); }, light.kind);
+  lamp.grid = light_grid_of(scene, light);
+  lamp.share = T(1) / static_cast<T>(lamp.samples());
+  // Where nothing is drawn, a light of one point is its middle.
+  if (!is_area(light) || (!draws && lamp.grid == 1)) lamp.extent = World<T>::Extent::none;
   return lamp;
 }
 
@@ -63,9 +123,10 @@ World<T>::World(const Scene& scene, AcceleratorKind kind)
       ambient(scene.ambient),
       depth(scene.limits.depth),
       threshold(static_cast<T>(scene.limits.threshold)),
-      effects(effects_of(scene)) {
+      effects(effects_of(scene)),
+      draws(draws_random(integrator_of(scene))) {
   for (const Object& object : scene.objects) {
-    surfaces.push_back(surface_of<T>(object.material));
+    surfaces.push_back(surface_of<T>(object.material, integrator_of(scene)));
     const bool filters = surfaces.back().filters_shadows;
     const int id = static_cast<int>(filters_shadows.size()), same = accelerator.primitives().first_equal(id);
     // Of two that filter in the same place, only the first is there.
@@ -75,7 +136,11 @@ World<T>::World(const Scene& scene, AcceleratorKind kind)
   const bool all_stop = std::all_of(stops_shadows.begin(), stops_shadows.end(), [](auto stops) { return stops != 0; });
   if (all_stop) filters_shadows.clear(), stops_shadows.clear();
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (!is_black(scene.lights[i].strength)) lamps.push_back(lamp_of<T>(static_cast<int>(i), scene.lights[i]));
+    if (!is_black(scene.lights[i].strength)) lamps.push_back(lamp_of<T>(static_cast<int>(i), scene, draws));
+  for (std::uint32_t dimension = 0; Lamp & lamp : lamps) {
+    lamp.first_dimension = dimension;
+    dimension += 2 * static_cast<std::uint32_t>(lamp.samples());
+  }
 }
 
 template struct World<float>;

@@ -3,7 +3,10 @@
 #include "accel/accelerator.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
+#include "trace/sampling.h"
+#include "trace/texture.h"
 
+#include <memory>
 #include <vector>
 
 namespace raywalk {
@@ -17,6 +20,17 @@ struct World {
     T size;
   };
 
+  /// An image on a surface.
+  struct Picture {
+    std::shared_ptr<const TexturePixels> texture;
+    T width, height;  ///< of one copy
+
+    /// Its colour at a place of the surface.
+    [[nodiscard]] Rgb<T> at(const Vec2<T>& uv) const {
+      return texture_colour<T>(*texture, uv.x / width, uv.y / height);
+    }
+  };
+
   struct Surface {
     Rgb<T> ambient, diffuse, specular, reflection, transmission, emission;
     T shininess, ior;
@@ -24,7 +38,15 @@ struct World {
     bool fixed_normal;     ///< the shading normal does not turn to face the ray
     bool lit_from_behind;  ///< and a light behind it may show its highlight
     std::optional<Pattern> checker;
+    std::optional<Picture> picture;
+    Rgb<T> absorption{0};  ///< per unit of length inside
+    bool absorbs = false;  ///< transmits, and absorption is not black
+    Rgb<T> filter{1};      ///< of shadow rays, at each crossing
+    /// 1 - cos of the half angle of the lobes about the mirrored and the refracted direction; 0 for sharp ones.
+    T gloss = 0, translucency = 0;
   };
+
+  enum class Extent : std::uint8_t { none, sphere, rectangle };
 
   struct Lamp {
     int index;        ///< in Scene::lights
@@ -32,6 +54,35 @@ struct World {
     bool directional;
     Vec3<T> place;  ///< position, or unit direction from any surface to a directional light
     T constant, linear, quadratic;
+
+    bool spot = false;
+    Vec3<T> axis{0};  ///< of a spot, unit length, the way it shines
+    T cos_inner = 0, cos_outer = 0;
+    /// Whether a spot reaches a place; `to_light`: from there to the light.
+    [[nodiscard]] bool shines_along(const Vec3<T>& to_light) const {
+      return -dot(to_light, axis) > cos_outer * length(to_light);
+    }
+
+    Extent extent = Extent::none;       ///< none also where the middle stands for the whole
+    int grid = 1;                       ///< grid * grid points are tried from a hit
+    T share = 1;                        ///< of each: 1 / samples()
+    std::uint32_t first_dimension = 0;  ///< of its draws, two a point
+    T radius = 0;
+    Vec3<T> corner{0}, u{0}, v{0};
+
+    [[nodiscard]] int samples() const { return grid * grid; }
+    /// The point of the light at a place of the unit square, its area evenly spread.
+    [[nodiscard]] Vec3<T> point_at(const Vec2<T>& unit) const {
+      switch (extent) {
+        case Extent::none:
+          break;
+        case Extent::sphere:
+          return place + radius * uniform_sphere(unit);
+        case Extent::rectangle:
+          return corner + unit.x * u + unit.y * v;
+      }
+      return place;
+    }
   };
 
   explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic);
@@ -43,6 +94,7 @@ struct World {
   int depth;
   T threshold;
   Effects effects;
+  bool draws;  ///< lights and lobes are sampled at random; else lights in fixed places
   /// By primitive: whether it lets shadow rays through weighted, or stops them. Empty when all of them stop.
   std::vector<std::uint8_t> filters_shadows, stops_shadows;
 

@@ -116,8 +116,9 @@ void draw_rays(Painter& painter) {
 
   const auto is_drawn = [&](int index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-    // A light behind the surface is no limit that was met: its stub goes with its pixel.
-    return ray.pixel == pixel || ray.formed || ray.ending != Ending::facing_away;
+    // A light that cannot reach the surface is no limit that was met: its stub goes with its pixel.
+    return ray.pixel == pixel || ray.formed ||
+           (ray.ending != Ending::facing_away && ray.ending != Ending::outside_cone);
   };
   for (int index = 0; index < count; ++index) {
     if (index == current || is_lit(painter.state, index) || !is_drawn(index)) continue;

@@ -38,6 +38,8 @@ std::string_view text(Ending ending) {
       return "not formed: path length";
     case Ending::facing_away:
       return "not formed: faces away from the light";
+    case Ending::outside_cone:
+      return "not formed: outside the light's cone";
   }
   return "";
 }
@@ -63,6 +65,8 @@ std::string_view symbol(Ending ending) {
       return "L";
     case Ending::facing_away:
       return "/";
+    case Ending::outside_cone:
+      return "v";
   }
   return "";
 }
@@ -93,6 +97,8 @@ std::string_view template_of(MessageId id) {
       return "A shadow ray leaves {0} towards {1}.";
     case MessageId::shadow_facing_away:
       return "No shadow ray is formed: here {0} faces away from {1}, which cannot light it.";
+    case MessageId::shadow_outside_cone:
+      return "No shadow ray is formed: {0} lies outside the cone that {1} shines into.";
     case MessageId::light_reached:
       return "The shadow ray reaches {0}: its light arrives.";
     case MessageId::light_filtered:

@@ -26,6 +26,7 @@ std::string label_of(const Scene& scene, const RayRecord& ray) {
     case Ending::total_internal_reflection:
     case Ending::path_length:
     case Ending::facing_away:
+    case Ending::outside_cone:
       break;
   }
   const std::string why(text(ray.ending));

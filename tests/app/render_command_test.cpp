@@ -103,9 +103,9 @@ TEST_CASE("the statistics hold what is promised, and add up") {
   for (const std::string ending : {"hit", "missed", "blocked", "reached_light"})
     endings += ended.at(ending).get<std::uint64_t>();
   CHECK(formed == endings);
-  for (const std::string ending : {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away"})
+  for (const std::string ending : {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away", "outside_cone"})
     CHECK(ended.at(ending).is_number_unsigned());
-  CHECK(ended.size() == 9);
+  CHECK(ended.size() == 10);
   CHECK(json.at("tests").at("primitives").get<std::uint64_t>() > 0);
   CHECK(json.at("tests").at("nodes").is_number_unsigned());
   CHECK(json.at("random_draws") == 2 * 441 * 331 * 4);

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   const World<double> world(document->scene);
-  const RayGenerator<double> camera(document->scene.camera, size, size);
+  const RayGenerator<double> camera(document->scene, size, size);
   raywalk_trace_phase(world, camera, {0, size.width, 0, size.height});
   std::printf("%.17g %.17g %.17g\n", sum.x, sum.y, sum.z);
   return 0;

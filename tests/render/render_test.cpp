@@ -35,7 +35,7 @@ struct Watched {
 template <class T>
 Watched<T> render_watched(const Scene& scene, ImageSize size, const Sampling& sampling) {
   const World<T> world(scene);
-  const RayGenerator<T> camera(scene.camera, size, size, sampling);
+  const RayGenerator<T> camera(scene, size, size, sampling);
   Watched<T> result{Film<T>(size), {}, {}};
   PixelBlock block{0, size.width, 0, size.height};
   for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample)
@@ -150,11 +150,12 @@ TEST_CASE("the rays formed are those that ended, and unused effects draw nothing
           s.ends(Ending::hit) + s.ends(Ending::missed) + s.ends(Ending::blocked) + s.ends(Ending::reached_light));
     CHECK(s.formed(RayKind::primary) == static_cast<std::uint64_t>(small.width * small.height));
     CHECK(s.formed(RayKind::shadow) == s.ends(Ending::blocked) + s.ends(Ending::reached_light));
-    CHECK(s.random_draws == 0);
+    for (int i = 0; i < effect_count; ++i)
+      if (!one.effects.used(static_cast<Effect>(i))) CHECK(s.draws[static_cast<std::size_t>(i)] == 0);
     CHECK(s.not_finite == 0);
     CHECK_FALSE(one.effects.used(Effect::antialiasing));
     const auto three = render(named.scene, {small, Sampling{3}}).value();
-    CHECK(three.statistics.random_draws == 6 * s.formed(RayKind::primary));
+    CHECK(three.statistics.drawn(Effect::antialiasing) == 6 * s.formed(RayKind::primary));
     CHECK(three.effects.used(Effect::antialiasing));
   }
 }

@@ -20,6 +20,7 @@ Scene scene_of_all_messages() {
   scene.limits = {4, 0.02};
   scene.lights.push_back({"Lamp", Rgbd(1.0), PointLight{Vec3d(-1, 4, 0), {}}});
   scene.lights.push_back({"Sun", Rgbd(0.3), DirectionalLight{Vec3d(0.3, -1, 0)}});
+  scene.lights.push_back({"Spot", Rgbd(0.2), SpotLight{Vec3d(-6, 3, 0), Vec3d(1, -3.2, 0), 20, 10, {}}});
   Material mirror, glass, dark_glass;
   mirror.reflection = Rgbd(0.6);
   glass.reflection = Rgbd(0.1);

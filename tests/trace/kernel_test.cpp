@@ -32,12 +32,19 @@ Scene scene_for(const HitEffects& set) {
     if (!set.reflection) material.reflection = Rgbd(0.0);
     if (!set.refraction) material.transmission = Rgbd(0.0);
     if (!set.textures) material.checker = std::nullopt;
+    if (set.lobes) material.gloss = 4, material.translucency = 3;
+  }
+  if (set.penumbra) {
+    scene.lights[0].kind = SphereLight{{-3, 3, 2}, 0.7, 2, {0.5, 0.1, 0.05}};
+    scene.lights.push_back({"Panel", Rgbd(0.5), RectangleLight{{-2, -3, 1}, {1, 0, 0}, {0, 0, 1}, 1, {}}});
   }
   return scene;
 }
 
-constexpr HitEffects sets[] = {{false, false, false}, {false, false, true}, {true, false, false},
-                               {true, false, true},   {true, true, false},  {true, true, true}};
+constexpr HitEffects sets[] = {{false, false, false, false, false}, {false, false, true, true, false},
+                               {true, false, false, true, true},    {true, false, true, false, false},
+                               {true, true, false, false, true},    {true, true, false, true, false},
+                               {true, true, true, false, false},    {true, true, true, true, true}};
 
 struct Counter final : Observer {
   std::uint64_t events = 0;
@@ -64,7 +71,7 @@ TEMPLATE_TEST_CASE("watched and unwatched give the same bits and the same counts
 TEMPLATE_TEST_CASE("each kernel gives the bits of the kernel with every effect", "", float, double) {
   using T = TestType;
   for (const HitEffects& set : sets) {
-    CAPTURE(set.reflection, set.refraction, set.textures);
+    CAPTURE(set.reflection, set.refraction, set.textures, set.penumbra, set.lobes);
     const Scene scene = scene_for(set);
     REQUIRE(hit_effects(effects_of(scene)) == set);
     const auto fitting = picture<T>(scene, 63, 45);
@@ -76,17 +83,24 @@ TEMPLATE_TEST_CASE("each kernel gives the bits of the kernel with every effect",
   }
 }
 
-TEST_CASE("the kernels are six different ones") {
+TEST_CASE("the kernels are different ones") {
   // Each drops what a scene that needs it would miss: the fitting kernel differs from every smaller one.
-  const Scene scene = busy_scene();
+  const Scene scene = scene_for(all_hit_effects);
   const auto full = picture<double>(scene, 45, 31);
   const auto by = [&](auto run) { return picture_by<double>(scene, 45, 31, {}, run); };
-  CHECK_FALSE(same_bits(
-      full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{true, true, false}>(a...); })));
-  CHECK_FALSE(same_bits(
-      full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{true, false, true}>(a...); })));
-  CHECK_FALSE(same_bits(
-      full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{false, false, true}>(a...); })));
+  CHECK(same_bits(full, by([](const auto&... a) { return detail::run_kernel<double, all_hit_effects>(a...); })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) {
+                          return detail::run_kernel<double, HitEffects{true, true, false, true, true}>(a...);
+                        })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) {
+                          return detail::run_kernel<double, HitEffects{true, false, true, true, true}>(a...);
+                        })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) {
+                          return detail::run_kernel<double, HitEffects{true, true, true, false, true}>(a...);
+                        })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) {
+                          return detail::run_kernel<double, HitEffects{true, true, true, true, false}>(a...);
+                        })));
 }
 
 TEST_CASE("effects that are not called for fire no ray and draw no number") {
@@ -95,7 +109,11 @@ TEST_CASE("effects that are not called for fire no ray and draw no number") {
     CHECK((statistics.formed(RayKind::reflect) > 0) == set.reflection);
     CHECK((statistics.formed(RayKind::refract) > 0) == set.refraction);
     CHECK((statistics.ends(Ending::total_internal_reflection) > 0) == set.refraction);
-    CHECK(statistics.random_draws == 0);
+    CHECK((statistics.drawn(Effect::penumbra) > 0) == set.penumbra);
+    CHECK((statistics.drawn(Effect::gloss) > 0) == set.lobes);
+    CHECK((statistics.drawn(Effect::translucency) > 0) == (set.lobes && set.refraction));
+    CHECK(statistics.random_draws == statistics.drawn(Effect::penumbra) + statistics.drawn(Effect::gloss) +
+                                         statistics.drawn(Effect::translucency));
     CHECK(statistics.formed(RayKind::shadow) > 0);
   }
   Scene dark = busy_scene();
@@ -141,7 +159,7 @@ TEMPLATE_TEST_CASE("blocks and strides cut the picture without changing it", "",
   const Scene scene = busy_scene();
   const auto whole = picture<T>(scene, 31, 23);
   const World<T> world(scene);
-  const RayGenerator<T> camera(scene.camera, {31, 23}, {31, 23});
+  const RayGenerator<T> camera(scene, {31, 23}, {31, 23});
   std::vector<Rgb<T>> pixels(31 * 23, Rgb<T>(-1));
   const PutPixel<T> put = [&](const Pixel& pixel, const Rgb<T>& shade) {
     Rgb<T>& cell = pixels[static_cast<std::size_t>(pixel.row * 31 + pixel.column)];
@@ -174,7 +192,7 @@ TEST_CASE("accelerators make the same picture, bit for bit") {
   const Scene scene = busy_scene();
   const auto by = [&](AcceleratorKind kind) {
     const World<double> world(scene, kind);
-    const RayGenerator<double> camera(scene.camera, {45, 31}, {45, 31});
+    const RayGenerator<double> camera(scene, {45, 31}, {45, 31});
     Picture<double> traced{45, 31, std::vector<Rgbd>(45 * 31), {}};
     traced.statistics = trace(world, camera, {0, 45, 0, 31, 0}, [&](const Pixel& pixel, const Rgbd& shade) {
       traced.pixels[static_cast<std::size_t>(pixel.row * 45 + pixel.column)] = shade;

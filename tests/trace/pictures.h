@@ -37,7 +37,7 @@ struct Picture {
 template <class T, class Run>
 Picture<T> picture_by(const Scene& scene, int width, int height, Sampling sampling, Run run) {
   const World<T> world(scene);
-  const RayGenerator<T> camera(scene.camera, {width, height}, {width, height}, sampling);
+  const RayGenerator<T> camera(scene, {width, height}, {width, height}, sampling);
   Picture<T> picture{width, height, std::vector<Rgb<T>>(static_cast<std::size_t>(width * height)), {}};
   const PutPixel<T> put = [&](const Pixel& pixel, const Rgb<T>& shade) {
     picture.pixels[static_cast<std::size_t>(pixel.row * width + pixel.column)] = shade;

@@ -14,7 +14,7 @@ constexpr double pi = 3.14159265358979323846;
 
 template <class T>
 Vec3<T> direction(const RayGenerator<T>& camera, int column, int row, int sample = 0) {
-  std::uint64_t draws = 0;
+  Statistics draws;
   return camera.primary_ray({column, row, sample}, draws).direction;
 }
 
@@ -74,12 +74,12 @@ TEST_CASE("a screen of given width spans the picture's width") {
   camera.up = {0, 1, 0};
   camera.screen = {2, 3.0, 21};
   const RayGenerator<double> generator(camera, {5, 5}, {5, 5});
-  std::uint64_t draws = 0;
+  Statistics draws;
   const Ray<double> ray = generator.primary_ray({4, 2, 0}, draws);
   CHECK(ray.origin == camera.eye);
   // The rightmost centre: 4/5 of half of 3, at distance 2.
   CHECK(ray.direction.x / -ray.direction.z == Approx(0.8 * 1.5 / 2));
-  CHECK(draws == 0);
+  CHECK(draws.random_draws == 0);
   CHECK(generator.size() == ImageSize{5, 5});
 }
 
@@ -132,11 +132,12 @@ TEST_CASE("samples depend on the seed and on nothing else, and are counted") {
   const Camera camera = angle_camera(90, FovAxis::x);
   const RayGenerator<double> a(camera, {8, 6}, {8, 6}, {4, 1}), same(camera, {8, 6}, {8, 6}, {4, 1}),
       other(camera, {8, 6}, {8, 6}, {4, 2});
-  std::uint64_t draws = 0;
+  Statistics draws;
   const Ray<double> later = a.primary_ray({5, 2, 3}, draws);
   const Ray<double> again = same.primary_ray({5, 2, 3}, draws);
   CHECK(later.direction == again.direction);
-  CHECK(draws == 4);
+  CHECK(draws.random_draws == 4);
+  CHECK(draws.drawn(Effect::antialiasing) == 4);
   CHECK(other.primary_ray({5, 2, 3}, draws).direction != again.direction);
   // The same pixel from the centre in a larger picture of the same pitch draws the same numbers: its strip or crop.
   const RayGenerator<double> strip(camera, {9, 1}, {9, 9}, {4, 1}), row(camera, {9, 9}, {9, 9}, {4, 1});

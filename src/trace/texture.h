@@ -1,0 +1,35 @@
+#pragma once
+
+#include "math/vec.h"
+#include "scene/material.h"
+
+#include <cmath>
+
+namespace raywalk {
+
+/// The colour of a texture, whose copies fill the plane: one spans 0..1 in u (to the right) and in v (upwards).
+/// Bilinear between the centres of the four nearest pixels.
+template <class T>
+[[nodiscard]] Rgb<T> texture_colour(const TexturePixels& texture, T u, T v) {
+  // In pixels, from the centre of the one that is left in the top row; wrapped while still a share of the copy, so
+  // that places far away keep their digits.
+  const T x = (u - std::floor(u)) * static_cast<T>(texture.width) - T(0.5);
+  const T y = (1 - (v - std::floor(v))) * static_cast<T>(texture.height) - T(0.5);
+  const T left = std::floor(x), top = std::floor(y);
+  const auto wrapped = [](T i, int size) {
+    const int index = static_cast<int>(i) % size;
+    return index < 0 ? index + size : index;
+  };
+  const int x0 = wrapped(left, texture.width), x1 = wrapped(left + 1, texture.width);
+  const int y0 = wrapped(top, texture.height), y1 = wrapped(top + 1, texture.height);
+  const auto pixel = [&](int column, int row) {
+    return Rgb<T>(texture.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(texture.width) +
+                                 static_cast<std::size_t>(column)]);
+  };
+  const T right = x - left, down = y - top;
+  const Rgb<T> upper = pixel(x0, y0) + right * (pixel(x1, y0) - pixel(x0, y0));
+  const Rgb<T> lower = pixel(x0, y1) + right * (pixel(x1, y1) - pixel(x0, y1));
+  return upper + down * (lower - upper);
+}
+
+}  // namespace raywalk
