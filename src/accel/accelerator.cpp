@@ -1,5 +1,7 @@
 #include "accel/accelerator.h"
 
+#include <algorithm>
+
 namespace raywalk {
 
 namespace {
@@ -35,8 +37,8 @@ std::variant<List<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>> build(AcceleratorKi
 template <class T>
 Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind)
     : primitives_(std::move(primitives)), structure_(List<T>(0)) {
-  primitives_.find_equals();
   const Boxes<T> boxes(primitives_);
+  primitives_.find_equals(boxes.boxes);
   kind_ = resolve(kind, boxes.bounded.size());
   structure_ = build(kind_, boxes);
   if (kind_ != AcceleratorKind::none) unbounded_ = boxes.unbounded;
@@ -64,6 +66,16 @@ bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept 
   AnyQuery<T, Accept> query(ray, t_max, counts, accept);
   search(ray, query);
   return query.found();
+}
+
+template <class T>
+void Accelerator<T>::crossed(const Ray<T>& ray, T t_max, TestCounts& counts, MarkedPrimitives accept,
+                             std::vector<int>& found) const {
+  found.clear();
+  EveryQuery<T, MarkedPrimitives> query(ray, t_max, counts, accept, found);
+  search(ray, query);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
 template class Accelerator<float>;

@@ -47,6 +47,9 @@ class Accelerator {
   template <class Accept = AnyPrimitive>
   [[nodiscard]] bool any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
+  /// Every accepted primitive that is crossed in (0, t_max), as ascending ids.
+  void crossed(const Ray<T>& ray, T t_max, TestCounts& counts, MarkedPrimitives accept, std::vector<int>& found) const;
+
   [[nodiscard]] const Primitives<T>& primitives() const { return primitives_; }
   /// What was built: never `automatic`.
   [[nodiscard]] AcceleratorKind kind() const { return kind_; }

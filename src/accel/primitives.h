@@ -1,84 +1,134 @@
 #pragma once
 
+#include "accel/triangles.h"
+#include "math/motion.h"
 #include "shape/placed.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace raywalk {
 
-/// What an accelerator is built over: shapes, each under an affine map of its own or none. A primitive's id is its
-/// place in the order of `add`.
+/// What an accelerator is built over: shapes, each under an affine map of its own or none, then the triangles of
+/// meshes; any of them may move. A primitive's id is its place in the order in which they were added.
 template <class T>
 class Primitives {
  public:
   Primitives() = default;
   explicit Primitives(std::vector<Shape<T>> shapes) : shapes_(std::move(shapes)) {}
 
+  /// Shapes are added before meshes, whose triangles have the ids that follow.
   void add(Shape<T> shape) {
     shapes_.push_back(std::move(shape));
-    if (!places_.empty()) place_of_.push_back(unplaced);
+    if (!places_.empty()) place_of_.push_back(none);
   }
   void add(Shape<T> shape, const Placement<T>& place) {
-    place_of_.resize(shapes_.size(), unplaced);
+    place_of_.resize(shapes_.size(), none);
     place_of_.push_back(static_cast<std::int32_t>(places_.size()));
     places_.push_back(place);
     shapes_.push_back(std::move(shape));
   }
+  void add(const Mesh& mesh, const Affine<double>& to_world, bool smooth) { triangles_.add(mesh, to_world, smooth); }
+  /// Makes the primitives [first, end), which have been added, move. At rest, they stay as they are.
+  void move(int first, int end, const Motion& motion);
+  /// The times that rays have: boxes hold all places in which a primitive then is.
+  void set_shutter(double open, double close) { open_ = open, close_ = close; }
 
-  [[nodiscard]] int size() const { return static_cast<int>(shapes_.size()); }
+  [[nodiscard]] int size() const { return shape_count() + triangles_.size(); }
+  [[nodiscard]] int shape_count() const { return static_cast<int>(shapes_.size()); }
+  [[nodiscard]] const Triangles<T>& triangles() const { return triangles_; }
   /// A primitive in its own space, and the map that takes it into the world; null when it stands there already.
-  [[nodiscard]] const Shape<T>& shape(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] Shape<T> shape(int id) const {
+    return id < shape_count() ? own(id) : Shape<T>(triangles_[id - shape_count()]);
+  }
   [[nodiscard]] const Placement<T>* place_of(int id) const {
-    if (place_of_.empty() || place_of_[static_cast<std::size_t>(id)] == unplaced) return nullptr;
+    if (place_of_.empty() || id >= shape_count() || place_of_[static_cast<std::size_t>(id)] == none) return nullptr;
     return &places_[static_cast<std::size_t>(place_of_[static_cast<std::size_t>(id)])];
   }
+  [[nodiscard]] bool moves(int id) const { return motion_of(id) != nullptr; }
+  /// The shape where it stands in the world, when it is neither mapped nor moving nor a mesh's triangle; else null.
+  [[nodiscard]] const Shape<T>* plain_shape(int id) const {
+    return id < shape_count() && place_of(id) == nullptr && motion_of(id) == nullptr ? &own(id) : nullptr;
+  }
 
-  /// The lowest id of a primitive that equals this one in shape and place. All of them are one surface: the lowest is
-  /// hit, and what departs from it departs from all.
+  /// The lowest id of a primitive that equals this one in shape, place and motion. All of them are one surface: the
+  /// lowest is hit, and what departs from it departs from all.
   [[nodiscard]] int first_equal(int id) const {
     return first_equal_.empty() ? id : first_equal_[static_cast<std::size_t>(id)];
   }
-  /// Makes `first_equal` known, in time n log n. To be called when all are added.
-  void find_equals();
+  /// Makes `first_equal` known, in time n log n. `boxes` are those of all primitives.
+  void find_equals(const std::vector<Bounds<T>>& boxes);
 
   /// Nearest crossing in (0, t_max) of the ray with one primitive, in the ray's own t.
   template <class Explain = NoExplanation>
   [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const Ray<T>& ray, T t_max, Explain&& explain = {}) const {
-    const int departed = departed_part(ray, id);
-    const Placement<T>* place = place_of(id);
-    return place ? raywalk::intersect(shape(id), into_shape(*place, ray), t_max, departed, explain)
-                 : raywalk::intersect(shape(id), ray, t_max, departed, explain);
+    if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
+    return intersect_at_rest(id, ray, t_max, explain);
   }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
-    const Placement<T>* place = place_of(id);
-    return place ? raywalk::surface_at(shape(id), *place, ray, crossing)
-                 : raywalk::surface_at(shape(id), ray, crossing);
+    const Motion* motion = motion_of(id);
+    if (!motion) return surface_at_rest(id, ray, crossing);
+    SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
+    point.position += Vec3<T>(offset_at(*motion, static_cast<double>(ray.time)));
+    return point;
   }
-  [[nodiscard]] Vec2<T> uv_at(int id, const SurfacePoint<T>& point, int part) const {
+  /// Of a point at `time`.
+  [[nodiscard]] Vec2<T> uv_at(int id, SurfacePoint<T> point, int part, T time = 0) const {
+    take_back(id, point, time);
+    if (id >= shape_count()) return triangles_.uv_at(id - shape_count(), point);
     const Placement<T>* place = place_of(id);
-    return place ? raywalk::uv_at(shape(id), *place, point, part) : raywalk::uv_at(shape(id), point, part);
+    return place ? raywalk::uv_at(own(id), *place, point, part) : raywalk::uv_at(own(id), point, part);
+  }
+  /// The normal that a smooth mesh is shaded with, on the outside as the point's own; none where they are the same.
+  [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int id, SurfacePoint<T> point, T time = 0) const {
+    if (id < shape_count()) return std::nullopt;
+    take_back(id, point, time);
+    return triangles_.smooth_normal(id - shape_count(), point);
   }
 
   /// A primitive's box in the world, widened by a few ulps so that it holds every point that rounding may report.
-  [[nodiscard]] Bounds<T> box(int id) const {
-    Bounds<T> box = bounds(shape(id));
-    if (const Placement<T>* place = place_of(id)) box = image_of(place->to_world, box);
-    for (int axis = 0; axis < 3; ++axis) {
-      const T pad = 8 * std::numeric_limits<T>::epsilon() * std::fmax(std::abs(box.min[axis]), std::abs(box.max[axis]));
-      box.min[axis] -= pad;
-      box.max[axis] += pad;
-    }
-    return box;
-  }
+  [[nodiscard]] Bounds<T> box(int id) const;
+  /// Whether rays are taken into a space of some primitive's own, which rounds where they start.
+  [[nodiscard]] bool maps_rays() const { return !places_.empty() || !motions_.empty(); }
 
  private:
-  static constexpr std::int32_t unplaced = -1;
+  static constexpr std::int32_t none = -1;
+  [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const Motion* motion_of(int id) const {
+    if (static_cast<std::size_t>(id) >= motion_of_.size() || motion_of_[static_cast<std::size_t>(id)] == none)
+      return nullptr;
+    return &motions_[static_cast<std::size_t>(motion_of_[static_cast<std::size_t>(id)])];
+  }
+  /// The ray as what moves sees it.
+  static Ray<T> at_rest(const Motion& motion, const Ray<T>& ray) {
+    Ray<T> moved = ray;
+    moved.origin -= Vec3<T>(offset_at(motion, static_cast<double>(ray.time)));
+    return moved;
+  }
+  void take_back(int id, SurfacePoint<T>& point, T time) const {
+    if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
+  }
+  template <class Explain>
+  [[nodiscard]] std::optional<Crossing<T>> intersect_at_rest(int id, const Ray<T>& ray, T t_max,
+                                                             Explain&& explain) const {
+    const int departed = departed_part(ray, id);
+    if (id >= shape_count()) {
+      if constexpr (std::decay_t<Explain>::wanted)
+        static_cast<void>(raywalk::intersect(triangles_[id - shape_count()], ray, t_max, departed, explain));
+      return triangles_.intersect(id - shape_count(), ray, t_max, departed);
+    }
+    const Placement<T>* place = place_of(id);
+    return place ? raywalk::intersect(own(id), into_shape(*place, ray), t_max, departed, explain)
+                 : raywalk::intersect(own(id), ray, t_max, departed, explain);
+  }
+  [[nodiscard]] SurfacePoint<T> surface_at_rest(int id, const Ray<T>& ray, Crossing<T> crossing) const {
+    if (id >= shape_count()) return raywalk::surface_at(triangles_[id - shape_count()], ray, crossing);
+    const Placement<T>* place = place_of(id);
+    return place ? raywalk::surface_at(own(id), *place, ray, crossing) : raywalk::surface_at(own(id), ray, crossing);
+  }
   /// The part of primitive `id` that the ray departs from, or no_part.
   [[nodiscard]] int departed_part(const Ray<T>& ray, int id) const {
     const int from = ray.departure.primitive;
@@ -86,47 +136,17 @@ class Primitives {
                ? ray.departure.part
                : no_part;
   }
-  [[nodiscard]] bool equal(int a, int b) const {
-    const Placement<T>*place_a = place_of(a), *place_b = place_of(b);
-    const bool same_place = place_a && place_b ? place_a->to_world == place_b->to_world : place_a == place_b;
-    return same_place && shape(a) == shape(b);
-  }
+  [[nodiscard]] bool equal(int a, int b) const;
 
   std::vector<Shape<T>> shapes_;
-  std::vector<std::int32_t> place_of_;  ///< by primitive; empty when none has a map
+  Triangles<T> triangles_;
+  std::vector<std::int32_t> place_of_;  ///< by shape; empty when none has a map
   std::vector<Placement<T>> places_;
+  std::vector<std::int32_t> motion_of_;  ///< by primitive, those behind its end are at rest
+  std::vector<Motion> motions_;
+  double open_ = 0, close_ = 1;
   std::vector<std::int32_t> first_equal_;  ///< by primitive; empty when no two are equal
 };
-
-template <class T>
-void Primitives<T>::find_equals() {
-  // Equal primitives have equal boxes, so that only neighbours in the order of boxes are compared.
-  std::vector<std::pair<Bounds<T>, int>> order;
-  for (int id = 0; id < size(); ++id) order.emplace_back(box(id), id);
-  const auto key = [](const auto& entry) {
-    const Bounds<T>& box = entry.first;
-    return std::tuple(box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
-  };
-  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-    return std::tuple_cat(key(a), std::tuple(a.second)) < std::tuple_cat(key(b), std::tuple(b.second));
-  });
-  std::vector<std::int32_t> first_equal;
-  for (int id = 0; id < size(); ++id) first_equal.push_back(id);
-  bool some = false;
-  std::vector<int> different;  // of the present box, the lowest id of each distinct primitive
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const int id = order[i].second;
-    if (i == 0 || key(order[i]) != key(order[i - 1])) different.clear();
-    const auto same = std::find_if(different.begin(), different.end(), [&](int other) { return equal(id, other); });
-    if (same == different.end()) {
-      different.push_back(id);
-    } else {
-      first_equal[static_cast<std::size_t>(id)] = *same;
-      some = true;
-    }
-  }
-  if (some) first_equal_ = std::move(first_equal);
-}
 
 /// The boxes that a structure is built from: of the primitives with a finite box; the others, which every ray is tested
 /// against, are listed apart.
@@ -152,5 +172,8 @@ struct Boxes {
   std::vector<int> bounded, unbounded;  ///< ids, ascending
   Bounds<T> whole;                      ///< of all bounded primitives
 };
+
+extern template class Primitives<float>;
+extern template class Primitives<double>;
 
 }  // namespace raywalk

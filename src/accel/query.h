@@ -99,6 +99,30 @@ class AnyQuery {
   bool found_ = false;
 };
 
+/// A search for all accepted primitives that are crossed in (0, t_max): their ids, some of them more than once.
+template <class T, class Accept>
+class EveryQuery {
+ public:
+  EveryQuery(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept, std::vector<int>& found)
+      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept), found_(found) {}
+
+  bool test(const Primitives<T>& primitives, int id) {
+    if (!accept_(id)) return false;
+    ++counts_.primitives;
+    if (primitives.intersect(id, ray_, t_max_)) found_.push_back(id);
+    return false;
+  }
+  [[nodiscard]] T reach() const { return t_max_; }
+  void enter_node() { ++counts_.nodes; }
+
+ private:
+  const Ray<T>& ray_;
+  T t_max_;
+  TestCounts& counts_;
+  Accept accept_;
+  std::vector<int>& found_;
+};
+
 /// The ray's terms of every slab test, computed once a ray.
 template <class T>
 struct SlabRay {

@@ -96,14 +96,18 @@ bool shape_rows(Form& form, Triangle<double>& triangle) {
   return now;
 }
 
+// A mesh's file and a group are chosen in the scene's file.
+bool shape_rows(Form& form, MeshShape& mesh) { return form.flag(TextId::smooth, mesh.smooth); }
+bool shape_rows(Form& /*form*/, Instance& /*instance*/) { return false; }
+
 void object_rows(const Ui& ui, Form& form, int index) {
   const Object& object = ui.state.scene().objects[static_cast<std::size_t>(index)];
   std::string name = object.name;
   if (form.text(TextId::name, name)) ui.act(action::Rename{{TargetKind::object, index}, name});
-  Shape<double> shape = object.shape;
+  ObjectShape shape = object.shape;
   if (std::visit([&](auto& s) { return shape_rows(form, s); }, shape))
     ui.act(action::SetShape{index, shape, form.continues()});
-  material_rows(ui, form, index, object);
+  if (!std::holds_alternative<Instance>(object.shape)) material_rows(ui, form, index, object);
 }
 
 void light_rows(const Ui& ui, Form& form, int index) {

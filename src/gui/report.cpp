@@ -23,13 +23,16 @@ std::string selected_name(const State& state) {
 }
 
 // The middle of a body in the plan.
-Vec2d middle(const Shape<double>& shape) {
+Vec2d middle(const ObjectShape& shape) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return plan(sphere->centre);
   if (const auto* plane = std::get_if<Plane<double>>(&shape)) return plan(plane->point);
-  Vec2d sum{0.0};
-  const auto& corners = std::get<Prism<double>>(shape).corners;
-  for (const Vec2d& corner : corners) sum += corner / static_cast<double>(corners.size());
-  return sum;
+  if (const auto* prism = std::get_if<Prism<double>>(&shape)) {
+    Vec2d sum{0.0};
+    for (const Vec2d& corner : prism->corners) sum += corner / static_cast<double>(prism->corners.size());
+    return sum;
+  }
+  const Bounds<double> box = bounds(shape);
+  return box.empty() || !box.bounded() ? Vec2d(0.0) : plan((box.min + box.max) / 2.0);
 }
 
 }  // namespace

@@ -69,6 +69,14 @@ void check_image(const ImageSize& image, const toml::table& root, ReadLog& log) 
         "make it narrower or lower");
 }
 
+void check_entries(const Scene& scene, const toml::table& root, ReadLog& log) {
+  if (const double entries = entries_of(scene.objects); entries > detail::most_entries)
+    log.fail(root["object"] ? root["object"].node()->source() : root.source(),
+             fmt::format("the scene comes to {:.3g} objects and triangles (expected at most {:g})", entries,
+                         detail::most_entries),
+             "groups of groups grow fast: use fewer instances, or smaller meshes");
+}
+
 void warn_of_bright_materials(const Scene& scene, const toml::table& root, ReadLog& log) {
   const toml::array* tables = root["object"].as_array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -92,7 +100,7 @@ Error syntax_error(const toml::parse_error& error, const std::string& file) {
 
 }  // namespace
 
-Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name) {
+Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name, MeshReading meshes) {
   if (text.size() > most_bytes)
     return tl::unexpected(Error{
         file_name, 0, 0, fmt::format("the file is too large for a scene (expected at most {} MiB)", most_bytes >> 20),
@@ -106,13 +114,14 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
   document.text = text;
   Scene& scene = document.scene;
   scene.camera.screen.width.reset();  // given by the file, or by the angle
-  ReadLog log(file_name);
+  ReadLog log(file_name, meshes == MeshReading::read);
   SceneReader reader(root, log, "");
   scene_keys::describe(reader, scene);
   reader.finish();
   if (!log.error()) {
     check_camera(scene.camera, root, log);
     check_image(scene.image, root, log);
+    check_entries(scene, root, log);
     warn_of_bright_materials(scene, root, log);
   }
   if (log.error()) return tl::unexpected(*log.error());

@@ -41,8 +41,11 @@ inline constexpr int scene_format_count = 3;
 /// Whether `path` ends as one of the formats does.
 [[nodiscard]] bool has_scene_ending(std::string_view path);
 
-/// Reads a scene in our own format, or says what is wrong with it at which place. `file_name` is for messages only.
-[[nodiscard]] Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name);
+/// Reads a scene in our own format, or says what is wrong with it at which place. `file_name` is for messages;
+/// files of meshes are named relative to it, and read too unless they are skipped.
+enum class MeshReading { read, skip };
+[[nodiscard]] Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name,
+                                                MeshReading meshes = MeshReading::read);
 /// Reads a scene in the format that the ending of `path` names. One of another format than ours comes without a text.
 [[nodiscard]] Result<SceneDocument> read_scene(const std::string& path);
 

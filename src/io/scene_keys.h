@@ -290,6 +290,20 @@ void describe(Fields& f, Triangle<double>& triangle) {
           "the three corners lie on one line (expected a triangle with an area)", "move one of the corners");
 }
 
+/// The vertices stand in a file of its own or in the scene.
+template <class Fields>
+void describe(Fields& f, MeshShape& mesh) {
+  f.mesh_file("file", mesh);
+  f.vertices("vertices", "triangles", "normals", "uv", mesh);
+  f.yes_or_no("smooth", mesh.smooth);
+  f.yes_or_no("file_materials", mesh.file_materials);
+}
+
+template <class Fields>
+void describe(Fields& f, Instance& instance) {
+  f.group_name("group", instance);
+}
+
 template <class Fields>
 void describe(Fields& f, Checker& checker) {
   f.colour("even", checker.even);
@@ -332,7 +346,18 @@ void describe(Fields& f, Object& object) {
   f.name("name", object.name);
   f.type("type", object.shape);
   f.steps("transform", object.transform);
+  f.motion("motion", object.motion);
   f.table("material", object.material, optional);
+  f.check(!std::holds_alternative<Instance>(object.shape) || object.material == Material{}, "material",
+          "an instance has the materials of the objects in its group (expected none of its own)",
+          "give the material to the objects of [[group]]");
+}
+
+template <class Fields>
+void describe(Fields& f, Group& group) {
+  f.name("name", group.name);
+  f.tables("object", group.objects);
+  f.define(group);
 }
 
 template <class Fields>
@@ -358,6 +383,7 @@ void describe(Fields& f, Scene& scene) {
   scene.encoding = image.encoding;
   f.table("limits", scene.limits, optional);
   f.table("render", scene.render, optional);
+  f.tables("group", scene.groups);
   f.tables("light", scene.lights);
   f.tables("object", scene.objects);
 }

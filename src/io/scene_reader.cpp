@@ -81,6 +81,11 @@ std::string SceneReader::place_of(std::string_view key) const {
   return place_.empty() ? "[" + std::string(key) + "]" : std::string(key) + " of " + place_;
 }
 
+std::string SceneReader::place_of_element(std::string_view key, std::size_t number) const {
+  const std::string outer = place_.empty() ? "" : place_.substr(2, place_.find("]]") - 2) + ".";
+  return fmt::format("[[{}{}]] number {}", outer, key, number);
+}
+
 void SceneReader::fail(const toml::node& at, std::string_view key, const std::string& message, std::string hint) {
   const std::string place = place_.empty() ? std::string(key) : std::string(key) + " of " + place_;
   log_.fail(at.source(), place + ": " + message, std::move(hint));

@@ -1,6 +1,7 @@
 #pragma once
 // A parsed TOML table told to a scene's members. Internal to `io`; the interface is io/scene_file.h.
 
+#include "io/mesh_file.h"
 #include "io/scene_file.h"
 #include "io/scene_keys.h"
 
@@ -26,12 +27,21 @@ namespace raywalk::detail {
 /// What reading a whole file has come to. The first error is the one that is told; later ones may follow from it.
 class ReadLog {
  public:
-  explicit ReadLog(std::string file) : file_(std::move(file)) {}
+  /// Without `reads_meshes`, objects keep the names of their meshes' files and nothing else of them.
+  ReadLog(std::string file, bool reads_meshes) : file_(std::move(file)), reads_meshes_(reads_meshes) {}
 
   void fail(const toml::source_region& where, std::string message, std::string hint);
   void warn(const toml::source_region& where, const std::string& message);
   /// False (and an error) when an object or light already has this name.
   void claim_name(const std::string& name, const toml::source_region& where);
+
+  /// A mesh's file, named relative to the scene's; read once. Null (and an error) when it cannot be read, null too
+  /// where meshes are not read.
+  std::optional<MeshFile> mesh(const std::string& name, const toml::source_region& where);
+  void define(const Group& group, const toml::source_region& where);
+  /// Null when no group of this name stands above.
+  [[nodiscard]] std::shared_ptr<const GroupContent> group(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string_view> group_names() const;
 
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
@@ -41,6 +51,9 @@ class ReadLog {
   std::optional<Error> error_;
   std::vector<std::string> warnings_;
   std::map<std::string, toml::source_index> names_;  ///< to the line of each
+  bool reads_meshes_;
+  std::map<std::string, MeshFile> meshes_;  ///< by name
+  std::map<std::string, std::shared_ptr<const GroupContent>> groups_;
 };
 
 /// The `Fields` of scene_keys that reads: each call takes its key from one TOML table, checks it and stores it.
@@ -73,6 +86,12 @@ class SceneReader {
   void points(std::string_view key, std::vector<Vec3d>& value);
   void holes(std::string_view key, std::vector<std::vector<Vec3d>>& value);
   void steps(std::string_view key, std::vector<TransformStep>& value);
+  void motion(std::string_view key, Motion& value);
+  void mesh_file(std::string_view key, MeshShape& value);
+  void vertices(std::string_view positions, std::string_view triangles, std::string_view normals, std::string_view uv,
+                MeshShape& value);
+  void group_name(std::string_view key, Instance& value);
+  void define(const Group& group) { log_.define(group, table_.source()); }
   /// What no single key can tell: fails at `key` with `message` unless `holds`.
   void check(bool holds, std::string_view key, std::string_view message, std::string_view hint);
   template <class Value>
@@ -102,6 +121,9 @@ class SceneReader {
   std::vector<double> numbers_of(const toml::node& node, std::string_view key, const scene_keys::NumberRule& rule,
                                  std::size_t least, std::size_t most, const std::string& expected);
   std::vector<Vec3d> points_of(const toml::node& node, std::string_view key);
+  /// The rows of a list of lists, `width` numbers each.
+  std::vector<std::vector<double>> rows_of(const toml::node& node, std::string_view key, std::size_t width,
+                                           const std::string& expected);
   std::optional<TransformStep> step_of(const toml::node& node, std::string_view key);
   /// The choice's index among `words`.
   std::optional<std::size_t> word_of(const toml::node& node, std::string_view key,
@@ -110,6 +132,7 @@ class SceneReader {
   const toml::array* tables_of(const toml::node& node, std::string_view key);
   void fail_without_type(std::string_view key, const std::vector<std::string_view>& words);
   [[nodiscard]] std::string place_of(std::string_view key) const;
+  [[nodiscard]] std::string place_of_element(std::string_view key, std::size_t number) const;
 
   const toml::table& table_;
   ReadLog& log_;
@@ -170,8 +193,7 @@ void SceneReader::tables(std::string_view key, std::vector<T>& value) {
   if (array == nullptr) return;
   for (const toml::node& element : *array) {
     if (log_.error()) return;  // a file of millions of wrong tables is refused at the first
-    SceneReader inner(*element.as_table(), log_,
-                      "[[" + std::string(key) + "]] number " + std::to_string(value.size() + 1));
+    SceneReader inner(*element.as_table(), log_, place_of_element(key, value.size() + 1));
     scene_keys::describe(inner, value.emplace_back());
     inner.finish();
   }

@@ -77,6 +77,33 @@ class Lister {
     }
     if (!value.empty()) add(key, std::move(steps), false);
   }
+  void motion(std::string_view key, Motion& value) {
+    Value keys{.kind = Kind::list};
+    for (const MotionKey& at : value)
+      keys.children.push_back(list({at.time, at.offset.x, at.offset.y, at.offset.z}, Shorthand::none));
+    if (!value.empty()) add(key, std::move(keys), false);
+  }
+  void mesh_file(std::string_view key, MeshShape& value) {
+    if (!value.file.empty()) add(key, {.text = toml_text::quoted(value.file)}, false);
+  }
+  void vertices(std::string_view positions, std::string_view triangles, std::string_view normals, std::string_view uv,
+                MeshShape& value) {
+    if (!value.file.empty() || !value.mesh) return;
+    const Mesh& mesh = *value.mesh;
+    add(positions, points_of(mesh.positions), false);
+    Value corners{.kind = Kind::list};
+    for (const auto& [a, b, c] : mesh.triangles) {
+      Value& three = corners.children.emplace_back(Value{.kind = Kind::list});
+      for (const std::int32_t corner : {a, b, c}) three.children.push_back({.text = std::to_string(corner)});
+    }
+    add(triangles, std::move(corners), false);
+    if (!mesh.normals.empty()) add(normals, points_of(mesh.normals), false);
+    Value pairs{.kind = Kind::list};
+    for (const Vec2d& at : mesh.uv) pairs.children.push_back(list({at.x, at.y}, Shorthand::none));
+    if (!mesh.uv.empty()) add(uv, std::move(pairs), false);
+  }
+  void group_name(std::string_view key, Instance& value) { add(key, {.text = toml_text::quoted(value.group)}, false); }
+  void define(const Group& /*group*/) {}
   void check(bool /*holds*/, std::string_view /*key*/, std::string_view /*message*/, std::string_view /*hint*/) {}
   template <class Choice>
   void choice(std::string_view key, Choice& value) {

@@ -79,14 +79,14 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
   if (!previous_text.empty()) {
     const bool windows = has_windows_lines(previous_text);
     const std::string previous = windows ? with_unix_lines(std::string(previous_text)) : std::string(previous_text);
-    if (const auto old = parse_scene(previous, "")) {
+    if (const auto old = parse_scene(previous, "", MeshReading::skip)) {
       auto text = merged(previous, detail::values_of(old->scene), now);
       if (text && windows) text = with_windows_lines(*text);
-      if (text && holds_scene(parse_scene(*text, ""))) return *text;
+      if (text && holds_scene(parse_scene(*text, "", MeshReading::skip))) return *text;
     }
   }
   std::string text = detail::section_text(now, "");
-  const auto written = parse_scene(text, "the scene to be written");
+  const auto written = parse_scene(text, "the scene to be written", MeshReading::skip);
   if (!written) return tl::unexpected(written.error());
   if (!holds_scene(written))
     return tl::unexpected(Error{"", 0, 0, "the scene cannot be written without loss", "change what was edited last"});

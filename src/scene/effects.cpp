@@ -37,9 +37,9 @@ namespace {
 /// The first object whose material satisfies `calls`, or null.
 template <class Calls>
 const Object* first_object(const Scene& scene, Calls calls) {
-  const auto found = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                  [&](const Object& object) { return calls(object.material); });
-  return found == scene.objects.end() ? nullptr : &*found;
+  for (const Dress& dress : dresses_of(scene))
+    if (calls(*dress.material)) return dress.object;
+  return nullptr;
 }
 
 template <class Calls>
@@ -115,7 +115,12 @@ EffectUse depth_of_field(const Scene& scene, Integrator integrator) {
   return {true, "the camera has a lens"};
 }
 
-EffectUse motion_blur(const Scene& /*scene*/, Integrator /*integrator*/) { return {false, "none: nothing moves"}; }
+EffectUse motion_blur(const Scene& scene, Integrator integrator) {
+  const Object* mover = first_mover(scene);
+  if (mover == nullptr) return {false, "none: nothing moves while the shutter is open"};
+  if (!draws_random(integrator)) return left_out(integrator, "sees everything where it is when the shutter opens");
+  return {true, mover->name + " moves while the shutter is open"};
+}
 
 EffectUse antialiasing(int samples_per_pixel) {
   if (samples_per_pixel <= 1) return {false, "none: one sample in the centre of each pixel"};

@@ -1,6 +1,8 @@
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace raywalk {
 
@@ -55,14 +57,43 @@ std::string why_not_planar(const Triangle<double>& triangle) { return why_not_pl
 /// A prism is centred on the plan and its sides are upright; its caps lie off it.
 std::string why_not_planar(const Prism<double>& prism) { return prism.height > 0 ? "" : "is flat and lies in z = 0"; }
 
+/// A mesh's triangles are flat shapes.
+std::string why_not_planar(const MeshShape& mesh) {
+  return meets_plan(mesh) ? "is made of flat triangles and meets z = 0" : "";
+}
+
+std::string why_not_planar(const Object& object, const Affine<double>& outer);
+
+std::string why_not_planar(const Instance& instance, const Affine<double>& map) {
+  if (!instance.content) return "";
+  for (const Object& object : instance.content->group.objects) {
+    const std::string why = why_not_planar(object, map);
+    if (!why.empty()) return "holds " + object.name + ", which " + why;
+  }
+  return "";
+}
+
 /// A map that keeps z = 0 where it is, and upright what is upright, keeps a planar shape planar. Under any other one
 /// the shape has to stay away from the plan.
-std::string why_not_planar(const Object& object) {
-  const Affine<double> map = affine_of(object.transform);
-  const bool keeps_plan = map.x.z == 0 && map.y.z == 0 && map.z.x == 0 && map.z.y == 0 && map.move.z == 0;
-  if (keeps_plan) return std::visit([](const auto& shape) { return why_not_planar(shape); }, object.shape);
-  const Bounds<double> box = image_of(map, bounds(object.shape));
-  return box.min.z <= 0 && 0 <= box.max.z ? "is moved out of z = 0 and still meets it" : "";
+std::string why_not_planar(const Object& object, const Affine<double>& outer) {
+  const Affine<double> map = outer * affine_of(object.transform);
+  const auto along_plan = [](const MotionKey& key) { return key.offset.z == 0; };
+  const bool keeps_plan = map.x.z == 0 && map.y.z == 0 && map.z.x == 0 && map.z.y == 0 && map.move.z == 0 &&
+                          std::all_of(object.motion.begin(), object.motion.end(), along_plan);
+  if (const auto* instance = std::get_if<Instance>(&object.shape); instance && keeps_plan)
+    return why_not_planar(*instance, map);
+  if (keeps_plan)
+    return std::visit(
+        [](const auto& shape) -> std::string {
+          if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Instance>)
+            return "";
+          else
+            return why_not_planar(shape);
+        },
+        object.shape);
+  Bounds<double> box = image_of(map, bounds(object.shape)), swept = box;
+  for (const MotionKey& key : object.motion) swept.include({box.min + key.offset, box.max + key.offset});
+  return swept.min.z <= 0 && 0 <= swept.max.z ? "is moved out of z = 0 and still meets it" : "";
 }
 
 }  // namespace
@@ -79,7 +110,7 @@ std::string why_not_planar(const Scene& scene) {
       return light.name + " does not shine along z = 0";
   }
   for (const Object& object : scene.objects) {
-    const std::string why = why_not_planar(object);
+    const std::string why = why_not_planar(object, Affine<double>{});
     if (!why.empty()) return object.name + " " + why;
   }
   return {};

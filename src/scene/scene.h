@@ -1,11 +1,12 @@
 #pragma once
 
+#include "math/motion.h"
 #include "scene/camera.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "scene/object_shape.h"
 #include "scene/render_choices.h"
 #include "scene/transform_step.h"
-#include "shape/shape.h"
 
 #include <string>
 #include <vector>
@@ -14,11 +15,31 @@ namespace raywalk {
 
 struct Object {
   std::string name;  ///< unique among the objects and lights of a scene, not empty
-  Shape<double> shape;
-  Material material;
+  ObjectShape shape;
+  Material material;                       ///< an instance has those of its group's objects instead
   std::vector<TransformStep> transform{};  ///< done to the shape in this order; together not singular
+  Motion motion{};                         ///< of the transformed shape
   friend bool operator==(const Object&, const Object&) = default;
 };
+
+/// Objects that a scene may use many times, by instances. It is not to be seen by itself.
+struct Group {
+  std::string name;             ///< unique in the scene
+  std::vector<Object> objects;  ///< among them instances of groups that stand before this one
+  friend bool operator==(const Group&, const Group&) = default;
+};
+
+/// What instances of a group share. Computed once, so that groups of groups of groups cost no more than they hold.
+struct GroupContent {
+  explicit GroupContent(Group from);
+  Group group;
+  double entries;      ///< objects and triangles when all instances are spelt out
+  int nesting;         ///< 1 where no object is an instance
+  Bounds<double> box;  ///< of all objects at rest
+};
+
+/// Objects and triangles of a list when all instances are spelt out.
+[[nodiscard]] double entries_of(const std::vector<Object>& objects);
 
 /// How far a render of this scene goes, unless the command line says otherwise.
 struct TraceLimits {
@@ -50,10 +71,22 @@ struct Scene {
   RenderChoices render{};
   Rgbd background{0.0};
   Rgbd ambient{1.0};  ///< ambient light, multiplied by each material's ka
+  std::vector<Group> groups;
   std::vector<Light> lights;
   std::vector<Object> objects;
   friend bool operator==(const Scene&, const Scene&) = default;
 };
+
+/// Every material that some surface of the scene has, with the name of the object that has it: also those of groups
+/// that are used and of meshes' files.
+struct Dress {
+  const Object* object;
+  const Material* material;
+};
+[[nodiscard]] std::vector<Dress> dresses_of(const Scene& scene);
+
+/// The first object, in the scene or in a group that is used, that moves while the shutter is open; null for none.
+[[nodiscard]] const Object* first_mover(const Scene& scene);
 
 /// Whether the strip of `scene` is exactly the middle row of its image: eye, look-at and the middle of lights in z = 0,
 /// directional lights without z, up along z, and every surface that meets z = 0 with a normal whose z is exactly 0.

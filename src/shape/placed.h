@@ -26,7 +26,7 @@ template <class T>
 
 template <class T>
 [[nodiscard]] Ray<T> into_shape(const Placement<T>& place, const Ray<T>& ray) {
-  return {place.to_shape.point(ray.origin), place.to_shape.direction(ray.direction), ray.departure};
+  return {place.to_shape.point(ray.origin), place.to_shape.direction(ray.direction), ray.departure, ray.time};
 }
 
 template <class T>

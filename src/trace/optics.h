@@ -51,4 +51,16 @@ template <class T>
   return at.eta * unit_incident + (at.eta * at.cos_in - at.cos_out) * facing_normal;
 }
 
+/// The smoothed normal, turned towards `side` (the flat one, which faces the ray) as far as is needed for it to face
+/// the ray too, and for the reflected ray to stay on that side: in silhouettes interpolation turns normals away.
+template <class T>
+[[nodiscard]] Vec3<T> smooth_normal_towards(const Vec3<T>& unit_incident, const Vec3<T>& side, const Vec3<T>& smooth) {
+  constexpr int steps = 8;
+  for (int step = 0; step < steps; ++step) {
+    const Vec3<T> normal = step == 0 ? smooth : normalize(smooth + static_cast<T>(step) / steps * (side - smooth));
+    if (dot(normal, unit_incident) < 0 && dot(reflect(unit_incident, normal), side) > 0) return normal;
+  }
+  return side;
+}
+
 }  // namespace raywalk

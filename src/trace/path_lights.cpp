@@ -79,6 +79,7 @@ void PathLights<T>::add_polygon(int primitive, int part, const std::vector<Vec3d
 template <class T>
 void PathLights<T>::add(const World<T>& world, int primitive) {
   const Primitives<T>& primitives = world.accelerator.primitives();
+  if (primitives.moves(primitive)) return;  // found by chance only
   const Affine<double> map = map_of(primitives.place_of(primitive));
   const auto polygon = [&](int part, std::vector<Vec3d> corners) {
     for (Vec3d& corner : corners) corner = map.point(corner);

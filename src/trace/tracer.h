@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace raywalk {
 
@@ -175,6 +176,7 @@ class Tracer {
   Statistics statistics_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};  ///< of the sample under way
   int rays_formed_ = 0;                                 ///< numbers the rays of a recording
+  std::vector<int> filters_met_;                        ///< kept so that no shadow ray allocates
 };
 
 }  // namespace raywalk

@@ -30,8 +30,16 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Crossing<T>{hit.t, hit.part});
   Explanation explanation;
   static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
-  return {ray_number,          ending,    static_cast<double>(hit.t), hit.primitive, hit.part, Vec3d(point.position),
-          Vec3d(point.normal), Rgbd(1.0), explanation.numbers};
+  const Vec3<T> normal = primitives.smooth_normal(hit.primitive, point, ray.time).value_or(point.normal);
+  return {ray_number,
+          ending,
+          static_cast<double>(hit.t),
+          world.object(hit.primitive),
+          hit.part,
+          Vec3d(point.position),
+          Vec3d(normal),
+          Rgbd(1.0),
+          explanation.numbers};
 }
 
 /// What is left of light after a way inside an object that absorbs it (A. Beer 1852).
@@ -53,6 +61,8 @@ struct Tracer<Policy>::Shading {
   Departure departure;  ///< of the rays that leave from here
   Vec3<T> position;
   Vec3<T> normal;  ///< unit length, on the side the ray came from unless the surface keeps its own
+  Vec3<T> side;    ///< the same where the surface is not smoothed: what lies behind it is behind the surface
+  bool smoothed = false;
   const Surface* surface;
   Rgb<T> ambient, diffuse;          ///< with the pattern's colour
   Rgb<T> reflection, transmission;  ///< kr' and kt'
@@ -133,7 +143,13 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
   Shading at;
   at.departure = {hit.primitive, hit.part};
   at.position = point.position;
-  at.normal = entering || surface.fixed_normal ? point.normal : -point.normal;
+  at.side = entering ? point.normal : -point.normal;
+  at.normal = surface.fixed_normal ? point.normal : at.side;
+  if (const auto smooth = primitives.smooth_normal(hit.primitive, point, ray.ray.time);
+      smooth && !surface.fixed_normal) {
+    at.normal = smooth_normal_towards(ray.ray.direction, at.side, entering ? *smooth : -*smooth);
+    at.smoothed = true;
+  }
   at.surface = &surface;
   at.ambient = surface.ambient;
   at.diffuse = surface.diffuse;
@@ -141,13 +157,14 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
   at.transmission = surface.transmission;
   if constexpr (Policy::effects.textures) {
     if (surface.checker) {
-      const bool even = detail::even_square(primitives.uv_at(hit.primitive, point, hit.part), surface.checker->size);
+      const bool even =
+          detail::even_square(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time), surface.checker->size);
       const Rgb<T>& colour = even ? surface.checker->even : surface.checker->odd;
       at.ambient *= colour;
       at.diffuse *= colour;
     }
     if (surface.picture) {
-      const Rgb<T> colour = surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part));
+      const Rgb<T> colour = surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
       at.ambient *= colour;
       at.diffuse *= colour;
     }
@@ -179,7 +196,8 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
     -> std::optional<Traced> {
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
   const Vec3<T> to_light = lamp.directional ? lamp.place : light_point(ray, lamp, sample) - at.position;
-  const bool faces = dot(at.normal, to_light) > 0 || at.surface->lit_from_behind;
+  const bool before = dot(at.normal, to_light) > 0 && (!at.smoothed || dot(at.side, to_light) > 0);
+  const bool faces = before || at.surface->lit_from_behind;
   if (!faces || (lamp.spot && !lamp.shines_along(to_light))) {
     const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
     ++statistics_.ends(why);
@@ -229,11 +247,9 @@ auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const La
 template <class Policy>
 auto Tracer<Policy>::light_passed(const Ray<T>& shadow, T t_max) -> Rgb<T> {
   Rgb<T> passed{1};
-  if (!world_.accelerator.any(shadow, t_max, statistics_.tests, MarkedPrimitives{world_.filters_shadows}))
-    return passed;
+  world_.accelerator.crossed(shadow, t_max, statistics_.tests, MarkedPrimitives{world_.filters_shadows}, filters_met_);
   const Primitives<T>& primitives = world_.accelerator.primitives();
-  for (int id = 0; id < primitives.size(); ++id) {
-    if (!world_.filters_shadows[static_cast<std::size_t>(id)]) continue;
+  for (const int id : filters_met_) {
     Ray<T> rest = shadow;
     T reach = t_max;
     constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
@@ -304,15 +320,18 @@ template <class Policy>
 auto Tracer<Policy>::form_reflect_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
   const Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.normal));
   return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection,
-                            [&] { return spread(ray, direction, at.surface->gloss, at.normal, Effect::gloss); });
+                            [&] { return spread(ray, direction, at.surface->gloss, at.side, Effect::gloss); });
 }
 
 template <class Policy>
 auto Tracer<Policy>::form_refract_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
-  const Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
+  Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
+  if (at.smoothed && !(dot(direction, at.side) < 0))  // a smoothed normal would send it back out
+    direction = renormalize(refract(ray.ray.direction, at.side, refraction_at(ray.ray.direction, at.side, at.n1, at.n2))
+                                .value_or(ray.ray.direction));
   return form_secondary_ray(Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission, [&] {
-    return spread(ray, direction, at.surface->translucency, -at.normal, Effect::translucency);
+    return spread(ray, direction, at.surface->translucency, -at.side, Effect::translucency);
   });
 }
 

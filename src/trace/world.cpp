@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
 
 namespace raywalk {
 
@@ -103,32 +106,104 @@ typename World<T>::Lamp lamp_of(int index, const Scene& scene, bool draws) {
   return lamp;
 }
 
+/// A scene's objects, with all instances spelt out.
 template <class T>
-Primitives<T> primitives_of(const Scene& scene) {
-  Primitives<T> primitives;
-  for (const Object& object : scene.objects) {
-    // Readers and editors refuse singular maps; an object under one would be flat and is left where it was.
-    const auto place = object.transform.empty() ? std::nullopt : placement<T>(affine_of(object.transform));
-    place ? primitives.add(shape_cast<T>(object.shape), *place) : primitives.add(shape_cast<T>(object.shape));
+class Flattener {
+ public:
+  Flattener(const Scene& scene, World<T>& world)
+      : world_(world),
+        integrator_(integrator_of(scene)),
+        shutter_open_(scene.camera.shutter_open),
+        shutter_close_(scene.camera.shutter_close) {
+    primitives_.set_shutter(scene.camera.shutter_open, scene.camera.shutter_close);
+    for (const bool meshes : {false, true}) {
+      meshes_ = meshes;
+      for (top_ = 0; top_ < static_cast<int>(scene.objects.size()); ++top_)
+        add(scene.objects[static_cast<std::size_t>(top_)], Affine<double>{}, {});
+    }
+    // As most scenes are: each object one shape.
+    bool each_its_own = primitives_.size() == static_cast<int>(scene.objects.size());
+    for (int id = 0; each_its_own && id < primitives_.size(); ++id)
+      each_its_own = world_.object(id) == id && world_.surface_indices[static_cast<std::size_t>(id)] == id;
+    if (each_its_own) world_.objects.clear(), world_.surface_indices.clear();
   }
-  return primitives;
-}
+
+  [[nodiscard]] Primitives<T> take() { return std::move(primitives_); }
+
+ private:
+  void add(const Object& object, const Affine<double>& outer, const Motion& outer_motion) {
+    Affine<double> map = outer * affine_of(object.transform);
+    Motion motion = moved_within(object.motion, outer, outer_motion);
+    if (!motion.empty() && !moves_between(motion, shutter_open_, shutter_close_)) {
+      map.move += offset_at(motion, shutter_open_);
+      motion.clear();
+    }
+    const int first = primitives_.size();
+    if (const auto* instance = std::get_if<Instance>(&object.shape)) {
+      if (!instance->content) return;
+      for (const Object& inner : instance->content->group.objects) add(inner, map, motion);
+    } else if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
+      if (meshes_ && mesh->mesh) add(object, *mesh, map);
+    } else if (!meshes_) {
+      std::visit([&](const auto& shape) { add_shape(shape, map); }, object.shape);
+      note(1, surface_index(&object.material));
+    }
+    if (!std::holds_alternative<Instance>(object.shape)) primitives_.move(first, primitives_.size(), motion);
+  }
+
+  template <class S>
+  void add_shape(const S& shape, const Affine<double>& map) {
+    if constexpr (std::is_constructible_v<Shape<double>, const S&>) {
+      // Readers and editors refuse singular maps; an object under one would be flat and is left where it was.
+      const auto place = map == Affine<double>{} ? std::nullopt : placement<T>(map);
+      place ? primitives_.add(shape_cast<T>(Shape<double>(shape)), *place)
+            : primitives_.add(shape_cast<T>(Shape<double>(shape)));
+    }
+  }
+
+  void add(const Object& object, const MeshShape& shape, const Affine<double>& map) {
+    const Mesh& mesh = *shape.mesh;
+    primitives_.add(mesh, map, shape.smooth);
+    const int own = surface_index(&object.material);
+    if (!shape.file_materials || !shape.materials || mesh.materials.empty()) return note(mesh.triangles.size(), own);
+    for (const std::int32_t material : mesh.materials)
+      note(1, material < 0 ? own : surface_index(&(*shape.materials)[static_cast<std::size_t>(material)]));
+  }
+
+  /// Instances of a group share the surfaces of what is in it.
+  int surface_index(const Material* material) {
+    const auto [entry, is_new] = surface_of_.emplace(material, static_cast<int>(world_.surfaces.size()));
+    if (is_new) world_.surfaces.push_back(surface_of<T>(*material, integrator_));
+    return entry->second;
+  }
+  void note(std::size_t count, int surface) {
+    world_.objects.insert(world_.objects.end(), count, top_);
+    world_.surface_indices.insert(world_.surface_indices.end(), count, surface);
+  }
+
+  World<T>& world_;
+  Integrator integrator_;
+  double shutter_open_, shutter_close_;
+  Primitives<T> primitives_;
+  std::unordered_map<const Material*, int> surface_of_;
+  bool meshes_ = false;
+  int top_ = 0;
+};
 
 }  // namespace
 
 template <class T>
 World<T>::World(const Scene& scene, AcceleratorKind kind)
-    : accelerator(primitives_of<T>(scene), kind),
-      background(scene.background),
+    : background(scene.background),
       ambient(scene.ambient),
       depth(scene.limits.depth),
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)),
-      draws(draws_random(integrator_of(scene))) {
-  for (const Object& object : scene.objects) {
-    surfaces.push_back(surface_of<T>(object.material, integrator_of(scene)));
-    const bool filters = surfaces.back().filters_shadows;
-    const int id = static_cast<int>(filters_shadows.size()), same = accelerator.primitives().first_equal(id);
+      draws(draws_random(integrator_of(scene))),
+      accelerator(Flattener<T>(scene, *this).take(), kind) {
+  for (int id = 0; id < accelerator.primitives().size(); ++id) {
+    const bool filters = surface(id).filters_shadows;
+    const int same = accelerator.primitives().first_equal(id);
     // Of two that filter in the same place, only the first is there.
     filters_shadows.push_back(filters && (same == id || !surface(same).filters_shadows));
     stops_shadows.push_back(!filters);

@@ -6,13 +6,15 @@
 #include "trace/sampling.h"
 #include "trace/texture.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace raywalk {
 
 /// A scene made ready for tracing in scalar type T: every number rounded once, primitives in their accelerator.
-/// The primitive's id is the object's index in the scene.
+/// What an object of the scene comes to, a shape, the triangles of a mesh or the contents of a group, are primitives
+/// of their own.
 template <class T>
 struct World {
   struct Pattern {
@@ -87,7 +89,6 @@ struct World {
 
   explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic);
 
-  Accelerator<T> accelerator;
   std::vector<Surface> surfaces;
   std::vector<Lamp> lamps;
   Rgb<T> background, ambient;
@@ -98,7 +99,19 @@ struct World {
   /// By primitive: whether it lets shadow rays through weighted, or stops them. Empty when all of them stop.
   std::vector<std::uint8_t> filters_shadows, stops_shadows;
 
-  [[nodiscard]] const Surface& surface(int primitive) const { return surfaces[static_cast<std::size_t>(primitive)]; }
+  /// By primitive: the index of the object in the scene, and of its surface. Empty when each primitive is the object
+  /// of its own number.
+  std::vector<std::int32_t> objects, surface_indices;
+  Accelerator<T> accelerator;
+
+  [[nodiscard]] const Surface& surface(int primitive) const {
+    const auto id = static_cast<std::size_t>(primitive);
+    return surfaces[surface_indices.empty() ? id : static_cast<std::size_t>(surface_indices[id])];
+  }
+  /// Index in Scene::objects.
+  [[nodiscard]] int object(int primitive) const {
+    return objects.empty() ? primitive : objects[static_cast<std::size_t>(primitive)];
+  }
 };
 
 extern template struct World<float>;

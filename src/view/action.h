@@ -116,7 +116,7 @@ struct SetMaterial {
 };
 struct SetShape {
   int object;
-  Shape<double> shape;
+  ObjectShape shape;
   bool continues = false;
 };
 struct SetLight {

@@ -125,6 +125,7 @@ enum class TextId {
   lowest,
   highest,
   capped,
+  smooth,
   normal,
   strength,
   attenuation,

@@ -215,6 +215,8 @@ std::string_view text(TextId id) {
       return "Highest";
     case TextId::capped:
       return "Capped";
+    case TextId::smooth:
+      return "Smooth";
     case TextId::normal:
       return "Normal";
     case TextId::strength:

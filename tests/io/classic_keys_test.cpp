@@ -50,6 +50,14 @@ class KeyLister {
     add(key);
     for (const auto& step : detail::transform_words) words.insert(std::string(step.word));
   }
+  void motion(std::string_view key, Motion& /*value*/) { add(key); }
+  void mesh_file(std::string_view key, MeshShape& /*value*/) { add(key); }
+  void vertices(std::string_view positions, std::string_view triangles, std::string_view normals, std::string_view uv,
+                MeshShape& /*value*/) {
+    for (const std::string_view key : {positions, triangles, normals, uv}) add(key);
+  }
+  void group_name(std::string_view key, Instance& /*value*/) { add(key); }
+  void define(const Group& /*group*/) {}
   void check(bool /*holds*/, std::string_view /*key*/, std::string_view /*message*/, std::string_view /*hint*/) {}
   template <class Value>
   void choice(std::string_view key, Value& /*value*/) {
@@ -103,8 +111,8 @@ TEST_CASE("every key, table and word of the format is explained in the classic s
   Scene scene;
   scene_keys::describe(lister, scene);
   CHECK(lister.keys.size() > 30);
-  CHECK(lister.table_keys() == std::set<std::string>{"camera", "checker", "image", "light", "limits", "material",
-                                                     "object", "render", "screen", "texture"});
+  CHECK(lister.table_keys() == std::set<std::string>{"camera", "checker", "group", "image", "light", "limits",
+                                                     "material", "object", "render", "screen", "texture"});
   for (const std::string& key : lister.keys) {
     INFO(key);
     CHECK(std::regex_search(classic, std::regex("\\b" + key + " = ")));

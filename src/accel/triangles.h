@@ -1,0 +1,119 @@
+#pragma once
+
+#include "math/transform.h"
+#include "shape/mesh.h"
+#include "shape/triangle.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace raywalk {
+
+/// The triangles of all meshes, mapped into the world, in 12 bytes each beside the vertices that they share. The image
+/// of a shared vertex is the same bits for every triangle, so that a mesh is as watertight as it was.
+template <class T>
+class Triangles {
+ public:
+  /// With `smooth`, normals between vertices that have one are interpolated.
+  void add(const Mesh& mesh, const Affine<double>& to_world, bool smooth);
+
+  [[nodiscard]] int size() const { return static_cast<int>(corners_.size()); }
+  [[nodiscard]] Triangle<T> operator[](int i) const {
+    const Mesh::Corners& c = corners(i);
+    return {position(c[0]), position(c[1]), position(c[2])};
+  }
+
+  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const Ray<T>& ray, T t_max, int departed_part) const {
+    const Triangle<T> triangle = (*this)[i];
+    const auto crossing = raywalk::intersect(triangle, ray, t_max, departed_part);
+    // What has shrunk to a line has no normal; it is told last, of the few that are hit.
+    if (crossing && cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0)) return std::nullopt;
+    return crossing;
+  }
+
+  /// The normal that smooth shading takes at a point of triangle `i`, on the side of its own; none where it is flat.
+  [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int i, const SurfacePoint<T>& point) const;
+  [[nodiscard]] Vec2<T> uv_at(int i, const SurfacePoint<T>& point) const;
+
+  /// Whether two are one surface: the same three corners, in whatever order.
+  [[nodiscard]] bool equal(int a, int b) const;
+
+ private:
+  [[nodiscard]] const Mesh::Corners& corners(int i) const { return corners_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Vec3<T>& position(std::int32_t vertex) const {
+    return positions_[static_cast<std::size_t>(vertex)];
+  }
+  struct Weights {
+    T a, b, c;
+  };
+  [[nodiscard]] Weights weights_at(int i, const Vec3<T>& point) const {
+    const Vec2<T> bc = barycentric((*this)[i], point);
+    return {1 - bc.x - bc.y, bc.x, bc.y};
+  }
+
+  std::vector<Vec3<T>> positions_;      ///< by vertex
+  std::vector<Mesh::Corners> corners_;  ///< by triangle
+  std::vector<Vec3<T>> normals_;        ///< by vertex, 0 for none; empty when no mesh is smooth
+  std::vector<Vec2<T>> uv_;             ///< by vertex; empty when no mesh has any
+  std::vector<std::uint8_t> has_uv_;    ///< by vertex, with uv_
+};
+
+template <class T>
+void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool smooth) {
+  const auto first = static_cast<std::int32_t>(positions_.size());
+  positions_.reserve(positions_.size() + mesh.positions.size());
+  for (const Vec3d& at : mesh.positions) positions_.emplace_back(to_world.point(at));
+  corners_.reserve(corners_.size() + mesh.triangles.size());
+  const bool mirrored = to_world.determinant() < 0;  // outside stays outside
+  for (const auto& [a, b, c] : mesh.triangles)
+    corners_.push_back({first + a, first + (mirrored ? c : b), first + (mirrored ? b : c)});
+  if (smooth && !mesh.normals.empty()) {
+    normals_.resize(static_cast<std::size_t>(first), Vec3<T>(0));
+    for (const Vec3d& normal : mesh.normals) {
+      const Vec3d image = to_world.normal(normal);
+      const double size = length(image);
+      normals_.emplace_back(size > 0 ? image / size : Vec3d(0.0));
+    }
+  }
+  if (!mesh.uv.empty()) {
+    uv_.resize(static_cast<std::size_t>(first), Vec2<T>(0));
+    has_uv_.resize(static_cast<std::size_t>(first), 0);
+    for (const Vec2d& uv : mesh.uv) uv_.emplace_back(uv);
+    has_uv_.resize(uv_.size(), 1);
+  }
+  if (!normals_.empty()) normals_.resize(positions_.size(), Vec3<T>(0));
+  if (!uv_.empty()) uv_.resize(positions_.size(), Vec2<T>(0)), has_uv_.resize(positions_.size(), 0);
+}
+
+template <class T>
+std::optional<Vec3<T>> Triangles<T>::smooth_normal(int i, const SurfacePoint<T>& point) const {
+  if (normals_.empty()) return std::nullopt;
+  const auto normal = [&](std::size_t corner) { return normals_[static_cast<std::size_t>(corners(i)[corner])]; };
+  const Vec3<T> a = normal(0), b = normal(1), c = normal(2);
+  if (a == Vec3<T>(0) || b == Vec3<T>(0) || c == Vec3<T>(0)) return std::nullopt;
+  const Weights w = weights_at(i, point.position);
+  const Vec3<T> sum = w.a * a + w.b * b + w.c * c;
+  const T size = length(sum);
+  if (!(size > 0)) return std::nullopt;
+  return dot(sum, point.normal) < 0 ? -sum / size : sum / size;
+}
+
+template <class T>
+Vec2<T> Triangles<T>::uv_at(int i, const SurfacePoint<T>& point) const {
+  const Mesh::Corners& c = corners(i);
+  if (uv_.empty() || has_uv_[static_cast<std::size_t>(c[0])] == 0) return raywalk::uv_at((*this)[i], point, 0);
+  const auto uv = [&](std::size_t corner) { return uv_[static_cast<std::size_t>(c[corner])]; };
+  const Weights w = weights_at(i, point.position);
+  return w.a * uv(0) + w.b * uv(1) + w.c * uv(2);
+}
+
+template <class T>
+bool Triangles<T>::equal(int a, int b) const {
+  const Triangle<T> first = (*this)[a], second = (*this)[b];
+  const auto has = [&](const Vec3<T>& p) { return p == second.a || p == second.b || p == second.c; };
+  const auto held = [&](const Vec3<T>& p) { return p == first.a || p == first.b || p == first.c; };
+  return has(first.a) && has(first.b) && has(first.c) && held(second.a) && held(second.b) && held(second.c);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,58 @@
+#include "io/mesh_file.h"
+
+#include "io/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace raywalk {
+
+namespace detail {
+
+std::string path_beside(const std::string& from, const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::path(from).parent_path();
+  return (folder / name).string();  // an absolute name stays what it is
+}
+
+std::string why_no_mesh(const Mesh& mesh) {
+  constexpr double most = 1e15;  // as everywhere in a scene
+  const auto sound = [](double x) { return std::abs(x) <= most; };
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3d& p = mesh.positions[i];
+    if (!sound(p.x) || !sound(p.y) || !sound(p.z))
+      return fmt::format("vertex {} is at ({:g}, {:g}, {:g}) (expected finite numbers, at most {:g})", i, p.x, p.y, p.z,
+                         most);
+  }
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+    if (const Vec3d& n = mesh.normals[i]; !sound(n.x) || !sound(n.y) || !sound(n.z))
+      return fmt::format("the normal of vertex {} is not finite", i);
+  for (std::size_t i = 0; i < mesh.uv.size(); ++i)
+    if (!sound(mesh.uv[i].x) || !sound(mesh.uv[i].y))
+      return fmt::format("the texture coordinates of vertex {} are not finite", i);
+  const auto vertices = static_cast<std::int64_t>(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::int32_t corner : mesh.triangles[i])
+      if (corner < 0 || corner >= vertices)
+        return fmt::format("triangle {} names vertex {} (expected 0 to {})", i, corner, vertices - 1);
+  if (mesh.triangles.empty()) return "there is no triangle in it (expected at least one)";
+  return "";
+}
+
+}  // namespace detail
+
+Result<MeshFile> read_mesh(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (ending != ".obj" && ending != ".ply")
+    return tl::unexpected(Error{path, 0, 0, "no mesh can be read from a file of this ending (expected .obj or .ply)",
+                                "convert it with a modelling program"});
+  const auto bytes = read_file(path, detail::most_mesh_bytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return ending == ".obj" ? parse_obj(*bytes, path) : parse_ply(*bytes, path);
+}
+
+}  // namespace raywalk

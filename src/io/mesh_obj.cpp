@@ -1,0 +1,260 @@
+// Wavefront OBJ and MTL (B. Martin Wright, "Object Files" and "MTL material format", Alias|Wavefront 1995).
+
+#include "io/file.h"
+#include "io/mesh_file.h"
+#include "io/mesh_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <unordered_map>
+
+namespace raywalk {
+
+namespace {
+
+/// Indices of one corner of a face, -1 for what it has not.
+struct ObjCorner {
+  std::int32_t position = -1, uv = -1, normal = -1;
+  friend bool operator==(const ObjCorner&, const ObjCorner&) = default;
+};
+struct HashCorner {
+  std::size_t operator()(const ObjCorner& corner) const {
+    std::uint64_t key = 0;
+    for (const std::int32_t index : {corner.position, corner.uv, corner.normal}) {
+      key = (key ^ static_cast<std::uint32_t>(index)) * 0x9e3779b97f4a7c15U;
+      key ^= key >> 32;
+    }
+    return static_cast<std::size_t>(key);
+  }
+};
+
+class ObjReader {
+ public:
+  ObjReader(const std::string& bytes, const std::string& path) : path_(path), cursor_(bytes) {}
+
+  Result<MeshFile> read() {
+    do {
+      if (!read_line()) return tl::unexpected(*error_);
+    } while (cursor_.next_line());
+    if (!has_normals_) mesh_.normals.clear();
+    if (!has_uv_) mesh_.uv.clear();
+    if (!has_materials_) mesh_.materials.clear();
+    if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
+      return tl::unexpected(Error{path_, 0, 0, why, "lines \"v X Y Z\" are vertices, lines \"f 1 2 3\" faces"});
+    MeshFile file{std::make_shared<const Mesh>(std::move(mesh_)), nullptr};
+    if (has_materials_) file.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
+    return file;
+  }
+
+ private:
+  bool fail(const std::string& message, const std::string& hint) {
+    if (!error_) error_ = Error{path_, cursor_.line(), 0, message, hint};
+    return false;
+  }
+
+  bool read_line() {
+    const std::string_view keyword = cursor_.word();
+    if (keyword == "v") {
+      std::array<double, 3> xyz{};
+      if (!numbers(xyz, 3, "v X Y Z")) return false;
+      positions_.emplace_back(xyz[0], xyz[1], xyz[2]);
+    } else if (keyword == "vn") {
+      std::array<double, 3> xyz{};
+      if (!numbers(xyz, 3, "vn X Y Z")) return false;
+      normals_.emplace_back(xyz[0], xyz[1], xyz[2]);
+    } else if (keyword == "vt") {
+      std::array<double, 3> uv{};
+      if (!numbers(uv, 1, "vt U V")) return false;
+      uvs_.emplace_back(uv[0], uv[1]);
+    } else if (keyword == "f" || keyword == "fo") {
+      return read_face();
+    } else if (keyword == "usemtl") {
+      const std::string name(cursor_.rest());
+      const auto found = material_index_.find(name);
+      material_ = found == material_index_.end() ? -1 : found->second;
+    } else if (keyword == "mtllib") {
+      return read_library(std::string(cursor_.rest()));
+    }
+    return true;  // names of parts, smoothing groups, curves and comments say nothing about triangles
+  }
+
+  /// The numbers of a line: at least `least`; what a line has more of is not looked at.
+  bool numbers(std::array<double, 3>& values, std::size_t least, std::string_view form) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string_view word = cursor_.word();
+      if (word.empty() && i >= least) return true;
+      const auto number = detail::number_in(word);
+      if (!number)
+        return fail(word.empty()
+                        ? fmt::format("a number is missing (expected \"{}\")", form)
+                        : fmt::format("\"{}\" is no finite number (expected \"{}\")", word.substr(0, 40), form),
+                    "numbers are written like 1.5 or 2e-3");
+      values[i] = *number;
+    }
+    return true;
+  }
+
+  /// One index of a corner: from 1, or back from the newest one as -1. `count` are known so far.
+  bool read_index(std::string_view word, std::size_t count, std::string_view what, std::int32_t& index) {
+    const auto number = detail::whole_in(word);
+    const auto known = static_cast<std::int64_t>(count);
+    if (!number || *number == 0 || *number > known || *number < -known)
+      return fail(
+          fmt::format("a face names {} {} (expected 1 to {}, or -1 for the newest)", what, word.substr(0, 40), known),
+          "faces stand below the vertices that they name, which are counted from 1");
+    index = static_cast<std::int32_t>(*number > 0 ? *number - 1 : known + *number);
+    return true;
+  }
+
+  bool read_corner(std::string_view word, ObjCorner& corner) {
+    const std::size_t slash = std::min(word.find('/'), word.size());
+    if (!read_index(word.substr(0, slash), positions_.size(), "vertex", corner.position)) return false;
+    if (slash == word.size()) return true;
+    const std::string_view after = word.substr(slash + 1);
+    const std::size_t second = std::min(after.find('/'), after.size());
+    if (second > 0 && !read_index(after.substr(0, second), uvs_.size(), "texture vertex", corner.uv)) return false;
+    if (second < after.size()) return read_index(after.substr(second + 1), normals_.size(), "normal", corner.normal);
+    return true;
+  }
+
+  /// A face of more than three corners becomes a fan of triangles.
+  bool read_face() {
+    std::int32_t first = 0, previous = 0;
+    int count = 0;
+    for (std::string_view word = cursor_.word(); !word.empty(); word = cursor_.word(), ++count) {
+      if (word[0] == '#') break;
+      ObjCorner corner;
+      if (!read_corner(word, corner)) return false;
+      const std::int32_t vertex = vertex_of(corner);
+      if (count >= 2) {
+        mesh_.triangles.push_back({first, previous, vertex});
+        mesh_.materials.push_back(material_);
+        has_materials_ = has_materials_ || material_ >= 0;
+      }
+      if (count == 0) first = vertex;
+      previous = vertex;
+    }
+    if (count < 3) return fail(fmt::format("a face of {} corners (expected 3 or more)", count), "such as \"f 1 2 3\"");
+    return true;
+  }
+
+  std::int32_t vertex_of(const ObjCorner& corner) {
+    const auto [entry, is_new] = vertices_.emplace(corner, static_cast<std::int32_t>(mesh_.positions.size()));
+    if (!is_new) return entry->second;
+    mesh_.positions.push_back(positions_[static_cast<std::size_t>(corner.position)]);
+    mesh_.normals.push_back(corner.normal < 0 ? Vec3d(0.0) : normals_[static_cast<std::size_t>(corner.normal)]);
+    mesh_.uv.push_back(corner.uv < 0 ? Vec2d(0.0) : uvs_[static_cast<std::size_t>(corner.uv)]);
+    has_normals_ = has_normals_ || corner.normal >= 0;
+    has_uv_ = has_uv_ || corner.uv >= 0;
+    return entry->second;
+  }
+
+  bool read_library(const std::string& name) {
+    const std::string path = detail::path_beside(path_, name);
+    constexpr std::size_t most_bytes = std::size_t{16} << 20;
+    const auto bytes = read_file(path, most_bytes);
+    if (!bytes)
+      return fail(fmt::format("its materials cannot be read: {}", bytes.error().message),
+                  fmt::format("\"{}\" is looked for beside the mesh; remove the line mtllib to do without", name));
+    const auto read = parse_mtl(*bytes, path);
+    if (!read) {
+      error_ = read.error();
+      return false;
+    }
+    for (const NamedMaterial& each : *read) {
+      material_index_[each.name] = static_cast<std::int32_t>(materials_.size());
+      materials_.push_back(each.material);
+    }
+    return true;
+  }
+
+  const std::string& path_;
+  detail::TextCursor cursor_;
+  std::vector<Vec3d> positions_, normals_;
+  std::vector<Vec2d> uvs_;
+  std::unordered_map<ObjCorner, std::int32_t, HashCorner> vertices_;
+  std::vector<Material> materials_;
+  std::map<std::string, std::int32_t> material_index_;
+  std::int32_t material_ = -1;
+  bool has_normals_ = false, has_uv_ = false, has_materials_ = false;
+  Mesh mesh_;
+  std::optional<Error> error_;
+};
+
+/// What MTL's numbers come to in the end, when a material is complete.
+struct MtlMaterial {
+  Material material;
+  Rgbd filter{1.0};
+  double opaque = 1;
+  int illumination = 2;
+
+  [[nodiscard]] Material finished() const {
+    Material m = material;
+    m.transmission = (1 - opaque) * filter;
+    m.diffuse *= opaque;
+    const int kind = illumination;
+    if (kind == 3 || (kind >= 5 && kind <= 8)) m.reflection = m.specular;  // illum 3 and more trace a reflected ray
+    m.dielectric = kind == 5 || kind == 7;                                 // Fresnel
+    return m;
+  }
+};
+
+}  // namespace
+
+Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std::string& path) {
+  detail::TextCursor cursor(bytes);
+  std::vector<NamedMaterial> named;
+  MtlMaterial current;
+  const auto finish = [&] {
+    if (!named.empty()) named.back().material = current.finished();
+  };
+  do {
+    const std::string keyword(cursor.word());
+    if (keyword == "newmtl") {
+      finish();
+      named.push_back({std::string(cursor.rest()), {}});
+      current = {};
+      current.material.diffuse = Rgbd(0.0);
+      continue;
+    }
+    const bool is_colour = keyword == "Ka" || keyword == "Kd" || keyword == "Ks" || keyword == "Ke" || keyword == "Tf";
+    const bool is_number =
+        keyword == "Ns" || keyword == "Ni" || keyword == "d" || keyword == "Tr" || keyword == "illum";
+    if (!is_colour && !is_number) continue;  // pictures and what other renderers added
+    std::array<double, 3> values{};
+    int count = 0;
+    for (std::string_view word = cursor.word(); !word.empty() && count < 3; word = cursor.word()) {
+      if (word == "-halo") continue;
+      const auto number = detail::number_in(word);
+      if (!number || *number < 0 || *number > 1e15)
+        return tl::unexpected(
+            Error{path, cursor.line(), 0,
+                  fmt::format("{}: \"{}\" is no number that is 0 or more", keyword, word.substr(0, 40)),
+                  "colours are given as three numbers, such as Kd 0.8 0.2 0.1"});
+      values[static_cast<std::size_t>(count++)] = *number;
+    }
+    if (count == 0 || (is_colour && count == 2))
+      return tl::unexpected(Error{path, cursor.line(), 0, fmt::format("{}: a number is missing", keyword),
+                                  is_colour ? "such as Kd 0.8 0.2 0.1" : "such as Ns 30"});
+    const Rgbd colour = count == 3 ? Rgbd(values[0], values[1], values[2]) : Rgbd(values[0]);
+    if (keyword == "Ka") current.material.ambient = colour;
+    if (keyword == "Kd") current.material.diffuse = colour;
+    if (keyword == "Ks") current.material.specular = colour;
+    if (keyword == "Ke") current.material.emission = colour;
+    if (keyword == "Tf") current.filter = colour;
+    if (keyword == "Ns") current.material.shininess = values[0];
+    if (keyword == "Ni" && values[0] >= 1e-15) current.material.ior = values[0];
+    if (keyword == "d") current.opaque = std::min(values[0], 1.0);
+    if (keyword == "Tr") current.opaque = 1 - std::min(values[0], 1.0);
+    if (keyword == "illum") current.illumination = static_cast<int>(std::min(values[0], 10.0));
+  } while (cursor.next_line());
+  finish();
+  return named;
+}
+
+Result<MeshFile> parse_obj(const std::string& bytes, const std::string& path) { return ObjReader(bytes, path).read(); }
+
+}  // namespace raywalk

@@ -1,0 +1,291 @@
+// PLY, the polygon file format of Greg Turk (1994).
+
+#include "io/mesh_file.h"
+#include "io/mesh_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace raywalk {
+
+namespace {
+
+enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class Format { text, little, big };
+
+constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+std::size_t size_of(Scalar type) { return sizes[static_cast<std::size_t>(type)]; }
+
+std::optional<Scalar> scalar_named(std::string_view word) {
+  constexpr std::array<std::array<std::string_view, 2>, 8> names{{{"char", "int8"},
+                                                                  {"uchar", "uint8"},
+                                                                  {"short", "int16"},
+                                                                  {"ushort", "uint16"},
+                                                                  {"int", "int32"},
+                                                                  {"uint", "uint32"},
+                                                                  {"float", "float32"},
+                                                                  {"double", "float64"}}};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (word == names[i][0] || word == names[i][1]) return static_cast<Scalar>(i);
+  return std::nullopt;
+}
+
+struct Property {
+  std::string name;
+  Scalar type;
+  std::optional<Scalar> count_type;  ///< of a list
+};
+
+struct Element {
+  std::string name;
+  std::int64_t count;
+  std::vector<Property> properties;
+};
+
+class PlyReader {
+ public:
+  PlyReader(const std::string& bytes, const std::string& path) : bytes_(bytes), path_(path), cursor_(bytes) {}
+
+  Result<MeshFile> read() {
+    if (!read_header()) return tl::unexpected(*error_);
+    at_ = cursor_.position();
+    for (const Element& element : elements_)
+      if (!read_element(element)) return tl::unexpected(*error_);
+    if (normals_given_ < 3) mesh_.normals.clear();
+    if (uv_given_ < 2) mesh_.uv.clear();
+    if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
+      return tl::unexpected(Error{path_, 0, 0, why, "the file is damaged, or its program wrote it wrongly"});
+    return MeshFile{std::make_shared<const Mesh>(std::move(mesh_)), nullptr};
+  }
+
+ private:
+  bool fail(const std::string& message, const std::string& hint = "is the file damaged or cut short?") {
+    const bool in_text = format_ == Format::text;
+    const std::string place = in_text ? "" : fmt::format(" at byte {}", at_);
+    if (!error_) error_ = Error{path_, in_text ? cursor_.line() : 0, 0, message + place, hint};
+    return false;
+  }
+
+  bool read_header() {
+    constexpr int most_lines = 1000;
+    if (cursor_.word() != "ply") return fail("the file does not begin with \"ply\"", "is this a PLY file?");
+    bool has_format = false;
+    for (int lines = 0; lines < most_lines && cursor_.next_line(); ++lines) {
+      const std::string_view keyword = cursor_.word();
+      if (keyword == "end_header") {
+        if (!has_format) return fail("the header has no line \"format\"");
+        cursor_.next_line();
+        format_ = header_format_;
+        return true;
+      }
+      if (keyword.empty() || keyword == "comment" || keyword == "obj_info") continue;
+      if (keyword == "format") {
+        const std::string_view word = cursor_.word();
+        if (word != "ascii" && word != "binary_little_endian" && word != "binary_big_endian")
+          return fail(fmt::format("format \"{}\" (expected ascii, binary_little_endian or binary_big_endian)",
+                                  word.substr(0, 40)));
+        header_format_ = word == "ascii" ? Format::text : word == "binary_little_endian" ? Format::little : Format::big;
+        has_format = true;
+      } else if (keyword == "element") {
+        const std::string_view name = cursor_.word();
+        const auto count = detail::whole_in(cursor_.word());
+        if (!count || *count < 0) return fail("an element without a count (expected \"element NAME COUNT\")");
+        elements_.push_back({std::string(name), *count, {}});
+      } else if (keyword == "property") {
+        if (!read_property()) return false;
+      } else {
+        return fail(fmt::format("unknown word \"{}\" in the header", keyword.substr(0, 40)));
+      }
+    }
+    return fail("the header does not end (expected \"end_header\")");
+  }
+
+  bool read_property() {
+    constexpr std::size_t most = 1000;
+    if (elements_.empty()) return fail("a property that belongs to no element");
+    if (elements_.back().properties.size() >= most) return fail(fmt::format("more than {} properties", most));
+    Property property{};
+    std::string_view word = cursor_.word();
+    if (word == "list") {
+      property.count_type = scalar_named(cursor_.word());
+      if (!property.count_type || *property.count_type >= Scalar::float32)
+        return fail("a list without a whole-number type for its length");
+      word = cursor_.word();
+    }
+    const auto type = scalar_named(word);
+    if (!type)
+      return fail(fmt::format("unknown type \"{}\" (expected char, uchar, short, ushort, int, uint, float or double)",
+                              word.substr(0, 40)));
+    property.type = *type;
+    property.name = cursor_.word();
+    elements_.back().properties.push_back(std::move(property));
+    return true;
+  }
+
+  /// The next value of a type; NaN with an error where there is none.
+  double value(Scalar type) {
+    if (format_ == Format::text) {
+      const std::string_view word = cursor_.word_anywhere();
+      const auto number = detail::number_in(word);
+      if (!number)
+        fail(word.empty() ? "the file ends too early" : fmt::format("\"{}\" is no finite number", word.substr(0, 40)));
+      return number.value_or(NAN);
+    }
+    const std::size_t size = size_of(type);
+    if (bytes_.size() - at_ < size) {
+      fail("the file ends too early");
+      return NAN;
+    }
+    std::array<unsigned char, 8> raw{};
+    for (std::size_t i = 0; i < size; ++i)
+      raw[format_ == Format::little ? i : size - 1 - i] = static_cast<unsigned char>(bytes_[at_ + i]);
+    at_ += size;
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < size; ++i) bits |= std::uint64_t{raw[i]} << (8 * i);
+    switch (type) {
+      case Scalar::int8:
+        return static_cast<std::int8_t>(bits);
+      case Scalar::int16:
+        return static_cast<std::int16_t>(bits);
+      case Scalar::int32:
+        return static_cast<std::int32_t>(bits);
+      case Scalar::uint8:
+      case Scalar::uint16:
+      case Scalar::uint32:
+        return static_cast<double>(bits);
+      case Scalar::float32:
+        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+      case Scalar::float64:
+        return std::bit_cast<double>(bits);
+    }
+    return NAN;
+  }
+
+  /// Whether so many elements can still be in the file: no memory is taken for a count that is a lie.
+  bool can_hold(const Element& element) {
+    std::size_t least = 0;
+    for (const Property& property : element.properties)
+      least += format_ == Format::text ? 2 : size_of(property.count_type.value_or(property.type));
+    const std::size_t left = bytes_.size() - (format_ == Format::text ? cursor_.position() : at_) + 1;
+    if (least == 0 || static_cast<std::uint64_t>(element.count) <= left / least) return true;
+    return fail(fmt::format("the header says {} of \"{}\", more than the file can hold", element.count,
+                            element.name.substr(0, 40)));
+  }
+
+  bool read_element(const Element& element) {
+    if (element.properties.empty()) return true;
+    if (!can_hold(element)) return false;
+    if (element.count > std::numeric_limits<std::int32_t>::max()) return fail("too many elements");
+    const auto count = static_cast<std::size_t>(element.count);
+    if (element.name == "vertex") return read_vertices(element, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const Property& property : element.properties) {
+        const bool is_corners = element.name == "face" && property.count_type &&
+                                (property.name == "vertex_indices" || property.name == "vertex_index");
+        if (is_corners ? !read_face(property) : !skip(property)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool read_vertices(const Element& element, std::size_t count) {
+    constexpr std::array<std::string_view, 8> names{"x", "y", "z", "nx", "ny", "nz", "u", "v"};
+    constexpr std::array<std::string_view, 2> st{"s", "t"}, long_uv{"texture_u", "texture_v"};
+    std::vector<int> slots;
+    std::array<int, 8> given{};
+    for (const Property& property : element.properties) {
+      int slot = -1;
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (property.name == names[i]) slot = static_cast<int>(i);
+      for (std::size_t i = 0; i < 2; ++i)
+        if (property.name == st[i] || property.name == long_uv[i]) slot = static_cast<int>(6 + i);
+      if (property.count_type) slot = -1;
+      if (slot >= 0) given[static_cast<std::size_t>(slot)] = 1;
+      slots.push_back(slot);
+    }
+    if (given[0] + given[1] + given[2] < 3) return fail("the vertices have no x, y and z");
+    normals_given_ = given[3] + given[4] + given[5];
+    uv_given_ = given[6] + given[7];
+    mesh_.positions.reserve(count);
+    if (normals_given_ == 3) mesh_.normals.reserve(count);
+    if (uv_given_ == 2) mesh_.uv.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<double, 8> v{};
+      for (std::size_t p = 0; p < slots.size(); ++p) {
+        const Property& property = element.properties[p];
+        if (slots[p] < 0) {
+          if (!skip(property)) return false;
+          continue;
+        }
+        v[static_cast<std::size_t>(slots[p])] = value(property.type);
+        if (error_) return false;
+      }
+      mesh_.positions.emplace_back(v[0], v[1], v[2]);
+      if (normals_given_ == 3) mesh_.normals.emplace_back(v[3], v[4], v[5]);
+      if (uv_given_ == 2) mesh_.uv.emplace_back(v[6], v[7]);
+    }
+    return true;
+  }
+
+  /// A list's length, which the rest of the file can hold.
+  std::optional<std::size_t> length_of(const Property& property) {
+    const double length = value(*property.count_type);
+    if (error_) return std::nullopt;
+    const std::size_t left = bytes_.size() - (format_ == Format::text ? cursor_.position() : at_);
+    const std::size_t each = format_ == Format::text ? 1 : size_of(property.type);
+    if (!(length >= 0 && length == std::floor(length) && length <= static_cast<double>(left / each))) {
+      fail(fmt::format("a list of {:g} values, which the file cannot hold", length));
+      return std::nullopt;
+    }
+    return static_cast<std::size_t>(length);
+  }
+
+  bool skip(const Property& property) {
+    std::size_t count = 1;
+    if (property.count_type) {
+      const auto length = length_of(property);
+      if (!length) return false;
+      count = *length;
+    }
+    for (std::size_t i = 0; i < count && !error_; ++i) static_cast<void>(value(property.type));
+    return !error_;
+  }
+
+  /// A face of more than three corners becomes a fan of triangles.
+  bool read_face(const Property& property) {
+    const auto length = length_of(property);
+    if (!length) return false;
+    if (*length < 3) return fail(fmt::format("a face of {} corners (expected 3 or more)", *length));
+    std::int32_t first = 0, previous = 0;
+    for (std::size_t i = 0; i < *length; ++i) {
+      const double index = value(property.type);
+      if (error_) return false;
+      if (!(index >= 0 && index <= std::numeric_limits<std::int32_t>::max() && index == std::floor(index)))
+        return fail(fmt::format("a face names vertex {:g}", index));
+      const auto corner = static_cast<std::int32_t>(index);
+      if (i >= 2) mesh_.triangles.push_back({first, previous, corner});
+      if (i == 0) first = corner;
+      previous = corner;
+    }
+    return true;
+  }
+
+  const std::string& bytes_;
+  const std::string& path_;
+  detail::TextCursor cursor_;
+  std::size_t at_ = 0;  ///< of binary data
+  Format format_ = Format::text, header_format_ = Format::text;
+  std::vector<Element> elements_;
+  Mesh mesh_;
+  int normals_given_ = 0, uv_given_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<MeshFile> parse_ply(const std::string& bytes, const std::string& path) { return PlyReader(bytes, path).read(); }
+
+}  // namespace raywalk

@@ -1,0 +1,85 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <set>
+
+namespace raywalk {
+
+std::string_view shape_name(const ObjectShape& shape) {
+  return std::visit([](const auto& s) { return shape_name(s); }, shape);
+}
+
+Bounds<double> bounds(const MeshShape& shape) { return shape.mesh ? bounds(*shape.mesh) : Bounds<double>{}; }
+
+Bounds<double> bounds(const Instance& shape) { return shape.content ? shape.content->box : Bounds<double>{}; }
+
+Bounds<double> bounds(const ObjectShape& shape) {
+  return std::visit([](const auto& s) { return bounds(s); }, shape);
+}
+
+double entries_of(const std::vector<Object>& objects) {
+  double entries = 0;
+  for (const Object& object : objects) {
+    entries += 1;
+    if (const auto* mesh = std::get_if<MeshShape>(&object.shape); mesh && mesh->mesh)
+      entries += static_cast<double>(mesh->mesh->triangles.size());
+    if (const auto* instance = std::get_if<Instance>(&object.shape); instance && instance->content)
+      entries += instance->content->entries;
+  }
+  return entries;
+}
+
+GroupContent::GroupContent(Group from) : group(std::move(from)), entries(entries_of(group.objects)), nesting(1) {
+  for (const Object& object : group.objects) {
+    box.include(image_of(affine_of(object.transform), bounds(object.shape)));
+    if (const auto* instance = std::get_if<Instance>(&object.shape); instance && instance->content)
+      nesting = std::max(nesting, instance->content->nesting + 1);
+  }
+}
+
+namespace {
+
+void collect(const std::vector<Object>& objects, std::set<std::string_view>& groups, std::vector<Dress>& dresses) {
+  for (const Object& object : objects) {
+    if (const auto* instance = std::get_if<Instance>(&object.shape)) {
+      if (instance->content && groups.insert(instance->group).second)
+        collect(instance->content->group.objects, groups, dresses);
+      continue;
+    }
+    dresses.push_back({&object, &object.material});
+    const auto* mesh = std::get_if<MeshShape>(&object.shape);
+    if (mesh != nullptr && mesh->file_materials && mesh->materials)
+      for (const Material& material : *mesh->materials) dresses.push_back({&object, &material});
+  }
+}
+
+}  // namespace
+
+namespace {
+
+const Object* first_mover(const std::vector<Object>& objects, double open, double close,
+                          std::set<const GroupContent*>& groups) {
+  for (const Object& object : objects) {
+    if (moves_between(object.motion, open, close)) return &object;
+    const auto* instance = std::get_if<Instance>(&object.shape);
+    if (!instance || !instance->content || !groups.insert(instance->content.get()).second) continue;
+    if (const Object* inner = first_mover(instance->content->group.objects, open, close, groups)) return inner;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const Object* first_mover(const Scene& scene) {
+  std::set<const GroupContent*> groups;
+  return first_mover(scene.objects, scene.camera.shutter_open, scene.camera.shutter_close, groups);
+}
+
+std::vector<Dress> dresses_of(const Scene& scene) {
+  std::vector<Dress> dresses;
+  std::set<std::string_view> groups;
+  collect(scene.objects, groups, dresses);
+  return dresses;
+}
+
+}  // namespace raywalk
