@@ -1,6 +1,15 @@
 #include "accel/accelerator.h"
 
+#include "accel/bvh.h"
+#include "accel/grid.h"
+#include "accel/kdtree.h"
+#include "accel/list.h"
+#include "accel/octree.h"
+#include "accel/volumes.h"
+
 #include <algorithm>
+#include <chrono>
+#include <variant>
 
 namespace raywalk {
 
@@ -15,11 +24,20 @@ AcceleratorKind resolve(AcceleratorKind kind, std::size_t bounded) {
 }
 
 template <class T>
-std::variant<List<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>> build(AcceleratorKind kind, const Boxes<T>& boxes) {
+using AnyStructure = std::variant<List<T>, Volumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
+
+template <class T>
+AnyStructure<T> build(AcceleratorKind kind, const Boxes<T>& boxes, const Primitives<T>& primitives) {
   switch (kind) {
     case AcceleratorKind::automatic:
     case AcceleratorKind::none:
-      return List<T>(static_cast<int>(boxes.boxes.size()));
+      break;
+    case AcceleratorKind::spheres:
+      return Volumes<T>(boxes, primitives, VolumeKind::sphere);
+    case AcceleratorKind::ellipsoids:
+      return Volumes<T>(boxes, primitives, VolumeKind::ellipsoid);
+    case AcceleratorKind::boxes:
+      return Volumes<T>(boxes, primitives, VolumeKind::box);
     case AcceleratorKind::bvh:
       return Bvh<T>(boxes);
     case AcceleratorKind::grid:
@@ -35,13 +53,20 @@ std::variant<List<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>> build(AcceleratorKi
 }  // namespace
 
 template <class T>
-Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind)
-    : primitives_(std::move(primitives)), structure_(List<T>(0)) {
+struct Accelerator<T>::Structure {
+  AnyStructure<T> any;
+};
+
+template <class T>
+Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind) : primitives_(std::move(primitives)) {
+  const auto begin = std::chrono::steady_clock::now();
   const Boxes<T> boxes(primitives_);
   primitives_.find_equals(boxes.boxes);
   kind_ = resolve(kind, boxes.bounded.size());
-  structure_ = build(kind_, boxes);
+  structure_ = std::make_shared<const Structure>(Structure{build(kind_, boxes, primitives_)});
   if (kind_ != AcceleratorKind::none) unbounded_ = boxes.unbounded;
+  statistics_ = std::visit([](const auto& structure) { return structure.statistics(); }, structure_->any);
+  statistics_.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 template <class T>
@@ -49,7 +74,7 @@ template <class Query>
 void Accelerator<T>::search(const Ray<T>& ray, Query& query) const {
   for (const int id : unbounded_)
     if (query.test(primitives_, id)) return;
-  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_);
+  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_->any);
 }
 
 template <class T>
@@ -62,9 +87,15 @@ std::optional<Hit<T>> Accelerator<T>::closest(const Ray<T>& ray, T t_max, TestCo
 
 template <class T>
 template <class Accept>
-bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept) const {
+bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept, int* last) const {
   AnyQuery<T, Accept> query(ray, t_max, counts, accept);
+  if (last == nullptr) {
+    search(ray, query);
+    return query.found();
+  }
+  if (*last >= 0 && query.test(primitives_, *last)) return true;
   search(ray, query);
+  *last = query.found() ? query.found_id() : -1;
   return query.found();
 }
 
@@ -84,7 +115,7 @@ template class Accelerator<double>;
 // Compiled here once, so that the tracer's kernels need not hold a copy of every structure each.
 #define RAYWALK_QUERIES(T, Accept)                                                                     \
   template std::optional<Hit<T>> Accelerator<T>::closest(const Ray<T>&, T, TestCounts&, Accept) const; \
-  template bool Accelerator<T>::any(const Ray<T>&, T, TestCounts&, Accept) const;
+  template bool Accelerator<T>::any(const Ray<T>&, T, TestCounts&, Accept, int*) const;
 RAYWALK_QUERIES(float, AnyPrimitive)
 RAYWALK_QUERIES(float, MarkedPrimitives)
 RAYWALK_QUERIES(double, AnyPrimitive)

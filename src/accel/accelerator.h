@@ -1,25 +1,33 @@
 #pragma once
 // The one interface to all accelerators. They differ in what they cost, never in what they answer.
 
-#include "accel/bvh.h"
-#include "accel/grid.h"
-#include "accel/kdtree.h"
-#include "accel/list.h"
-#include "accel/octree.h"
+#include "accel/query.h"
 
+#include <array>
+#include <memory>
 #include <string_view>
-#include <variant>
 
 namespace raywalk {
 
-enum class AcceleratorKind { automatic, none, bvh, grid, octree, kdtree };
+enum class AcceleratorKind { automatic, none, spheres, ellipsoids, boxes, bvh, grid, octree, kdtree };
+inline constexpr std::array all_accelerators{
+    AcceleratorKind::automatic,  AcceleratorKind::none,   AcceleratorKind::spheres,
+    AcceleratorKind::ellipsoids, AcceleratorKind::boxes,  AcceleratorKind::bvh,
+    AcceleratorKind::grid,       AcceleratorKind::octree, AcceleratorKind::kdtree};
 
+/// Of `spheres`, `ellipsoids` and `boxes`: one around each object, no hierarchy.
 [[nodiscard]] constexpr std::string_view accelerator_name(AcceleratorKind kind) {
   switch (kind) {
     case AcceleratorKind::automatic:
       return "auto";
     case AcceleratorKind::none:
       return "none";
+    case AcceleratorKind::spheres:
+      return "spheres";
+    case AcceleratorKind::ellipsoids:
+      return "ellipsoids";
+    case AcceleratorKind::boxes:
+      return "boxes";
     case AcceleratorKind::bvh:
       return "bvh";
     case AcceleratorKind::grid:
@@ -43,9 +51,11 @@ class Accelerator {
   template <class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
-  /// Whether any accepted primitive is crossed in (0, t_max).
+  /// Whether any accepted primitive is crossed in (0, t_max). With `last`, the primitive of that id (-1 for none) is
+  /// tested first, and replaced by the one that is found: what hid a light from one point often hides it from the next
+  /// (E. Haines and D. Greenberg, "The light buffer", 1986). It changes the cost and not the answer.
   template <class Accept = AnyPrimitive>
-  [[nodiscard]] bool any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
+  [[nodiscard]] bool any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}, int* last = nullptr) const;
 
   /// Every accepted primitive that is crossed in (0, t_max), as ascending ids.
   void crossed(const Ray<T>& ray, T t_max, TestCounts& counts, MarkedPrimitives accept, std::vector<int>& found) const;
@@ -53,19 +63,18 @@ class Accelerator {
   [[nodiscard]] const Primitives<T>& primitives() const { return primitives_; }
   /// What was built: never `automatic`.
   [[nodiscard]] AcceleratorKind kind() const { return kind_; }
-  [[nodiscard]] AcceleratorStatistics statistics() const {
-    return std::visit([](const auto& structure) { return structure.statistics(); }, structure_);
-  }
+  [[nodiscard]] AcceleratorStatistics statistics() const { return statistics_; }
 
  private:
-  using Structure = std::variant<List<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
+  struct Structure;
   template <class Query>
   void search(const Ray<T>& ray, Query& query) const;
 
   Primitives<T> primitives_;
   std::vector<int> unbounded_;  ///< ids that every ray is tested against
   AcceleratorKind kind_ = AcceleratorKind::none;
-  Structure structure_;  ///< over the others; a List holds all
+  std::shared_ptr<const Structure> structure_;  ///< over the others; a list holds all
+  AcceleratorStatistics statistics_;
 };
 
 extern template class Accelerator<float>;

@@ -26,7 +26,7 @@ class Bvh {
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
-    const SlabRay<T> slabs(ray);
+    const SlabRay<T> slabs(ray, primitives.maps_rays());
     struct Entry {
       int node;
       T in;

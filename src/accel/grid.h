@@ -37,7 +37,7 @@ class Grid {
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     if (starts_.empty()) return;
-    const Stretch<T> inside = clip(SlabRay<T>(ray), box_, {0, query.reach()});
+    const Stretch<T> inside = clip(SlabRay<T>(ray, primitives.maps_rays()), box_, {0, query.reach()});
     if (inside.empty()) return;
     const Vec3<T> entry = ray.at(inside.in);
     std::array<int, 3> at{}, step{};

@@ -26,7 +26,7 @@ class KdTree {
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
-    const SlabRay<T> slabs(ray);
+    const SlabRay<T> slabs(ray, primitives.maps_rays());
     const Stretch<T> inside = clip(slabs, box_, {0, query.reach()});
     if (inside.empty()) return;
     struct Entry {

@@ -22,7 +22,7 @@ class Octree {
   template <class Query>
   void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
-    const SlabRay<T> slabs(ray);
+    const SlabRay<T> slabs(ray, primitives.maps_rays());
     Entry waiting[7 * max_depth + 8];
     std::size_t count = 0;
     const Stretch<T> root = clip(slabs, nodes_[0].box, {0, query.reach()});

@@ -84,19 +84,20 @@ class AnyQuery {
   bool test(const Primitives<T>& primitives, int id) {
     if (!accept_(id)) return false;
     ++counts_.primitives;
-    found_ = primitives.intersect(id, ray_, t_max_).has_value();
-    return found_;
+    if (primitives.intersect(id, ray_, t_max_)) found_ = id;
+    return found();
   }
   [[nodiscard]] T reach() const { return t_max_; }
   void enter_node() { ++counts_.nodes; }
-  [[nodiscard]] bool found() const { return found_; }
+  [[nodiscard]] bool found() const { return found_ >= 0; }
+  [[nodiscard]] int found_id() const { return found_; }
 
  private:
   const Ray<T>& ray_;
   T t_max_;
   TestCounts& counts_;
   Accept accept_;
-  bool found_ = false;
+  int found_ = -1;
 };
 
 /// A search for all accepted primitives that are crossed in (0, t_max): their ids, some of them more than once.
@@ -126,10 +127,19 @@ class EveryQuery {
 /// The ray's terms of every slab test, computed once a ray.
 template <class T>
 struct SlabRay {
-  explicit SlabRay(const Ray<T>& ray) : origin(ray.origin), inverse(T(1) / ray.direction) {
+  /// With `mapped`, boxes are taken for a few ulps of the origin larger: where a primitive takes the ray into a space
+  /// of its own, the origin is rounded there.
+  explicit SlabRay(const Ray<T>& ray, bool mapped = false)
+      : from_low(ray.origin), from_high(ray.origin), inverse(T(1) / ray.direction) {
     for (int axis = 0; axis < 3; ++axis) negative[axis] = std::signbit(ray.direction[axis]);
+    if (!mapped) return;
+    const T size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
+    const Vec3<T> slack(16 * std::numeric_limits<T>::epsilon() * size);
+    from_low += slack;
+    from_high -= slack;
   }
-  Vec3<T> origin, inverse;  ///< 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none
+  Vec3<T> from_low, from_high;  ///< the origin, as seen from lower and from upper faces
+  Vec3<T> inverse;              ///< 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none
   bool negative[3];
 };
 
@@ -148,8 +158,8 @@ template <class T>
 [[nodiscard]] Stretch<T> clip(const SlabRay<T>& ray, const Bounds<T>& box, Stretch<T> within) {
   constexpr T pad = 1 + 4 * std::numeric_limits<T>::epsilon();
   for (int axis = 0; axis < 3; ++axis) {
-    const T low = (box.min[axis] - ray.origin[axis]) * ray.inverse[axis];
-    const T high = (box.max[axis] - ray.origin[axis]) * ray.inverse[axis];
+    const T low = (box.min[axis] - ray.from_low[axis]) * ray.inverse[axis];
+    const T high = (box.max[axis] - ray.from_high[axis]) * ray.inverse[axis];
     const T in = ray.negative[axis] ? high : low, out = (ray.negative[axis] ? low : high) * pad;
     if (in > within.in) within.in = in;
     if (out < within.out) within.out = out;
@@ -163,6 +173,7 @@ struct AcceleratorStatistics {
   std::size_t references = 0;  ///< entries of primitives in leaves or cells
   int depth = 0;               ///< of the deepest leaf; 0 for a single one
   std::size_t bytes = 0;       ///< of the structure, without the primitives
+  double build_seconds = 0;    ///< from the primitives to what can be searched
 };
 
 }  // namespace raywalk

@@ -69,9 +69,8 @@ void declare_render(CLI::App& program, Run& run) {
             "Threads; 0, as when left out: as many as the machine runs at once");
   add_parsed(command, "--seed", to.sampling.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which random numbers are drawn, where any are (0 when left out)");
-  using enum AcceleratorKind;
-  add_choice(command, "--accel", to.accelerator, std::array{automatic, none, bvh, grid, octree, kdtree},
-             accelerator_name, "How the objects that a ray may meet are found; the picture is the same");
+  add_choice(command, "--accel", to.accelerator, all_accelerators, accelerator_name,
+             "How the objects that a ray may meet are found; the picture is the same");
   add_precision(command, to.precision);
   command.add_option("--stats", to.statistics, "Write what was done and how long it took, as JSON")->type_name("FILE");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");

@@ -47,12 +47,14 @@ Result<MeshFile> read_mesh(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (ending != ".obj" && ending != ".ply")
-    return tl::unexpected(Error{path, 0, 0, "no mesh can be read from a file of this ending (expected .obj or .ply)",
+  const bool is_gltf = ending == ".gltf" || ending == ".glb";
+  if (!is_gltf && ending != ".obj" && ending != ".ply")
+    return tl::unexpected(Error{path, 0, 0,
+                                "no mesh can be read from a file of this ending (expected .obj, .ply, .gltf or .glb)",
                                 "convert it with a modelling program"});
   const auto bytes = read_file(path, detail::most_mesh_bytes);
   if (!bytes) return tl::unexpected(bytes.error());
-  return ending == ".obj" ? parse_obj(*bytes, path) : parse_ply(*bytes, path);
+  return is_gltf ? parse_gltf(*bytes, path) : ending == ".obj" ? parse_obj(*bytes, path) : parse_ply(*bytes, path);
 }
 
 }  // namespace raywalk

@@ -24,6 +24,7 @@ struct MeshFile {
 /// From the bytes of a file; `path` is for messages, and says where the files lie that it names.
 [[nodiscard]] Result<MeshFile> parse_obj(const std::string& bytes, const std::string& path);
 [[nodiscard]] Result<MeshFile> parse_ply(const std::string& bytes, const std::string& path);
+[[nodiscard]] Result<MeshFile> parse_gltf(const std::string& bytes, const std::string& path);  ///< .gltf or .glb
 
 /// The materials of an MTL file, in its order, with their names.
 struct NamedMaterial {

@@ -39,10 +39,10 @@ GroupContent::GroupContent(Group from) : group(std::move(from)), entries(entries
 
 namespace {
 
-void collect(const std::vector<Object>& objects, std::set<std::string_view>& groups, std::vector<Dress>& dresses) {
+void collect(const std::vector<Object>& objects, std::set<const GroupContent*>& groups, std::vector<Dress>& dresses) {
   for (const Object& object : objects) {
     if (const auto* instance = std::get_if<Instance>(&object.shape)) {
-      if (instance->content && groups.insert(instance->group).second)
+      if (instance->content && groups.insert(instance->content.get()).second)
         collect(instance->content->group.objects, groups, dresses);
       continue;
     }
@@ -77,7 +77,7 @@ const Object* first_mover(const Scene& scene) {
 
 std::vector<Dress> dresses_of(const Scene& scene) {
   std::vector<Dress> dresses;
-  std::set<std::string_view> groups;
+  std::set<const GroupContent*> groups;
   collect(scene.objects, groups, dresses);
   return dresses;
 }

@@ -9,8 +9,9 @@ using namespace raywalk;
 
 namespace {
 
-constexpr AcceleratorKind structures[] = {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
-                                          AcceleratorKind::kdtree};
+constexpr AcceleratorKind structures[] = {
+    AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes, AcceleratorKind::bvh,
+    AcceleratorKind::grid,    AcceleratorKind::octree,     AcceleratorKind::kdtree};
 
 template <class T>
 struct Random {

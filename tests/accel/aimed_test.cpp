@@ -10,8 +10,9 @@ using namespace raywalk::test;
 
 namespace {
 
-constexpr AcceleratorKind structures[] = {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
-                                          AcceleratorKind::kdtree};
+constexpr AcceleratorKind structures[] = {
+    AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes, AcceleratorKind::bvh,
+    AcceleratorKind::grid,    AcceleratorKind::octree,     AcceleratorKind::kdtree};
 
 template <class T>
 std::vector<Shape<T>> shapes(Numbers& next, double shift) {

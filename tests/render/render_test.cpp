@@ -127,7 +127,8 @@ TEMPLATE_TEST_CASE("no accelerator changes a bit of the picture", "", float, dou
     const auto brute_force = render(named.scene, settings).value();
     CHECK(brute_force.accelerator == AcceleratorKind::none);
     for (const AcceleratorKind kind :
-         {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
+         {AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes, AcceleratorKind::bvh,
+          AcceleratorKind::grid, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
       INFO(accelerator_name(kind));
       settings.accelerator = kind;
       const auto other = render(named.scene, settings).value();

@@ -201,7 +201,8 @@ TEST_CASE("accelerators make the same picture, bit for bit") {
   };
   const auto expected = by(AcceleratorKind::none);
   for (const auto kind :
-       {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
+       {AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes, AcceleratorKind::bvh,
+        AcceleratorKind::grid, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
     const auto got = by(kind);
     CHECK(same_bits(got, expected));
     CHECK(got.statistics.rays == expected.statistics.rays);

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "accel/query.h"
+
+#include <cmath>
+
+namespace raywalk {
+
+/// What encloses a single object.
+enum class VolumeKind { sphere, ellipsoid, box };
+
+/// A simple volume around each primitive and no hierarchy: what T. Whitted's tracer (1980) and the first ones after it
+/// did. Every ray is tested against every volume, and against what is in those that it meets. Spheres and ellipsoids
+/// are drawn around the primitive's box, so that they touch its corners.
+template <class T>
+class Volumes {
+ public:
+  Volumes(const Boxes<T>& boxes, const Primitives<T>& primitives, VolumeKind kind) : kind_(kind) {
+    for (const int id : boxes.bounded) {
+      const Bounds<T>& box = boxes.box(id);
+      Volume volume{id, box, Vec3d((Vec3d(box.min) + Vec3d(box.max)) / 2.0), Vec3d(0.0)};
+      const Vec3d half = (Vec3d(box.max) - Vec3d(box.min)) / 2.0;
+      // A grain more than needed: a flat box has a volume too, and the tests below may round as they like.
+      constexpr double ample = 1 + 1e-6;
+      const double grain = 1e-6 * length(half) + 1e-300;
+      const Shape<T>* shape = primitives.plain_shape(id);
+      const auto* sphere = shape == nullptr ? nullptr : std::get_if<Sphere<T>>(shape);
+      if (sphere)
+        volume.inverse = Vec3d(1 / (ample * static_cast<double>(sphere->radius)));
+      else if (kind == VolumeKind::ellipsoid)
+        for (int axis = 0; axis < 3; ++axis) volume.inverse[axis] = 1 / (std::sqrt(3.0) * ample * half[axis] + grain);
+      else
+        volume.inverse = Vec3d(1 / (ample * length(half) + grain));
+      volumes_.push_back(volume);
+    }
+  }
+
+  template <class Query>
+  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    if (kind_ == VolumeKind::box) {
+      const SlabRay<T> slabs(ray, primitives.maps_rays());
+      for (const Volume& volume : volumes_) {
+        query.enter_node();
+        if (clip(slabs, volume.box, {0, query.reach()}).empty()) continue;
+        if (query.test(primitives, volume.id)) return;
+      }
+      return;
+    }
+    const Vec3d origin(ray.origin), direction(ray.direction);
+    for (const Volume& volume : volumes_) {
+      query.enter_node();
+      if (misses(volume, origin, direction, static_cast<double>(query.reach()))) continue;
+      if (query.test(primitives, volume.id)) return;
+    }
+  }
+
+  [[nodiscard]] AcceleratorStatistics statistics() const {
+    return {volumes_.size(), volumes_.size(), 0, volumes_.size() * sizeof(Volume)};
+  }
+
+ private:
+  struct Volume {
+    int id;
+    Bounds<T> box;
+    Vec3d centre, inverse;  ///< of the ball or ellipsoid: 1 / radius along each axis
+  };
+
+  /// Whether the ray certainly passes the ball, stretched to a unit one, or leaves it behind or beyond its reach.
+  static bool misses(const Volume& volume, const Vec3d& origin, const Vec3d& direction, double reach) {
+    const Vec3d o = (origin - volume.centre) * volume.inverse, d = direction * volume.inverse;
+    const double a = dot(d, d), b = dot(d, o), oo = dot(o, o);
+    constexpr double rounding = 1e-6;  // of a float ray taken into a space of its own: 2e-7 sqrt(oo) <= 1e-6 + 1e-8 oo
+    const double c = oo * (1 - rounding) - 1 - rounding;
+    if (c <= 0) return false;  // inside
+    if (b > 0) return true;
+    const Vec3d across = cross(o, d);
+    const double square = a * (1 + rounding + 1e-8 * oo) - dot(across, across);
+    return square < 0 || -b - std::sqrt(square) > reach * a * (1 + rounding);
+  }
+
+  VolumeKind kind_;
+  std::vector<Volume> volumes_;
+};
+
+}  // namespace raywalk

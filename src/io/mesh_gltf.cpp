@@ -1,0 +1,283 @@
+// glTF 2.0 (Khronos, ISO/IEC 12113:2022): the triangles of the default scene, each mesh where its nodes put it.
+
+#include "io/mesh_gltf.h"
+#include "math/transform.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace raywalk {
+
+namespace {
+
+using detail::GltfFile;
+using detail::Json;
+
+constexpr int most_depth = 256;
+constexpr std::int64_t most_nodes = 1'000'000;
+
+/// Where an accessor's elements lie: `width` numbers of one type each.
+struct View {
+  const unsigned char* data = nullptr;
+  std::int64_t count = 0, stride = 0;
+  int type = 0, width = 0;
+  bool normalized = false;
+
+  [[nodiscard]] double number(std::int64_t element, int component) const {
+    const unsigned char* at = data + element * stride;
+    const auto bits = [&](int size) {
+      std::uint32_t value = 0;
+      for (int i = 0; i < size; ++i) value |= std::uint32_t{at[component * size + i]} << (8 * i);
+      return value;
+    };
+    switch (type) {
+      case 5120:
+        return scaled(static_cast<std::int8_t>(bits(1)), 127);
+      case 5121:
+        return scaled(bits(1), 255);
+      case 5122:
+        return scaled(static_cast<std::int16_t>(bits(2)), 32767);
+      case 5123:
+        return scaled(bits(2), 65535);
+      case 5125:
+        return bits(4);
+      default:
+        return static_cast<double>(std::bit_cast<float>(bits(4)));
+    }
+  }
+
+ private:
+  template <class Number>
+  [[nodiscard]] double scaled(Number value, double full) const {
+    const auto number = static_cast<double>(value);
+    return normalized ? std::max(number / full, -1.0) : number;
+  }
+};
+
+class GltfReader {
+ public:
+  GltfReader(const GltfFile& file, const std::string& path) : file_(file), path_(path) {}
+
+  Result<MeshFile> read() {
+    read_materials();
+    read_scene();
+    if (file_.failure()) return tl::unexpected(Error{path_, 0, 0, file_.failure()->message, file_.failure()->hint});
+    if (!has_normals_) mesh_.normals.clear();
+    if (!has_uv_) mesh_.uv.clear();
+    if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
+      return tl::unexpected(Error{path_, 0, 0, why, "only triangles are read, not lines, points or skins"});
+    const bool has_materials = !materials_.empty();
+    if (!has_materials) mesh_.materials.clear();
+    MeshFile result{std::make_shared<const Mesh>(std::move(mesh_)), nullptr};
+    if (has_materials) result.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
+    return result;
+  }
+
+ private:
+  void read_scene() {
+    const Json& root = file_.json;
+    if (const Json* required = file_.find(root, "extensionsRequired"); required && required->is_array())
+      for (const Json& name : *required)
+        if (!name.is_string() || name.get_ref<const std::string&>().rfind("KHR_materials_", 0) != 0)
+          return file_.fail("it needs the extension " + name.dump(-1, ' ', true).substr(0, 60) + ", which is not read",
+                            "export it without compression and without extensions");
+    const Json* scenes = file_.find(root, "scenes");
+    if (scenes == nullptr) {
+      // Without a scene, all meshes as they are.
+      for (std::int64_t i = 0; i < file_.size_of("meshes") && !file_.failure(); ++i) add_mesh(i, Affine<double>{});
+      return;
+    }
+    const std::int64_t scene = file_.whole(root, "scene", 0);
+    if (const Json* nodes = file_.find(file_.element("scenes", scene), "nodes"); nodes && nodes->is_array())
+      for (const Json& node : *nodes)
+        if (!file_.failure()) add_node(file_.index(node), Affine<double>{}, 0);
+  }
+
+  void add_node(std::int64_t index, const Affine<double>& outer, int depth) {
+    if (depth > most_depth || ++nodes_visited_ > most_nodes)
+      return file_.fail("its nodes are nested too deeply, or in a circle", "no node may be its own child");
+    const Json& node = file_.element("nodes", index);
+    const Affine<double> map = outer * map_of(node);
+    if (file_.find(node, "mesh")) add_mesh(file_.whole(node, "mesh", 0), map);
+    if (const Json* children = file_.find(node, "children"); children && children->is_array())
+      for (const Json& child : *children)
+        if (!file_.failure()) add_node(file_.index(child), map, depth + 1);
+  }
+
+  Affine<double> map_of(const Json& node) {
+    if (file_.find(node, "matrix")) {
+      const auto m = file_.numbers<16>(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+      return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
+    }
+    const auto t = file_.numbers<3>(node, "translation", {0, 0, 0});
+    const auto q = file_.numbers<4>(node, "rotation", {0, 0, 0, 1});
+    const auto s = file_.numbers<3>(node, "scale", {1, 1, 1});
+    const Vec3d axis(q[0], q[1], q[2]);
+    const double w = q[3];
+    // v + 2 w (a x v) + 2 a x (a x v), with a the vector of a unit quaternion.
+    const auto turned = [&](const Vec3d& v) { return v + 2.0 * (w * cross(axis, v) + cross(axis, cross(axis, v))); };
+    return {s[0] * turned({1, 0, 0}), s[1] * turned({0, 1, 0}), s[2] * turned({0, 0, 1}), {t[0], t[1], t[2]}};
+  }
+
+  void add_mesh(std::int64_t index, const Affine<double>& map) {
+    const Json* primitives = file_.find(file_.element("meshes", index), "primitives");
+    if (primitives == nullptr || !primitives->is_array())
+      return file_.fail("a mesh without primitives", "the file is damaged");
+    for (const Json& primitive : *primitives)
+      if (!file_.failure()) add_primitive(primitive, map);
+  }
+
+  void add_primitive(const Json& primitive, const Affine<double>& map) {
+    const std::int64_t mode = file_.whole(primitive, "mode", 4);
+    if (mode < 4 || mode > 6) return;  // points and lines have no surface
+    const Json* attributes = file_.find(primitive, "attributes");
+    if (attributes == nullptr || !file_.find(*attributes, "POSITION"))
+      return file_.fail("a mesh without positions", "the file is damaged");
+    const View positions = view(file_.whole(*attributes, "POSITION", 0), 3);
+    if (file_.failure()) return;
+    const auto first = static_cast<std::int64_t>(mesh_.positions.size());
+    if (first + positions.count > std::numeric_limits<std::int32_t>::max())
+      return file_.fail("too many vertices", "the file is damaged");
+    const auto end = static_cast<std::size_t>(first + positions.count);
+    for (std::int64_t i = 0; i < positions.count; ++i)
+      mesh_.positions.push_back(map.point({positions.number(i, 0), positions.number(i, 1), positions.number(i, 2)}));
+    if (file_.find(*attributes, "NORMAL")) {
+      const View normals = view(file_.whole(*attributes, "NORMAL", 0), 3, positions.count);
+      for (std::int64_t i = 0; i < normals.count; ++i)
+        mesh_.normals.push_back(map.normal({normals.number(i, 0), normals.number(i, 1), normals.number(i, 2)}));
+      has_normals_ = true;
+    }
+    if (file_.find(*attributes, "TEXCOORD_0")) {
+      const View uv = view(file_.whole(*attributes, "TEXCOORD_0", 0), 2, positions.count);
+      for (std::int64_t i = 0; i < uv.count; ++i) mesh_.uv.emplace_back(uv.number(i, 0), uv.number(i, 1));
+      has_uv_ = true;
+    }
+    mesh_.normals.resize(end, Vec3d(0.0));
+    mesh_.uv.resize(end, Vec2d(0.0));
+    add_triangles(primitive, mode, first, positions.count, map.determinant() < 0);
+  }
+
+  void add_triangles(const Json& primitive, std::int64_t mode, std::int64_t first, std::int64_t vertices,
+                     bool mirrored) {
+    View indices;
+    const bool indexed = file_.find(primitive, "indices") != nullptr;
+    if (indexed) indices = view(file_.whole(primitive, "indices", 0), 1);
+    const std::int64_t count = indexed ? indices.count : vertices;
+    const auto corner = [&](std::int64_t i) {
+      const std::int64_t vertex = indexed ? static_cast<std::int64_t>(indices.number(i, 0)) : i;
+      if (vertex >= 0 && vertex < vertices) return static_cast<std::int32_t>(first + vertex);
+      file_.fail(fmt::format("a triangle names vertex {} (expected 0 to {})", vertex, vertices - 1),
+                 "the file is damaged");
+      return std::int32_t{0};
+    };
+    const std::int64_t material = file_.whole(primitive, "material", -1);
+    if (material >= static_cast<std::int64_t>(materials_.size()))
+      return file_.fail(fmt::format("a mesh names material {}, which is not there", material), "the file is damaged");
+    const std::int64_t triangles = mode == 4 ? count / 3 : std::max<std::int64_t>(count - 2, 0);
+    if (static_cast<double>(mesh_.triangles.size()) + static_cast<double>(triangles) > detail::most_entries)
+      return file_.fail(fmt::format("more than {:g} triangles", detail::most_entries), "use a coarser mesh");
+    for (std::int64_t t = 0; t < triangles && !file_.failure(); ++t) {
+      Mesh::Corners corners = mode == 4    ? Mesh::Corners{corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)}
+                              : mode == 6  ? Mesh::Corners{corner(0), corner(t + 1), corner(t + 2)}
+                              : t % 2 == 0 ? Mesh::Corners{corner(t), corner(t + 1), corner(t + 2)}
+                                           : Mesh::Corners{corner(t + 1), corner(t), corner(t + 2)};
+      if (mirrored) std::swap(corners[1], corners[2]);
+      mesh_.triangles.push_back(corners);
+      mesh_.materials.push_back(static_cast<std::int32_t>(std::max<std::int64_t>(material, -1)));
+    }
+  }
+
+  /// An accessor's elements, all of them inside their buffer.
+  View view(std::int64_t index, int width, std::int64_t count = -1) {
+    const Json& accessor = file_.element("accessors", index);
+    const auto bad = [&](const std::string& what) {
+      file_.fail(fmt::format("accessor {}: {}", index, what), "the file is damaged, or its program wrote it wrongly");
+      return View{};
+    };
+    if (file_.find(accessor, "sparse")) return bad("sparse accessors are not read");
+    const std::string type = file_.text(accessor, "type");
+    if (type != (width == 1 ? "SCALAR" : width == 2 ? "VEC2" : "VEC3")) return bad("its type is not the one expected");
+    View view;
+    view.width = width;
+    view.type = static_cast<int>(file_.whole(accessor, "componentType", 0));
+    const std::int64_t size = view.type == 5120 || view.type == 5121   ? 1
+                              : view.type == 5122 || view.type == 5123 ? 2
+                              : view.type == 5125 || view.type == 5126 ? 4
+                                                                       : 0;
+    if (size == 0) return bad("unknown component type");
+    const Json* normalized = file_.find(accessor, "normalized");
+    view.normalized = normalized != nullptr && normalized->is_boolean() && normalized->get<bool>();
+    view.count = file_.whole(accessor, "count", -1);
+    if (view.count < 0 || (count >= 0 && view.count != count)) return bad("its count does not fit");
+    const Json& buffer_view = file_.element("bufferViews", file_.whole(accessor, "bufferView", -1));
+    const std::string& bytes = file_.buffer(file_.whole(buffer_view, "buffer", -1));
+    const std::int64_t view_offset = file_.whole(buffer_view, "byteOffset", 0),
+                       view_length = file_.whole(buffer_view, "byteLength", -1),
+                       offset = file_.whole(accessor, "byteOffset", 0);
+    view.stride = file_.whole(buffer_view, "byteStride", size * width);
+    const auto length = static_cast<std::int64_t>(bytes.size());
+    if (view_offset < 0 || view_length < 0 || view_offset > length || view_length > length - view_offset)
+      return bad("its view goes over the end of its buffer");
+    if (view.stride < size * width || view.stride > 4096 || offset < 0 || offset > view_length)
+      return bad("its offset or stride is wrong");
+    const std::int64_t room = view_length - offset;
+    if (view.count > 0 && (room < size * width || view.count - 1 > (room - size * width) / view.stride))
+      return bad("its elements go over the end of their view");
+    view.data = reinterpret_cast<const unsigned char*>(bytes.data()) + view_offset + offset;
+    return view;
+  }
+
+  void read_materials() {
+    for (std::int64_t i = 0; i < file_.size_of("materials"); ++i)
+      materials_.push_back(material_of(file_.element("materials", i)));
+  }
+
+  /// What a metal's share mirrors is as sharp as it is not rough; the rest is matte.
+  Material material_of(const Json& from) {
+    Material material;
+    const Json empty = Json::object();
+    const Json* found = file_.find(from, "pbrMetallicRoughness");
+    const Json& pbr = found ? *found : empty;
+    const auto base = file_.numbers<4>(pbr, "baseColorFactor", {1, 1, 1, 1});
+    const double mirrored =
+        file_.numbers<1>(pbr, "metallicFactor", {1})[0] * (1 - file_.numbers<1>(pbr, "roughnessFactor", {1})[0]);
+    const auto emission = file_.numbers<3>(from, "emissiveFactor", {0, 0, 0});
+    const auto colour = [](double x) { return std::clamp(x, 0.0, 1.0); };
+    const Rgbd tint(colour(base[0]), colour(base[1]), colour(base[2]));
+    double through = 0;
+    if (const Json* extensions = file_.find(from, "extensions")) {
+      if (const Json* transmission = file_.find(*extensions, "KHR_materials_transmission"))
+        through = colour(file_.numbers<1>(*transmission, "transmissionFactor", {0})[0]);
+      if (const Json* ior = file_.find(*extensions, "KHR_materials_ior"))
+        material.ior = std::clamp(file_.numbers<1>(*ior, "ior", {1.5})[0], 1.0, 10.0);
+    }
+    material.transmission = through * tint;
+    material.reflection = (1 - through) * colour(mirrored) * tint;
+    material.diffuse = (1 - through) * (1 - colour(mirrored)) * tint;
+    material.emission = {std::max(emission[0], 0.0), std::max(emission[1], 0.0), std::max(emission[2], 0.0)};
+    material.dielectric = through > 0;
+    return material;
+  }
+
+  const GltfFile& file_;
+  const std::string& path_;
+  Mesh mesh_;
+  std::vector<Material> materials_;
+  std::int64_t nodes_visited_ = 0;
+  bool has_normals_ = false, has_uv_ = false;
+};
+
+}  // namespace
+
+Result<MeshFile> parse_gltf(const std::string& bytes, const std::string& path) {
+  const auto file = detail::open_gltf(bytes, path);
+  if (!file) return tl::unexpected(file.error());
+  return GltfReader(*file, path).read();
+}
+
+}  // namespace raywalk

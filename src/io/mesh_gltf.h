@@ -1,0 +1,65 @@
+#pragma once
+// A glTF file taken apart: its JSON, its buffers, and members of the JSON that are what they should be. Internal to
+// `io`.
+
+#include "io/mesh_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raywalk::detail {
+
+using Json = nlohmann::json;
+
+/// Where the file is not as they ask, its members note the first error and return what does no harm.
+class GltfFile {
+ public:
+  Json json;
+  std::vector<std::string> buffers;
+
+  /// A member that is there, or null.
+  [[nodiscard]] static const Json* find(const Json& object, const char* key);
+  [[nodiscard]] std::int64_t whole(const Json& object, const char* key, std::int64_t otherwise) const;
+  [[nodiscard]] std::string text(const Json& object, const char* key) const;
+  [[nodiscard]] std::int64_t index(const Json& number) const;
+  /// An element of one of the lists at the top.
+  [[nodiscard]] const Json& element(const char* list, std::int64_t index) const;
+  [[nodiscard]] std::int64_t size_of(const char* list) const;
+  [[nodiscard]] const std::string& buffer(std::int64_t index) const;
+
+  /// Finite numbers: a list of them, or one by itself when Count is 1.
+  template <std::size_t Count>
+  [[nodiscard]] std::array<double, Count> numbers(const Json& object, const char* key,
+                                                  std::array<double, Count> otherwise) const {
+    const Json* found = find(object, key);
+    if (found == nullptr) return otherwise;
+    std::array<double, Count> result{};
+    if (!(Count == 1 && found->is_number()) && !(found->is_array() && found->size() == Count)) {
+      wrong(key);
+      return otherwise;
+    }
+    for (std::size_t i = 0; i < Count; ++i) result[i] = finite(found->is_array() ? (*found)[i] : *found, key);
+    return result;
+  }
+
+  void fail(std::string message, std::string hint) const;
+  struct Failure {
+    std::string message, hint;
+  };
+  [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
+
+ private:
+  void wrong(const char* key) const;
+  double finite(const Json& number, const char* key) const;
+
+  mutable std::optional<Failure> failure_;
+};
+
+[[nodiscard]] Result<GltfFile> open_gltf(const std::string& bytes, const std::string& path);
+
+}  // namespace raywalk::detail

@@ -1,0 +1,211 @@
+// Meshes: watertight, the same to every accelerator, shaded as their normals say, and moving.
+
+#include "accel/accelerator.h"
+#include "meshes.h"
+#include "shape/numbers.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+constexpr AcceleratorKind kinds[] = {AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes,
+                                     AcceleratorKind::bvh,     AcceleratorKind::grid,       AcceleratorKind::octree,
+                                     AcceleratorKind::kdtree};
+
+// A corner, or a point of an edge, of some triangle of the mesh.
+Vec3d edge_point(const Mesh& mesh, const Affine<double>& map, Numbers& next, bool corner) {
+  const auto& corners =
+      mesh.triangles[static_cast<std::size_t>(next.integer(0, static_cast<int>(mesh.triangles.size()) - 1))];
+  const Vec3d a = map.point(mesh.positions[static_cast<std::size_t>(corners[0])]);
+  const Vec3d b = map.point(mesh.positions[static_cast<std::size_t>(corners[1])]);
+  return corner ? a : a + next.real(0, 1) * (b - a);
+}
+
+template <class T>
+bool same(const std::optional<Hit<T>>& a, const std::optional<Hit<T>>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->t == b->t && a->primitive == b->primitive && a->part == b->part;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a closed mesh has no leaks at its corners and edges", "[mesh]", float, double) {
+  using T = TestType;
+  const double scale = GENERATE(1e-3, 1.0, 1e6), shift = GENERATE(0.0, 100.0);
+  CAPTURE(scale, shift);
+  const Mesh mesh = icosphere(2);
+  const Affine<double> map = translation(scale * shift * Vec3d(1, -2, 0.5)) * scaling(Vec3d(scale));
+  Primitives<T> primitives;
+  primitives.add(mesh, map, false);
+  const std::vector<std::uint8_t> all(static_cast<std::size_t>(primitives.size()), 1);
+  const Accelerator<T> list(primitives, AcceleratorKind::none), tree(primitives, AcceleratorKind::bvh);
+  Numbers next(3);
+  TestCounts counts;
+  std::vector<int> crossed;
+  int inside_misses = 0, odd = 0, differing = 0;
+  const Vec3<T> centre(map.point(Vec3d(0.0)));
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3<T> target(edge_point(mesh, map, next, i % 2 == 0));
+    // From inside, something is hit; a line from outside crosses the surface an even number of times.
+    const Vec3<T> within = centre + static_cast<T>(0.5 * scale) * next.unit<T>();
+    if (!tree.closest({within, target - within}, infinity<T>, counts)) ++inside_misses;
+    const Vec3<T> outside = centre + static_cast<T>(i % 3 == 0 ? 1000 * scale : 3 * scale) * next.unit<T>();
+    const Ray<T> ray{outside, target - outside};
+    list.crossed(ray, infinity<T>, counts, MarkedPrimitives{all}, crossed);
+    odd += crossed.size() % 2 != 0;
+    const std::vector<int> expected = crossed;
+    tree.crossed(ray, infinity<T>, counts, MarkedPrimitives{all}, crossed);
+    differing += crossed != expected;
+  }
+  CHECK(inside_misses == 0);
+  CHECK(odd == 0);
+  CHECK(differing == 0);
+}
+
+TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves", "[mesh]", float, double) {
+  using T = TestType;
+  const double far = GENERATE(3.0, 300.0);
+  CAPTURE(far);
+  Numbers next(11);
+  const Motion motion{{0, {0, 0, 0}}, {0.5, {0.4, 0.1, 0}}, {1, {0, 0.3, -0.6}}};
+  Primitives<T> primitives;
+  const Affine<double> map =
+      translation(Vec3d(0.3, 0, 0)) * rotation(Vec3d(1, 2, 3), 50.0) * scaling(Vec3d(-1, 0.5, 1));
+  for (int i = 0; i < 60; ++i) {
+    const Vec3<T> at = next.in_box<T>(1.5);
+    if (i % 3 == 0) {
+      primitives.add(Sphere<T>{at, T(0.15)});
+    } else if (i % 3 == 1) {
+      primitives.add(Box<T>{at, at + Vec3<T>(T(0.2))}, *placement<T>(map));
+    } else {
+      primitives.add(Ellipsoid<T>{Vec3<T>(T(0.1), T(0.2), T(0.15))}, *placement<T>(translation(Vec3d(at)) * map));
+    }
+    if (i % 4 == 0) primitives.move(primitives.size() - 1, primitives.size(), motion);
+  }
+  const int shapes = primitives.size();
+  const Mesh ball = icosphere(2, {0.8, 0, 0}, 0.5);
+  primitives.add(ball, Affine<double>{}, true);
+  primitives.add(ball, map, false);
+  const int still = primitives.size();
+  primitives.add(ball, translation(Vec3d(-1.5, 0, 0)), false);
+  primitives.move(still, primitives.size(), motion);
+  const Accelerator<T> list(primitives, AcceleratorKind::none);
+  std::vector<Ray<T>> rays;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3<T> eye = static_cast<T>(far) * next.unit<T>();
+    const Vec3<T> target =
+        i % 2 ? Vec3<T>(edge_point(ball, i % 3 ? map : Affine<double>{}, next, i % 4 == 1)) : next.in_box<T>(1.5);
+    Ray<T> ray{eye, target - eye};
+    ray.time = static_cast<T>(next.real(0, 1));
+    rays.push_back(ray);
+  }
+  for (const AcceleratorKind kind : kinds) {
+    INFO(accelerator_name(kind));
+    const Accelerator<T> structure(primitives, kind);
+    TestCounts counts;
+    int differing = 0, on_shapes = 0, on_meshes = 0, moving = 0;
+    for (const Ray<T>& ray : rays) {
+      const auto expected = list.closest(ray, infinity<T>, counts);
+      differing += !same(expected, structure.closest(ray, infinity<T>, counts));
+      differing += structure.any(ray, infinity<T>, counts) != expected.has_value();
+      if (expected) ++(expected->primitive < shapes ? on_shapes : expected->primitive < still ? on_meshes : moving);
+    }
+    CHECK(differing == 0);
+    CHECK(on_shapes > 300);
+    CHECK(on_meshes > 300);
+    CHECK(moving > 100);
+  }
+}
+
+TEMPLATE_TEST_CASE("what moves is met where it is at the ray's time", "[mesh]", float, double) {
+  using T = TestType;
+  const Motion motion{{1, {2, 0, 0}}, {3, {4, 0, -8}}};
+  Primitives<T> primitives;
+  primitives.add(Sphere<T>{{0, 0, 0}, 1});
+  primitives.add(Sphere<T>{{0, 0, 0}, 1}, *placement<T>(translation(Vec3d(0, 5, 0))));
+  Mesh square;
+  square.positions = {{-1, -1, -20}, {1, -1, -20}, {1, 1, -20}, {-1, 1, -20}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  primitives.add(square, Affine<double>{}, false);
+  primitives.move(0, 4, motion);
+  primitives.set_shutter(0, 4);
+  const Accelerator<T> moving(primitives, AcceleratorKind::bvh);
+  TestCounts counts;
+  struct At {
+    T time, x, z;
+  };
+  // At rest before the first key and after the last; half way at half the time.
+  for (const At at : {At{0, 2, 0}, At{1, 2, 0}, At{2, 3, -4}, At{T(2.5), T(3.5), -6}, At{3, 4, -8}, At{4, 4, -8}}) {
+    CAPTURE(at.time);
+    const Ray<T> down{{at.x, 0, 50}, {0, 0, -1}, {}, at.time};
+    const auto hit = moving.closest(down, infinity<T>, counts);
+    REQUIRE(hit);
+    CHECK(hit->primitive == 0);
+    CHECK(hit->t == 49 - at.z);
+    const SurfacePoint<T> top = moving.primitives().surface_at(0, down, Crossing<T>{hit->t, 0});
+    CHECK(top.position == Vec3<T>(at.x, 0, at.z + 1));
+    CHECK(top.normal == Vec3<T>(0, 0, 1));
+    // A ray that leaves it does not meet it again, and meets what lies below at the same time.
+    const Ray<T> away{{at.x, 0, at.z - 1}, {0, 0, -1}, {0, 0}, at.time};
+    const auto floor = moving.closest(away, infinity<T>, counts);
+    REQUIRE(floor);
+    CHECK(floor->primitive >= 2);
+    CHECK(floor->t == 19);
+    const Ray<T> mapped{{at.x, 5, 50}, {0, 0, -1}, {}, at.time};
+    CHECK(moving.closest(mapped, infinity<T>, counts)->primitive == 1);
+    CHECK_FALSE(moving.any({{at.x, 5, at.z}, {0, 1, 0}, {1, 0}, at.time}, T(0.5), counts));
+  }
+}
+
+TEST_CASE("equal keys and keys outside the time change nothing", "[mesh]") {
+  CHECK(is_at_rest({}));
+  CHECK(is_at_rest({{0, {1, 2, 3}}}));
+  CHECK(is_at_rest({{0, {1, 2, 3}}, {1, {1, 2, 3}}}));
+  CHECK_FALSE(is_at_rest({{0, {1, 2, 3}}, {1, {1, 2, 4}}}));
+  CHECK(offset_at({}, 7) == Vec3d(0.0));
+  CHECK(offset_at({{0, {1, 0, 0}}, {2, {5, 0, 4}}}, 0.5) == Vec3d(2, 0, 1));
+  // Inside something turned by a quarter about z that itself moves along z.
+  const Motion both =
+      moved_within({{0, {0, 0, 0}}, {2, {2, 0, 0}}}, rotation(Vec3d(0, 0, 1), 90.0), {{1, {0, 0, 0}}, {3, {0, 0, 6}}});
+  CHECK(both.size() == 4);
+  CHECK(offset_at(both, 0.5) == Vec3d(0, 0.5, 0));
+  CHECK(offset_at(both, 1.5) == Vec3d(0, 1.5, 1.5));
+  CHECK(offset_at(both, 3) == Vec3d(0, 2, 6));
+}
+
+TEST_CASE("a smooth mesh is shaded by the normals of its corners", "[mesh]") {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  mesh.normals = {{0, 0, 2}, {3, 0, 3}, {0, 0, 1}};
+  mesh.uv = {{0, 0}, {10, 0}, {0, 20}};
+  mesh.triangles = {{0, 1, 2}};
+  Primitives<double> primitives;
+  primitives.add(mesh, Affine<double>{}, true);
+  primitives.add(mesh, Affine<double>{}, false);
+  primitives.add(mesh, scaling(Vec3d(1, 1, -1)), true);
+  const SurfacePoint<double> half{{2, 0, 0}, {0, 0, 1}};
+  const Vec3d expected = normalize((Vec3d(0, 0, 1) + normalize(Vec3d(1, 0, 1))) / 2.0);
+  CHECK(length(*primitives.smooth_normal(0, half) - expected) < 1e-15);
+  CHECK_FALSE(primitives.smooth_normal(1, half));
+  CHECK(primitives.uv_at(0, half, 0) == Vec2d(5, 0));
+  CHECK(primitives.uv_at(0, {{1, 2, 0}, {0, 0, 1}}, 0) == Vec2d(2.5, 10));
+  // Mirrored, the outside is below, and so are the normals.
+  const Ray<double> up{{1, 1, -5}, {0, 0, 1}};
+  const auto point = primitives.surface_at(2, up, *primitives.intersect(2, up, 100.0));
+  CHECK(point.normal == Vec3d(0, 0, -1));
+  CHECK(primitives.smooth_normal(2, point)->z < 0);
+}
+
+TEST_CASE("vertices in one place share a normal, weighted with the angles there", "[mesh]") {
+  // A cube's corner: three faces, one of them in two triangles. Each face counts by its right angle.
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0},
+                    {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+  mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 6, 5}, {7, 9, 8}};
+  const std::vector<Vec3d> normals = vertex_normals(mesh);
+  CHECK(normals[0] == normals[4]);
+  CHECK(length(normalize(normals[0]) - normalize(Vec3d(-1, -1, -1))) < 1e-15);
+  CHECK(length(normalize(normals[2]) - Vec3d(0, 0, -1)) < 1e-15);
+}

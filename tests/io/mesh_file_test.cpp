@@ -1,0 +1,168 @@
+// Meshes from files, right ones and wrong ones.
+
+#include "io/mesh_file.h"
+
+#include <bit>
+
+#include "support/catch.h"
+#include "temporary_folder.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+// A square of two triangles with normals and texture points.
+const std::string square_ply =
+    "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float t\n"
+    "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\nelement edge 0\nend_header\n"
+    "0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n1 2 0 0 0 1 1 1\n0 2 0.5 0 0 1 0 1\n4 0 1 2 3 255\n";
+
+const std::string square_obj =
+    "# a square\nmtllib square.mtl\nv 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0.5\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
+    "usemtl red\nf 1/1/1 2/2/1 3//1 \\\n -1//-1\nusemtl nothing\nf 1 2 3\n";
+
+template <class Number>
+void put_number(std::string& bytes, Number number, bool big) {
+  std::array<char, sizeof(Number)> raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  if (big != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+std::string binary_ply(bool big, std::uint32_t vertices = 3, std::int32_t last = 2) {
+  std::string bytes = "ply\nformat binary_" + std::string(big ? "big" : "little") + "_endian 1.0\nelement vertex " +
+                      std::to_string(vertices) +
+                      "\nproperty double x\nproperty float y\nproperty short z\nproperty list uchar char extra\n"
+                      "element face 1\nproperty list uint int vertex_index\nend_header\n";
+  for (int i = 0; i < 3; ++i) {
+    put_number(bytes, i == 1 ? 0.1 : 0.0, big);
+    put_number(bytes, i == 2 ? 2.5F : 0.0F, big);
+    put_number(bytes, static_cast<std::int16_t>(-300), big);
+    bytes += std::string("\2ab", 3);
+  }
+  put_number(bytes, std::uint32_t{3}, big);
+  for (const std::int32_t corner : {0, 1, last}) put_number(bytes, corner, big);
+  return bytes;
+}
+
+void check_error(const Result<MeshFile>& read, int line, const std::string& message) {
+  REQUIRE(!read);
+  INFO(read.error().text());
+  CHECK(read.error().file == "bad");
+  CHECK(read.error().line == line);
+  CHECK_THAT(read.error().message, contains(message));
+  CHECK(!read.error().hint.empty());
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("a PLY file in text") {
+  const auto read = parse_ply(square_ply, "square.ply");
+  REQUIRE(read);
+  const Mesh& mesh = *read->mesh;
+  CHECK(mesh.positions == std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0.5}});
+  CHECK(mesh.normals == std::vector<Vec3d>(4, Vec3d(0, 0, 1)));
+  CHECK(mesh.uv == std::vector<Vec2d>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  CHECK(mesh.triangles == std::vector<Mesh::Corners>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(read->materials == nullptr);
+}
+
+TEST_CASE("binary PLY files of both endiannesses") {
+  for (const bool big : {false, true}) {
+    const auto read = parse_ply(binary_ply(big), "three.ply");
+    REQUIRE(read);
+    CHECK(read->mesh->positions == std::vector<Vec3d>{{0, 0, -300}, {0.1, 0, -300}, {0, 2.5, -300}});
+    CHECK(read->mesh->triangles == std::vector<Mesh::Corners>{{0, 1, 2}});
+  }
+}
+
+TEST_CASE("an OBJ file with its materials") {
+  TemporaryFolder folder;
+  put(folder.file("square.obj"), square_obj);
+  put(folder.file("square.mtl"),
+      "newmtl red\nKa 0.1 0 0\nKd 0.9 0.1 0\nKs 0.5\nNs 60\nNi 1.3\nd 0.75\nillum 7\nmap_Kd a.png\n");
+  const auto read = read_mesh(folder.file("square.obj"));
+  REQUIRE(read);
+  const Mesh& mesh = *read->mesh;
+  CHECK(mesh.triangles.size() == 3);
+  CHECK(mesh.materials == std::vector<std::int32_t>{0, 0, -1});
+  const auto corner = [&](std::size_t t, std::size_t c) { return static_cast<std::size_t>(mesh.triangles[t][c]); };
+  CHECK(mesh.positions[corner(1, 2)] == Vec3d(0, 2, 0.5));
+  CHECK(mesh.normals[corner(1, 2)] == Vec3d(0, 0, 1));
+  CHECK(mesh.uv[corner(0, 1)] == Vec2d(1, 0));
+  CHECK(mesh.normals[corner(2, 0)] == Vec3d(0.0));
+  CHECK(corner(0, 0) == corner(1, 0));
+  CHECK(corner(2, 0) != corner(0, 0));
+  REQUIRE(read->materials);
+  const Material& red = read->materials->front();
+  CHECK(red.ambient == Rgbd(0.1, 0, 0));
+  CHECK(red.diffuse == 0.75 * Rgbd(0.9, 0.1, 0));
+  CHECK(red.transmission == Rgbd(0.25));
+  CHECK(red.reflection == Rgbd(0.5));
+  CHECK(red.shininess == 60);
+  CHECK(red.ior == 1.3);
+  CHECK(red.dielectric);
+}
+
+TEST_CASE("what is wrong with a mesh file is told with its place") {
+  const auto ply = [](const std::string& from, const std::string& to) {
+    return parse_ply(replaced(square_ply, from, to), "bad");
+  };
+  check_error(parse_ply("obj\n", "bad"), 1, "does not begin with \"ply\"");
+  check_error(ply("ascii", "text"), 2, "format \"text\"");
+  check_error(ply("vertex 4", "vertex 4000000000000"), 18, "more than the file can hold");
+  check_error(ply("face 1", "face -1"), 13, "without a count");
+  check_error(ply("float z", "half z"), 7, "unknown type \"half\"");
+  check_error(ply("float z", "float q"), 18, "no x, y and z");
+  check_error(ply("1 2 0 0 0", "1 nan 0 0 0"), 20, "\"nan\" is no finite number");
+  check_error(ply("4 0 1 2 3", "4 0 1 2 4"), 0, "names vertex 4 (expected 0 to 3)");
+  check_error(ply("4 0 1 2 3", "4 0 1 2 -3"), 22, "names vertex -3");
+  check_error(ply("4 0 1 2 3", "2 0 1 "), 22, "a face of 2 corners");
+  check_error(ply("4 0 1 2 3 255", "4 0 1"), 23, "ends too early");
+  check_error(ply("4 0 1 2 3", "99999 0 1 2 3"), 22, "which the file cannot hold");
+  check_error(ply("end_header", "end"), 17, "unknown word \"end\"");
+  check_error(parse_ply(binary_ply(false, 3, 3), "bad"), 0, "names vertex 3");
+  check_error(parse_ply(binary_ply(true, 1000000000), "bad"), 0, "more than the file can hold at byte");
+  check_error(parse_ply(binary_ply(true).substr(0, 260), "bad"), 0, "at byte");
+  const auto obj = [](const std::string& text) { return parse_obj(text, "bad"); };
+  check_error(obj("v 0 0 0\nv 1 0 0\nv 0 1\n"), 3, "a number is missing");
+  check_error(obj("v 0 0 1e999\n"), 1, "no finite number");
+  check_error(obj("v 0 0 0\nf 1 2 3\n"), 2, "names vertex 2 (expected 1 to 1");
+  check_error(obj("v 0 0 0\nf 0 1 1\n"), 2, "names vertex 0");
+  check_error(obj("v 0 0 0\nf 1/1 1/1 1/1\n"), 2, "names texture vertex 1");
+  check_error(obj("v 0 0 0\nv 1 1 1\nf 1 2\n"), 3, "a face of 2 corners");
+  check_error(obj("v 0 0 0\nf 1 1 99999999999999999999\n"), 2, "names vertex");
+  check_error(obj("v 0 0 0\n"), 0, "no triangle");
+  check_error(obj("mtllib missing.mtl\n"), 1, "its materials cannot be read");
+  check_error(read_mesh("bad").map_error([](Error e) { return e; }), 0, "ending");
+  const auto mtl = parse_mtl("newmtl a\nKd red\n", "a.mtl");
+  REQUIRE(!mtl);
+  CHECK(mtl.error().line == 2);
+}
+
+TEST_CASE("no part of a mesh file and no changed byte crashes its reader") {
+  for (const std::string& whole : {square_ply, square_obj, binary_ply(false), binary_ply(true)}) {
+    const auto parse = [&](const std::string& bytes) {
+      return whole.front() == 'p' ? parse_ply(bytes, "part") : parse_obj(bytes, "/nowhere/part");
+    };
+    const auto is_sound = [](const Result<MeshFile>& read) {
+      return read ? detail::why_no_mesh(*read->mesh).empty() : !read.error().message.empty();
+    };
+    int unsound = 0;
+    for (std::size_t size = 0; size < whole.size(); ++size) unsound += !is_sound(parse(whole.substr(0, size)));
+    for (std::size_t at = 0; at < whole.size(); ++at)
+      for (const char to : {'\0', '\xff', '9', '-', ' ', '\n'}) {
+        std::string changed = whole;
+        changed[at] = to;
+        unsound += !is_sound(parse(changed));
+      }
+    CHECK(unsound == 0);
+  }
+}

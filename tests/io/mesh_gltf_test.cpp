@@ -1,0 +1,154 @@
+// glTF meshes, right ones and wrong ones.
+
+#include "io/mesh_file.h"
+#include "support/catch.h"
+#include "temporary_folder.h"
+
+#include <cstring>
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+// Four corners of 3 floats, then six indices of 2 bytes.
+std::string square_bytes() {
+  const float corners[] = {0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 2, 0.5F};
+  const std::uint16_t indices[] = {0, 1, 2, 0, 2, 3};
+  std::string bytes(sizeof corners + sizeof indices, '\0');
+  std::memcpy(bytes.data(), corners, sizeof corners);
+  std::memcpy(bytes.data() + sizeof corners, indices, sizeof indices);
+  return bytes;
+}
+
+const std::string accessors =
+    R"("accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                     {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+       "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+       "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+       "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1], "metallicFactor": 0.5,
+                      "roughnessFactor": 0.5}, "emissiveFactor": [0, 0, 2]}])";
+
+std::string gltf(const std::string& nodes, const std::string& buffer, const std::string& rest = accessors) {
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [)" + nodes +
+         R"(], "buffers": [{)" + buffer + R"("byteLength": 60}], )" + rest + "}";
+}
+
+std::string number(std::uint32_t value) { return {reinterpret_cast<const char*>(&value), 4}; }
+
+std::string glb(const std::string& json) {
+  const std::string binary = square_bytes();
+  const auto size = [](const std::string& text) { return static_cast<std::uint32_t>(text.size()); };
+  return "glTF" + number(2) + number(28 + size(json) + size(binary)) + number(size(json)) + "JSON" + json +
+         number(size(binary)) + std::string("BIN\0", 4) + binary;
+}
+
+const std::string plain_node = R"({"mesh": 0})";
+
+void check_refused(const std::string& bytes, const std::string& message) {
+  const auto read = parse_gltf(bytes, "/nowhere/bad.gltf");
+  REQUIRE(!read);
+  INFO(read.error().text());
+  CHECK_THAT(read.error().message, contains(message));
+  CHECK(!read.error().hint.empty());
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("a GLB file with its buffer inside") {
+  const auto read = parse_gltf(glb(gltf(plain_node, "")), "a.glb");
+  if (!read) FAIL(read.error().text());
+  CHECK(read->mesh->positions == std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0.5}});
+  CHECK(read->mesh->triangles == std::vector<Mesh::Corners>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(read->mesh->materials == std::vector<std::int32_t>{0, 0});
+  const Material& material = read->materials->front();
+  CHECK(material.diffuse == 0.75 * Rgbd(1, 0.5, 0));
+  CHECK(material.reflection == 0.25 * Rgbd(1, 0.5, 0));
+  CHECK(material.emission == Rgbd(0, 0, 2));
+}
+
+TEST_CASE("a glTF file whose buffer is a file beside it, or in a data URI") {
+  TemporaryFolder folder;
+  put(folder.file("its buffer.bin"), square_bytes());
+  put(folder.file("a.gltf"), gltf(plain_node, R"("uri": "its%20buffer.bin", )"));
+  const auto read = read_mesh(folder.file("a.gltf"));
+  if (!read) FAIL(read.error().text());
+  CHECK(read->mesh->positions[3] == Vec3d(0, 2, 0.5));
+  // The first three bytes of the buffer are 0, which is AAAA; one accessor of one byte is enough to see it.
+  const std::string small = R"("accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+      "bufferViews": [{"buffer": 0, "byteLength": 36}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])";
+  const auto inside = parse_gltf(
+      gltf(plain_node, "\"uri\": \"data:application/octet-stream;base64," + std::string(47, 'A') + "/\", ", small),
+      "a.gltf");
+  if (!inside) FAIL(inside.error().text());
+  CHECK(inside->mesh->positions.size() == 3);
+  CHECK(inside->mesh->positions[0] == Vec3d(0.0));
+}
+
+TEST_CASE("nodes put a mesh where they say, mirrored ones too") {
+  const auto place = [](const std::string& nodes) {
+    const auto read = parse_gltf(glb(gltf(nodes, "")), "a.glb");
+    if (!read) FAIL(read.error().text());
+    return *read->mesh;
+  };
+  // A quarter turn about z, twice the size, then moved.
+  const Mesh turned = place(R"({"children": [1], "translation": [10, 0, 0]},
+      {"mesh": 0, "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "scale": [2, 2, 2]})");
+  CHECK(length(turned.positions[1] - Vec3d(10, 2, 0)) < 1e-12);
+  CHECK(length(turned.positions[3] - Vec3d(6, 0, 1)) < 1e-12);
+  const Mesh mirrored = place(R"({"mesh": 0, "matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]})");
+  CHECK(mirrored.positions[2] == Vec3d(4, 8, 7));
+  CHECK(mirrored.triangles[0] == Mesh::Corners{0, 2, 1});
+  CHECK(place(R"({"children": [1, 1]}, {"mesh": 0})").triangles.size() == 4);
+}
+
+TEST_CASE("what is wrong with a glTF file is told") {
+  const std::string good = gltf(plain_node, "");
+  const auto changed = [&](const std::string& from, const std::string& to) { return glb(replaced(good, from, to)); };
+  check_refused("{", "not well formed");
+  check_refused("glTF", "ends in its header");
+  check_refused(changed("\"2.0\"", "\"1.0\""), "its version is not 2");
+  check_refused(glb(good).substr(0, glb(good).size() - 8), "goes over the end of the file");
+  check_refused(replaced(glb(good), number(2), number(3)), "version 3 (expected 2) at byte 4");
+  check_refused(changed("\"count\": 4", "\"count\": 4000000000"), "go over the end of their view");
+  check_refused(changed("\"count\": 4", "\"count\": -4"), "its count does not fit");
+  check_refused(changed("\"byteOffset\": 48", "\"byteOffset\": 50"), "goes over the end of its buffer");
+  check_refused(changed("\"byteLength\": 48", "\"byteLength\": 1e300"), "is not what it should be");
+  check_refused(changed("5126", "5127"), "unknown component type");
+  check_refused(changed("\"mesh\": 0", "\"mesh\": 7"), "number 7 of \"meshes\"");
+  check_refused(changed("\"material\": 0", "\"material\": 3"), "names material 3");
+  check_refused(changed("\"indices\": 1", "\"indices\": 0"), "its type is not the one expected");
+  check_refused(changed("{\"mesh\": 0}", "{\"children\": [0]}"), "in a circle");
+  check_refused(changed("\"asset\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"asset\""),
+                "needs the extension");
+  check_refused(gltf(plain_node, "\"uri\": \"http://example.org/a.bin\", "), "expected a file beside the mesh");
+  check_refused(gltf(plain_node, "\"uri\": \"/etc/passwd\", "), "expected a file beside the mesh");
+  check_refused(gltf(plain_node, "\"uri\": \"missing.bin\", "), "its buffer \"missing.bin\"");
+  check_refused(gltf(plain_node, "\"uri\": \"data:;base64,!!!!\", "), "not base64");
+  std::string wrong_corner = glb(good);
+  wrong_corner[wrong_corner.size() - 1] = 1;
+  check_refused(wrong_corner, "names vertex 259 (expected 0 to 3)");
+}
+
+TEST_CASE("no part of a GLB file and no changed byte crashes its reader") {
+  const std::string whole = glb(gltf(plain_node, ""));
+  int unsound = 0;
+  const auto try_out = [&](const std::string& bytes) {
+    const auto read = parse_gltf(bytes, "/nowhere/part.glb");
+    unsound += read ? !detail::why_no_mesh(*read->mesh).empty() : read.error().message.empty();
+  };
+  for (std::size_t size = 0; size < whole.size(); ++size) try_out(whole.substr(0, size));
+  for (std::size_t at = 0; at < whole.size(); ++at)
+    for (const char to : {'\0', '\xff', '9', '-', '"', ']'}) {
+      std::string bytes = whole;
+      bytes[at] = to;
+      try_out(bytes);
+    }
+  CHECK(unsound == 0);
+}

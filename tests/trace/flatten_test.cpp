@@ -1,0 +1,161 @@
+// Groups, meshes and motion in the world: what is spelt out by hand gives the same picture, bit for bit.
+
+#include "io/scene_file.h"
+#include "pictures.h"
+#include "support/catch.h"
+#include "trace/optics.h"
+#include "trace/world.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+template <class T>
+std::vector<Rgb<T>> pixels_of(const Scene& scene) {
+  return picture<T>(scene, 49, 37).pixels;
+}
+
+std::shared_ptr<const GroupContent> group_of(std::vector<Object> objects) {
+  return std::make_shared<const GroupContent>(Group{"group", std::move(objects)});
+}
+
+Object moved(Object object, std::vector<TransformStep> steps) {
+  object.transform = std::move(steps);
+  return object;
+}
+
+Object instance(std::string name, std::shared_ptr<const GroupContent> content, std::vector<TransformStep> steps) {
+  return moved({std::move(name), Instance{"group", std::move(content)}, {}}, std::move(steps));
+}
+
+MeshShape square_mesh(double z) {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
+  mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+  MeshShape shape;
+  shape.mesh = mesh;
+  return shape;
+}
+
+}  // namespace
+
+TEST_CASE("instances give the picture of what they stand for") {
+  Scene by_hand = busy_scene(), grouped = by_hand;
+  const TransformStep turn{Rotate{{1, 2, 3}, 40}}, shift{Translate{{0.5, 0, 0.25}}}, flip{Mirror{{0, 1, 0}}};
+  const std::vector<Object> parts(by_hand.objects.begin(), by_hand.objects.begin() + 4);
+  const std::vector<Object> rest(by_hand.objects.begin() + 4, by_hand.objects.end());
+  by_hand.objects.clear(), grouped.objects.clear();
+  for (const Object& part : parts) by_hand.objects.push_back(moved(part, {turn, shift}));
+  for (const Object& part : parts) by_hand.objects.push_back(moved(part, {turn, shift, flip}));
+  const auto inner = group_of(parts);
+  const auto outer = group_of({instance("inner", inner, {turn, shift})});
+  grouped.objects = {instance("first", outer, {}), instance("second", outer, {flip})};
+  for (Scene* scene : {&by_hand, &grouped}) scene->objects.insert(scene->objects.end(), rest.begin(), rest.end());
+  CHECK((pixels_of<double>(grouped) == pixels_of<double>(by_hand)));
+  CHECK((pixels_of<double>(grouped) == pixels_of<double>(by_hand)));  // not both pictures in the message
+  CHECK((pixels_of<float>(grouped) == pixels_of<float>(by_hand)));
+  const World<double> world(grouped);
+  CHECK(world.accelerator.primitives().size() == 10);
+  CHECK(world.object(0) == 0);
+  CHECK(world.object(7) == 1);
+  CHECK(world.object(9) == 3);
+  CHECK(world.surfaces.size() == 6);
+}
+
+TEST_CASE("triangles of a mesh come after all shapes and know their object") {
+  Scene scene = busy_scene();
+  scene.objects.insert(scene.objects.begin(), {"Square", square_mesh(-0.5), black()});
+  const World<float> world(scene);
+  const int shapes = static_cast<int>(scene.objects.size()) - 1;
+  CHECK(world.accelerator.primitives().size() == shapes + 2);
+  CHECK(world.object(0) == 1);
+  CHECK(world.object(shapes) == 0);
+  CHECK(world.object(shapes + 1) == 0);
+  CHECK(world.surface(shapes).diffuse == Rgb<float>(0));
+  CHECK(world.surface(0).specular == Rgb<float>(Rgbd(0.4)));
+}
+
+TEST_CASE("a mesh's own materials colour its triangles, unless the scene says otherwise") {
+  MeshShape shape = square_mesh(0);
+  auto mesh = std::make_shared<Mesh>(*shape.mesh);
+  mesh->materials = {0, -1};
+  shape.mesh = mesh;
+  Material red;
+  red.diffuse = {1, 0, 0};
+  shape.materials = std::make_shared<const std::vector<Material>>(1, red);
+  Scene scene;
+  scene.objects = {{"Square", shape, black()}};
+  World<double> world(scene);
+  CHECK(world.surface(0).diffuse == Rgbd(1, 0, 0));
+  CHECK(world.surface(1).diffuse == Rgbd(0.0));
+  std::get<MeshShape>(scene.objects[0].shape).file_materials = false;
+  CHECK(World<double>(scene).surface(0).diffuse == Rgbd(0.0));
+}
+
+TEST_CASE("what does not move in truth gives the bits of what stands still") {
+  const Scene still = busy_scene();
+  Scene inert = still;
+  inert.objects[0].motion = {{0.3, {0, 0, 0}}};
+  inert.objects[2].motion = {{0, {0, 0, 0}}, {1, {0, 0, 0}}};
+  CHECK((pixels_of<double>(inert) == pixels_of<double>(still)));
+  // One offset at all times is a place.
+  Scene placed = still, offset = still;
+  placed.objects[1].transform = {{Translate{{0, 0.5, 0.25}}}};
+  offset.objects[1].motion = {{0, {0, 0.5, 0.25}}, {1, {0, 0.5, 0.25}}};
+  CHECK((pixels_of<double>(offset) == pixels_of<double>(placed)));
+  CHECK((pixels_of<double>(offset) != pixels_of<double>(still)));
+  // Moving, the pinhole's rays see it where it is when the shutter opens.
+  Scene moving = still;
+  moving.objects[1].motion = {{0, {0, 9, 9}}, {1, {0, 0.5, 0.25}}, {2, {7, 0, 0}}};
+  moving.camera.shutter_open = 1;
+  moving.camera.shutter_close = 1.5;
+  const auto a = pixels_of<double>(moving), b = pixels_of<double>(placed);
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) differing += length(Vec3d(a[i] - b[i])) > 1e-9;
+  CHECK(differing < a.size() / 100);
+}
+
+TEST_CASE("a filtering mesh weights the light at each of its sheets") {
+  Scene scene;
+  scene.camera.eye = {0, 0, 4};
+  scene.camera.look_at = {0, 0, 0};
+  scene.camera.up = {0, 1, 0};
+  scene.ambient = Rgbd(0.0);
+  Material white = black();
+  white.diffuse = Rgbd(1.0);
+  Material filter = black();
+  filter.transmission = {0.5, 0.25, 1};
+  filter.ior = 1;
+  filter.shadow = ShadowKind::filtered;
+  scene.objects = {object("Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, white),
+                   {"Upper", square_mesh(7), filter},
+                   {"Lower", square_mesh(6), filter}};
+  scene.lights = {{"Sun", Rgbd(1.0), DirectionalLight{{0.1, 0.2, 1}}}};
+  const auto seen = pixels_of<double>(scene);
+  const Rgbd middle = seen[seen.size() / 2];
+  const double n_l = 1 / std::sqrt(1.05);
+  CHECK(middle.x == Approx(0.25 * n_l));
+  CHECK(middle.y == Approx(0.0625 * n_l));
+  CHECK(middle.z == Approx(n_l));
+}
+
+TEMPLATE_TEST_CASE("a smoothed normal never sends a ray to the wrong side", "", float, double) {
+  using T = TestType;
+  const Vec3<T> side(0, 0, 1);
+  int bent = 0;
+  for (int i = 1; i < 60; ++i) {
+    for (int j = 0; j < 60; ++j) {
+      const T a = static_cast<T>(i) / 40, b = static_cast<T>(j) / 20;
+      const Vec3<T> incident(std::sin(a), 0, -std::cos(a));  // over the horizon at a > pi / 2: not formed
+      if (!(dot(incident, side) < 0)) continue;
+      const Vec3<T> smooth = normalize(Vec3<T>(std::sin(b), std::sin(3 * b) / 3, std::cos(b)));
+      const Vec3<T> normal = smooth_normal_towards(incident, side, smooth);
+      CHECK(dot(normal, incident) < 0);
+      CHECK(dot(reflect(incident, normal), side) > 0);
+      bent += normal != smooth;
+      if (dot(smooth, incident) < 0 && dot(reflect(incident, smooth), side) > 0) CHECK(normal == smooth);
+    }
+  }
+  CHECK(bent > 100);
+}
