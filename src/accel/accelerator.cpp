@@ -80,22 +80,19 @@ void Accelerator<T>::search(const Ray<T>& ray, Query& query) const {
 template <class T>
 template <class Accept>
 std::optional<Hit<T>> Accelerator<T>::closest(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept) const {
-  ClosestQuery<T, Accept> query(ray, t_max, counts, accept);
+  ClosestQuery<T, Accept> query(primitives_, ray, t_max, accept);
   search(ray, query);
+  counts += query.counts();
   return query.nearest();
 }
 
 template <class T>
 template <class Accept>
 bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept, int* last) const {
-  AnyQuery<T, Accept> query(ray, t_max, counts, accept);
-  if (last == nullptr) {
-    search(ray, query);
-    return query.found();
-  }
-  if (*last >= 0 && query.test(primitives_, *last)) return true;
-  search(ray, query);
-  *last = query.found() ? query.found_id() : -1;
+  AnyQuery<T, Accept> query(primitives_, ray, t_max, accept);
+  if (last == nullptr || *last < 0 || !query.test(primitives_, *last)) search(ray, query);
+  if (last != nullptr) *last = query.found_id();
+  counts += query.counts();
   return query.found();
 }
 
@@ -103,8 +100,9 @@ template <class T>
 void Accelerator<T>::crossed(const Ray<T>& ray, T t_max, TestCounts& counts, MarkedPrimitives accept,
                              std::vector<int>& found) const {
   found.clear();
-  EveryQuery<T, MarkedPrimitives> query(ray, t_max, counts, accept, found);
+  EveryQuery<T, MarkedPrimitives> query(primitives_, ray, t_max, accept, found);
   search(ray, query);
+  counts += query.counts();
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }

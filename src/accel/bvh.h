@@ -33,26 +33,35 @@ class Bvh {
     };
     std::array<Entry, max_depth + 1> waiting;
     std::size_t count = 0;
-    const Stretch<T> root = clip(slabs, nodes_[0].box, {0, query.reach()});
-    if (root.empty()) return;
-    waiting[count++] = {0, root.in};
-    while (count > 0) {
-      const Entry entry = waiting[--count];
-      if (entry.in > query.reach()) continue;
-      const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
+    if (clip(slabs, nodes_[0].box, {0, query.reach()}).empty()) return;
+    int at = 0;
+    while (true) {
+      const Node& node = nodes_[static_cast<std::size_t>(at)];
       query.enter_node();
       if (node.leaf()) {
         for (int i = node.first; i < node.first + node.count; ++i)
           if (query.test(primitives, ids_[static_cast<std::size_t>(i)])) return;
-        continue;
+      } else {
+        const Node* child = &nodes_[static_cast<std::size_t>(node.first)];
+        const T reach = query.reach();
+        const Stretch<T> left = clip(slabs, child[0].box, {0, reach}), right = clip(slabs, child[1].box, {0, reach});
+        const bool meets_left = !left.empty(), meets_right = !right.empty();
+        if (meets_left && meets_right) {
+          const bool left_first = left.in <= right.in;
+          at = left_first ? node.first : node.first + 1;
+          waiting[count++] = left_first ? Entry{node.first + 1, right.in} : Entry{node.first, left.in};
+          continue;
+        }
+        if (meets_left || meets_right) {
+          at = meets_left ? node.first : node.first + 1;
+          continue;
+        }
       }
-      const Stretch<T> left = clip(slabs, nodes_[static_cast<std::size_t>(node.first)].box, {0, query.reach()});
-      const Stretch<T> right = clip(slabs, nodes_[static_cast<std::size_t>(node.first) + 1].box, {0, query.reach()});
-      const bool left_first = left.in <= right.in;
-      const Entry near{left_first ? node.first : node.first + 1, left_first ? left.in : right.in};
-      const Entry far{left_first ? node.first + 1 : node.first, left_first ? right.in : left.in};
-      if (!(left_first ? right : left).empty()) waiting[count++] = far;
-      if (!(left_first ? left : right).empty()) waiting[count++] = near;
+      do {
+        if (count == 0) return;
+        --count;
+      } while (waiting[count].in > query.reach());
+      at = waiting[count].node;
     }
   }
 

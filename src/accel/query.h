@@ -23,6 +23,12 @@ struct Hit {
 struct TestCounts {
   std::uint64_t nodes = 0;       ///< nodes or cells of a structure entered
   std::uint64_t primitives = 0;  ///< ray-primitive tests made
+
+  TestCounts& operator+=(const TestCounts& other) {
+    nodes += other.nodes;
+    primitives += other.primitives;
+    return *this;
+  }
 };
 
 /// Accepts every primitive.
@@ -36,91 +42,92 @@ struct MarkedPrimitives {
   bool operator()(int primitive) const { return marks[static_cast<std::size_t>(primitive)] != 0; }
 };
 
+/// What a search asks of each primitive, and what it has cost.
+template <class T, class Accept>
+class Query {
+ public:
+  Query(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept)
+      : ray_(ray), sheared_(primitives.sheared(ray)), t_max_(t_max), accept_(accept) {}
+  void enter_node() { ++counts_.nodes; }
+  [[nodiscard]] const TestCounts& counts() const { return counts_; }
+
+ protected:
+  std::optional<Crossing<T>> cross(const Primitives<T>& primitives, int id) {
+    if (!accept_(id)) return std::nullopt;
+    ++counts_.primitives;
+    // The full reach, not the nearest t so far: a tie must be seen to be decided.
+    return primitives.intersect(id, ray_, sheared_, t_max_);
+  }
+
+  const Ray<T>& ray_;
+  ShearedRay<T> sheared_;
+  T t_max_;
+  TestCounts counts_;
+  Accept accept_;
+};
+
 /// A search for the nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id.
 template <class T, class Accept>
-class ClosestQuery {
+class ClosestQuery : public Query<T, Accept> {
  public:
-  static constexpr bool stops_at_first = false;
-  ClosestQuery(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept)
-      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
+  ClosestQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept)
+      : Query<T, Accept>(primitives, ray, t_max, accept), reach_(t_max) {}
 
   /// Tests one primitive; true when the search is over.
   bool test(const Primitives<T>& primitives, int id) {
-    if (!accept_(id)) return false;
-    ++counts_.primitives;
-    // The full reach, not the nearest t so far: a tie must be seen to be decided.
-    const auto crossing = primitives.intersect(id, ray_, t_max_);
-    if (crossing &&
-        (!nearest_ || crossing->t < nearest_->t || (crossing->t == nearest_->t && id < nearest_->primitive)))
-      nearest_ = Hit<T>{crossing->t, id, crossing->part};
+    const auto crossing = this->cross(primitives, id);
+    if (!crossing || !(crossing->t < hit_.t || (crossing->t == hit_.t && id < hit_.primitive))) return false;
+    constexpr T margin = 1 + 4096 * std::numeric_limits<T>::epsilon();
+    hit_ = {crossing->t, id, crossing->part};
+    reach_ = crossing->t * margin;
     return false;
   }
 
   /// Whatever is entered later than this cannot hold a nearer crossing. A computed t may err by more than a box's
   /// entry does (a grazed surface), so the margin is generous; it costs a few visits and no correctness.
-  [[nodiscard]] T reach() const {
-    constexpr T margin = 1 + 4096 * std::numeric_limits<T>::epsilon();
-    return nearest_ ? nearest_->t * margin : t_max_;
+  [[nodiscard]] T reach() const { return reach_; }
+  [[nodiscard]] std::optional<Hit<T>> nearest() const {
+    return hit_.primitive == nobody ? std::nullopt : std::optional(hit_);
   }
-  void enter_node() { ++counts_.nodes; }
-  [[nodiscard]] const std::optional<Hit<T>>& nearest() const { return nearest_; }
 
  private:
-  const Ray<T>& ray_;
-  T t_max_;
-  TestCounts& counts_;
-  Accept accept_;
-  std::optional<Hit<T>> nearest_;
+  static constexpr int nobody = std::numeric_limits<int>::max();
+  T reach_;
+  Hit<T> hit_{infinity<T>, nobody, 0};
 };
 
 /// A search for any accepted crossing in (0, t_max).
 template <class T, class Accept>
-class AnyQuery {
+class AnyQuery : public Query<T, Accept> {
  public:
-  static constexpr bool stops_at_first = true;
-  AnyQuery(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept)
-      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
+  using Query<T, Accept>::Query;
 
   bool test(const Primitives<T>& primitives, int id) {
-    if (!accept_(id)) return false;
-    ++counts_.primitives;
-    if (primitives.intersect(id, ray_, t_max_)) found_ = id;
+    if (this->cross(primitives, id)) found_ = id;
     return found();
   }
-  [[nodiscard]] T reach() const { return t_max_; }
-  void enter_node() { ++counts_.nodes; }
+  [[nodiscard]] T reach() const { return this->t_max_; }
   [[nodiscard]] bool found() const { return found_ >= 0; }
   [[nodiscard]] int found_id() const { return found_; }
 
  private:
-  const Ray<T>& ray_;
-  T t_max_;
-  TestCounts& counts_;
-  Accept accept_;
   int found_ = -1;
 };
 
 /// A search for all accepted primitives that are crossed in (0, t_max): their ids, some of them more than once.
 template <class T, class Accept>
-class EveryQuery {
+class EveryQuery : public Query<T, Accept> {
  public:
-  EveryQuery(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept, std::vector<int>& found)
-      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept), found_(found) {}
+  EveryQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept, std::vector<int>& found)
+      : Query<T, Accept>(primitives, ray, t_max, accept), found_(found) {}
 
   bool test(const Primitives<T>& primitives, int id) {
-    if (!accept_(id)) return false;
-    ++counts_.primitives;
-    if (primitives.intersect(id, ray_, t_max_)) found_.push_back(id);
+    if (this->cross(primitives, id)) found_.push_back(id);
     return false;
   }
-  [[nodiscard]] T reach() const { return t_max_; }
-  void enter_node() { ++counts_.nodes; }
+  [[nodiscard]] T reach() const { return this->t_max_; }
 
  private:
-  const Ray<T>& ray_;
-  T t_max_;
-  TestCounts& counts_;
-  Accept accept_;
   std::vector<int>& found_;
 };
 
@@ -130,16 +137,18 @@ struct SlabRay {
   /// With `mapped`, boxes are taken for a few ulps of the origin larger: where a primitive takes the ray into a space
   /// of its own, the origin is rounded there.
   explicit SlabRay(const Ray<T>& ray, bool mapped = false)
-      : from_low(ray.origin), from_high(ray.origin), inverse(T(1) / ray.direction) {
+      : from_in(ray.origin), from_out(ray.origin), inverse(T(1) / ray.direction) {
     for (int axis = 0; axis < 3; ++axis) negative[axis] = std::signbit(ray.direction[axis]);
     if (!mapped) return;
     const T size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
-    const Vec3<T> slack(16 * std::numeric_limits<T>::epsilon() * size);
-    from_low += slack;
-    from_high -= slack;
+    const T slack = 16 * std::numeric_limits<T>::epsilon() * size;
+    for (int axis = 0; axis < 3; ++axis) {
+      from_in[axis] += negative[axis] ? -slack : slack;
+      from_out[axis] += negative[axis] ? slack : -slack;
+    }
   }
-  Vec3<T> from_low, from_high;  ///< the origin, as seen from lower and from upper faces
-  Vec3<T> inverse;              ///< 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none
+  Vec3<T> from_in, from_out;  ///< the origin, as seen from the faces through which the ray comes in and goes out
+  Vec3<T> inverse;            ///< 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none
   bool negative[3];
 };
 
@@ -158,9 +167,9 @@ template <class T>
 [[nodiscard]] Stretch<T> clip(const SlabRay<T>& ray, const Bounds<T>& box, Stretch<T> within) {
   constexpr T pad = 1 + 4 * std::numeric_limits<T>::epsilon();
   for (int axis = 0; axis < 3; ++axis) {
-    const T low = (box.min[axis] - ray.from_low[axis]) * ray.inverse[axis];
-    const T high = (box.max[axis] - ray.from_high[axis]) * ray.inverse[axis];
-    const T in = ray.negative[axis] ? high : low, out = (ray.negative[axis] ? low : high) * pad;
+    const bool negative = ray.negative[axis];
+    const T in = ((negative ? box.max : box.min)[axis] - ray.from_in[axis]) * ray.inverse[axis];
+    const T out = ((negative ? box.min : box.max)[axis] - ray.from_out[axis]) * ray.inverse[axis] * pad;
     if (in > within.in) within.in = in;
     if (out < within.out) within.out = out;
   }

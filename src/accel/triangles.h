@@ -24,7 +24,9 @@ class Triangles {
     return {position(c[0]), position(c[1]), position(c[2])};
   }
 
-  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const Ray<T>& ray, T t_max, int departed_part) const {
+  /// `AnyRay` is a Ray or a ShearedRay.
+  template <class AnyRay>
+  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part) const {
     const Triangle<T> triangle = (*this)[i];
     const auto crossing = raywalk::intersect(triangle, ray, t_max, departed_part);
     // What has shrunk to a line has no normal; it is told last, of the few that are hit.

@@ -2,6 +2,7 @@
 
 #include "app/scene_lookup.h"
 #include "scene/effects.h"
+#include "trace/world.h"
 
 #include <fmt/format.h>
 
@@ -54,6 +55,27 @@ std::string cells_text(const Scene& scene) {
          "; they are no pixels of this image (for that its width is an odd multiple of the cells and its height odd)";
 }
 
+/// What each structure over the scene's primitives comes to. Of large scenes only the one that is chosen for them.
+std::string structures_text(const Scene& scene) {
+  constexpr double few = 20000;
+  const World<double> chosen(scene);
+  const AcceleratorKind automatic = chosen.accelerator.kind();
+  std::string text =
+      fmt::format("\nstructures over {}; {} is chosen\n",
+                  count_of(static_cast<std::size_t>(chosen.accelerator.primitives().size()), "primitive"),
+                  accelerator_name(automatic));
+  text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9}\n", "", "nodes", "depth", "references", "bytes",
+                      "build ms");
+  for (const AcceleratorKind kind : all_accelerators) {
+    const bool shown = kind == automatic || (kind != AcceleratorKind::automatic && entries_of(scene.objects) <= few);
+    if (!shown) continue;
+    const AcceleratorStatistics s = (kind == automatic ? chosen : World<double>(scene, kind)).accelerator.statistics();
+    text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9.2f}\n", accelerator_name(kind), s.nodes, s.depth,
+                        s.references, s.bytes, 1000 * s.build_seconds);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string info_text(const Scene& scene, const std::string& path) {
@@ -71,6 +93,8 @@ std::string info_text(const Scene& scene, const std::string& path) {
   std::vector<std::string_view> kinds;
   for (const Object& object : scene.objects) kinds.push_back(shape_name(object.shape));
   text += row("objects", counts_of(kinds));
+  kinds.assign(scene.groups.size(), "group");
+  if (!kinds.empty()) text += row("groups", counts_of(kinds));
   kinds.clear();
   for (const Light& light : scene.lights)
     kinds.push_back(std::visit([](const auto& kind) { return kind_of(kind); }, light.kind));
@@ -83,7 +107,7 @@ std::string info_text(const Scene& scene, const std::string& path) {
     const EffectUse& use = effects[effect];
     text += row("  " + std::string(effect_name(effect)), (use.used ? "used: " : "") + use.why);
   }
-  return text;
+  return text + structures_text(scene);
 }
 
 ExitCode info_command(const std::string& scene) {

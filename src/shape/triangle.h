@@ -27,6 +27,21 @@ template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
 
+/// What all triangles need of a ray, computed once a ray.
+template <class T>
+struct ShearedRay {
+  ShearedRay() = default;
+  explicit ShearedRay(const Ray<T>& ray);
+  Vec3<T> origin{0};
+  int kx = 0, ky = 1, kz = 2;  ///< the axes that become x, y and z
+  T x = 0, y = 0, z = 1;       ///< the shear
+};
+
+/// The same, bit for bit.
+template <class T, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
+                                                   int departed_part = no_part, Explain&& explain = {});
+
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Triangle<T>& triangle, const Ray<T>& ray, Crossing<T> crossing) {
   const Vec3<T> normal = normalize(cross(triangle.b - triangle.a, triangle.c - triangle.a));
@@ -80,33 +95,49 @@ int side_of(double edge, const Sheared<T>& p, const Sheared<T>& q) {
 
 }  // namespace detail
 
-template <class T, class Explain>
-std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max, int departed_part,
-                                     Explain&& explain) {
+template <class T>
+ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(ray.origin) {
   const Vec3<T>& d = ray.direction;
   // The largest component of the direction becomes z; the other two keep their turn.
-  int kz = std::abs(d.x) > std::abs(d.y) ? 0 : 1;
+  kz = std::abs(d.x) > std::abs(d.y) ? 0 : 1;
   if (std::abs(d.z) > std::abs(d[kz])) kz = 2;
-  int kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+  kx = (kz + 1) % 3, ky = (kz + 2) % 3;
   if (d[kz] < 0) std::swap(kx, ky);
-  const T shear_x = d[kx] / d[kz], shear_y = d[ky] / d[kz], shear_z = T(1) / d[kz];
+  x = d[kx] / d[kz], y = d[ky] / d[kz], z = T(1) / d[kz];
+}
+
+template <class T, class Explain>
+std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max, int departed_part,
+                                     Explain&& explain) {
   const auto sheared = [&](const Vec3<T>& corner) {
     const Vec3<T> p = corner - ray.origin;
-    return detail::Sheared<T>{p[kx] - shear_x * p[kz], p[ky] - shear_y * p[kz], shear_z * p[kz]};
+    return detail::Sheared<T>{p[ray.kx] - ray.x * p[ray.kz], p[ray.ky] - ray.y * p[ray.kz], ray.z * p[ray.kz]};
   };
   const detail::Sheared<T> a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  constexpr bool explained = std::decay_t<Explain>::wanted;
+  // Wholly on one side of the ray, or behind it: told without a product. The signs below would say the same.
+  const bool aside = (a.x > 0 && b.x > 0 && c.x > 0) || (a.x < 0 && b.x < 0 && c.x < 0) ||
+                     (a.y > 0 && b.y > 0 && c.y > 0) || (a.y < 0 && b.y < 0 && c.y < 0) ||
+                     (a.z <= 0 && b.z <= 0 && c.z <= 0);
+  if (aside && !explained) return std::nullopt;
   const double u = difference_of_products(c.x, b.y, c.y, b.x);
   const double v = difference_of_products(a.x, c.y, a.y, c.x);
   const double w = difference_of_products(b.x, a.y, b.y, a.x);
   const double determinant = u + v + w;
   const double scaled = u * static_cast<double>(a.z) + v * static_cast<double>(b.z) + w * static_cast<double>(c.z);
-  if constexpr (std::decay_t<Explain>::wanted) explain.plane(scaled, determinant);
+  if constexpr (explained) explain.plane(scaled, determinant);
   if (departed_part != no_part || determinant == 0) return std::nullopt;
   const int side = detail::side_of(u, c, b);
   if (side == 0 || detail::side_of(v, a, c) != side || detail::side_of(w, b, a) != side) return std::nullopt;
   const T t = static_cast<T>(scaled / determinant);
   if (!(t > 0 && t < t_max)) return std::nullopt;
   return Crossing<T>{t};
+}
+
+template <class T, class Explain>
+std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max, int departed_part,
+                                     Explain&& explain) {
+  return intersect(triangle, ShearedRay<T>(ray), t_max, departed_part, std::forward<Explain>(explain));
 }
 
 }  // namespace raywalk

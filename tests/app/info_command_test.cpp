@@ -30,7 +30,7 @@ TEST_CASE("info says what a scene holds and why it is planar or not") {
   scene.lights.clear();
   const std::string other = info_text(scene, "two.toml");
   CHECK_THAT(other, contains("no: the eye does not lie in z = 0") && contains("they are no pixels of this image"));
-  CHECK_THAT(other, contains("none\n") && !contains("sphere"));
+  CHECK_THAT(other, contains("none\n") && !contains("2 spheres"));
   scene.image = {21, 21};
   CHECK_THAT(info_text(scene, ""), contains("the pixels of the image's middle row"));
 }
@@ -41,5 +41,9 @@ TEST_CASE("info names every effect and why it is used or not") {
   CHECK(outcome.exit_code == 0);
   for (int i = 0; i < effect_count; ++i)
     CHECK_THAT(outcome.out, contains("\n  " + std::string(effect_name(static_cast<Effect>(i))) + " "));
+  for (const AcceleratorKind kind : all_accelerators)
+    if (kind != AcceleratorKind::automatic)
+      CHECK_THAT(outcome.out, contains("\n  " + std::string(accelerator_name(kind)) + " "));
+  CHECK_THAT(outcome.out, contains("structures over 4 primitives; none is chosen"));
   CHECK_THAT(outcome.out, contains("used: Transparent Sphere transmits") && contains("none: nothing moves"));
 }
