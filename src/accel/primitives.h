@@ -76,9 +76,11 @@ class Primitives {
                                                      T t_max) const {
     if (!motion_of_.empty()) return intersect(id, ray, t_max);
     if (id >= shape_count()) return triangles_.intersect(id - shape_count(), sheared, t_max, departed_part(ray, id));
-    // The shape that scenes are full of is tested in place.
+    // The shapes that scenes are full of are tested in place.
     const auto* sphere = place_of_.empty() ? std::get_if<Sphere<T>>(&own(id)) : nullptr;
     if (sphere) return raywalk::intersect(*sphere, ray, t_max, departed_part(ray, id));
+    const auto* plane = place_of_.empty() ? std::get_if<Plane<T>>(&own(id)) : nullptr;
+    if (plane) return raywalk::intersect(*plane, ray, t_max, departed_part(ray, id));
     return intersect_at_rest(id, ray, t_max, NoExplanation{});
   }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {

@@ -71,6 +71,8 @@ void declare_render(CLI::App& program, Run& run) {
              "Which random numbers are drawn, where any are (0 when left out)");
   add_choice(command, "--accel", to.accelerator, all_accelerators, accelerator_name,
              "How the objects that a ray may meet are found; the picture is the same");
+  command.add_flag("--shadow-cache", to.shadow_cache,
+                   "Shadow rays first try what hid the same light last; the picture is the same");
   add_precision(command, to.precision);
   command.add_option("--stats", to.statistics, "Write what was done and how long it took, as JSON")->type_name("FILE");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");

@@ -105,6 +105,7 @@ ExitCode render_command(const RenderOptions& options) {
   {
     ProgressBar bar;
     RenderSettings settings{size, options.sampling, options.precision, options.accelerator, options.threads};
+    settings.shadow_cache = options.shadow_cache;
     if (!options.quiet) settings.progress = [&bar](const Progress& progress) { bar.show(progress); };
     settings.cancel = &Interrupt::flag();
     rendering = render(scene, settings);

@@ -18,6 +18,7 @@ struct RenderOptions {
   Sampling sampling{};
   int threads = 0;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
+  bool shadow_cache = false;
   Precision precision = Precision::double_;
 };
 

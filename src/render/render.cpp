@@ -62,7 +62,8 @@ template <class T>
 Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
   Film<T> film(size);
   const auto build_start = Clock::now();
-  const World<T> world(scene, settings.accelerator);
+  World<T> world(scene, settings.accelerator);
+  world.shadow_cache = settings.shadow_cache;
   const RayGenerator<T> camera(scene, size, whole, settings.sampling);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);

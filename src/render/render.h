@@ -26,6 +26,8 @@ struct RenderSettings {
   AcceleratorKind accelerator = AcceleratorKind::automatic;
   int threads = 0;  ///< 0: as many as the machine runs at once
 
+  bool shadow_cache = false;  ///< shadow rays first try what hid the same light last
+
   /// Told now and then, in the thread that called `render`.
   std::function<void(const Progress&)> progress{};
   /// Once true, the render stops soon and returns what is done. May be set from another thread or a signal handler.

@@ -27,7 +27,7 @@ class Tracer {
   using Observer = typename Policy::Observer;
 
   Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer)
-      : world_(world), camera_(camera), observer_(observer) {}
+      : world_(world), camera_(camera), observer_(observer), last_blockers_(world.lamps.size(), -1) {}
 
   /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -177,6 +177,7 @@ class Tracer {
   [[no_unique_address]] Only<draws, RandomKey> key_{};  ///< of the sample under way
   int rays_formed_ = 0;                                 ///< numbers the rays of a recording
   std::vector<int> filters_met_;                        ///< kept so that no shadow ray allocates
+  std::vector<int> last_blockers_;                      ///< by lamp: what the shadow cache holds
 };
 
 }  // namespace raywalk

@@ -224,8 +224,9 @@ auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const La
   const T t_max = lamp.directional ? infinity<T> : T(1);
   const bool all_stop = world_.stops_shadows.empty();
   const MarkedPrimitives stops{world_.stops_shadows};
-  const bool blocked = all_stop ? world_.accelerator.any(shadow.ray, t_max, statistics_.tests)
-                                : world_.accelerator.any(shadow.ray, t_max, statistics_.tests, stops);
+  int* last = world_.shadow_cache ? &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())] : nullptr;
+  const bool blocked = all_stop ? world_.accelerator.any(shadow.ray, t_max, statistics_.tests, AnyPrimitive{}, last)
+                                : world_.accelerator.any(shadow.ray, t_max, statistics_.tests, stops, last);
   const Rgb<T> passed = blocked ? Rgb<T>(0) : all_stop ? Rgb<T>(1) : light_passed(shadow.ray, t_max);
   ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
   note(Line::find_intersection, depth, [&] {

@@ -103,6 +103,8 @@ struct World {
   /// of its own number.
   std::vector<std::int32_t> objects, surface_indices;
   Accelerator<T> accelerator;
+  /// Whether a shadow ray first tries what hid the same light from the point before. Changes what a render costs.
+  bool shadow_cache = false;
 
   [[nodiscard]] const Surface& surface(int primitive) const {
     const auto id = static_cast<std::size_t>(primitive);

@@ -99,7 +99,8 @@ void compare(int count, bool mixed) {
     const Accelerator<T> structure(primitives(all), kind);
     REQUIRE(structure.kind() == kind);
     int differing = 0, hits = 0;
-    TestCounts brute, counts;
+    TestCounts brute, counts, remembering;
+    int last = -1;
     for (const Ray<T>& ray : probes) {
       const auto expected = list.closest(ray, infinity<T>, brute);
       hits += expected.has_value();
@@ -110,6 +111,9 @@ void compare(int count, bool mixed) {
         if (structure.any(ray, expected->t, counts) != list.any(ray, expected->t, brute)) ++differing;
         if (!structure.any(ray, beyond, counts)) ++differing;
       }
+      // What was found last is tried first; the answer is the same.
+      if (structure.any(ray, infinity<T>, remembering, AnyPrimitive{}, &last) != expected.has_value()) ++differing;
+      if ((last >= 0) != expected.has_value()) ++differing;
       const MarkedPrimitives marked{marks};
       if (!same(list.closest(ray, infinity<T>, brute, marked), structure.closest(ray, infinity<T>, counts, marked)))
         ++differing;

@@ -164,6 +164,11 @@ TEST_CASE("equal keys and keys outside the time change nothing", "[mesh]") {
   CHECK(is_at_rest({{0, {1, 2, 3}}}));
   CHECK(is_at_rest({{0, {1, 2, 3}}, {1, {1, 2, 3}}}));
   CHECK_FALSE(is_at_rest({{0, {1, 2, 3}}, {1, {1, 2, 4}}}));
+  const Motion late{{2, {0, 0, 0}}, {3, {1, 0, 0}}, {4, {0, 0, 0}}};
+  CHECK_FALSE(moves_between(late, 0, 2));
+  CHECK(moves_between(late, 0, 2.5));
+  CHECK(moves_between(late, 1, 5));  // there and back
+  CHECK_FALSE(moves_between(late, 2.5, 2.5));
   CHECK(offset_at({}, 7) == Vec3d(0.0));
   CHECK(offset_at({{0, {1, 0, 0}}, {2, {5, 0, 4}}}, 0.5) == Vec3d(2, 0, 1));
   // Inside something turned by a quarter about z that itself moves along z.

@@ -159,3 +159,24 @@ TEMPLATE_TEST_CASE("a smoothed normal never sends a ray to the wrong side", "", 
   }
   CHECK(bent > 100);
 }
+
+TEST_CASE("the shadow cache changes no picture, and saves tests where many points are hidden by one thing") {
+  Scene scene = busy_scene();
+  scene.objects.push_back(object("Roof", Box<double>{{-9, -9, 2.5}, {9, 9, 3}}, black()));
+  for (int i = 0; i < 40; ++i)
+    scene.objects.push_back(
+        object("Dust " + std::to_string(i), Sphere<double>{{0.1 * i - 2, 2.4, 1.5}, 0.04}, black()));
+  const auto run = [&](bool cached) {
+    World<double> world(scene);
+    world.shadow_cache = cached;
+    const RayGenerator<double> camera(scene.camera, {49, 37}, {49, 37});
+    std::pair<std::vector<Rgbd>, Statistics> result;
+    result.second = trace(world, camera, PixelBlock{0, 49, 0, 37},
+                          [&](const Pixel& /*pixel*/, const Rgbd& shade) { result.first.push_back(shade); });
+    return result;
+  };
+  const auto plain = run(false), cached = run(true);
+  CHECK((plain.first == cached.first));
+  CHECK(plain.second.ends(Ending::blocked) == cached.second.ends(Ending::blocked));
+  CHECK(cached.second.tests.nodes < plain.second.tests.nodes);
+}
