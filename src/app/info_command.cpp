@@ -76,6 +76,18 @@ std::string structures_text(const Scene& scene) {
   return text;
 }
 
+/// "distributed, 16 samples a pixel, jittered".
+std::string render_text(const Scene& scene) {
+  const RenderChoices& choices = scene.render;
+  const bool chosen = choices.integrator != Integrator::automatic;
+  std::string text(integrator_name(integrator_of(scene, choices.samples)));
+  text += chosen ? "" : ", as what it holds calls for";
+  if (choices.samples > 1)
+    text += fmt::format(", {} samples a pixel, {}", choices.samples, sampler_name(choices.sampler));
+  if (choices.tolerance > 0) text += fmt::format(", fewer where known to {:g}", choices.tolerance);
+  return text;
+}
+
 }  // namespace
 
 std::string info_text(const Scene& scene, const std::string& path) {
@@ -88,6 +100,7 @@ std::string info_text(const Scene& scene, const std::string& path) {
   text += row("eye", point(scene.camera.eye) + ", looking at " + point(scene.camera.look_at));
   text += row("image", fmt::format("{} x {} pixels", scene.image.width, scene.image.height));
   text += row("screen", cells_text(scene));
+  text += row("render", render_text(scene));
   text += row("limits", fmt::format("depth {}, threshold {:g}", scene.limits.depth, scene.limits.threshold));
 
   std::vector<std::string_view> kinds;
@@ -101,7 +114,7 @@ std::string info_text(const Scene& scene, const std::string& path) {
   text += row("lights", counts_of(kinds));
 
   text += "\neffects\n";
-  const Effects effects = effects_of(scene);
+  const Effects effects = effects_of(scene, scene.render.samples);
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     const EffectUse& use = effects[effect];

@@ -52,8 +52,8 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& targ
 }
 
 /// An option that takes one of a few words.
-template <class Choice, std::size_t Count, class NameOf>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& target,
+template <class Target, class Choice, std::size_t Count, class NameOf>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& target,
                         const std::array<Choice, Count>& choices, NameOf name_of, const std::string& help) {
   std::vector<std::string_view> words;
   std::string type;

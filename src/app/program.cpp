@@ -59,15 +59,27 @@ void declare_render(CLI::App& program, Run& run) {
       ->type_name("IMAGE");
   add_size(command, to.size);
   constexpr int most_samples = 1 << 20, most_threads = 1024;
-  add_whole(command, "--spp", to.sampling.per_pixel, 1, most_samples, "Samples of each pixel (1 when left out)");
+  add_choice(command, "--integrator", to.integrator,
+             std::array{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed},
+             integrator_name, "How light is followed: shadows only, mirrors and glass too, or soft effects too");
+  add_whole(command, "--spp", to.samples, 1, most_samples, "Samples of each pixel");
+  add_choice(
+      command, "--sampler", to.sampler, std::array{Sampler::random, Sampler::jittered, Sampler::sobol},
+      [](Sampler sampler) { return sampler_name(sampler); }, "Where samples fall");
+  constexpr auto points = scene_keys::light_grid_count;
+  add_whole(command, "--light-grid", to.light_grid, points.low, points.high,
+            "Of a light with an extent, N x N points are tried from every hit");
+  add_parsed(command, "--tolerance", to.tolerance, parse_share, "X", "a number that is 0 or more",
+             "A pixel takes no more samples once it is known to X of what a screen shows from 0 to 1, with 95%\n"
+             "confidence; 0: all");
   command
-      .add_flag("--corner-samples", to.sampling.corners,
+      .add_flag("--corner-samples", to.corner_samples,
                 "A ray through each corner of the pixels, whose mean is the pixel: as ray counts of NFF scenes have it")
       ->excludes("--spp");
   add_limits(command, to.depth, to.threshold);
   add_whole(command, "--threads", to.threads, 0, most_threads,
             "Threads; 0, as when left out: as many as the machine runs at once");
-  add_parsed(command, "--seed", to.sampling.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
+  add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which random numbers are drawn, where any are (0 when left out)");
   add_choice(command, "--accel", to.accelerator, all_accelerators, accelerator_name,
              "How the objects that a ray may meet are found; the picture is the same");

@@ -53,8 +53,11 @@ std::string summary(const RenderOptions& options, const Rendering& rendering, Im
   const Statistics& statistics = rendering.statistics;
   std::uint64_t rays = 0;
   for (const std::uint64_t formed : statistics.rays) rays += formed;
-  return fmt::format("{}: {} x {} pixels, {} rays, {:.2f} s in {} thread{}", options.image, size.width, size.height,
-                     rays, rendering.trace_seconds, rendering.threads, rendering.threads == 1 ? "" : "s");
+  std::string text =
+      fmt::format("{}: {} x {} pixels, {} rays, {:.2f} s in {} thread{}", options.image, size.width, size.height, rays,
+                  rendering.trace_seconds, rendering.threads, rendering.threads == 1 ? "" : "s");
+  if (rendering.threads > 1) text += fmt::format(", {:.2f} of them busy", rendering.busy_threads());
+  return text;
 }
 
 }  // namespace
@@ -93,9 +96,17 @@ ExitCode render_command(const RenderOptions& options) {
   Scene& scene = document->scene;
   scene.limits.depth = options.depth.value_or(scene.limits.depth);
   scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
+  RenderChoices& choices = scene.render;
+  choices.integrator = options.integrator.value_or(choices.integrator);
+  choices.samples = options.corner_samples ? 1 : options.samples.value_or(choices.samples);
+  choices.sampler = options.sampler.value_or(choices.sampler);
+  if (options.light_grid) choices.light_grid = options.light_grid;
+  choices.tolerance = options.tolerance.value_or(choices.tolerance);
+  const Sampling sampling{choices.samples, options.seed, options.corner_samples};
   const ImageSize size = options.size.value_or(scene.image);
-  RenderReport report{scene_path(options.scene), options.image, size, options.sampling, scene.limits, options.precision,
-                      seconds_since(load_start)};
+  RenderReport report{
+      scene_path(options.scene), options.image, size, sampling, choices, scene.limits, options.precision,
+      seconds_since(load_start)};
   if (const auto error = why_too_large(size)) return refuse(*error);
   for (const std::string& path : {options.image, options.statistics})
     if (const auto error = path.empty() ? std::nullopt : why_not_writable(path)) return fail(*error);
@@ -104,7 +115,8 @@ ExitCode render_command(const RenderOptions& options) {
   Result<Rendering> rendering;
   {
     ProgressBar bar;
-    RenderSettings settings{size, options.sampling, options.precision, options.accelerator, options.threads};
+    RenderSettings settings{size, sampling, options.precision, options.accelerator, options.threads};
+    settings.tolerance = choices.tolerance;
     settings.shadow_cache = options.shadow_cache;
     if (!options.quiet) settings.progress = [&bar](const Progress& progress) { bar.show(progress); };
     settings.cancel = &Interrupt::flag();

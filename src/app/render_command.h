@@ -15,7 +15,13 @@ struct RenderOptions {
   std::optional<ImageSize> size{};
   std::optional<int> depth{};
   std::optional<double> threshold{};
-  Sampling sampling{};
+  std::optional<Integrator> integrator{};
+  std::optional<int> samples{};
+  std::optional<Sampler> sampler{};
+  std::optional<int> light_grid{};
+  std::optional<double> tolerance{};
+  std::uint64_t seed = 0;
+  bool corner_samples = false;
   int threads = 0;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
   bool shadow_cache = false;

@@ -18,6 +18,9 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
                    {"samples", report.sampling.per_pixel},
                    {"corner_samples", report.sampling.corners},
                    {"seed", report.sampling.seed},
+                   {"integrator", integrator_name(report.choices.integrator)},
+                   {"sampler", sampler_name(report.choices.sampler)},
+                   {"tolerance", report.choices.tolerance},
                    {"depth", report.limits.depth},
                    {"threshold", report.limits.threshold},
                    {"precision", precision_name(report.precision)}};
@@ -31,6 +34,10 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
   }
   json["tests"] = {{"nodes", statistics.tests.nodes}, {"primitives", statistics.tests.primitives}};
   json["random_draws"] = statistics.random_draws;
+  for (int i = 0; i < effect_count; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    if (statistics.drawn(effect) > 0) json["draws"][std::string(effect_name(effect))] = statistics.drawn(effect);
+  }
   json["not_finite"] = statistics.not_finite;
   json["accelerator"] = {{"name", accelerator_name(rendering.accelerator)},
                          {"nodes", rendering.structure.nodes},
@@ -42,6 +49,7 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
                      {"trace", rendering.trace_seconds},
                      {"write", report.write_seconds}};
   json["threads"] = rendering.threads;
+  json["busy_seconds"] = rendering.busy_seconds;
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     const EffectUse& use = rendering.effects[effect];

@@ -11,6 +11,7 @@ struct RenderReport {
   std::string scene, image;  ///< paths
   ImageSize size;
   Sampling sampling;
+  RenderChoices choices;
   TraceLimits limits;
   Precision precision = Precision::double_;
   double load_seconds = 0, write_seconds = 0;

@@ -4,6 +4,7 @@
 #include "io/nff_reader.h"
 #include "io/scene_reader.h"
 #include "io/test_format_reader.h"
+#include "io/texture_file.h"
 #include "io/toml_text.h"
 
 #include <fmt/format.h>
@@ -142,8 +143,13 @@ Result<SceneDocument> read_scene(const std::string& path) {
   const auto text = read_file(path, format == SceneFormat::toml ? most_bytes : most_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
   switch (format) {
-    case SceneFormat::toml:
-      return parse_scene(*text, path);
+    case SceneFormat::toml: {
+      auto document = parse_scene(*text, path);
+      if (!document) return document;
+      const std::string folder = path.substr(0, path.find_last_of('/') + 1);
+      if (const auto loaded = load_textures(document->scene, folder); !loaded) return tl::unexpected(loaded.error());
+      return document;
+    }
     case SceneFormat::nff:
       return parse_nff(*text, path);
     case SceneFormat::test:

@@ -1,9 +1,11 @@
 #include "render/render.h"
 
+#include "render/adaptive.h"
 #include "render/parallel.h"
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <new>
 #include <numeric>
@@ -78,35 +80,51 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   if (settings.reorder_tiles) settings.reorder_tiles(order);
 
   const auto cancelled = [&] { return settings.cancel != nullptr && settings.cancel->load(std::memory_order_relaxed); };
-  const std::uint64_t all = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
-                            static_cast<std::uint64_t>(settings.sampling.per_pixel);
   std::atomic<std::uint64_t> taken{0};
-  std::mutex statistics_mutex;
+  std::mutex results_mutex;
+  std::map<std::thread::id, double> busy;
   Reporter reporter(settings, trace_start);
   constexpr double almost = 0.9999;  // that all is done is said once, when no thread is at work any more
+  Adaptive<T> adaptive(size, settings.sampling.per_pixel, settings.tolerance);
   // A tile's pixels are written by nobody else, its statistics are whole numbers: neither the order of the tiles nor
   // the thread that takes one can show in what comes out.
   const auto trace_tile = [&](int position) {
+    const auto tile_start = Clock::now();
     Statistics statistics;
     const PixelBlock tile = tiles.block(order[static_cast<std::size_t>(position)]);
-    const auto put = [&film](const Pixel& p, const Rgb<T>& shade) { film.add(p.column, p.row, p.sample, shade); };
-    const auto columns = static_cast<std::uint64_t>(tile.column_end - tile.column_begin);
-    PixelBlock row = tile;  // a row at a time, to heed a cancel also where the rays of a single pixel are very many
-    for (row.sample = 0; row.sample < settings.sampling.per_pixel; ++row.sample) {
-      for (row.row_begin = tile.row_begin; row.row_begin < tile.row_end && !cancelled(); ++row.row_begin) {
-        row.row_end = row.row_begin + 1;
-        statistics += trace(world, camera, row, put);
-        reporter.report(std::min(almost, static_cast<double>(taken += columns) / static_cast<double>(all)));
+    const PutPixel<T> put = [&](const Pixel& p, const Rgb<T>& shade) {
+      adaptive.add(film, p.column, p.row, p.sample, shade);
+    };
+    PixelBlock run = tile;  // a row at a time, to heed a cancel also where the rays of a single pixel are very many
+    for (run.sample = adaptive.from(); run.sample < adaptive.to(); ++run.sample) {
+      for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end && !cancelled(); ++run.row_begin) {
+        run.row_end = run.row_begin + 1;
+        std::uint64_t pixels = 0;
+        for (int column = tile.column_begin; column < tile.column_end; column = run.column_end) {
+          const bool active = adaptive.is_active(column, run.row_begin);
+          run.column_begin = run.column_end = column;
+          while (run.column_end < tile.column_end && adaptive.is_active(run.column_end, run.row_begin) == active)
+            ++run.column_end;
+          if (!active) continue;
+          statistics += trace(world, camera, run, put);
+          pixels += static_cast<std::uint64_t>(run.column_end - column);
+        }
+        const double all = static_cast<double>(adaptive.expected());
+        reporter.report(std::min(almost, static_cast<double>(taken += pixels) / all));
       }
     }
-    const std::lock_guard lock(statistics_mutex);
+    const std::lock_guard lock(results_mutex);
     rendering.statistics += statistics;
+    busy[std::this_thread::get_id()] += seconds_since(tile_start);
   };
-  rendering.threads = parallel_for(tiles.count(), settings.threads, trace_tile);
+  do {
+    rendering.threads = std::max(rendering.threads, parallel_for(tiles.count(), settings.threads, trace_tile));
+  } while (!cancelled() && adaptive.next(film));
 
-  rendering.finished = taken == all;
-  rendering.done = static_cast<double>(taken) / static_cast<double>(all);
+  rendering.finished = taken == adaptive.expected();
+  rendering.done = static_cast<double>(taken) / static_cast<double>(adaptive.expected());
   rendering.trace_seconds = seconds_since(trace_start);
+  for (const auto& [thread, seconds] : busy) rendering.busy_seconds.push_back(seconds);
   if (rendering.finished) reporter.report(1);
   rendering.film = settings.sampling.corners ? mean_of_corners(film) : std::move(film);
   return rendering;

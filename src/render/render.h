@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -18,7 +19,9 @@ struct Progress {
   double seconds_left = 0;  ///< an estimate from the above; 0 while there is none
 };
 
-/// How to render. Nothing here but `size`, `sampling` and `precision` can change a bit of the picture.
+/// How to render. Nothing here but `size`, `sampling`, `precision` and `tolerance` can change a bit of the picture.
+/// What the scene chooses (Scene::render) is its integrator, sampler and light grid; samples and tolerance are stated
+/// here.
 struct RenderSettings {
   std::optional<ImageSize> size{};  ///< of the whole image, each side >= 1; absent: the scene's own
   Sampling sampling{};
@@ -27,6 +30,9 @@ struct RenderSettings {
   int threads = 0;  ///< 0: as many as the machine runs at once
 
   bool shadow_cache = false;  ///< shadow rays first try what hid the same light last
+  /// Of adaptive sampling (render/adaptive.h), in what a screen shows from 0 to 1; 0: every pixel takes all its
+  /// samples.
+  double tolerance = 0;
 
   /// Told now and then, in the thread that called `render`.
   std::function<void(const Progress&)> progress{};
@@ -44,10 +50,15 @@ struct Rendering {
   AcceleratorKind accelerator = AcceleratorKind::none;  ///< what was built
   AcceleratorStatistics structure;
   double build_seconds = 0, trace_seconds = 0;
-  int threads = 1;       ///< that took part
+  int threads = 1;                     ///< that took part
+  std::vector<double> busy_seconds{};  ///< of each thread that traced
   double done = 1;       ///< share of the samples taken; below 1 only when cancelled. What is missing is black
   bool finished = true;  ///< every sample was taken
 
+  /// Threads that were at work on the average; the number of threads when the work was shared evenly.
+  [[nodiscard]] double busy_threads() const {
+    return trace_seconds > 0 ? std::accumulate(busy_seconds.begin(), busy_seconds.end(), 0.0) / trace_seconds : 1;
+  }
   template <class T>
   [[nodiscard]] const Film<T>& film_of() const {
     return std::get<Film<T>>(film);

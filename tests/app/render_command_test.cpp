@@ -33,11 +33,16 @@ TEST_CASE("render writes the picture that the renderer makes") {
   CHECK(*image == render(classic_scene(), settings).value().image());
 
   // Every option that may change the picture does.
-  const std::vector<std::pair<std::vector<std::string>, std::string>> options{{{"--spp", "3"}, "spp"},
-                                                                              {{"--depth", "1"}, "depth"},
-                                                                              {{"--threshold", "0.3"}, "thr"},
-                                                                              {{"--precision", "float"}, "float"},
-                                                                              {{"--spp", "3", "--seed", "5"}, "seed"}};
+  const std::vector<std::pair<std::vector<std::string>, std::string>> options{
+      {{"--spp", "3"}, "spp"},
+      {{"--depth", "1"}, "depth"},
+      {{"--threshold", "0.3"}, "thr"},
+      {{"--precision", "float"}, "float"},
+      {{"--spp", "3", "--seed", "5"}, "seed"},
+      {{"--integrator", "cast"}, "cast"},
+      {{"--spp", "3", "--sampler", "sobol"}, "sobol"},
+      {{"--spp", "3", "--integrator", "whitted"}, "fixed"},
+      {{"--spp", "64", "--tolerance", "0.1"}, "adaptive"}};
   std::vector<std::string> pictures{folder.read("out.pfm")};
   for (const auto& [words, name] : options) {
     std::vector<std::string> arguments{"render", classic, "-o", name + ".pfm", "--size", "63x41"};
@@ -103,7 +108,8 @@ TEST_CASE("the statistics hold what is promised, and add up") {
   for (const std::string ending : {"hit", "missed", "blocked", "reached_light"})
     endings += ended.at(ending).get<std::uint64_t>();
   CHECK(formed == endings);
-  for (const std::string ending : {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away", "outside_cone"})
+  for (const std::string ending :
+       {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away", "outside_cone"})
     CHECK(ended.at(ending).is_number_unsigned());
   CHECK(ended.size() == 10);
   CHECK(json.at("tests").at("primitives").get<std::uint64_t>() > 0);

@@ -1,0 +1,93 @@
+#include "render/adaptive.h"
+
+#include "io/srgb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raywalk {
+
+namespace {
+
+/// As a screen shows it, 0..1.
+double shown(double linear) { return srgb_encode(std::clamp(linear, 0.0, 1.0)); }
+
+/// The x that the normal distribution exceeds in either direction with this probability, by bisection.
+double normal_quantile(double two_sided) {
+  double low = 0, high = 40;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = (low + high) / 2;
+    (std::erfc(middle / std::numbers::sqrt2) > two_sided ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+double student_quantile(double two_sided, int freedom) {
+  // M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 26.7.5.
+  const double x = normal_quantile(two_sided), v = freedom, x2 = x * x;
+  const double g1 = x * (x2 + 1) / 4;
+  const double g2 = x * ((5 * x2 + 16) * x2 + 3) / 96;
+  const double g3 = x * (((3 * x2 + 19) * x2 + 17) * x2 - 15) / 384;
+  const double g4 = x * ((((79 * x2 + 776) * x2 + 1482) * x2 - 1920) * x2 - 945) / 92160;
+  return x + (g1 + (g2 + (g3 + g4 / v) / v) / v) / v;
+}
+
+template <class T>
+Adaptive<T>::Adaptive(ImageSize size, int most, double tolerance)
+    : size_(size),
+      most_(most),
+      to_(most),
+      tolerance_(tolerance),
+      expected_(static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                static_cast<std::uint64_t>(most)) {
+  if (!(tolerance > 0) || most <= first_look) return;
+  to_ = first_look;
+  for (int look = first_look; look < most; look *= 2) ++looks_;
+  spread_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), Vec3<float>(0));
+}
+
+template <class T>
+bool Adaptive<T>::is_known(const Rgb<T>& mean, const Vec3<float>& spread, double quantile) const {
+  for (int channel = 0; channel < 3; ++channel) {
+    const double variance = static_cast<double>(spread[channel]) / (to_ - 1);
+    const double half = quantile * std::sqrt(variance / to_), middle = static_cast<double>(mean[channel]);
+    const double at = shown(middle);
+    if (!(shown(middle + half) - at <= tolerance_ && at - shown(middle - half) <= tolerance_)) return false;
+  }
+  return true;
+}
+
+template <class T>
+bool Adaptive<T>::next(const Film<T>& film) {
+  if (to_ == most_) return false;
+  const double quantile = student_quantile((1 - confidence) / looks_, to_ - 1);
+  std::vector<std::uint8_t> unknown(spread_.size());
+  for (int row = 0; row < size_.height; ++row)
+    for (int column = 0; column < size_.width; ++column)
+      unknown[index(column, row)] =
+          is_active(column, row) && !is_known(film.at(column, row), spread_[index(column, row)], quantile);
+  std::vector<std::uint8_t> active(spread_.size());
+  std::uint64_t going_on = 0;
+  for (int row = 0; row < size_.height; ++row)
+    for (int column = 0; column < size_.width; ++column) {
+      if (!is_active(column, row)) continue;  // its samples are not the first ones any more
+      std::uint8_t& goes_on = active[index(column, row)];
+      for (int y = std::max(row - 1, 0); y <= std::min(row + 1, size_.height - 1); ++y)
+        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, size_.width - 1); ++x)
+          goes_on |= unknown[index(x, y)];
+      going_on += goes_on;
+      if (!goes_on) expected_ -= static_cast<std::uint64_t>(most_ - to_);
+    }
+  active_ = std::move(active);
+  from_ = to_;
+  to_ = std::min(2 * to_, most_);
+  return going_on > 0;
+}
+
+template class Adaptive<float>;
+template class Adaptive<double>;
+
+}  // namespace raywalk

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "render/film.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace raywalk {
+
+/// Adaptive sampling: a pixel takes samples until it is known well enough.
+///
+/// After 16, 32, 64 ... samples every pixel is looked at. It is known when in each channel the 95% interval of its
+/// mean, as a screen shows it (sRGB, 0..1), reaches at most `tolerance` to either side, and it takes no more samples
+/// when the eight pixels around it are known too: what slips between the few samples of one pixel, its neighbours have
+/// mostly met.
+///
+/// The confidence holds for all looks together. Whoever stops at the first of L looks that pleases him errs more often
+/// than each look by itself would say, so each takes its interval from Student's distribution at 1 - 0.05 / L
+/// (Bonferroni). Samples are counted as if each was drawn by itself: for jittered and Sobol samples, which lie better,
+/// the interval is too wide rather than too narrow. What no sample has met, here or next to here, cannot be known.
+template <class T>
+class Adaptive {
+ public:
+  static constexpr int first_look = 16;
+  static constexpr double confidence = 0.95;
+
+  /// `most`: samples that no pixel exceeds. A tolerance of 0 gives every pixel all of them.
+  Adaptive(ImageSize size, int most, double tolerance);
+
+  /// The samples of the pass under way: every active pixel takes those in from() .. to() - 1.
+  [[nodiscard]] int from() const { return from_; }
+  [[nodiscard]] int to() const { return to_; }
+  [[nodiscard]] bool is_active(int column, int row) const {
+    return active_.empty() || active_[index(column, row)] != 0;
+  }
+
+  /// Takes in a sample of an active pixel, in their order; also into the film. Other pixels may be added to at once.
+  void add(Film<T>& film, int column, int row, int sample, const Rgb<T>& shade) {
+    if (spread_.empty()) return film.add(column, row, sample, shade);
+    const Vec3d before(film.at(column, row));
+    film.add(column, row, sample, shade);
+    const Vec3d value(shade);
+    if (sample > 0)
+      spread_[index(column, row)] += Vec3<float>((value - before) * (value - Vec3d(film.at(column, row))));
+  }
+
+  /// Ends the pass: looks at the pixels, and says whether any of them goes on.
+  [[nodiscard]] bool next(const Film<T>& film);
+
+  /// Samples that all pixels together will have taken if none that goes on stops before the end.
+  [[nodiscard]] std::uint64_t expected() const { return expected_; }
+
+ private:
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] bool is_known(const Rgb<T>& mean, const Vec3<float>& spread, double quantile) const;
+
+  ImageSize size_;
+  int most_, from_ = 0, to_, looks_ = 0;
+  double tolerance_;
+  std::uint64_t expected_;
+  std::vector<Vec3<float>> spread_;   ///< sum of squared deviations; empty when nothing adapts
+  std::vector<std::uint8_t> active_;  ///< empty: all are
+};
+
+/// The x that Student's distribution with `freedom` (>= 15) degrees exceeds in either direction with this probability.
+[[nodiscard]] double student_quantile(double two_sided, int freedom);
+
+extern template class Adaptive<float>;
+extern template class Adaptive<double>;
+
+}  // namespace raywalk
