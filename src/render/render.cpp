@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include "render/parallel.h"
+#include "trace/path_kernel.h"
 
 #include <algorithm>
 #include <chrono>
@@ -63,6 +64,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   Film<T> film(size);
   const auto build_start = Clock::now();
   const World<T> world(scene, settings.accelerator);
+  const SceneKernel<T> kernel(scene, world);
   const RayGenerator<T> camera(scene, size, whole, settings.sampling);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);
@@ -94,7 +96,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     for (row.sample = 0; row.sample < settings.sampling.per_pixel; ++row.sample) {
       for (row.row_begin = tile.row_begin; row.row_begin < tile.row_end && !cancelled(); ++row.row_begin) {
         row.row_end = row.row_begin + 1;
-        statistics += trace(world, camera, row, put);
+        statistics += kernel(camera, row, put);
         reporter.report(std::min(almost, static_cast<double>(taken += columns) / static_cast<double>(all)));
       }
     }

@@ -14,6 +14,12 @@ Statistics run(const World<T>& world, const PathLights<T>& lights, const PathSet
 
 }  // namespace
 
+PathSettings path_settings_of(const Scene& scene) {
+  PathSettings settings;
+  settings.max_length = scene.render.path_length.value_or(0);
+  return settings;
+}
+
 Statistics trace_paths(const World<float>& world, const PathLights<float>& lights, const PathSettings& settings,
                        const RayGenerator<float>& camera, const PixelBlock& block, const PutPixel<float>& put) {
   NoObserver nobody;
