@@ -3,7 +3,7 @@
 // lights and along the path itself, and the two weighted (E. Veach and L. Guibas, "Optimally Combining Sampling
 // Techniques for Monte Carlo Rendering", SIGGRAPH 1995), and paths ended by Russian roulette (J. Arvo and D. Kirk,
 // SIGGRAPH 1990). `main_algorithm` and `follow_path` read like trace/path_pseudocode.h, and a test holds them together;
-// what a statement does stands in trace/path_steps.h.
+// what a statement does stands in trace/path_steps.h and trace/path_light_steps.h.
 //
 // Materials are the tracer's: kd / pi scatters evenly, the highlight is a lobe, mirrors and glass are exact. What
 // differs from SHADE: surfaces light each other, so that `ambient`, which stands for that light, is left out.
@@ -133,8 +133,9 @@ class PathTracer {
   void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
 
   /// Of a draw at the end of the path's `length`-th ray.
-  [[nodiscard]] RandomKey key_at(int length, std::uint32_t dimension) const {
+  [[nodiscard]] RandomKey key_at(int length, std::uint32_t dimension, Effect effect = Effect::indirect_light) const {
     RandomKey key = key_;
+    key.effect = static_cast<std::uint32_t>(effect);
     key.path = static_cast<std::uint64_t>(length);
     key.dimension = dimension;
     return key;
@@ -157,4 +158,5 @@ class PathTracer {
 
 }  // namespace raywalk
 
+#include "trace/path_light_steps.h"
 #include "trace/path_steps.h"

@@ -315,3 +315,38 @@ TEST_CASE("float paths are double paths, but for rounding") {
     apart += length(wide.pixels[i] - Rgbd(narrow.pixels[i])) > 1e-3 * (0.1 + length(wide.pixels[i]));
   CHECK(apart < static_cast<int>(wide.pixels.size()) / 50);
 }
+
+TEST_CASE("paths draw for the effects that the scene calls for, and for no other") {
+  const auto drawn = [](const Scene& given, int samples) {
+    const Scene scene = by_path(given, Sampler::jittered);
+    const auto traced = path_picture<double>(scene, 31, 23, path_settings_of(scene), {samples, 3});
+    const Effects effects = effects_of(scene, samples);
+    using enum Effect;
+    for (const Effect effect : {gloss, translucency, penumbra, depth_of_field, antialiasing, indirect_light}) {
+      INFO(effect_name(effect) << ": " << effects[effect].why);
+      CHECK((traced.statistics.drawn(effect) > 0) == effects.used(effect));
+    }
+    CHECK((traced.statistics.formed(RayKind::shadow) > 0) == effects.used(shadows));
+    return traced.statistics.random_draws;
+  };
+  Scene scene = all_scene();
+  CHECK(drawn(scene, 2) > 0);
+  scene.camera.aperture = 0.1;
+  scene.objects[2].material.translucency = 5;
+  CHECK(drawn(scene, 1) > 0);
+  scene.camera.aperture = 0;
+  scene.render.path_length = 1;
+  for (Object& one : scene.objects) one.material.gloss = one.material.translucency = 0;
+  scene.lights.clear();
+  for (Object& one : scene.objects) one.material.emission = Rgbd(0.0);
+  CHECK(drawn(scene, 1) == 0);
+  // Black things that shine: seen, and nothing more.
+  for (Object& one : scene.objects) {
+    one.material = black();
+    one.material.emission = Rgbd(1.0);
+  }
+  scene.objects.resize(1);
+  scene.render.path_length.reset();
+  scene.objects[0].material.emission = Rgbd(0.0);
+  CHECK(drawn(scene, 1) == 0);
+}
