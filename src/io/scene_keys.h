@@ -82,7 +82,7 @@ struct WholeRule {
   int low = 1, high = 1;
 };
 inline constexpr WholeRule cell_count{1, 10001}, pixel_count{1, 32768}, depth_count{1, 1000}, sample_count{1, 1 << 20},
-    light_grid_count{1, 256};
+    light_grid_count{1, 256}, path_length_count{1, 1000};
 
 /// The names of a choice's values in a scene file.
 template <class Value>
@@ -367,6 +367,7 @@ void describe(Fields& f, RenderChoices& render) {
   f.choice("sampler", render.sampler);
   f.whole_or_nothing("light_grid", render.light_grid, light_grid_count);
   f.number("tolerance", render.tolerance, not_negative, optional);
+  f.whole_or_nothing("path_length", render.path_length, path_length_count);
 }
 
 template <class Fields>

@@ -2,6 +2,7 @@
 
 #include "io/srgb.h"
 #include "render/parallel.h"
+#include "trace/path_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,7 @@ class Preview::WorkIn final : public Preview::Work {
   WorkIn(const Scene& scene, const PreviewSettings& settings)
       : Work(settings),
         world_(scene, settings.accelerator),
+        kernel_(scene, world_),
         centres_(scene, settings.size, settings.size),
         spread_(scene, settings.size, settings.size, Sampling{settings.samples}),
         first_(settings.size),
@@ -98,13 +100,13 @@ class Preview::WorkIn final : public Preview::Work {
     // A row that the grid before had too has every second of its pixels already.
     const bool old_row = stride < coarsest && row % (2 * stride) == 0;
     const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride};
-    return trace(world_, centres_, block,
-                 [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); });
+    return kernel_(centres_, block,
+                   [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); });
   }
 
   Statistics trace_sample(int row, int sample) override {
-    return trace(world_, spread_, {0, size().width, row, row + 1, sample},
-                 [this](const Pixel& p, const Rgb<T>& shade) { mean_.add(p.column, p.row, p.sample, shade); });
+    return kernel_(spread_, {0, size().width, row, row + 1, sample},
+                   [this](const Pixel& p, const Rgb<T>& shade) { mean_.add(p.column, p.row, p.sample, shade); });
   }
 
   /// While samples are missing, the centre counts as one more: the first samples alone lie in one corner of the pixel.
@@ -117,6 +119,7 @@ class Preview::WorkIn final : public Preview::Work {
   }
 
   World<T> world_;
+  SceneKernel<T> kernel_;
   RayGenerator<T> centres_, spread_;
   Film<T> first_, mean_;
 };

@@ -2,6 +2,7 @@
 
 #include "render/adaptive.h"
 #include "render/parallel.h"
+#include "trace/path_kernel.h"
 
 #include <algorithm>
 #include <chrono>
@@ -66,6 +67,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   const auto build_start = Clock::now();
   World<T> world(scene, settings.accelerator);
   world.shadow_cache = settings.shadow_cache;
+  const SceneKernel<T> kernel(scene, world);
   const RayGenerator<T> camera(scene, size, whole, settings.sampling);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);
@@ -106,7 +108,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
           while (run.column_end < tile.column_end && adaptive.is_active(run.column_end, run.row_begin) == active)
             ++run.column_end;
           if (!active) continue;
-          statistics += trace(world, camera, run, put);
+          statistics += kernel(camera, run, put);
           pixels += static_cast<std::uint64_t>(run.column_end - column);
         }
         const double all = static_cast<double>(adaptive.expected());

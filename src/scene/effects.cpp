@@ -63,13 +63,6 @@ EffectUse left_out(Integrator integrator, std::string_view what) {
   return {false, "none: " + std::string(integrator_name(integrator)) + " " + std::string(what)};
 }
 
-EffectUse shadows(const Scene& scene) {
-  const Light* lamp = first_light(scene, [](const Light&) { return true; });
-  if (lamp == nullptr) return {false, "none: no light shines"};
-  if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
-  return {true, lamp->name + " shines on objects"};
-}
-
 EffectUse refraction(const Scene& scene, Integrator integrator) {
   if (integrator == Integrator::cast) return left_out(integrator, "follows no ray beyond the first hit");
   return use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
@@ -127,10 +120,16 @@ EffectUse antialiasing(int samples_per_pixel) {
   return {true, std::to_string(samples_per_pixel) + " samples are taken in each pixel"};
 }
 
-EffectUse indirect_light(Integrator integrator) {
+EffectUse indirect_light(const Scene& scene, Integrator integrator) {
   switch (integrator) {
     case Integrator::path:
-      return {true, "path follows light from everywhere"};
+      if (scene.render.path_length == 1) return {false, "none: paths end at what is seen"};
+      return use_if(
+          scene,
+          [](const Material& m) {
+            return !is_black(m.diffuse) || !is_black(m.specular) || m.reflects() || m.transmits();
+          },
+          "sends on the light that comes from other surfaces", "every surface is black");
     case Integrator::cast:
       return left_out(integrator, "follows no ray beyond the first hit");
     case Integrator::automatic:
@@ -139,6 +138,15 @@ EffectUse indirect_light(Integrator integrator) {
       break;
   }
   return {false, "none: Whitted's algorithm follows mirrors and glass only"};
+}
+EffectUse shadows(const Scene& scene, Integrator integrator) {
+  const Light* lamp = first_light(scene, [](const Light&) { return true; });
+  const auto emits = [](const Material& m) { return !is_black(m.emission); };
+  if (lamp == nullptr && indirect_light(scene, integrator).used)
+    return use_if(scene, emits, "emits, and paths look for it from all surfaces", "no light shines");
+  if (lamp == nullptr) return {false, "none: no light shines"};
+  if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
+  return {true, lamp->name + " shines on objects"};
 }
 
 }  // namespace
@@ -162,7 +170,7 @@ int light_grid_of(const Scene& scene, const Light& light) {
 Effects effects_of(const Scene& scene, int samples_per_pixel) {
   const Integrator integrator = integrator_of(scene, samples_per_pixel);
   Effects effects;
-  effects[Effect::shadows] = shadows(scene);
+  effects[Effect::shadows] = shadows(scene, integrator);
   effects[Effect::reflection] = reflection(scene, integrator);
   effects[Effect::refraction] = refraction(scene, integrator);
   effects[Effect::gloss] = gloss(scene, integrator);
@@ -171,7 +179,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::depth_of_field] = depth_of_field(scene, integrator);
   effects[Effect::motion_blur] = motion_blur(scene, integrator);
   effects[Effect::antialiasing] = antialiasing(samples_per_pixel);
-  effects[Effect::indirect_light] = indirect_light(integrator);
+  effects[Effect::indirect_light] = indirect_light(scene, integrator);
   effects[Effect::textures] =
       use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "");
   EffectUse& textures = effects[Effect::textures];

@@ -42,6 +42,7 @@ struct RenderChoices {
   Sampler sampler = Sampler::jittered;  ///< where samples of pixel, lens, light and lobe fall
   std::optional<int> light_grid{};      ///< for the `samples` of every area light
   double tolerance = 0;                 ///< of adaptive sampling (render/adaptive.h); 0: every pixel takes all samples
+  std::optional<int> path_length{};  ///< rays of a path from the eye to a light, both ends' included; absent: no limit
   friend bool operator==(const RenderChoices&, const RenderChoices&) = default;
 };
 

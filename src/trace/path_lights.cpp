@@ -158,7 +158,9 @@ auto PathLights<T>::draw(const Vec3<T>& from, T pick, const Vec2<T>& u) const ->
       const Vec3d centre = piece.corner - point;
       const double middle = dot(direction, centre);
       const Vec3d passes = centre - middle * direction;
-      way = (middle - std::sqrt(std::max(radius * radius - dot(passes, passes), 0.0))) * direction;
+      const double near = middle - std::sqrt(std::max(radius * radius - dot(passes, passes), 0.0));
+      // From a point of the sphere itself that rounding put outside, the near crossing is where it stands.
+      way = (near > 0 ? near : middle) * direction;
       density = piece.chance * uniform_cone_pdf(seen.one_minus_cos);
       break;
     }

@@ -99,3 +99,31 @@ TEST_CASE("textures and samples") {
   CHECK(used(effects_of(scene_of(material), 16)) ==
         std::set<Effect>{Effect::shadows, Effect::textures, Effect::antialiasing});
 }
+
+TEST_CASE("indirect light is called for by paths where a surface sends light on") {
+  Scene scene;
+  Material black;
+  black.diffuse = Rgbd(0.0);
+  scene.objects = {{"Floor", Plane<double>{}, {}}, {"Coal", Sphere<double>{}, black}};
+  const auto indirect = [&] { return effects_of(scene)[Effect::indirect_light]; };
+  CHECK_FALSE(indirect().used);
+  CHECK(indirect().why == "none: Whitted's algorithm follows mirrors and glass only");
+  scene.render.integrator = Integrator::path;
+  CHECK(indirect().used);
+  CHECK(indirect().why == "Floor sends on the light that comes from other surfaces");
+  scene.render.path_length = 1;
+  CHECK_FALSE(indirect().used);
+  scene.render.path_length = 2;
+  CHECK(indirect().used);
+  scene.objects.erase(scene.objects.begin());
+  CHECK_FALSE(indirect().used);
+  CHECK(indirect().why == "none: every surface is black");
+  // An object that emits casts shadows for paths only.
+  CHECK_FALSE(effects_of(scene).used(Effect::shadows));
+  scene.objects[0].material.emission = Rgbd(1.0);
+  CHECK_FALSE(effects_of(scene).used(Effect::shadows));  // on nothing
+  scene.objects.push_back({"Floor", Plane<double>{}, {}});
+  CHECK(effects_of(scene)[Effect::shadows].why == "Coal emits, and paths look for it from all surfaces");
+  scene.render.integrator = Integrator::whitted;
+  CHECK_FALSE(effects_of(scene).used(Effect::shadows));
+}

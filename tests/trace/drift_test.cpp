@@ -1,71 +1,23 @@
 // Invariant 5: the panel cannot drift. Every line of the pseudocode on the screen stands in the tracer's source as a
 // comment that heads the statement it names, in the order and in the procedure of the panel.
 
+#include "trace/drift.h"
 #include "support/catch.h"
+#include "trace/path_pseudocode.h"
 #include "trace/pseudocode.h"
-
-#include <fstream>
-#include <iterator>
-#include <sstream>
-#include <vector>
 
 using namespace raywalk;
 using raywalk::test::contains;
 
 namespace {
 
-std::string trimmed(const std::string& line) {
-  const auto begin = line.find_first_not_of(" \t");
-  return begin == std::string::npos ? "" : line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);
-}
-
-// The lines of the function whose head contains `head`, from its opening brace to its closing one; none if not found.
-std::vector<std::string> body_of(const std::string& source, const std::string& head) {
-  std::istringstream in(source);
-  std::vector<std::string> lines;
-  int depth = 0;
-  bool inside = false;
-  for (std::string line; std::getline(in, line);) {
-    if (!inside && line.find(head) == std::string::npos) continue;
-    inside = true;
-    lines.push_back(trimmed(line));
-    for (const char c : line) depth += c == '{' ? 1 : c == '}' ? -1 : 0;
-    if (depth == 0) break;
-  }
-  return lines;
-}
-
-bool is_comment(const std::string& line) { return line.rfind("//", 0) == 0; }
-
-// Why the source and the pseudocode differ; "" when they do not. In both procedures every comment on a line of its own
-// is a line of the pseudocode: nothing else may stand between.
 std::string drift(const std::string& source) {
-  for (const auto& [procedure, head] :
-       {std::pair{Procedure::main_algorithm, "void main_algorithm("}, std::pair{Procedure::shade, "Rgb<T> shade("}}) {
-    const std::vector<std::string> body = body_of(source, head);
-    const std::string where = std::string(procedure_title(procedure)) + ": ";
-    if (body.empty()) return where + "no function `" + head + "`";
-    std::size_t at = 0;
-    for (const PseudocodeLine& line : pseudocode) {
-      if (line.procedure != procedure) continue;
-      while (at < body.size() && !is_comment(body[at])) ++at;
-      if (at == body.size()) return where + "no comment `// " + std::string(line.text) + "`";
-      if (body[at] != "// " + std::string(line.text))
-        return where + "expected `// " + std::string(line.text) + "`, found `" + body[at] + "`";
-      const std::string next = at + 1 < body.size() ? body[at + 1] : "";
-      if (next.empty() || is_comment(next) || next[0] == '}') return where + "no statement under `" + body[at] + "`";
-      ++at;
-    }
-    while (at < body.size() && !is_comment(body[at])) ++at;
-    if (at < body.size()) return where + "`" + body[at] + "` is no line of the pseudocode";
-  }
-  return "";
+  return test::drift(
+      source, pseudocode,
+      {std::pair{Procedure::main_algorithm, "void main_algorithm("}, std::pair{Procedure::shade, "Rgb<T> shade("}});
 }
 
-std::string tracer_source() {
-  std::ifstream in(RAYWALK_SOURCE_DIR "/src/trace/tracer.h", std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
+std::string tracer_source() { return test::source_of(RAYWALK_SOURCE_DIR "/src/trace/tracer.h"); }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
@@ -73,7 +25,44 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
+std::string path_drift(const std::string& source) {
+  return test::drift(source, path_pseudocode,
+                     {std::pair{PathProcedure::path_tracing, "void main_algorithm("},
+                      std::pair{PathProcedure::follow_path, "Rgb<T> follow_path("}});
+}
+
+std::string path_source() { return test::source_of(RAYWALK_SOURCE_DIR "/src/trace/path.h"); }
+
 }  // namespace
+
+TEST_CASE("every line of pseudocode heads its statement in the path tracer") {
+  REQUIRE_FALSE(path_source().empty());
+  CHECK(path_drift(path_source()) == "");
+}
+
+TEST_CASE("planted drift of the path tracer is found") {
+  const std::string source = path_source();
+  CHECK_THAT(path_drift(replaced(source, "// Choose direction", "// Choose a direction")),
+             contains("FOLLOW PATH (RTNSHADE): expected `// Choose direction`, found `// Choose a direction`"));
+  CHECK_THAT(path_drift(replaced(source, "// Add emission, weighted\n", "\n")),
+             contains("expected `// Add emission, weighted`"));
+  CHECK_THAT(path_drift(replaced(source, "// Follow path (final)\n", "// Follow path (final)\n      // Once more\n")),
+             contains("PATH TRACING: no statement under `// Follow path (final)`"));
+  CHECK_THAT(path_drift(replaced(source, "    return shade;", "    // Give it back\n    return shade;")),
+             contains("`// Give it back` is no line"));
+}
+
+TEST_CASE("the table of the path tracer's pseudocode is the enumeration, in order") {
+  int number = 0;
+  for (const PathPseudocodeLine& line : path_pseudocode) {
+    CHECK(static_cast<int>(line.line) == number++);
+    CHECK(pseudocode_of(line.line).text == line.text);
+    CHECK_FALSE(line.text.empty());
+  }
+  CHECK(number == path_line_count);
+  CHECK(static_cast<int>(PathLine::form_next_ray) == path_line_count - 1);
+  CHECK(procedure_title(PathProcedure::path_tracing) == "PATH TRACING");
+}
 
 TEST_CASE("every line of pseudocode heads its statement in the tracer") {
   REQUIRE_FALSE(tracer_source().empty());

@@ -1,0 +1,62 @@
+#pragma once
+// What of a lamp's light passes between a surface and the lamp.
+
+#include "trace/world.h"
+
+#include <cmath>
+
+namespace raywalk {
+
+/// What is left of light after a way through a medium (Beer's law).
+template <class T>
+[[nodiscard]] Rgb<T> left_after(const Rgb<T>& absorption, T way) {
+  return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
+}
+
+/// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission. One object
+/// after the other, each by itself: where surfaces of two touch, rounding could else hand the ray to and fro for ever.
+template <class T>
+[[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests) {
+  Rgb<T> passed{1};
+  if (!world.accelerator.any(shadow, t_max, tests, MarkedPrimitives{world.filters_shadows})) return passed;
+  const Primitives<T>& primitives = world.accelerator.primitives();
+  for (int id = 0; id < primitives.size(); ++id) {
+    if (!world.filters_shadows[static_cast<std::size_t>(id)]) continue;
+    Ray<T> rest = shadow;
+    T reach = t_max;
+    constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
+    for (int crossings = 0; crossings < crossings_limit; ++crossings) {
+      ++tests.primitives;
+      const auto crossing = primitives.intersect(id, rest, reach);
+      if (!crossing) break;
+      const typename World<T>::Surface& surface = world.surface(id);
+      const SurfacePoint<T> point = primitives.surface_at(id, rest, *crossing);
+      passed *= surface.filter;
+      // Where it leaves, it was inside since the crossing before.
+      if (surface.absorbs && dot(point.normal, rest.direction) > 0)
+        passed *= left_after(surface.absorption, length(point.position - rest.origin));
+      rest.origin = point.position;
+      rest.departure = {id, crossing->part};
+      reach -= crossing->t;
+    }
+  }
+  return passed;
+}
+
+/// The share of light that arrives over a shadow ray's (0, t_max): 0 behind what stops it.
+template <class T>
+[[nodiscard]] Rgb<T> light_through(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests) {
+  if (world.stops_shadows.empty()) return Rgb<T>(world.accelerator.any(shadow, t_max, tests) ? T(0) : T(1));
+  if (world.accelerator.any(shadow, t_max, tests, MarkedPrimitives{world.stops_shadows})) return Rgb<T>(0);
+  return light_filtered(world, shadow, t_max, tests);
+}
+
+/// What a shadow ray that does not arrive meets first.
+template <class T>
+[[nodiscard]] std::optional<Hit<T>> first_blocker(const World<T>& world, const Ray<T>& shadow, T t_max) {
+  TestCounts uncounted;
+  if (world.stops_shadows.empty()) return world.accelerator.closest(shadow, t_max, uncounted);
+  return world.accelerator.closest(shadow, t_max, uncounted, MarkedPrimitives{world.stops_shadows});
+}
+
+}  // namespace raywalk

@@ -1,0 +1,47 @@
+#include "trace/path_kernel.h"
+
+namespace raywalk {
+
+namespace {
+
+template <class T, class Watcher>
+Statistics run(const World<T>& world, const PathLights<T>& lights, const PathSettings& settings,
+               const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put, Watcher& observer) {
+  PathTracer<T, Watcher> tracer(world, lights, settings, camera, observer);
+  tracer.main_algorithm(block, put);
+  return tracer.statistics();
+}
+
+}  // namespace
+
+PathSettings path_settings_of(const Scene& scene) {
+  PathSettings settings;
+  settings.max_length = scene.render.path_length.value_or(0);
+  return settings;
+}
+
+Statistics trace_paths(const World<float>& world, const PathLights<float>& lights, const PathSettings& settings,
+                       const RayGenerator<float>& camera, const PixelBlock& block, const PutPixel<float>& put) {
+  NoObserver nobody;
+  return run(world, lights, settings, camera, block, put, nobody);
+}
+
+Statistics trace_paths(const World<double>& world, const PathLights<double>& lights, const PathSettings& settings,
+                       const RayGenerator<double>& camera, const PixelBlock& block, const PutPixel<double>& put) {
+  NoObserver nobody;
+  return run(world, lights, settings, camera, block, put, nobody);
+}
+
+Statistics trace_paths_watched(const World<float>& world, const PathLights<float>& lights, const PathSettings& settings,
+                               const RayGenerator<float>& camera, const PixelBlock& block, const PutPixel<float>& put,
+                               PathObserver& observer) {
+  return run(world, lights, settings, camera, block, put, observer);
+}
+
+Statistics trace_paths_watched(const World<double>& world, const PathLights<double>& lights,
+                               const PathSettings& settings, const RayGenerator<double>& camera,
+                               const PixelBlock& block, const PutPixel<double>& put, PathObserver& observer) {
+  return run(world, lights, settings, camera, block, put, observer);
+}
+
+}  // namespace raywalk

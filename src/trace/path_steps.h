@@ -1,0 +1,272 @@
+#pragma once
+// What each statement of trace/path.h does, but for those about lights (trace/path_light_steps.h). Included by it
+// alone.
+
+#include "trace/path.h"
+#include "trace/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace detail {
+
+/// The draws at one vertex of a path, by dimension. Pairs take two.
+struct PathDimension {
+  static constexpr std::uint32_t direction = 0, lobe = 2, roulette = 3, pick = 4, light = 6;
+};
+
+/// What a direction of the lobe is drawn for.
+[[nodiscard]] constexpr Effect effect_of(Lobe lobe) {
+  switch (lobe) {
+    case Lobe::diffuse:
+    case Lobe::highlight:
+      break;
+    case Lobe::mirror:
+      return Effect::gloss;
+    case Lobe::transparent:
+      return Effect::translucency;
+  }
+  return Effect::indirect_light;
+}
+
+}  // namespace detail
+
+template <class T, class Observer>
+struct PathTracer<T, Observer>::Vertex {
+  Departure departure;  ///< of the rays that leave from here
+  Vec3<T> position;
+  Vec3<T> outwards;  ///< unit normal
+  bool entering;
+  T time;
+  const typename World<T>::Surface* surface;
+  int number;       ///< of the ray that led here
+  int length;       ///< rays of the path up to here
+  Rgb<T> share;     ///< of the pixel, that light leaving here against the ray has
+  Rgb<T> specular;  ///< ks, as lamps are seen in it
+  SnellNumbers snell{};
+  Lobes<T> lobes;
+};
+
+template <class T, class Observer>
+struct PathTracer<T, Observer>::Way {
+  Ray<T> ray;
+  int number;
+  const typename World<T>::Lamp* lamp;  ///< null: an object that emits
+  Departure target;                     ///< of that object, the part to be met
+  Rgb<T> brings;                        ///< to the pixel, if nothing stands before it
+  T direction_density, light_density, weight;
+};
+
+template <class T, class Observer>
+auto PathTracer<T, Observer>::call(const Traced& primary) -> std::optional<Traced> {
+  note(PathLine::follow_path, 0, [&] { return Decided{true, Rgbd(primary.share)}; });
+  return primary;
+}
+
+template <class T, class Observer>
+void PathTracer<T, Observer>::begin(const Pixel& pixel) {
+  key_ = camera_.key(pixel, Effect::indirect_light);
+  note(PathLine::for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
+}
+
+template <class T, class Observer>
+auto PathTracer<T, Observer>::form_primary_ray(const Pixel& pixel) -> Traced {
+  const Traced primary{camera_.primary_ray(pixel, statistics_), RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
+  ++statistics_.formed(RayKind::primary);
+  note(PathLine::form_primary_ray, 0, [&] {
+    return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
+                     Rgbd(1.0)};
+  });
+  return primary;
+}
+
+template <class T, class Observer>
+bool PathTracer<T, Observer>::there_is(const std::optional<Traced>& ray) {
+  note(PathLine::while_ray, ray ? ray->length : 0,
+       [&] { return Decided{ray.has_value(), ray ? Rgbd(ray->share) : Rgbd(0.0)}; });
+  return ray.has_value();
+}
+
+template <class T, class Observer>
+auto PathTracer<T, Observer>::find_closest(const Traced& ray) -> Nearest {
+  const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
+  ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
+  note(PathLine::find_closest_intersection, ray.length, [&] {
+    return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
+                   : Found{ray.number, Ending::missed};
+  });
+  return nearest;
+}
+
+template <class T, class Observer>
+bool PathTracer<T, Observer>::decide_missed(const Traced& ray, const Nearest& nearest) {
+  note(PathLine::if_intersect_nothing, ray.length, [&] { return Decided{!nearest}; });
+  return !nearest;
+}
+
+template <class T, class Observer>
+Rgb<T> PathTracer<T, Observer>::add_background(const Rgb<T>& shade, const Traced& ray) {
+  const Rgb<T> added = ray.share * world_.background;
+  note(PathLine::add_background, ray.length, [&] { return BackgroundAdded{ray.number, Rgbd(added)}; });
+  return shade + added;
+}
+
+template <class T, class Observer>
+auto PathTracer<T, Observer>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex {
+  const Primitives<T>& primitives = world_.accelerator.primitives();
+  const typename World<T>::Surface& surface = world_.surface(hit.primitive);
+  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
+  Vertex at;
+  at.departure = {hit.primitive, hit.part};
+  at.position = point.position;
+  at.outwards = point.normal;
+  at.entering = dot(point.normal, ray.ray.direction) <= 0;
+  at.time = ray.ray.time;
+  at.surface = &surface;
+  at.number = ray.number;
+  at.length = ray.length;
+  at.share = ray.share;
+  if (!at.entering && surface.absorbs) at.share *= left_after(surface.absorption, hit.t);
+  Lobes<T>& lobes = at.lobes;
+  lobes.incident = ray.ray.direction;
+  lobes.normal = lobes.side = at.entering ? point.normal : -point.normal;
+  lobes.diffuse = surface.diffuse;
+  if (surface.checker) {
+    const bool even = detail::even_square(primitives.uv_at(hit.primitive, point, hit.part), surface.checker->size);
+    lobes.diffuse *= even ? surface.checker->even : surface.checker->odd;
+  }
+  if (surface.picture) lobes.diffuse *= surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part));
+  at.specular = surface.specular;
+  if (!is_black(surface.specular)) {
+    lobes.shininess = surface.shininess;
+    lobes.highlight = highlight_scale(surface.shininess) * surface.specular;
+  }
+  lobes.mirror = surface.reflection;
+  if (surface.transmits) {
+    const T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
+    const Refraction<T> refraction = refraction_at(ray.ray.direction, lobes.normal, n1, n2);
+    const Rgb<T> both = surface.reflection + surface.transmission;
+    at.snell = {static_cast<double>(n1), static_cast<double>(n2), static_cast<double>(refraction.cos_in),
+                static_cast<double>(refraction.cos_out), static_cast<double>(refraction.fresnel)};
+    if (refraction.total()) {
+      lobes.mirror = both;
+    } else {
+      lobes.transparent = surface.dielectric ? (1 - refraction.fresnel) * both : surface.transmission;
+      if (surface.dielectric) lobes.mirror = refraction.fresnel * both;
+      lobes.transparent_axis = renormalize(*refract(ray.ray.direction, lobes.normal, refraction));
+      lobes.transparent_width = surface.translucency;
+    }
+  }
+  if (!is_black(lobes.mirror)) {
+    lobes.mirror_axis = renormalize(reflect(ray.ray.direction, lobes.normal));
+    lobes.mirror_width = surface.gloss;
+  }
+  lobes.prepare(at.share);
+  return at;
+}
+
+/// A light that a sample from the vertex before could have found too counts by its weight against that one.
+template <class T, class Observer>
+void PathTracer<T, Observer>::add_emission(Rgb<T>& shade, const Traced& ray, const Vertex& at) {
+  const Rgb<T>& emission = at.surface->emission;
+  if (is_black(emission) && !Observer::watches) return;
+  T light_density = 0;
+  if (ray.density > 0 && !is_black(emission) && settings_.strategy != PathStrategy::directions)
+    light_density =
+        lights_.density(ray.ray.origin, at.departure.primitive, at.departure.part, at.position, at.outwards);
+  T weight = 1;
+  if (light_density > 0)
+    weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.density, light_density);
+  const Rgb<T> added = weight * at.share * emission;
+  shade += added;
+  note(PathLine::add_emission, ray.length, [&] {
+    return EmissionAdded{ray.number,
+                         Rgbd(emission),
+                         static_cast<double>(ray.density),
+                         static_cast<double>(light_density),
+                         static_cast<double>(weight),
+                         Rgbd(added)};
+  });
+}
+
+template <class T, class Observer>
+auto PathTracer<T, Observer>::choose_direction(const Traced& ray, const Vertex& at) -> std::optional<Choice> {
+  const bool last = settings_.max_length > 0 && ray.length + 1 > settings_.max_length;
+  std::optional<Choice> choice;
+  if (!at.lobes.absorbs() && !last) {
+    T u = 0;
+    if (at.lobes.several()) {
+      u = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::lobe), camera_.count());
+      statistics_.drew(Effect::indirect_light, 1);
+    }
+    const Lobe lobe = at.lobes.choose_lobe(u);
+    Vec2<T> unit(0);
+    if (at.lobes.needs_direction(lobe)) {
+      const Effect effect = detail::effect_of(lobe);
+      unit =
+          draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect), camera_.count());
+      statistics_.drew(effect, 2);
+    }
+    choice = at.lobes.choose(lobe, unit);
+    if (is_black(choice->weight)) choice.reset();
+  }
+  note(PathLine::choose_direction, ray.length, [&] {
+    if (!choice) return DirectionChosen{true};
+    return DirectionChosen{false, choice->lobe, Vec3d(choice->direction), static_cast<double>(choice->density),
+                           Rgbd(at.share * choice->weight)};
+  });
+  return choice;
+}
+
+/// The probability with which the path goes on, or 0 when it has ended.
+template <class T, class Observer>
+T PathTracer<T, Observer>::decide_survival(const Traced& ray, const Vertex& at, const std::optional<Choice>& choice) {
+  T survival = 0;
+  std::optional<Ending> why;
+  if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length && !at.lobes.absorbs()) {
+    why = Ending::path_length;
+  } else if (choice) {
+    survival = 1;
+    if (ray.length >= settings_.roulette_from) {
+      constexpr T most = T(0.95);  // so that no path is endless
+      survival = std::min(max_component(at.share * choice->weight), most);
+      const T u = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::roulette), camera_.count());
+      statistics_.drew(Effect::indirect_light, 1);
+      if (!(u < survival)) survival = 0, why = Ending::threshold;
+    }
+  }
+  if (why) ++statistics_.ends(*why);
+  note(PathLine::if_path_survives, ray.length,
+       [&] { return SurvivalDecided{survival > 0, static_cast<double>(survival), why}; });
+  return survival;
+}
+
+template <class T, class Observer>
+auto PathTracer<T, Observer>::form_next_ray(const Vertex& at, const Choice& choice, T survival) -> Traced {
+  const RayKind kind = choice.lobe == Lobe::transparent ? RayKind::refract : RayKind::reflect;
+  const Traced next{{at.position, choice.direction, at.departure, at.time},
+                    kind,
+                    at.share * choice.weight * (1 / survival),
+                    at.length + 1,
+                    choice.density,
+                    rays_formed_++};
+  ++statistics_.formed(kind);
+  note(PathLine::form_next_ray, at.length, [&] {
+    RayFormed event{next.number, at.number, kind, Vec3d(at.position), Vec3d(choice.direction), Rgbd(next.share)};
+    if (kind == RayKind::refract) event.snell = at.snell;
+    return event;
+  });
+  return next;
+}
+
+template <class T, class Observer>
+template <class Put>
+void PathTracer<T, Observer>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
+  if (!is_finite(final)) ++statistics_.not_finite;
+  put(pixel, final);
+  note(PathLine::put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
+}
+
+}  // namespace raywalk
