@@ -26,10 +26,13 @@ std::string selected_name(const State& state) {
 Vec2d middle(const Shape<double>& shape) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return plan(sphere->centre);
   if (const auto* plane = std::get_if<Plane<double>>(&shape)) return plan(plane->point);
-  Vec2d sum{0.0};
-  const auto& corners = std::get<Prism<double>>(shape).corners;
-  for (const Vec2d& corner : corners) sum += corner / static_cast<double>(corners.size());
-  return sum;
+  if (const auto* prism = std::get_if<Prism<double>>(&shape)) {
+    Vec2d sum{0.0};
+    for (const Vec2d& corner : prism->corners) sum += corner / static_cast<double>(prism->corners.size());
+    return sum;
+  }
+  const Bounds<double> box = bounds(shape);
+  return box.bounded() ? plan(box.min + (box.max - box.min) / 2.0) : Vec2d{0.0};
 }
 
 }  // namespace
@@ -62,7 +65,11 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"notice", state.notice ? state.notice->text : ""},
             {"sentence", sentence(state)},
             {"revision", state.revision},
-            {"cell", current_cell(state)}};
+            {"cell", current_cell(state)},
+            {"lines", shows_lines(state)},
+            {"turned", state.image_camera.has_value()},
+            {"rays", state.timeline->rays_at(state.position).size()}};
+  if (state.walk) json["walk"] = {state.walk->column, state.walk->row};
   json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
   json["window"] = {{"width", window.width},
                     {"height", window.height},
