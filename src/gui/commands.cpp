@@ -1,6 +1,7 @@
 #include "gui/commands.h"
 
 #include "gui/command_table.h"
+#include "gui/words.h"
 
 #include <algorithm>
 
@@ -37,6 +38,20 @@ void zoom(const Ui& ui, double factor) {
 }
 
 constexpr double scale_step = 0.25;
+constexpr double turn_step = 3.14159265358979323846 / 24;  // radians
+constexpr double shift_step = 0.05;                        // of the view's width
+
+// What keys turn: the lines, where they are shown and were turned last, else the picture.
+SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.turned_last : SpaceView::image; }
+
+void next_heat(const Ui& ui) {
+  ImageSettings settings = ui.state.image;
+  const auto now =
+      static_cast<std::size_t>(std::find(all_heats.begin(), all_heats.end(), settings.heat) - all_heats.begin());
+  settings.heat = all_heats[(now + 1) % all_heats.size()];
+  ui.act(action::SetImageSettings{settings});
+  ui.act(action::SetTab{Tab::image});
+}
 
 }  // namespace
 
@@ -48,6 +63,7 @@ std::string command_label(Command command, const State& state) {
     const TextId now = state.theme == Theme::dark ? TextId::theme_dark : TextId::theme_projector;
     return std::string(text(TextId::theme)) + ": " + std::string(text(now));
   }
+  if (command == Command::lines && shows_lines(state)) return std::string(words::plan);
   const CommandRow& row = row_of(command);
   return row.label ? std::string(text(*row.label)) : row.label_text;
 }
@@ -109,6 +125,12 @@ bool enabled(Command command, const State& state) {
       return state.ui_scale > min_ui_scale;
     case Command::scale_reset:
       return state.ui_scale != 1;
+    case Command::walk_strip:
+      return state.walk.has_value();
+    case Command::use_camera:
+      return state.image_camera.has_value();
+    case Command::reset_view:
+      return view_in_hand(state) == SpaceView::image ? state.image_camera.has_value() : state.lines_camera.has_value();
     case Command::new_scene:
     case Command::open:
     case Command::save:
@@ -127,6 +149,19 @@ bool enabled(Command command, const State& state) {
     case Command::zoom_in:
     case Command::zoom_out:
     case Command::fit:
+    case Command::lines:
+    case Command::image_settings:
+    case Command::heat:
+    case Command::turn_left:
+    case Command::turn_right:
+    case Command::turn_up:
+    case Command::turn_down:
+    case Command::shift_left:
+    case Command::shift_right:
+    case Command::shift_up:
+    case Command::shift_down:
+    case Command::approach:
+    case Command::recede:
     case Command::theme:
     case Command::exchange:
     case Command::full_screen:
@@ -192,6 +227,22 @@ bool chosen(Command command, const State& state) {
     case Command::fit:
     case Command::scale_up:
     case Command::scale_down:
+    case Command::lines:
+    case Command::walk_strip:
+    case Command::reset_view:
+    case Command::use_camera:
+    case Command::image_settings:
+    case Command::heat:
+    case Command::turn_left:
+    case Command::turn_right:
+    case Command::turn_up:
+    case Command::turn_down:
+    case Command::shift_left:
+    case Command::shift_right:
+    case Command::shift_up:
+    case Command::shift_down:
+    case Command::approach:
+    case Command::recede:
     case Command::theme:
     case Command::scale_reset:
     case Command::exchange:
@@ -288,6 +339,38 @@ void perform(Command command, const Ui& ui) {
       return zoom(ui, 1 / 1.25);
     case Command::fit:
       return ui.act(action::FitView{});
+    case Command::lines:
+      return ui.act(action::ShowLines{!shows_lines(state)});
+    case Command::walk_strip:
+      return ui.act(action::WalkStrip{});
+    case Command::reset_view:
+      return ui.act(action::ResetView{view_in_hand(state)});
+    case Command::use_camera:
+      return ui.act(action::UseImageCamera{});
+    case Command::image_settings:
+      return ui.wish(WindowWish::image_settings);
+    case Command::heat:
+      return next_heat(ui);
+    case Command::turn_left:
+      return ui.act(action::Orbit{view_in_hand(state), {-turn_step, 0}});
+    case Command::turn_right:
+      return ui.act(action::Orbit{view_in_hand(state), {turn_step, 0}});
+    case Command::turn_up:
+      return ui.act(action::Orbit{view_in_hand(state), {0, -turn_step}});
+    case Command::turn_down:
+      return ui.act(action::Orbit{view_in_hand(state), {0, turn_step}});
+    case Command::shift_left:
+      return ui.act(action::Shift{view_in_hand(state), {-shift_step, 0}});
+    case Command::shift_right:
+      return ui.act(action::Shift{view_in_hand(state), {shift_step, 0}});
+    case Command::shift_up:
+      return ui.act(action::Shift{view_in_hand(state), {0, -shift_step}});
+    case Command::shift_down:
+      return ui.act(action::Shift{view_in_hand(state), {0, shift_step}});
+    case Command::approach:
+      return ui.act(action::Approach{view_in_hand(state), 1.15});
+    case Command::recede:
+      return ui.act(action::Approach{view_in_hand(state), 1 / 1.15});
     case Command::theme:
       return ui.act(action::SetTheme{state.theme == Theme::dark ? Theme::projector : Theme::dark});
     case Command::scale_up:

@@ -178,6 +178,26 @@ bool Form::flag(const FormLabel& of, bool& value) {
   return is_change;
 }
 
+bool Form::pick(const FormLabel& of, const std::vector<std::string>& words, int& chosen) {
+  row(of);
+  ImGui::SetNextItemWidth(width_ - label_width_);
+  const auto at = static_cast<std::size_t>(std::clamp(chosen, 0, static_cast<int>(words.size()) - 1));
+  const bool open = ImGui::BeginCombo(("##" + name_).c_str(), words[at].c_str());
+  ui_.publish(name_);
+  if (!open) return false;
+  bool now = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (ImGui::Selectable(words[i].c_str(), i == at)) {
+      now = i != at;
+      chosen = static_cast<int>(i);
+    }
+    ui_.publish(name_ + "/" + words[i]);
+  }
+  ImGui::EndCombo();
+  continues_ = false;
+  return now;
+}
+
 bool Form::text(const FormLabel& of, std::string& value) {
   row(of);
   const std::string id = "##" + name_;

@@ -44,6 +44,8 @@ class Form {
   /// Linear RGB as three numbers, and a field of its colour that opens a palette.
   bool colour(const FormLabel& label, Rgbd& value, double most);
   bool flag(const FormLabel& label, bool& value);
+  /// One of a few words; `chosen` is its index.
+  bool pick(const FormLabel& label, const std::vector<std::string>& words, int& chosen);
   /// True once, when the typing has ended; `value` is then the new text.
   bool text(const FormLabel& label, std::string& value);
 

@@ -167,7 +167,9 @@ class Loop {
                         size.height,
                         image_.preview().done(),
                         image_.preview().has_every_pixel(),
-                        image_.preview().finished()};
+                        image_.preview().finished(),
+                        image_.seconds_left(),
+                        image_.preview().hottest()};
     interface_.draw(state_, fonts_, unit(), dpi(), shown);
     const Colour ground = palette(state_.theme).window;
     window_.end_frame(

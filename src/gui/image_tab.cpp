@@ -1,5 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "gui/words.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -43,6 +44,34 @@ void mark_cell(const Ui& ui, const Rect& image, int cell, int cells, float middl
   draw.AddRect(least, most, IM_COL32(255, 255, 255, 255), 0, 0, ui.px(1.5f));
 }
 
+// The pixel that is walked, where the picture is the one it was taken from.
+void mark_walked(const Ui& ui, const Rect& image, const Picture& picture) {
+  const std::optional<PixelWalk>& walk = ui.state.walk;
+  if (!walk || walk->camera != ui.state.image_camera || walk->size.width != picture.width) return;
+  const float edge = image.width / static_cast<float>(picture.width), half = std::max(edge / 2, ui.px(4));
+  const float x = image.x + (static_cast<float>(walk->column) + 0.5f) * edge;
+  const float y = image.y + (static_cast<float>(walk->row) + 0.5f) * edge;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRect({x - half, y - half}, {x + half, y + half}, IM_COL32(0, 0, 0, 255), 0, 0, ui.px(3.5f));
+  draw.AddRect({x - half, y - half}, {x + half, y + half}, IM_COL32(255, 255, 255, 255), 0, 0, ui.px(1.5f));
+}
+
+std::string seconds_text(double seconds) {
+  const int whole = static_cast<int>(std::ceil(std::min(seconds, 359999.0)));
+  const std::string rest = (whole % 60 < 10 ? "0" : "") + std::to_string(whole % 60);
+  return std::to_string(whole / 60) + ":" + rest;
+}
+
+std::string status_of(const State& state, const Picture& picture, bool has_row) {
+  const std::string about(text(state.image_camera ? TextId::image_turned
+                               : has_row          ? TextId::image_row_marked
+                                                  : TextId::image_click));
+  if (picture.finished) return about;
+  const std::string done = percent_text(picture.done);
+  if (!(picture.seconds_left >= 1)) return done + "  \u00b7  " + about;
+  return fill(TextId::image_progress, {done, seconds_text(picture.seconds_left)}) + "  \u00b7  " + about;
+}
+
 }  // namespace
 
 void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
@@ -53,35 +82,55 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
     pop_font();
     return;
   }
-  const Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10)};
+  const Heat heat = ui.state.image.heat;
+  const float legend = heat == Heat::none ? 0 : 2 * line + ui.px(6);
+  const Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};
   const Rect image = fitted(room, picture.width, picture.height, ui.fonts.density);
+  const bool has_row = ui.state.planar && !ui.state.image_camera;
   ui.publish("image", image);
   if (image.width >= 8 && image.height >= 8) {
-    const Camera& camera = ui.state.scene().camera;
-    const int cells = std::max(camera.screen.cells, 1);
+    const int cells = std::max(ui.state.scene().camera.screen.cells, 1);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddImage((ImTextureID)picture.texture, corner(image), opposite(image));
-    const float row = image.height / static_cast<float>(picture.height);
-    const float middle = image.y + static_cast<float>(picture.height / 2) * row + row / 2;
-    const float half = std::max(row / 2, 0.5f) + ui.px(1.5f);
-    mark_row(ui, image, std::round(middle - half), std::round(middle + half));
-    if (const int cell = current_cell(ui.state); cell >= 0) mark_cell(ui, image, cell, cells, middle);
-
-    ImGui::SetCursorScreenPos(corner(image));
-    const bool clicked = ImGui::InvisibleButton("image", size(image));
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const bool near_row = ImGui::IsItemHovered() && std::abs(mouse.y - middle) < std::max(ui.px(14), half);
-    if (near_row) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (clicked && near_row) {
-      const float part = (mouse.x - image.x) / image.width;
-      ui.act(action::JumpToCell{std::clamp(static_cast<int>(part * static_cast<float>(cells)), 0, cells - 1)});
+    if (has_row) {
+      const float row = image.height / static_cast<float>(picture.height);
+      const float middle = image.y + static_cast<float>(picture.height / 2) * row + row / 2;
+      const float half = std::max(row / 2, 0.5f) + ui.px(1.5f);
+      mark_row(ui, image, std::round(middle - half), std::round(middle + half));
+      if (const int cell = current_cell(ui.state); cell >= 0) mark_cell(ui, image, cell, cells, middle);
     }
+    mark_walked(ui, image, picture);
+    ImGui::SetCursorScreenPos(corner(image));
+    ImGui::InvisibleButton(
+        "image", size(image),
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    turn_by_mouse(ui, SpaceView::image, image);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (clicked_in_place()) {
+      const ImVec2 mouse = ImGui::GetIO().MousePos;
+      const auto at = [](float part, int count) {
+        return std::clamp(static_cast<int>(part * static_cast<float>(count)), 0, count - 1);
+      };
+      ui.act(action::WalkPixel{at((mouse.x - image.x) / image.width, picture.width),
+                               at((mouse.y - image.y) / image.height, picture.height),
+                               {picture.width, picture.height}});
+    }
+    tooltip(ui, "image", std::string(words::image_hint));
   }
-  std::string status = std::string(text(TextId::image_row_marked));
-  if (!picture.finished) status = percent_text(picture.done) + "  \u00b7  " + status;
-  const float width = ImGui::CalcTextSize(status.c_str()).x;
-  ImGui::SetCursorScreenPos({std::max(where.x + (where.width - width) / 2, where.x), where.bottom() - line - ui.px(4)});
+  if (heat != Heat::none)
+    heat_legend(ui, {room.x, room.bottom() + ui.px(6), room.width, legend}, heat, picture.hottest);
+
+  // What the picture shows, and beside it the way to its settings.
+  const ButtonLook look{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+  const float button = button_width(ui, Command::image_settings, look);
+  ImGui::SetCursorScreenPos({where.right() - button, where.bottom() - line - ui.px(7)});
+  command_button(ui, Command::image_settings, {button, line + ui.px(6)}, look);
+  const std::string status = status_of(ui.state, picture, has_row);
+  const float y = where.bottom() - line - ui.px(4);
+  ImGui::PushClipRect({where.x, y}, {where.right() - button - ui.px(4), y + line + ui.px(4)}, true);
+  ImGui::SetCursorScreenPos({where.x + ui.px(4), y});
   label(ui.colours.dim_text, status);
+  ImGui::PopClipRect();
   pop_font();
 }
 

@@ -24,6 +24,10 @@ void Interface::grant(const Ui& ui) {
       case WindowWish::exchange:
         exchanged_ = !exchanged_;
         break;
+      case WindowWish::image_settings:
+        ui.act(action::SetTab{Tab::image});
+        open_settings_ = true;
+        break;
       case WindowWish::properties:
         focus_properties_ = true;
         break;
@@ -99,7 +103,11 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
     help_pane(with, left, std::exchange(scroll_help_, 0.0f));
   } else {
-    plan_pane(with, layout_.plan);
+    if (shows_lines(state)) {
+      lines_pane(with, layout_.plan);
+    } else {
+      plan_pane(with, layout_.plan);
+    }
     // One strip for both modes, so that the plan stays where it is.
     if (state.mode == Mode::move) {
       palette_pane(with, layout_.strip);
@@ -113,7 +121,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   } else {
     code_pane(with, layout_.side);
   }
-  tabs_.draw(with, layout_.tabs, picture);
+  tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false));
   ImGui::End();
 
   notice_bar(with, layout_.plan);

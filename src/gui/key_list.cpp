@@ -25,6 +25,12 @@ const std::vector<Group>& groups() {
       {"3-D image \u00b7 ray tree \u00b7 stack \u00b7 legend", {tab_image, tab_tree, tab_stack, tab_legend}},
       {"the plan and the pane change places", {exchange}},
       {"fit the whole scene in \u00b7 zoom in \u00b7 out", {fit, zoom_in, zoom_out}},
+      {"lines in space, and the plan \u00b7 from a pixel of the picture back to SCREEN", {lines, walk_strip}},
+      {"the 3-D picture or the lines: turn left \u00b7 right \u00b7 up \u00b7 down",
+       {turn_left, turn_right, turn_up, turn_down}},
+      {"the same: move left \u00b7 right \u00b7 up \u00b7 down", {shift_left, shift_right, shift_up, shift_down}},
+      {"the same: nearer \u00b7 farther \u00b7 as at first", {approach, recede, reset_view}},
+      {"3-D picture: its camera for the scene \u00b7 settings \u00b7 heat maps", {use_camera, image_settings, heat}},
       {"Move: add a solid sphere \u00b7 a transparent sphere \u00b7 a polygon \u00b7 a light",
        {add_solid_sphere, add_transparent_sphere, add_polygon, add_light}},
       {"Move: select the next thing \u00b7 the one before", {select_next, select_previous}},
@@ -51,6 +57,8 @@ std::vector<KeyListRow> key_list() {
   rows.push_back({"\u2190, \u2192, \u2191, \u2193", "Move: nudge what is selected; with Shift in larger steps"});
   rows.push_back({"Shift \u00b7 Ctrl, while dragging", "along one axis, round lengths and angles \u00b7 on the grid"});
   rows.push_back({"mouse wheel", "zoom; drag the empty plan to move it"});
+  rows.push_back(
+      {"3-D: drag \u00b7 Shift or right button \u00b7 click", "turn \u00b7 move \u00b7 walk the rays of that pixel"});
   rows.push_back({"Esc", "takes a drag back, closes what is open, ends AUTO"});
   return rows;
 }

@@ -23,6 +23,8 @@ std::string key_name(int key) {
       return "Del";
     case GLFW_KEY_BACKSPACE:
       return "Backspace";
+    case GLFW_KEY_COMMA:
+      return ",";
     case GLFW_KEY_PAGE_UP:
       return "Page Up";
     case GLFW_KEY_PAGE_DOWN:
@@ -171,6 +173,8 @@ bool press_key(const KeyPress& press, const Ui& ui) {
       ui.act(action::SetMode{Mode::trace});
     } else if (state.selected) {
       ui.act(action::Select{});
+    } else if (state.walk) {
+      ui.act(action::WalkStrip{});
     } else {
       return false;
     }

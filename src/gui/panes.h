@@ -19,6 +19,13 @@ void palette_pane(const Ui& ui, const Rect& where);
 /// The plan and the pointer on it.
 void plan_pane(const Ui& ui, const Rect& where);
 
+/// The scene as lines in space, in the plan's place.
+void lines_pane(const Ui& ui, const Rect& where);
+/// What the mouse does on the item just added, which shows a view that can be turned, in `where`.
+void turn_by_mouse(const Ui& ui, SpaceView view, const Rect& where);
+/// Whether the item just added was clicked with the left button and the mouse stood still.
+[[nodiscard]] bool clicked_in_place();
+
 /// Help mode's text. `scroll_by`: units, downwards.
 void help_pane(const Ui& ui, const Rect& where, float scroll_by);
 
@@ -51,19 +58,27 @@ struct Picture {
   int width = 0, height = 0;   ///< of the image; `texture` has this size
   double done = 0;             ///< 0..1
   bool has_every_pixel = false, finished = false;
+  double seconds_left = 0;  ///< an estimate; 0: none
+  double hottest = 0;       ///< of a heat map: what the last colour stands for
 };
 
 /// The tabs' headings and the one that is open.
 class TabsPane {
  public:
-  void draw(const Ui& ui, const Rect& where, const Picture& picture);
+  /// `open_settings`: of the picture.
+  void draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings);
 
  private:
+  FormMemory settings_;
   int hovering_ = -1;    ///< the ray that this pane said is pointed at
   int centred_on_ = -1;  ///< the ray that the tree was last scrolled to
 };
 
 void image_tab(const Ui& ui, const Rect& where, const Picture& picture);
+/// The popup "image-settings", where it is open.
+void image_settings(const Ui& ui, FormMemory& memory);
+/// A bar of colours with numbers, as high as two lines of small letters.
+void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest);
 /// Both return the ray that is pointed at, or -1.
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on);
 int stack_tab(const Ui& ui, const Rect& where);

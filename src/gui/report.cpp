@@ -65,7 +65,11 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"notice", state.notice ? state.notice->text : ""},
             {"sentence", sentence(state)},
             {"revision", state.revision},
-            {"cell", current_cell(state)}};
+            {"cell", current_cell(state)},
+            {"lines", shows_lines(state)},
+            {"turned", state.image_camera.has_value()},
+            {"rays", state.timeline->rays_at(state.position).size()}};
+  if (state.walk) json["walk"] = {state.walk->column, state.walk->row};
   json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
   json["window"] = {{"width", window.width},
                     {"height", window.height},

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 
@@ -100,20 +101,33 @@ Result<State> start(const GuiOptions& options) {
 }
 
 bool LiveImage::rests(const State& state) const {
-  if (!begun_ || revision_ != state.revision) return false;
+  if (!begun_ || revision_ != state.revision || image_revision_ != state.image_revision) return false;
   return preview_.finished() || (state.drag && preview_.has_every_pixel());
 }
 
 bool LiveImage::work(const State& state, double milliseconds) {
-  if (!begun_ || revision_ != state.revision) {
+  const auto begun = std::chrono::steady_clock::now();
+  if (!begun_ || revision_ != state.revision || image_revision_ != state.image_revision) {
     PreviewSettings settings;
     settings.size = state.scene().image;
-    preview_.reset(state.scene(), settings);
+    settings.accelerator = state.image.accelerator;
+    settings.samples = state.image.samples;
+    settings.precision = state.image.single_precision ? Precision::float_ : Precision::double_;
+    settings.heat = state.image.heat;
+    preview_.reset(pictured_scene(state), settings);
     revision_ = state.revision;
+    image_revision_ = state.image_revision;
+    seconds_ = 0;
     begun_ = true;
   }
   if (!rests(state)) preview_.refine(milliseconds);
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   return !rests(state);
+}
+
+double LiveImage::seconds_left() const {
+  const double done = preview_.done();
+  return done > 0 && done < 1 ? seconds_ * (1 - done) / done : 0;
 }
 
 const Action* Demo::due(double seconds) {

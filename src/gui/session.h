@@ -35,12 +35,15 @@ class LiveImage {
   /// goes no further than the coarse picture. Whether more is to be done.
   bool work(const State& state, double milliseconds);
   [[nodiscard]] const Preview& preview() const { return preview_; }
+  /// Seconds until it is finished at the pace so far; 0 while there is none.
+  [[nodiscard]] double seconds_left() const;
   /// Nothing is to be done for this state.
   [[nodiscard]] bool rests(const State& state) const;
 
  private:
   Preview preview_;
-  std::uint64_t revision_ = 0;
+  std::uint64_t revision_ = 0, image_revision_ = 0;
+  double seconds_ = 0;  ///< worked since it was begun
   bool begun_ = false;
 };
 

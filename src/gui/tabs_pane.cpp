@@ -3,7 +3,7 @@
 
 namespace raywalk {
 
-void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture) {
+void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   const bool visible = begin_pane(ui, "tabs", where, ui.colours.panel, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
@@ -48,6 +48,8 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture) {
       }
       ImGui::EndChild();
     }
+    if (open_settings) ImGui::OpenPopup("image-settings");
+    image_settings(ui, settings_);
     if (pointed_at != hovering_ && pointed_at != ui.state.hovered_ray) ui.act(action::HoverRay{pointed_at});
     hovering_ = pointed_at;
   }

@@ -18,10 +18,11 @@ namespace raywalk {
 /// A wish that concerns the window and not the state.
 enum class WindowWish {
   full_screen,
-  menu,        ///< opens the first menu, or the one after that which is open
-  properties,  ///< puts the keyboard into the first field of the properties
-  exchange,    ///< the plan and the tabs take each other's place
-  line_up,     ///< these scroll the help text
+  menu,            ///< opens the first menu, or the one after that which is open
+  properties,      ///< puts the keyboard into the first field of the properties
+  image_settings,  ///< opens the settings of the 3-D picture
+  exchange,        ///< the plan and the tabs take each other's place
+  line_up,         ///< these scroll the help text
   line_down,
   page_up,
   page_down,

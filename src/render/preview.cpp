@@ -28,11 +28,33 @@ Rgba rgba_of(const Rgb<T>& colour) {
 
 }  // namespace
 
+namespace {
+
+double cost_of(Heat heat, const Statistics& own, double microseconds) {
+  switch (heat) {
+    case Heat::none:
+      return 0;
+    case Heat::rays:
+      return static_cast<double>(std::accumulate(own.rays.begin(), own.rays.end(), std::uint64_t{0}));
+    case Heat::tests:
+      return static_cast<double>(own.tests.nodes + own.tests.primitives);
+    case Heat::time:
+      return microseconds;
+  }
+  return 0;
+}
+
+}  // namespace
+
 /// One preview under way. A *pass* visits every row of a grid once, in any order and in any thread: first the passes
 /// that trace each pixel's centre, of ever finer grids, then one pass a sample.
 class Preview::Work {
  public:
-  explicit Work(const PreviewSettings& settings) : settings_(settings) {}
+  explicit Work(const PreviewSettings& settings) : settings_(settings) {
+    if (settings.heat != Heat::none)
+      costs_.assign(static_cast<std::size_t>(settings.size.width) * static_cast<std::size_t>(settings.size.height),
+                    -1.0f);
+  }
   virtual ~Work() = default;
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
@@ -53,8 +75,14 @@ class Preview::Work {
   }
   [[nodiscard]] const PreviewSettings& settings() const { return settings_; }
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+  [[nodiscard]] double hottest() const { return hottest_; }
 
  protected:
+  /// What the pixel cost, in the unit of the heat map.
+  void note_cost(int column, int row, double cost) {
+    costs_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size().width) + static_cast<std::size_t>(column)] =
+        static_cast<float>(cost);
+  }
   /// Traces what is new in row `row` of the grid of this stride.
   virtual Statistics trace_centres(int row, int stride) = 0;
   virtual Statistics trace_sample(int row, int sample) = 0;
@@ -62,15 +90,20 @@ class Preview::Work {
 
   [[nodiscard]] const ImageSize& size() const { return settings_.size; }
   /// After the centres. One sample a pixel is the centre itself.
-  [[nodiscard]] int samples_to_take() const { return settings_.samples > 1 ? settings_.samples : 0; }
+  [[nodiscard]] int samples_to_take() const {
+    return settings_.samples > 1 && settings_.heat == Heat::none ? settings_.samples : 0;
+  }
   void begin_pass();
 
  private:
   void trace_row(int row, std::vector<std::uint8_t>& rgba);
   void show_row(int row, int stride, int samples_taken, std::vector<std::uint8_t>& rgba) const;
   void end_pass();
+  void show_heat(std::vector<std::uint8_t>& rgba);
 
   PreviewSettings settings_;
+  std::vector<float> costs_;  ///< of a heat map, each pixel's; negative: not traced yet
+  double hottest_ = 0;
   int stride_ = coarsest;  ///< of the pass under way, while centres are traced
   int sample_ = -1;        ///< of the pass under way, after that
   std::vector<int> rows_to_do_;
@@ -100,8 +133,18 @@ class Preview::WorkIn final : public Preview::Work {
     // A row that the grid before had too has every second of its pixels already.
     const bool old_row = stride < coarsest && row % (2 * stride) == 0;
     const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride};
-    return kernel_(centres_, block,
-                   [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); });
+    const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); };
+    if (settings().heat == Heat::none) return kernel_(centres_, block, put);
+    Statistics sum;
+    for (const Pixel& pixel : block) {
+      const auto begun = Clock::now();
+      const Statistics own =
+          kernel_(centres_, {pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0}, put);
+      const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - begun).count();
+      note_cost(pixel.column, pixel.row, cost_of(settings().heat, own, microseconds));
+      sum += own;
+    }
+    return sum;
   }
 
   Statistics trace_sample(int row, int sample) override {
@@ -161,12 +204,37 @@ void Preview::Work::refine(double milliseconds, int threads, std::vector<std::ui
     rows_to_do_ = std::move(left);
     if (rows_to_do_.empty()) end_pass();
   }
+  if (settings_.heat != Heat::none) show_heat(rgba);
+}
+
+/// Paints the whole picture, since what is hottest may have changed: each pixel as it is, or as the nearest one of the
+/// coarser grids that has been traced.
+void Preview::Work::show_heat(std::vector<std::uint8_t>& rgba) {
+  std::vector<float> known;
+  for (const float cost : costs_)
+    if (cost >= 0) known.push_back(cost);
+  if (known.empty()) return;
+  // A pixel in which the machine did something else must not leave all others in the dark.
+  const double part = settings_.heat == Heat::time ? 0.995 : 1;
+  const auto last = known.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(known.size() - 1));
+  std::nth_element(known.begin(), last, known.end());
+  hottest_ = static_cast<double>(*last);
+  const auto [width, height] = size();
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) {
+      float cost = -1;
+      for (int stride = 1; stride <= coarsest && cost < 0; stride *= 2)
+        cost = costs_[static_cast<std::size_t>(row / stride * stride) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(column / stride * stride)];
+      const auto colour = heat_colour(hottest_ > 0 ? std::max(static_cast<double>(cost), 0.0) / hottest_ : 0);
+      std::copy(colour.begin(), colour.end(), rgba.begin() + (static_cast<std::ptrdiff_t>(row) * width + column) * 4);
+    }
 }
 
 void Preview::Work::trace_row(int row, std::vector<std::uint8_t>& rgba) {
   const bool centres = !has_every_pixel();
   const Statistics statistics = centres ? trace_centres(row, stride_) : trace_sample(row, sample_);
-  show_row(row, centres ? stride_ : 1, centres ? 0 : sample_ + 1, rgba);
+  if (settings_.heat == Heat::none) show_row(row, centres ? stride_ : 1, centres ? 0 : sample_ + 1, rgba);
   const std::lock_guard lock(statistics_mutex_);
   statistics_ += statistics;
 }
@@ -221,6 +289,7 @@ bool Preview::finished() const { return !work_ || work_->finished(); }
 bool Preview::has_every_pixel() const { return work_ && work_->has_every_pixel(); }
 double Preview::done() const { return work_ ? work_->done() : 1; }
 ImageSize Preview::size() const { return work_ ? work_->settings().size : ImageSize{0, 0}; }
+double Preview::hottest() const { return work_ ? work_->hottest() : 0; }
 Statistics Preview::statistics() const { return work_ ? work_->statistics() : Statistics{}; }
 
 template <class T>

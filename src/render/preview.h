@@ -2,6 +2,7 @@
 // A picture that comes into being while a person looks on: coarse at once, then fine, then smooth.
 
 #include "render/film.h"
+#include "render/heat.h"
 #include "trace/kernel.h"
 
 #include <cstdint>
@@ -16,6 +17,9 @@ struct PreviewSettings {
   Precision precision = Precision::double_;
   int samples = 16;  ///< of each pixel in the end, >= 1
   AcceleratorKind accelerator = AcceleratorKind::automatic;
+  /// What the pixels show in place of their colours: what the ray through each one's centre cost. Samples are then not
+  /// taken.
+  Heat heat = Heat::none;
   friend bool operator==(const PreviewSettings&, const PreviewSettings&) = default;
 };
 
@@ -51,6 +55,8 @@ class Preview {
   [[nodiscard]] const std::vector<std::uint8_t>& rgba() const { return rgba_; }
   /// Another number whenever rgba() has changed.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// Of a heat map: the cost that has the last colour; costs above it, if any, have it too. 0 while nothing is traced.
+  [[nodiscard]] double hottest() const;
   /// What has been traced since the last reset.
   [[nodiscard]] Statistics statistics() const;
 

@@ -77,6 +77,35 @@ struct Pan {
 };  ///< pixels
 struct FitView {};
 
+// Space: the 3-D picture and the line view.
+struct WalkPixel {
+  int column = 0, row = 0;
+  ImageSize size{};  ///< of the picture
+};  ///< walks this pixel of the picture, as it is seen now: to its end, with its tree; one on the strip: goes there
+struct WalkStrip {};  ///< back to SCREEN
+struct Orbit {
+  SpaceView view;
+  Vec2d angles;
+};  ///< radians: see orbited
+struct Shift {
+  SpaceView view;
+  Vec2d parts;
+};  ///< parts of the view's width, to the right and down
+struct Approach {
+  SpaceView view;
+  double factor;
+};
+struct ResetView {
+  SpaceView view;
+};
+struct UseImageCamera {};  ///< the picture's camera becomes the scene's; one entry of undo
+struct ShowLines {
+  bool shown;
+};
+struct SetImageSettings {
+  ImageSettings settings;
+};
+
 // Pointing at things in other panels.
 struct HoverRay {
   int ray;
@@ -175,17 +204,17 @@ struct DismissNotice {};
 
 }  // namespace action
 
-using Action =
-    std::variant<action::SetMode, action::Step, action::Jump, action::JumpToRay, action::JumpToCell, action::RunToLine,
-                 action::PlayPause, action::SetSpeed, action::SetGrain, action::Clear, action::Tick, action::ResizePlan,
-                 action::PointerMoved, action::PointerPressed, action::PointerReleased, action::PointerLeft,
-                 action::CancelDrag, action::Zoom, action::Pan, action::FitView, action::HoverRay, action::HoverLine,
-                 action::Select, action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner,
-                 action::Rename, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
-                 action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo, action::New,
-                 action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt,
-                 action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab,
-                 action::DismissNotice>;
+using Action = std::variant<
+    action::SetMode, action::Step, action::Jump, action::JumpToRay, action::JumpToCell, action::RunToLine,
+    action::PlayPause, action::SetSpeed, action::SetGrain, action::Clear, action::Tick, action::ResizePlan,
+    action::PointerMoved, action::PointerPressed, action::PointerReleased, action::PointerLeft, action::CancelDrag,
+    action::Zoom, action::Pan, action::FitView, action::WalkPixel, action::WalkStrip, action::Orbit, action::Shift,
+    action::Approach, action::ResetView, action::UseImageCamera, action::ShowLines, action::SetImageSettings,
+    action::HoverRay, action::HoverLine, action::Select, action::AddObject, action::RemoveSelected,
+    action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight,
+    action::SetCamera, action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo,
+    action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt,
+    action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

@@ -51,6 +51,10 @@ inline constexpr std::pair<TargetKind, std::string_view> target_words[] = {
     {TargetKind::ray, "ray"},
 };
 
+inline constexpr std::pair<SpaceView, std::string_view> view_words[] = {{SpaceView::image, "image"},
+                                                                        {SpaceView::lines, "lines"}};
+inline constexpr std::pair<bool, std::string_view> shown_words[] = {{true, "on"}, {false, "off"}};
+
 /// What a demo line of each action begins with; empty for those that no line can hold.
 template <class A>
 inline constexpr std::string_view word_of = "";
@@ -94,6 +98,22 @@ template <>
 inline constexpr std::string_view word_of<Pan> = "pan";
 template <>
 inline constexpr std::string_view word_of<FitView> = "fit";
+template <>
+inline constexpr std::string_view word_of<WalkPixel> = "walk-pixel";
+template <>
+inline constexpr std::string_view word_of<WalkStrip> = "walk-strip";
+template <>
+inline constexpr std::string_view word_of<Orbit> = "orbit";
+template <>
+inline constexpr std::string_view word_of<Shift> = "shift";
+template <>
+inline constexpr std::string_view word_of<Approach> = "approach";
+template <>
+inline constexpr std::string_view word_of<ResetView> = "reset-view";
+template <>
+inline constexpr std::string_view word_of<UseImageCamera> = "use-camera";
+template <>
+inline constexpr std::string_view word_of<ShowLines> = "lines";
 template <>
 inline constexpr std::string_view word_of<HoverRay> = "hover-ray";
 template <>
@@ -224,6 +244,36 @@ void arguments(F& f, Zoom& a) {
 template <class F>
 void arguments(F& f, Pan& a) {
   arguments(f, a.by);
+}
+template <class F>
+void arguments(F& f, WalkPixel& a) {
+  f.number(a.column);
+  f.number(a.row);
+  f.number(a.size.width);
+  f.number(a.size.height);
+}
+template <class F>
+void arguments(F& f, Orbit& a) {
+  f.choice(a.view, Words<SpaceView>(view_words));
+  arguments(f, a.angles);
+}
+template <class F>
+void arguments(F& f, Shift& a) {
+  f.choice(a.view, Words<SpaceView>(view_words));
+  arguments(f, a.parts);
+}
+template <class F>
+void arguments(F& f, Approach& a) {
+  f.choice(a.view, Words<SpaceView>(view_words));
+  f.number(a.factor);
+}
+template <class F>
+void arguments(F& f, ResetView& a) {
+  f.choice(a.view, Words<SpaceView>(view_words));
+}
+template <class F>
+void arguments(F& f, ShowLines& a) {
+  f.choice(a.shown, Words<bool>(shown_words));
 }
 template <class F>
 void arguments(F& f, HoverRay& a) {

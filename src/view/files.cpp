@@ -80,6 +80,10 @@ void show_document(State& state, SceneDocument document, std::string path) {
   state.playing = false;
   state.question.reset();
   state.notice.reset();
+  state.walk.reset();
+  state.image_camera.reset();
+  state.lines_camera.reset();
+  state.lines_wanted.reset();
   ++state.revision;
   record_again(state);
   state.position = 0;

@@ -51,7 +51,19 @@ void draw_screen(Painter& painter);
 void draw_eye(Painter& painter);
 void draw_lights(Painter& painter);
 
-// rays_view.cpp
+// rays_view.cpp: how rays look, in the plan and in space
+/// How a ray stands out: what the line just run speaks of, its pixel's others, and those of pixels before.
+enum class Prominence { earlier, of_pixel, current };
+struct RayLook {
+  Prominence prominence;
+  bool hovered;
+};
+[[nodiscard]] Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look);
+[[nodiscard]] double ray_arrow(const Painter& painter, const RayLook& look);
+/// A cross where a shadow ray is stopped.
+void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray);
+/// A ray that was not formed: a short piece of it, ended by a bar.
+void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target);
 void draw_rays(Painter& painter);
 
 // handles_view.cpp

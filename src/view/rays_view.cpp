@@ -8,14 +8,6 @@ namespace raywalk::detail {
 
 namespace {
 
-/// How a ray stands out: what the line just run speaks of, its pixel's others, and those of pixels before.
-enum class Prominence { earlier, of_pixel, current };
-
-struct RayLook {
-  Prominence prominence;
-  bool hovered;
-};
-
 /// Where the ray is drawn to, in scene units, at a position where its end may not be known yet; none when it goes on
 /// for ever.
 std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool known) {
@@ -25,7 +17,43 @@ std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool kn
   return to_a_place ? std::optional(plan(ray.origin + ray.direction)) : std::nullopt;
 }
 
-Stroke stroke_of(const Painter& painter, const RayRecord& ray, const RayLook& look) {
+void draw_ray(Painter& painter, int index, const RayLook& look) {
+  const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
+  const bool known = ray.found_at <= painter.state.position;
+  const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
+  const double size = length(towards);
+  if (!(size > 0)) return;  // straight up or down: a point of the plan
+  const Vec2d along = towards / size;
+  const Vec2d from = painter.pixels(plan(ray.origin));
+  const Stroke stroke = ray_stroke(painter, ray, look);
+  const Target target{TargetKind::ray, index};
+  if (!ray.formed) return draw_stub(painter, from, along, stroke, target);
+
+  const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
+  // Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
+  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
+  const double beyond = painter.viewport.width + painter.viewport.height + length(middle - from);
+  const Vec2d to = end ? painter.pixels(*end) : from + beyond * along;
+  if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
+  LineItem line{from, to, stroke, ray_arrow(painter, look), 0.55};
+  const double visible = length(to - from);
+  if (visible < 3 * line.arrow) line.arrow = visible / 3;
+  painter.add_clipped(line, target);
+  if (known && ray.ending == Ending::blocked) draw_blocked(painter, to, along, stroke);
+}
+
+void draw_normal(Painter& painter, const RayRecord& ray) {
+  const Vec2d normal(ray.normal.x, -ray.normal.y);
+  if (!(length(normal) > 1e-6)) return;
+  const Vec2d at = painter.pixels(plan(ray.end));
+  LineItem line{at, at + 26 * painter.sizes.unit * normal, painter.stroke(painter.colours.normal),
+                5 * painter.sizes.unit};
+  painter.add_clipped(line);
+}
+
+}  // namespace
+
+Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look) {
   const RayStyle& style = ray_style(painter.state.theme, ray.kind);
   Stroke stroke{style.colour, painter.sizes.unit, painter.scaled(style.dash)};
   switch (look.prominence) {
@@ -47,7 +75,7 @@ Stroke stroke_of(const Painter& painter, const RayRecord& ray, const RayLook& lo
   return stroke;
 }
 
-double arrow_length(const Painter& painter, const RayLook& look) {
+double ray_arrow(const Painter& painter, const RayLook& look) {
   if (look.hovered || look.prominence == Prominence::current) return 12 * painter.sizes.unit;
   return (look.prominence == Prominence::of_pixel ? 8 : 6) * painter.sizes.unit;
 }
@@ -70,42 +98,6 @@ void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const St
       {to - bar * across, to + bar * across, {stroke.colour, std::max(stroke.width, 1.6 * painter.sizes.unit)}},
       target);
 }
-
-void draw_ray(Painter& painter, int index, const RayLook& look) {
-  const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
-  const bool known = ray.found_at <= painter.state.position;
-  const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
-  const double size = length(towards);
-  if (!(size > 0)) return;  // straight up or down: a point of the plan
-  const Vec2d along = towards / size;
-  const Vec2d from = painter.pixels(plan(ray.origin));
-  const Stroke stroke = stroke_of(painter, ray, look);
-  const Target target{TargetKind::ray, index};
-  if (!ray.formed) return draw_stub(painter, from, along, stroke, target);
-
-  const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
-  // Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
-  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
-  const double beyond = painter.viewport.width + painter.viewport.height + length(middle - from);
-  const Vec2d to = end ? painter.pixels(*end) : from + beyond * along;
-  if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
-  LineItem line{from, to, stroke, arrow_length(painter, look), 0.55};
-  const double visible = length(to - from);
-  if (visible < 3 * line.arrow) line.arrow = visible / 3;
-  painter.add_clipped(line, target);
-  if (known && ray.ending == Ending::blocked) draw_blocked(painter, to, along, stroke);
-}
-
-void draw_normal(Painter& painter, const RayRecord& ray) {
-  const Vec2d normal(ray.normal.x, -ray.normal.y);
-  if (!(length(normal) > 1e-6)) return;
-  const Vec2d at = painter.pixels(plan(ray.end));
-  LineItem line{at, at + 26 * painter.sizes.unit * normal, painter.stroke(painter.colours.normal),
-                5 * painter.sizes.unit};
-  painter.add_clipped(line);
-}
-
-}  // namespace
 
 void draw_rays(Painter& painter) {
   const Timeline& timeline = *painter.state.timeline;

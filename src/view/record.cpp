@@ -22,15 +22,25 @@ bool ended_by_depth(const Timeline& timeline) {
                      [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
 }
 
-/// The strip to the scene's depth, or to the deepest that is not too long. A tree can double with every level, so a
-/// deep limit is approached in steps that the growth seen so far allows.
-Recorded record_within(const Scene& scene) {
+/// What is walked, in this scene.
+Timeline record(const State& state, const Scene& scene) {
+  const Recording how{state.image.single_precision ? Precision::float_ : Precision::double_};
+  if (!state.walk) return record_strip(scene, how);
+  Scene seen = scene;
+  if (state.walk->camera) seen.camera = *state.walk->camera;
+  return record_pixel(seen, state.walk->size, state.walk->column, state.walk->row, how);
+}
+
+/// The strip or the pixel to the scene's depth, or to the deepest that is not too long. A tree can double with every
+/// level, so a deep limit is approached in steps that the growth seen so far allows.
+Recorded record_within(const State& state) {
   constexpr int harmless_depth = 6;
   constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
-  const int wanted = scene.limits.depth;
-  Scene limited = scene;
+  Scene limited = state.scene();
+  const int wanted = limited.limits.depth;
+  limited.render.integrator = state.image.integrator.value_or(limited.render.integrator);
   limited.limits.depth = std::min(wanted, harmless_depth);
-  Recorded recorded{record_strip(limited), limited.limits.depth};
+  Recorded recorded{record(state, limited), limited.limits.depth};
   double growth = worst_growth;
   while (recorded.depth < wanted) {
     if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
@@ -39,7 +49,7 @@ Recorded record_within(const Scene& scene) {
     if (!(room >= 1)) return recorded;
     const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
     limited.limits.depth = recorded.depth + levels;
-    recorded = {record_strip(limited), limited.limits.depth};
+    recorded = {record(state, limited), limited.limits.depth};
     growth = std::max(1.0, std::pow(recorded.timeline.steps() / events, 1.0 / levels));
   }
   return recorded;
@@ -60,7 +70,8 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
 }  // namespace
 
 void record_again(State& state) {
-  Recorded recorded = record_within(state.scene());
+  state.planar = is_planar(state.scene());
+  Recorded recorded = record_within(state);
   if (recorded.depth < state.scene().limits.depth)
     inform(state, fill(TextId::too_many_steps, {std::to_string(recorded.depth)}));
   const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));

@@ -15,7 +15,24 @@ State make_state(SceneDocument document, std::string path, std::string state_dir
   return state;
 }
 
+const Camera& image_camera(const State& state) {
+  return state.image_camera ? *state.image_camera : state.scene().camera;
+}
+
+Scene pictured_scene(const State& state) {
+  Scene scene = state.scene();
+  scene.camera = image_camera(state);
+  scene.render.integrator = state.image.integrator.value_or(scene.render.integrator);
+  return scene;
+}
+
+bool shows_lines(const State& state) {
+  if (state.mode != Mode::trace) return false;  // bodies are moved in the plan
+  return state.lines_wanted.value_or(state.walk.has_value() || !state.planar);
+}
+
 int current_cell(const State& state) {
+  if (!state.timeline->of_strip()) return -1;
   const int pixel = state.timeline->current_pixel(state.position);
   return pixel < 0 ? -1 : state.timeline->pixels()[static_cast<std::size_t>(pixel)].column;
 }

@@ -3,6 +3,7 @@
 // screen is a pure function of it.
 
 #include "io/scene_file.h"
+#include "render/heat.h"
 #include "timeline/timeline.h"
 #include "view/display_list.h"
 
@@ -14,6 +15,8 @@
 
 namespace raywalk {
 
+enum class AcceleratorKind;  // accel/accelerator.h
+
 enum class Mode { move, trace, help };
 /// How far one step goes: a line of pseudocode, to the next ray, to the next pixel.
 enum class Grain { line, ray, pixel };
@@ -23,6 +26,31 @@ enum class Tab { image, tree, stack, legend };
 struct Viewport {
   double width = 640, height = 480;
   friend bool operator==(const Viewport&, const Viewport&) = default;
+};
+
+/// How the 3-D picture is made. None of it is in the scene's file.
+struct ImageSettings {
+  AcceleratorKind accelerator{};           ///< automatic
+  bool single_precision = false;           ///< numbers of 24 bits in place of 53, in the walk too
+  int samples = 16;                        ///< of each pixel in the end, 1..most_image_samples
+  std::optional<Integrator> integrator{};  ///< absent: the scene's own
+  Heat heat = Heat::none;
+  friend bool operator==(const ImageSettings&, const ImageSettings&) = default;
+};
+inline constexpr int most_image_samples = 1024;
+
+/// A pixel of the 3-D picture that is walked in place of the strip.
+struct PixelWalk {
+  ImageSize size;  ///< of the picture
+  int column = 0, row = 0;
+  std::optional<Camera> camera{};  ///< absent: the scene's own
+  friend bool operator==(const PixelWalk&, const PixelWalk&) = default;
+};
+
+/// The views that can be turned by hand.
+enum class SpaceView {
+  image,  ///< the 3-D picture
+  lines,  ///< the scene as lines in space, which takes the plan's place
 };
 
 /// What of the plan is seen.
@@ -104,6 +132,16 @@ struct State {
   double owed = 0;              ///< steps due from ticks, below 1 between ticks
   Grain grain = Grain::line;
 
+  // Space.
+  std::optional<PixelWalk> walk;       ///< absent: the strip is walked
+  bool planar = true;                  ///< the scene's strip is a row of its picture
+  std::optional<Camera> image_camera;  ///< the picture seen from elsewhere; absent: as the scene's camera sees it
+  std::optional<Camera> lines_camera;  ///< absent: the whole scene, overlooked
+  std::optional<bool> lines_wanted;    ///< chosen by hand; absent: lines where the plan cannot show what is walked
+  SpaceView turned_last = SpaceView::image;
+  ImageSettings image;
+  std::uint64_t image_revision = 0;  ///< changes with every change of image_camera and image
+
   // Pointing.
   Viewport viewport;
   PlanCamera camera;
@@ -143,7 +181,14 @@ inline constexpr double autosave_every = 5;          ///< seconds
 /// recover it. To be called once at the start.
 void restore_session(State& state);
 
-/// The strip's column of the pixel under way (or just put), or -1.
+/// The camera of the 3-D picture.
+[[nodiscard]] const Camera& image_camera(const State& state);
+/// The scene as the 3-D picture shows it.
+[[nodiscard]] Scene pictured_scene(const State& state);
+/// Whether the scene is shown as lines in space where the plan stands otherwise.
+[[nodiscard]] bool shows_lines(const State& state);
+
+/// The strip's column of the pixel under way (or just put), or -1; -1 also while a pixel of the picture is walked.
 [[nodiscard]] int current_cell(const State& state);
 
 /// The file's name as a title bar shows it: without folders, "Untitled" when never saved, "*" in front when dirty.

@@ -44,7 +44,7 @@ std::string short_name(const State& state, const Target& target) {
 
 std::string cell_text(const State& state, int cell) {
   const Timeline& timeline = *state.timeline;
-  for (std::size_t i = 0; i < timeline.pixels().size(); ++i) {
+  for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
     const PixelRecord& pixel = timeline.pixels()[i];
     if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.position))
       return fill(TextId::cell_with_shade, {std::to_string(cell), colour_text(pixel.shade)});
@@ -121,7 +121,8 @@ std::string sentence(const State& state) {
   }
   if (state.position == 0) return str(TextId::first_step_trace);
   const std::string done = sentence_of(describe(state.scene(), *state.timeline, state.position));
-  return state.position < state.timeline->steps() ? done : done + " " + str(TextId::after_last_step);
+  if (state.position < state.timeline->steps()) return done;
+  return done + " " + str(state.walk ? TextId::after_last_step_of_pixel : TextId::after_last_step);
 }
 
 Legend legend(const State& state) {
@@ -167,8 +168,10 @@ std::string status_line(const State& state) {
   int rays = 0;
   for (const int formed : now.formed) rays += formed;
   const int cell = current_cell(state);
-  return fill(TextId::status, {std::to_string(now.position), std::to_string(now.steps),
-                               cell < 0 ? str(TextId::status_none) : std::to_string(cell), std::to_string(rays)});
+  const std::string pixel = state.walk ? std::to_string(state.walk->column) + "," + std::to_string(state.walk->row)
+                            : cell < 0 ? str(TextId::status_none)
+                                       : std::to_string(cell);
+  return fill(TextId::status, {std::to_string(now.position), std::to_string(now.steps), pixel, std::to_string(rays)});
 }
 
 std::string short_status_line(const State& state) {
@@ -182,8 +185,9 @@ std::string widest_status_line(const State& state, bool in_short) {
   };
   const std::string steps = digits(state.timeline->steps(), 4);
   if (in_short) return fill(TextId::status_short, {steps, steps});
-  return fill(TextId::status, {steps, steps, digits(state.scene().camera.screen.cells - 1, 2),
-                               digits(static_cast<int>(state.timeline->rays().size()), 3)});
+  return fill(TextId::status,
+              {steps, steps, state.walk ? "0000,0000" : digits(state.scene().camera.screen.cells - 1, 2),
+               digits(static_cast<int>(state.timeline->rays().size()), 3)});
 }
 
 QuestionPanel question_panel(const State& state) {

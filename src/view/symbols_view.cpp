@@ -41,7 +41,7 @@ void draw_screen(Painter& painter) {
 
   const Timeline& timeline = *painter.state.timeline;
   std::vector<std::optional<Colour>> shades(static_cast<std::size_t>(cells));
-  for (std::size_t i = 0; i < timeline.pixels().size(); ++i) {
+  for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
     const PixelRecord& pixel = timeline.pixels()[i];
     if (!timeline.pixel_done(static_cast<int>(i), painter.state.position)) continue;
     if (pixel.column >= 0 && pixel.column < cells)

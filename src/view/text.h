@@ -160,6 +160,12 @@ enum class TextId {
   stack_empty,
   image_waiting,
   image_row_marked,
+  image_click,     ///< what a click does, in a picture without a marked row
+  image_turned,    ///< the picture is not as the scene's camera sees it
+  image_progress,  ///< {0} percent, {1} time left
+  heat_rays,       ///< {0} the number that the last colour stands for
+  heat_tests,
+  heat_time,
   short_primary,  ///< rays, where there is little room
   short_shadow,
   short_reflect,
@@ -181,6 +187,7 @@ enum class TextId {
   first_step_move,
   first_step_help,
   after_last_step,
+  after_last_step_of_pixel,
   walk_stands_at_end,  ///< said in Move: after a change the walk stays at its end
   walk_stands_at,      ///< {0} position, {1} steps
   out_of_view,         ///< {0} what
@@ -195,6 +202,8 @@ enum class TextId {
   refused_name_empty,
   refused_name_taken,  ///< {0} name
   refused_last_corners,
+  camera_is_the_scenes,
+  camera_taken,
   nothing_to_undo,
   nothing_to_redo,
   select_first,

@@ -280,7 +280,7 @@ std::string_view text(TextId id) {
     case TextId::image_waiting:
       return "Rendering...";
     case TextId::image_row_marked:
-      return "The marked row is SCREEN.";
+      return "The marked row is SCREEN; click any pixel to walk it.";
     case TextId::short_primary:
       return "primary";
     case TextId::short_shadow:
@@ -289,6 +289,18 @@ std::string_view text(TextId id) {
       return "reflect";
     case TextId::short_refract:
       return "refract";
+    case TextId::image_click:
+      return "Click a pixel to walk its rays.";
+    case TextId::image_turned:
+      return "Turned: O goes back to the scene's camera.";
+    case TextId::image_progress:
+      return "{0}, {1} left";
+    case TextId::heat_rays:
+      return "{0} rays";
+    case TextId::heat_tests:
+      return "{0} nodes and shapes tested";
+    case TextId::heat_time:
+      return "{0} \u00b5s";
     case TextId::legend_primary:
       return "from EYE through a pixel of SCREEN";
     case TextId::legend_shadow:
@@ -323,6 +335,8 @@ std::string_view text(TextId id) {
       return "Choose Move to arrange the scene, or Trace to walk through it.";
     case TextId::after_last_step:
       return "Every pixel of SCREEN has its final shade. CLEAR starts again.";
+    case TextId::after_last_step_of_pixel:
+      return "This pixel is done: CLEAR starts it again, S goes back to SCREEN.";
     case TextId::walk_stands_at_end:
       return "The walk stands at its end, also after a change; CLEAR starts it again.";
     case TextId::walk_stands_at:
@@ -347,6 +361,10 @@ std::string_view text(TextId id) {
       return "Not done: there is already something called {0}";
     case TextId::refused_last_corners:
       return "Not done: a polygon needs at least three corners";
+    case TextId::camera_is_the_scenes:
+      return "The picture is seen by the scene's camera already: turn it first";
+    case TextId::camera_taken:
+      return "The scene's camera stands where the picture was seen from";
     case TextId::nothing_to_undo:
       return "Nothing to undo";
     case TextId::nothing_to_redo:

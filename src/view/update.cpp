@@ -28,6 +28,9 @@ bool is_finite(const Action& action) {
                         [](const PointerReleased& a) { return finite(a.at); },
                         [](const Zoom& a) { return finite(a.at) && finite(a.factor) && a.factor > 0; },
                         [](const Pan& a) { return finite(a.by); },
+                        [](const Orbit& a) { return finite(a.angles); },
+                        [](const Shift& a) { return finite(a.parts); },
+                        [](const Approach& a) { return finite(a.factor) && a.factor > 0; },
                         [](const InsertCorner& a) { return finite(a.at); },
                         [](const Nudge& a) { return finite(a.direction); },
                         [](const SetUiScale& a) { return finite(a.scale); },
@@ -59,7 +62,7 @@ bool leaves_drag(const Action& action) {
   return std::visit(
       []<class T>(const T&) {
         return one_of<T, Tick, ResizePlan, SetTheme, SetUiScale, PointerMoved, PointerReleased, PointerLeft, CancelDrag,
-                      Zoom, HoverRay, HoverLine, SetTab, DismissNotice, SetSpeed, SetGrain>;
+                      Zoom, HoverRay, HoverLine, SetTab, DismissNotice, SetSpeed, SetGrain, SetImageSettings>;
       },
       action);
 }
@@ -110,6 +113,7 @@ void apply(State& state, const Action& action) {
               detail::go_to(state, state.timeline->rays()[static_cast<std::size_t>(a.ray)].formed_at);
           },
           [&](const JumpToCell& a) {
+            detail::walk_strip(state);
             for (const PixelRecord& pixel : state.timeline->pixels())
               if (pixel.column == a.cell) return detail::go_to(state, pixel.begun_at);
           },
@@ -144,6 +148,18 @@ void apply(State& state, const Action& action) {
           [&](const Zoom& a) { detail::zoom(state, a.at, a.factor); },
           [&](const Pan& a) { detail::pan(state, a.by); },
           [&](const FitView&) { state.camera = fitted(state); },
+          [&](const WalkPixel& a) { detail::walk_pixel(state, a); },
+          [&](const WalkStrip&) { detail::walk_strip(state); },
+          [&](const Orbit& a) { detail::orbit(state, a); },
+          [&](const Shift& a) { detail::shift(state, a); },
+          [&](const Approach& a) { detail::approach(state, a); },
+          [&](const ResetView& a) { detail::reset_view(state, a.view); },
+          [&](const UseImageCamera&) { detail::use_image_camera(state); },
+          [&](const ShowLines& a) {
+            state.lines_wanted = a.shown;
+            state.mode = a.shown ? Mode::trace : state.mode;
+          },
+          [&](const SetImageSettings& a) { detail::set_image_settings(state, a.settings); },
           [&](const HoverRay& a) { state.hovered_ray = exists(state, {TargetKind::ray, a.ray}) ? a.ray : -1; },
           [&](const HoverLine& a) { state.hovered_line = a.line; },
           [&](const Select& a) {

@@ -55,6 +55,16 @@ void pan(State& state, const Vec2d& by);
 void nudge(State& state, const action::Nudge& nudge);
 void hover(State& state);
 
+// space.cpp
+void walk_pixel(State& state, const action::WalkPixel& wanted);
+void walk_strip(State& state);
+void orbit(State& state, const action::Orbit& by);
+void shift(State& state, const action::Shift& by);
+void approach(State& state, const action::Approach& by);
+void reset_view(State& state, SpaceView view);
+void use_image_camera(State& state);
+void set_image_settings(State& state, ImageSettings settings);
+
 // edit.cpp
 void add_object(State& state, action::ObjectKind kind);
 void remove_selected(State& state);

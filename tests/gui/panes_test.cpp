@@ -152,26 +152,6 @@ TEST_CASE("the speed slider covers its range and keeps to it") {
   CHECK(bench.state.lines_per_second == min_speed);
 }
 
-TEST_CASE("a click near the middle row of the 3-D image goes to that cell, elsewhere it does nothing") {
-  Bench bench(at(0));
-  bench.frames(2);
-  const Rect image = bench.rect("image");
-  const int cells = bench.state.scene().camera.screen.cells;
-  const auto click_at = [&](float x, float y) {
-    bench.move_to(x, y);
-    bench.press();
-    bench.release();
-  };
-  const float edge = image.width / static_cast<float>(cells), middle = image.y + image.height / 2;
-  click_at(image.x + 4.5f * edge, middle + 5);
-  REQUIRE(bench.last<action::JumpToCell>() != nullptr);
-  CHECK(bench.last<action::JumpToCell>()->cell == 4);
-  CHECK(current_cell(bench.state) == 4);
-  bench.forget();
-  click_at(image.x + 4.5f * edge, image.y + 3);
-  CHECK(bench.last<action::JumpToCell>() == nullptr);
-}
-
 TEST_CASE("the tree's nodes light their rays up and go to their steps") {
   Bench bench(deep());
   update(bench.state, action::SetTab{Tab::tree});

@@ -135,6 +135,37 @@ TEST_CASE("the classic walk with the mouse: Move, STEP, back, AUTO, PAUSE, CLEAR
   CHECK(raywalk.said() == "");
 }
 
+TEST_CASE("a scene that is not planar: the picture is turned, a pixel of it is walked, the lines are turned",
+          "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  Visualiser raywalk(desktop, {std::string(RAYWALK_SOURCE_DIR) + "/scenes/quadrics.toml", "--start-mode", "trace"});
+  REQUIRE(started(raywalk));
+  CHECK(raywalk.report()["lines"] == true);
+  const auto [x, y] = raywalk.place("image");
+  raywalk.drag(x, y, x + 60, y + 20);
+  REQUIRE(raywalk.until("turned", true));
+  CHECK(raywalk.report()["dirty"] == false);
+  raywalk.click("image");
+  REQUIRE(raywalk.until([](const Json& report) { return report.contains("walk"); }));
+  CHECK(raywalk.report()["position"] == raywalk.report()["steps"]);
+  CHECK(raywalk.report()["rays"].get<int>() >= 1);
+  CHECK(raywalk.report()["tab"] == "tree");
+  desktop.picture(picture("d-pixel"));
+  const auto [left, top] = raywalk.place("lines");
+  raywalk.drag(left, top, left + 120, top + 40);
+  desktop.picture(picture("d-turned"));
+  raywalk.key("s");
+  REQUIRE(raywalk.until([](const Json& report) { return !report.contains("walk"); }));
+  raywalk.key("i");
+  REQUIRE(raywalk.until("tab", "image"));
+  raywalk.key("o");
+  REQUIRE(raywalk.until("turned", false));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+  CHECK(raywalk.said() == "");
+}
+
 TEST_CASE("files with mouse and keyboard: save as, open, undo, unsaved work, recovery", "[window]") {
   NEEDS_A_DESKTOP
   const Desktop desktop(1280, 800);

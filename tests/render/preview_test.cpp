@@ -181,3 +181,45 @@ TEST_CASE("a preview shows what is not a number in magenta") {
   CHECK(preview.rgba() ==
         std::vector<std::uint8_t>{255, 0, 255, 255, 255, 0, 255, 255, 255, 0, 255, 255, 255, 0, 255, 255});
 }
+
+TEST_CASE("a heat map of rays is what each pixel's own trace forms, in colours up to the hottest") {
+  const Scene scene = busy_scene();
+  const ImageSize size{33, 21};
+  PreviewSettings settings{size, Precision::double_, 16};
+  settings.heat = Heat::rays;
+  Preview preview(scene, settings);
+  while (preview.refine(1)) {
+  }
+  const World<double> world(scene);
+  const RayGenerator<double> camera(scene.camera, size, size);
+  std::vector<double> rays;
+  for (int row = 0; row < size.height; ++row)
+    for (int column = 0; column < size.width; ++column) {
+      const Statistics own =
+          trace(world, camera, {column, column + 1, row, row + 1, 0}, [](const Pixel&, const Rgb<double>&) {});
+      rays.push_back(static_cast<double>(own.formed(RayKind::primary) + own.formed(RayKind::shadow) +
+                                         own.formed(RayKind::reflect) + own.formed(RayKind::refract)));
+    }
+  const double hottest = *std::max_element(rays.begin(), rays.end());
+  CHECK(preview.hottest() == hottest);
+  CHECK(hottest > 1);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto colour = heat_colour(rays[i] / hottest);
+    for (std::size_t channel = 0; channel < 3; ++channel) REQUIRE(preview.rgba()[4 * i + channel] == colour[channel]);
+  }
+  // The film is the picture's all the same.
+  Preview plain(scene, {size, Precision::double_, 1});
+  while (plain.refine(10)) {
+  }
+  CHECK(preview.film<double>().at(16, 10) == plain.film<double>().at(16, 10));
+}
+
+TEST_CASE("the colours of heat grow lighter all the way") {
+  const auto luminance = [](double part) {
+    const auto c = heat_colour(part);
+    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+  };
+  for (int i = 1; i <= 64; ++i) CHECK(luminance(i / 64.0) > luminance((i - 1) / 64.0));
+  CHECK(heat_colour(-1) == heat_colour(0));
+  CHECK(heat_colour(7) == heat_colour(1));
+}

@@ -155,8 +155,32 @@ class RandomActions {
     if (flip()) camera.screen.cells = whole(0, 40);
     return action::SetCamera{camera, flip()};
   }
+  SpaceView view() { return flip() ? SpaceView::image : SpaceView::lines; }
   Action other() {
-    switch (whole(0, 9)) {
+    switch (whole(0, 18)) {
+      case 10:
+        return action::WalkPixel{whole(-1, 70), whole(-1, 50), {63, 47}};
+      case 11:
+        return action::WalkStrip{};
+      case 12:
+        return action::Orbit{view(), {real(-4, 4), real(-4, 4)}};
+      case 13:
+        return action::Shift{view(), {real(-1, 1), real(-1, 1)}};
+      case 14:
+        return action::Approach{view(), std::exp(real(-9, 9))};
+      case 15:
+        return action::ResetView{view()};
+      case 16:
+        return action::UseImageCamera{};
+      case 17:
+        return action::ShowLines{flip()};
+      case 18: {
+        ImageSettings settings;
+        settings.samples = whole(-3, 2000);
+        settings.single_precision = flip();
+        settings.heat = static_cast<Heat>(whole(0, 3));
+        return action::SetImageSettings{settings};
+      }
       case 0:
         return action::New{};
       case 1:

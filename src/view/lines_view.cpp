@@ -1,0 +1,248 @@
+#include "view/lines_view.h"
+
+#include "view/orbit.h"
+#include "view/outlines.h"
+#include "view/painter.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raywalk {
+
+namespace {
+
+using namespace detail;
+
+/// With more objects than this only those that rays have met are drawn and none is named.
+constexpr std::size_t few_objects = 40, many_objects = 1500;
+
+class Lines {
+ public:
+  Lines(const State& state, const Viewport& viewport)
+      : painter_(state, viewport),
+        scene_(state.scene()),
+        room_(room_of(scene_)),
+        seen_(lines_camera(state, viewport), viewport),
+        reach_(2 * length(room_.max - room_.min)) {}
+
+  DisplayList draw() {
+    draw_objects();
+    draw_camera();
+    draw_lights();
+    draw_names();  // below the rays, which matter more
+    draw_rays();
+    return std::move(painter_.list);
+  }
+
+ private:
+  void line(const Vec3d& from, const Vec3d& to, const Stroke& stroke, const Target& target = {}) {
+    if (const auto ends = seen_.segment(from, to)) painter_.add_clipped({(*ends)[0], (*ends)[1], stroke}, target);
+  }
+
+  void draw_objects() {
+    for (int i = 0; i < static_cast<int>(scene_.objects.size()); ++i) {
+      const Object& object = scene_.objects[static_cast<std::size_t>(i)];
+      if (scene_.objects.size() > many_objects && !is_met(i)) continue;
+      const Target target{TargetKind::object, i};
+      const bool endless = !bounds(object.shape).bounded();
+      const Colour body = body_colour(scene_, object.material).with_alpha(255);
+      const Colour ground = painter_.colours.plan;
+      // Strong enough to be seen on the ground, whatever the body's own colour.
+      const Colour colour = mix(mix(ground, painter_.colours.ink, 0.45), body, 0.5).with_alpha(endless ? 70 : 190);
+      const Stroke stroke = painter_.outline(target, colour, endless ? 0.6 : 1);
+      for (const Curve& curve : outline_of(object, room_))
+        for (std::size_t k = 1; k < curve.size(); ++k) line(curve[k - 1], curve[k], stroke, target);
+    }
+  }
+
+  /// Whether a ray drawn now has hit this object.
+  [[nodiscard]] bool is_met(int object) const {
+    const auto rays = painter_.state.timeline->rays_at(painter_.state.position);
+    return std::any_of(rays.begin(), rays.end(), [&](const RayRecord& ray) { return ray.object == object; });
+  }
+
+  /// The pyramid from EYE through the picture, and on it the pixel under way.
+  void draw_camera() {
+    const State& state = painter_.state;
+    const Camera& camera = state.walk && state.walk->camera ? *state.walk->camera : scene_.camera;
+    const ImageSize size = state.walk ? state.walk->size : scene_.image;
+    const Vec3d forward = normalize(camera.look_at - camera.eye);
+    const Vec3d right = normalize(cross(forward, camera.up)), up = cross(right, forward);
+    const double aspect = static_cast<double>(size.width) / size.height;
+    const double half =
+        camera.screen.distance * camera.half_extent() * (camera.extent_axis() == FovAxis::y ? aspect : 1);
+    const Vec3d middle = camera.eye + camera.screen.distance * forward;
+    const auto on_screen = [&](double x, double y) { return middle + half * x * right + half / aspect * y * up; };
+    const Stroke ink = painter_.stroke(painter_.colours.ink, 1.2);
+    const Stroke faint = painter_.stroke(painter_.colours.ink.with_alpha(90), 0.8);
+    for (const double x : {-1.0, 1.0})
+      for (const double y : {-1.0, 1.0}) line(camera.eye, on_screen(x, y), faint, {TargetKind::eye});
+    const auto rectangle = [&](double x0, double y0, double x1, double y1, const Stroke& stroke) {
+      line(on_screen(x0, y0), on_screen(x1, y0), stroke);
+      line(on_screen(x1, y0), on_screen(x1, y1), stroke);
+      line(on_screen(x1, y1), on_screen(x0, y1), stroke);
+      line(on_screen(x0, y1), on_screen(x0, y0), stroke);
+    };
+    rectangle(-1, -1, 1, 1, ink);
+    if (const int pixel = state.timeline->current_pixel(state.position); pixel >= 0) {
+      const PixelRecord& record = state.timeline->pixels()[static_cast<std::size_t>(pixel)];
+      const double x = (2.0 * record.column + 1) / state.timeline->image().width - 1;
+      const double y = state.walk ? 1 - (2.0 * record.row + 1) / size.height : 0;
+      // A pixel of a large picture would be too small to be seen.
+      const double w = std::max(1.0 / state.timeline->image().width, 0.03), h = w * aspect;
+      rectangle(x - w, y - h, x + w, y + h, painter_.stroke(painter_.colours.next, 1.8));
+    }
+    if (const auto at = seen_.point(camera.eye)) {
+      painter_.add(CircleItem{*at, 4 * painter_.sizes.unit, painter_.colours.ink, std::nullopt}, {TargetKind::eye});
+      name(std::string(text(TextId::eye)), *at + Vec2d(0, 16 * painter_.sizes.unit));
+    }
+  }
+
+  void draw_lights() {
+    for (int i = 0; i < static_cast<int>(scene_.lights.size()); ++i) {
+      const Light& light = scene_.lights[static_cast<std::size_t>(i)];
+      const std::optional<Vec3d> middle = raywalk::middle_of(light);
+      if (!middle) continue;  // infinitely far away
+      const Target target{TargetKind::light, i};
+      const Stroke stroke = painter_.outline(target, painter_.colours.light, 1.4);
+      if (const auto* area = std::get_if<RectangleLight>(&light.kind)) {
+        const Vec3d a = area->corner, b = a + area->u, c = b + area->v, d = a + area->v;
+        for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) line(from, to, stroke, target);
+      }
+      const auto at = seen_.point(*middle);
+      if (!at) continue;
+      const auto* ball = std::get_if<SphereLight>(&light.kind);
+      const double least = 6 * painter_.sizes.unit;
+      const double radius = ball ? std::max(ball->radius * seen_.pixels_per_unit(*middle), least) : least;
+      painter_.add(CircleItem{*at, least, painter_.colours.light, std::nullopt}, target);
+      if (radius > least) painter_.add(CircleItem{*at, radius, std::nullopt, stroke}, target);
+      constexpr int beams = 8;
+      for (int k = 0; k < beams; ++k) {
+        const double angle = 2 * 3.14159265358979323846 * k / beams;
+        const Vec2d out(std::cos(angle), std::sin(angle));
+        painter_.add_clipped({*at + 1.4 * least * out, *at + 2 * least * out, stroke}, target);
+      }
+      name(light.name, *at - Vec2d(0, 3.4 * least));
+    }
+  }
+
+  void draw_ray(int index, const RayLook& look) {
+    const State& state = painter_.state;
+    const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(index)];
+    const Target target{TargetKind::ray, index};
+    const Stroke stroke = ray_stroke(painter_, ray, look);
+    const bool known = ray.found_at <= state.position;
+    const Vec3d along = normalize(ray.direction);
+    if (!ray.formed) {
+      const double size = 24 * painter_.sizes.unit / std::max(seen_.pixels_per_unit(ray.origin), 1e-9);
+      const auto ends = seen_.segment(ray.origin, ray.origin + size * along);
+      if (!ends || !(length((*ends)[1] - (*ends)[0]) > 0)) return;
+      return draw_stub(painter_, (*ends)[0], normalize_flat((*ends)[1] - (*ends)[0]), stroke, target);
+    }
+    const bool ends_somewhere = known ? !ray.endless : ends_at_light(ray);
+    const Vec3d end = !ends_somewhere ? ray.origin + reach_ * along : known ? ray.end : ray.origin + ray.direction;
+    const auto ends = seen_.segment(ray.origin, end);
+    if (!ends || !(length((*ends)[1] - (*ends)[0]) > 0)) return;
+    const auto [from, to] = *ends;
+    if (look.hovered)
+      painter_.add_clipped({from, to, {painter_.colours.hovered.with_alpha(90), 8 * painter_.sizes.unit}});
+    LineItem item{from, to, stroke, ray_arrow(painter_, look), ends_somewhere ? 0.55 : 0.2};
+    item.arrow = std::min(item.arrow, length(to - from) / 3);
+    painter_.add_clipped(item, target);
+    if (known && ray.ending == Ending::blocked) draw_blocked(painter_, to, normalize_flat(to - from), stroke);
+  }
+
+  static Vec2d normalize_flat(const Vec2d& v) { return v / length(v); }
+
+  [[nodiscard]] bool ends_at_light(const RayRecord& ray) const {
+    return ray.light >= 0 && ray.light < static_cast<int>(scene_.lights.size()) &&
+           raywalk::middle_of(scene_.lights[static_cast<std::size_t>(ray.light)]).has_value();
+  }
+
+  /// Those of earlier pixels first, then the pixel's, then what the line just run speaks of and what is pointed at.
+  void draw_rays() {
+    const State& state = painter_.state;
+    const Timeline& timeline = *state.timeline;
+    const auto count = static_cast<int>(timeline.rays_at(state.position).size());
+    const int pixel = timeline.current_pixel(state.position), current = timeline.current_ray(state.position);
+    for (int index = 0; index < count; ++index) {
+      const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+      if (index == current || is_lit(state, index)) continue;
+      if (ray.pixel != pixel && !ray.formed) continue;
+      draw_ray(index, {ray.pixel == pixel ? Prominence::of_pixel : Prominence::earlier, false});
+    }
+    for (int index = 0; index < count; ++index) {
+      const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+      if (ray.pixel != pixel || ray.ending != Ending::hit || !ray.formed || ray.found_at > state.position) continue;
+      const double size = 26 * painter_.sizes.unit / std::max(seen_.pixels_per_unit(ray.end), 1e-9);
+      if (const auto ends = seen_.segment(ray.end, ray.end + size * ray.normal))
+        painter_.add_clipped({(*ends)[0], (*ends)[1], painter_.stroke(painter_.colours.normal),
+                              std::min(5 * painter_.sizes.unit, length((*ends)[1] - (*ends)[0]) / 2)});
+    }
+    if (current >= 0 && current < count && !is_lit(state, current)) draw_ray(current, {Prominence::current, false});
+    for (int index = 0; index < count; ++index)
+      if (is_lit(state, index)) draw_ray(index, {index == current ? Prominence::current : Prominence::of_pixel, true});
+  }
+
+  void draw_names() {
+    if (scene_.objects.size() > few_objects) return;
+    for (const Object& object : scene_.objects) {
+      const Bounds<double> box = bounds(object.shape);
+      if (box.empty() || !box.bounded()) continue;
+      const Affine<double> place = affine_of(object.transform);
+      if (const auto at = seen_.point(place.point(box.min + (box.max - box.min) / 2.0))) name(object.name, *at);
+    }
+  }
+
+  /// A name with its middle there, unless it would cover another one.
+  void name(const std::string& what, const Vec2d& at) {
+    const double size = painter_.sizes.text, gap = 4 * painter_.sizes.unit;
+    const Vec2d half(text_width(what, size) / 2 + gap, size / 2);
+    const detail::Box box{at - half, at + half};
+    if (what.empty() || box.overlap(painter_.pane()) <= 0) return;
+    for (const detail::Box& taken : painter_.kept_free)
+      if (box.overlap(taken) > 0) return;
+    painter_.kept_free.push_back(box);
+    painter_.add(PolygonItem{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}},
+                             painter_.colours.plan.with_alpha(150),
+                             std::nullopt});
+    painter_.add(TextItem{at, what, size, painter_.colours.text, TextAnchor::middle});
+  }
+
+  Painter painter_;
+  const Scene& scene_;
+  Bounds<double> room_;
+  Projection seen_;
+  double reach_;  ///< length of what goes on for ever
+};
+
+}  // namespace
+
+Camera lines_camera(const State& state, const Viewport& viewport) {
+  return state.lines_camera ? *state.lines_camera : overlooking(state.scene(), viewport);
+}
+
+DisplayList lines_view(const State& state, const Viewport& viewport) { return Lines(state, viewport).draw(); }
+
+Target pick_in_lines(const State& state, const Viewport& viewport, const Vec2d& at) {
+  const double reach = Sizes(state).reach;
+  const auto rank = [](TargetKind kind) { return kind == TargetKind::ray ? 2 : kind == TargetKind::object ? 0 : 1; };
+  Target best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const DisplayItem& item : lines_view(state, viewport)) {
+    if (!item.target) continue;
+    const double distance = distance_to(item, at);
+    if (distance > reach) continue;
+    const bool better = !best || rank(item.target.kind) > rank(best.kind) ||
+                        (rank(item.target.kind) == rank(best.kind) && distance < nearest);
+    if (!better) continue;
+    best = item.target;
+    nearest = distance;
+  }
+  return best;
+}
+
+}  // namespace raywalk

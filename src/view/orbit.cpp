@@ -1,0 +1,203 @@
+#include "view/orbit.h"
+
+#include "scene/transform_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// `v` turned about the unit vector `axis` (O. Rodrigues, 1840).
+Vec3d turned(const Vec3d& v, const Vec3d& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return c * v + s * cross(axis, v) + (1 - c) * dot(axis, v) * axis;
+}
+
+Bounds<double> bodies_and_eye(const Scene& scene) {
+  Bounds<double> box;
+  for (const Object& object : scene.objects) {
+    const Bounds<double> own = bounds(object.shape);
+    if (own.empty() || !own.bounded()) continue;
+    const Affine<double> place = affine_of(object.transform);
+    for (int corner = 0; corner < 8; ++corner)
+      box.include(place.point({(corner & 1) != 0 ? own.max.x : own.min.x, (corner & 2) != 0 ? own.max.y : own.min.y,
+                               (corner & 4) != 0 ? own.max.z : own.min.z}));
+  }
+  box.include(scene.camera.eye);
+  return box;
+}
+
+/// The same, neither empty nor flat.
+Bounds<double> thick(Bounds<double> box) {
+  const double size = std::max(length(box.max - box.min), 1e-3);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.max[axis] - box.min[axis] >= 0.01 * size) continue;
+    box.min[axis] -= 0.05 * size;
+    box.max[axis] += 0.05 * size;
+  }
+  return box;
+}
+
+/// What is to be seen at first: a light far away from everything would make all else small.
+Bounds<double> without_far_lights(const Scene& scene) {
+  const Bounds<double> things = thick(bodies_and_eye(scene));
+  const Vec3d middle = things.min + (things.max - things.min) / 2.0;
+  Bounds<double> box = things;
+  for (const Light& light : scene.lights)
+    if (const std::optional<Vec3d> at = middle_of(light); at && length(*at - middle) < length(things.max - things.min))
+      box.include(*at);
+  return box;
+}
+
+/// Half the width of the image at distance 1.
+double half_width(const Camera& camera) { return camera.half_extent(); }
+
+}  // namespace
+
+Bounds<double> room_of(const Scene& scene) {
+  Bounds<double> box = bodies_and_eye(scene);
+  for (const Light& light : scene.lights)
+    if (const std::optional<Vec3d> middle = middle_of(light)) box.include(*middle);
+  return thick(box);
+}
+
+Vec3d pivot_of(const Scene& scene, const Camera& camera) {
+  Bounds<double> things;
+  for (const Object& object : scene.objects) {
+    const Bounds<double> own = bounds(object.shape);
+    if (own.empty() || !own.bounded()) continue;
+    const Affine<double> place = affine_of(object.transform);
+    things.include(place.point(own.min + (own.max - own.min) / 2.0));
+  }
+  const Vec3d forward = normalize(camera.look_at - camera.eye);
+  if (things.empty()) return camera.look_at;
+  const Vec3d middle = things.min + (things.max - things.min) / 2.0;
+  const double ahead = dot(middle - camera.eye, forward);
+  // What lies behind the eye is no place to turn about.
+  return ahead > 1e-3 * length(middle - camera.eye) ? camera.eye + ahead * forward : camera.look_at;
+}
+
+Camera orbited(const Camera& camera, const Vec3d& pivot, const Vec2d& angles) {
+  if (angles == Vec2d(0.0)) return camera;
+  constexpr double steepest = 85 * pi / 180;
+  const Vec3d up = normalize(camera.up);
+  Vec3d offset = camera.eye - pivot;
+  const double distance = length(offset);
+  if (!(distance > 0)) return camera;
+  offset = turned(offset, up, -angles.x);
+  const Vec3d level = offset - dot(offset, up) * up;
+  if (!(length(level) > 0)) return camera;
+  const Vec3d ahead = normalize(level);
+  const double now = std::atan2(dot(offset, up), length(level));
+  // A camera that stands steeper already may come back but not go on.
+  const double limit = std::max(steepest, std::abs(now));
+  const double then = std::clamp(now + angles.y, -limit, limit);
+  Camera next = camera;
+  next.eye = pivot + distance * (std::cos(then) * ahead + std::sin(then) * up);
+  next.look_at = pivot;
+  if (!next.focus && camera.aperture > 0) next.focus = camera.focus_distance();
+  return next;
+}
+
+Camera shifted(const Camera& camera, const Vec3d& pivot, const Vec2d& parts) {
+  if (parts == Vec2d(0.0)) return camera;
+  const Vec3d forward = normalize(camera.look_at - camera.eye);
+  const Vec3d right = normalize(cross(forward, camera.up));
+  const double width = 2 * half_width(camera) * std::max(dot(pivot - camera.eye, forward), 1e-9);
+  const Vec3d by = width * (parts.y * cross(right, forward) - parts.x * right);
+  Camera next = camera;
+  next.eye += by;
+  next.look_at += by;
+  return next;
+}
+
+Camera approached(const Camera& camera, const Vec3d& pivot, double factor) {
+  if (factor == 1 || !(factor > 0)) return camera;
+  const double distance = length(camera.eye - pivot);
+  if (!(distance > 0)) return camera;
+  Camera next = camera;
+  next.eye = pivot + std::clamp(1 / factor, 1e-6 / distance, 1e9 / distance) * (camera.eye - pivot);
+  next.look_at = pivot;
+  if (!next.focus && camera.aperture > 0) next.focus = camera.focus_distance();
+  return next;
+}
+
+Camera overlooking(const Scene& scene, const Viewport& viewport) {
+  constexpr double aside = -0.65, above = 0.5, angle = 40;  // radians, radians, degrees
+  const Bounds<double> box = without_far_lights(scene);
+  const Vec3d middle = box.min + (box.max - box.min) / 2.0;
+  const double radius = length(box.max - box.min) / 2;
+  Camera camera;
+  camera.up = scene.camera.up;
+  camera.fov = FieldOfView{angle, FovAxis::x};
+  camera.screen.width.reset();
+  const Vec3d up = normalize(camera.up);
+  const Vec3d view = normalize(scene.camera.look_at - scene.camera.eye);
+  Vec3d level = view - dot(view, up) * up;
+  if (!(length(level) > 1e-6)) level = cross(up, std::abs(up.x) < 0.9 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0));
+  camera.eye = middle - 1.1 * radius / std::sin(angle * pi / 360) * normalize(level);
+  camera.look_at = middle;
+  camera = orbited(camera, middle, {aside, above});
+  // The corners of the box come nearer to the borders than the ball around it; a few steps find how much.
+  constexpr int steps = 6;
+  constexpr double border = 0.8;  // of the way to it
+  for (int step = 0; step < steps; ++step) {
+    const Projection seen(camera, viewport);
+    double reach = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = seen.point({(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
+                                  (corner & 4) != 0 ? box.max.z : box.min.z});
+      if (!at) return camera;
+      reach = std::max(reach, std::abs(at->x - viewport.width / 2) / (viewport.width / 2));
+      reach = std::max(reach, std::abs(at->y - viewport.height / 2) / (viewport.height / 2));
+    }
+    if (!(reach > 0)) break;
+    camera = approached(camera, middle, std::clamp(border / reach, 0.6, 1.4));
+  }
+  return camera;
+}
+
+Projection::Projection(const Camera& camera, const Viewport& viewport)
+    : eye_(camera.eye),
+      forward_(normalize(camera.look_at - camera.eye)),
+      centre_(viewport.width / 2, viewport.height / 2),
+      scale_(std::min(viewport.width, viewport.height) / 2 / half_width(camera)),
+      nearest_(1e-3 * length(camera.look_at - camera.eye)) {
+  right_ = normalize(cross(forward_, camera.up));
+  up_ = cross(right_, forward_);
+}
+
+Vec3d Projection::seen(const Vec3d& p) const {
+  const Vec3d from_eye = p - eye_;
+  return {dot(from_eye, right_), dot(from_eye, up_), dot(from_eye, forward_)};
+}
+
+Vec2d Projection::flat(const Vec3d& seen) const { return centre_ + scale_ / seen.z * Vec2d(seen.x, -seen.y); }
+
+std::optional<Vec2d> Projection::point(const Vec3d& p) const {
+  const Vec3d at = seen(p);
+  if (!(at.z >= nearest_)) return std::nullopt;
+  return flat(at);
+}
+
+std::optional<std::array<Vec2d, 2>> Projection::segment(const Vec3d& from, const Vec3d& to) const {
+  Vec3d a = seen(from), b = seen(to);
+  if (!(a.z >= nearest_) && !(b.z >= nearest_)) return std::nullopt;
+  // Cut where it comes too near.
+  const auto cut = [&](Vec3d& behind, const Vec3d& ahead) {
+    if (behind.z < nearest_) behind = ahead + (ahead.z - nearest_) / (ahead.z - behind.z) * (behind - ahead);
+  };
+  cut(a, b);
+  cut(b, a);
+  a.z = std::max(a.z, nearest_);
+  b.z = std::max(b.z, nearest_);
+  return std::array{flat(a), flat(b)};
+}
+
+double Projection::pixels_per_unit(const Vec3d& at) const { return scale_ / std::max(seen(at).z, nearest_); }
+
+}  // namespace raywalk

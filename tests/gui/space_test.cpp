@@ -1,0 +1,146 @@
+// The 3-D picture and the line view under the mouse and the keyboard.
+
+#include <GLFW/glfw3.h>
+
+#include "gui/bench.h"
+#include "support/catch.h"
+#include "view/lines_view.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State tracing() {
+  State state = classic();
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::SetTab{Tab::image});
+  return state;
+}
+
+void click_at(Bench& bench, const Rect& image, float across, float down) {
+  bench.move_to(image.x + across * image.width, image.y + down * image.height);
+  bench.press();
+  bench.release();
+  bench.frames(3);
+}
+
+}  // namespace
+
+TEST_CASE("a click in the 3-D picture walks that pixel, on the marked row its cell") {
+  Bench bench(tracing());
+  bench.frames(3);
+  click_at(bench, bench.rect("image"), 0.7f, 0.25f);
+  const auto* walk = bench.last<action::WalkPixel>();
+  REQUIRE(walk != nullptr);
+  CHECK(std::abs(walk->column - 308) <= 2);
+  CHECK(std::abs(walk->row - 82) <= 2);
+  CHECK(bench.state.walk);
+  CHECK(bench.state.tab == Tab::tree);
+  CHECK(bench.has("lines"));
+  bench.click("walk-strip");
+  bench.frames(2);
+  CHECK_FALSE(bench.state.walk);
+  CHECK_FALSE(bench.has("lines"));
+  bench.click("tab-image");
+  bench.frames(2);
+  click_at(bench, bench.rect("image"), 0.5f, 0.5f);
+  CHECK_FALSE(bench.state.walk);
+  CHECK(current_cell(bench.state) == 10);
+}
+
+TEST_CASE("dragging turns the picture, with Shift or the right button it moves, the wheel comes nearer") {
+  Bench bench(tracing());
+  bench.frames(3);
+  const Camera own = bench.state.scene().camera;
+  bench.drag("image", 40, 15);
+  REQUIRE(bench.last<action::Orbit>() != nullptr);
+  CHECK(bench.last<action::WalkPixel>() == nullptr);
+  CHECK(bench.state.image_camera);
+  CHECK(bench.state.scene().camera == own);
+  const Camera turned = *bench.state.image_camera;
+  CHECK(turned.eye.z > own.eye.z);
+  bench.point_at("image");
+  bench.wheel(1);
+  bench.frames(2);
+  REQUIRE(bench.last<action::Approach>() != nullptr);
+  CHECK(bench.last<action::Approach>()->factor > 1);
+  bench.press(1);
+  const Rect image = bench.rect("image");
+  bench.move_to(image.x + image.width / 2 + 30, image.y + image.height / 2);
+  bench.release(1);
+  bench.frames(2);
+  REQUIRE(bench.last<action::Shift>() != nullptr);
+  CHECK(bench.last<action::Shift>()->view == SpaceView::image);
+  bench.key(GLFW_KEY_O);
+  bench.frames(2);
+  CHECK_FALSE(bench.state.image_camera);
+}
+
+TEST_CASE("the keyboard turns, moves and zooms the picture, and gives its camera to the scene") {
+  Bench bench(tracing());
+  bench.frames(2);
+  const Camera own = bench.state.scene().camera;
+  bench.key(GLFW_KEY_RIGHT, false, true, true);
+  REQUIRE(bench.state.image_camera);
+  bench.key(GLFW_KEY_LEFT, false, true, true);
+  CHECK(length(bench.state.image_camera->eye - own.eye) < 1e-9);
+  bench.key(GLFW_KEY_DOWN, false, true, true);
+  bench.key(GLFW_KEY_LEFT, true, true);
+  bench.key(GLFW_KEY_PAGE_UP, false, false, true);
+  const Camera turned = *bench.state.image_camera;
+  bench.key(GLFW_KEY_U);
+  CHECK(bench.state.scene().camera == turned);
+  bench.key(GLFW_KEY_Z, true);
+  CHECK(bench.state.scene().camera == own);
+}
+
+TEST_CASE("the settings of the picture: heat map, accelerator, precision, samples") {
+  Bench bench(tracing());
+  bench.frames(2);
+  bench.click("image-settings");
+  bench.frames(3);
+  REQUIRE(bench.has("image-settings-popup"));
+  bench.click("property/Heat map");
+  bench.frames(3);
+  bench.click("property/Heat map/rays of each pixel");
+  bench.frames(3);
+  CHECK(bench.state.image.heat == Heat::rays);
+  CHECK(bench.has("heat-legend"));
+  bench.click("property/Precision");
+  bench.frames(3);
+  bench.click("property/Precision/float");
+  bench.frames(3);
+  CHECK(bench.state.image.single_precision);
+  CHECK_FALSE(bench.state.dirty);
+}
+
+TEST_CASE("the line view turns under the mouse, and a click on a ray goes to it") {
+  Bench bench(tracing());
+  update(bench.state, action::WalkPixel{300, 200, {441, 331}});
+  bench.frames(3);
+  const Rect pane = bench.rect("lines");
+  bench.drag("lines", 60, 20);
+  REQUIRE(bench.state.lines_camera);
+  CHECK_FALSE(bench.state.image_camera);
+  CHECK(bench.state.turned_last == SpaceView::lines);
+  bench.key(GLFW_KEY_O);
+  bench.frames(2);
+  CHECK_FALSE(bench.state.lines_camera);
+  // The middle of the primary ray.
+  for (const DisplayItem& item : lines_view(bench.state, bench.state.viewport)) {
+    const auto* line = std::get_if<LineItem>(&item.shape);
+    if (line == nullptr || item.target != Target{TargetKind::ray, 0} || line->arrow == 0) continue;
+    const Vec2d middle = line->from + 0.3 * (line->to - line->from);
+    bench.move_to(pane.x + static_cast<float>(middle.x), pane.y + static_cast<float>(middle.y));
+    bench.press();
+    bench.release();
+    bench.frames(3);
+  }
+  const auto* jump = bench.last<action::JumpToRay>();
+  REQUIRE(jump != nullptr);
+  CHECK(jump->ray == 0);
+  bench.key(GLFW_KEY_V);
+  bench.frames(2);
+  CHECK_FALSE(bench.has("lines"));
+}
