@@ -52,6 +52,7 @@ class NffReader {
     if (!scene_.camera.fov)
       words_.fail("there is no view (expected v with from, at, up, angle and resolution)",
                   "a scene in NFF starts with its view");
+    triangles_.put(scene_, names_);
     triangles_.warn(words_);
     if (!words_.ok()) return tl::unexpected(*words_.error());
     set_strengths();
@@ -173,7 +174,7 @@ class NffReader {
     const double r = radius("the radius");
     if (words_.ok() && r * scene_keys::most_magnitude < 1)
       words_.fail("the radius of s is 0 (expected any other number)", "a negative radius shows the inside");
-    if (words_.ok()) scene_.objects.push_back({names_.next("Sphere"), Sphere<double>{centre, r}, of});
+    if (words_.ok()) add({names_.next("Sphere"), Shape<double>(Sphere<double>{centre, r}), of});
   }
 
   /// Between two circles, the wall only.
@@ -195,7 +196,7 @@ class NffReader {
       cylinder.radii = {base_radius, base_radius, 1};
       cylinder.z_min = 0;
       cylinder.z_max = height;
-      scene_.objects.push_back({names_.next("Cylinder"), cylinder, of, along(base, apex - base)});
+      add({names_.next("Cylinder"), Shape<double>(cylinder), of, along(base, apex - base)});
       return;
     }
     // z counts from the tip that the wall would end in.
@@ -208,7 +209,7 @@ class NffReader {
     if (!(tip <= scene_keys::most_magnitude && cone.radii.x >= least && cone.z_min < cone.z_max))
       return words_.fail_item("the cone is too slender to be told from a cylinder (expected radii that differ more)",
                               "make the two radii equal");
-    scene_.objects.push_back({names_.next("Cone"), cone, of, along(base - tip * axis, axis)});
+    add({names_.next("Cone"), Shape<double>(cone), of, along(base - tip * axis, axis)});
   }
 
   void read_polygon(bool with_normals) {
@@ -223,15 +224,23 @@ class NffReader {
     const Polygon<double> polygon{corners, {}};
     if (count > 3 && !with_normals) {
       if (why_not_flat(polygon).empty()) {
-        scene_.objects.push_back({names_.next("Polygon"), polygon, of});
+        add({names_.next("Polygon"), Shape<double>(polygon), of});
         return;
       }
       if (!said_bent_)
         words_.warn("a polygon is not flat, or has no area; it is cut into triangles from its first corner");
       said_bent_ = true;
     }
+    const auto corner = [&](std::size_t i) {
+      return detail::MeshCorner{corners[i], with_normals ? normals[i] : Vec3d(0.0)};
+    };
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      triangles_.add(scene_, names_, of, corners[0], corners[i], corners[i + 1]);
+      triangles_.add(scene_, names_, of, {corner(0), corner(i), corner(i + 1)});
+  }
+
+  void add(Object object) {
+    triangles_.put(scene_, names_);
+    scene_.objects.push_back(std::move(object));
   }
 
   void set_strengths() {

@@ -4,6 +4,7 @@
 #include "math/transform.h"
 #include "scene/scene.h"
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -23,6 +24,11 @@ using PovLosses = std::set<std::string>;
 
 /// The shape without its closing brace: "sphere { <0, 0, 0>, 1".
 [[nodiscard]] std::string pov_shape(const Shape<double>& shape);
+/// The same of a mesh. `texture_of` gives what stands in the braces of a triangle of the mesh's own material.
+[[nodiscard]] std::string pov_mesh(const MeshShape& mesh,
+                                   const std::function<std::string(const Material&)>& texture_of);
+/// The shape of an object that is one shape; nothing for a mesh and an instance.
+[[nodiscard]] std::optional<Shape<double>> plain_shape(const ObjectShape& shape);
 /// The two directions of a flat shape's own (u, v) and the point where they begin; nothing for a curved shape.
 struct FlatFrame {
   Vec3d origin, u, v, normal;

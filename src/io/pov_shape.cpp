@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <type_traits>
 #include <variant>
 
 namespace raywalk::detail {
@@ -88,6 +89,41 @@ std::string text_of(const Quadric<double, Kind>& quadric) {
 
 std::string pov_shape(const Shape<double>& shape) {
   return std::visit([](const auto& kind) { return text_of(kind); }, shape);
+}
+
+std::string pov_mesh(const MeshShape& shape, const std::function<std::string(const Material&)>& texture_of) {
+  const Mesh& mesh = *shape.mesh;
+  std::vector<std::string> textures;
+  const bool dressed = shape.file_materials && shape.materials && !mesh.materials.empty();
+  if (dressed)
+    for (const Material& material : *shape.materials) textures.push_back(texture_of(material));
+  std::string text = "mesh {\n";
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::string corners;
+    bool smooth = shape.smooth && !mesh.normals.empty();
+    for (const std::int32_t corner : mesh.triangles[i])
+      smooth = smooth && mesh.normals[static_cast<std::size_t>(corner)] != Vec3d(0.0);
+    for (const std::int32_t corner : mesh.triangles[i]) {
+      const auto at = static_cast<std::size_t>(corner);
+      corners += (corners.empty() ? "" : ", ") + pov_vector(mesh.positions[at]);
+      if (smooth) corners += ", " + pov_vector(mesh.normals[at]);
+    }
+    const std::int32_t material = dressed ? mesh.materials[i] : -1;
+    text += fmt::format("  {} {{ {}{} }}\n", smooth ? "smooth_triangle" : "triangle", corners,
+                        material < 0 ? "" : " " + textures[static_cast<std::size_t>(material)]);
+  }
+  return text;
+}
+
+std::optional<Shape<double>> plain_shape(const ObjectShape& shape) {
+  return std::visit(
+      [](const auto& kind) -> std::optional<Shape<double>> {
+        if constexpr (std::is_constructible_v<Shape<double>, decltype(kind)>)
+          return Shape<double>(kind);
+        else
+          return std::nullopt;
+      },
+      static_cast<const ObjectShape::Kinds&>(shape));
 }
 
 std::optional<FlatFrame> flat_frame(const Shape<double>& shape) {

@@ -142,21 +142,68 @@ class Textures {
   std::map<std::string, int> numbers_;
 };
 
-std::string object_text(const Object& object, Textures& textures, PovLosses& losses) {
-  const Material& material = object.material;
-  const bool patterned = material.checker.has_value();
-  const auto frame = patterned ? detail::flat_frame(object.shape) : std::nullopt;
-  const std::string shape = detail::pov_shape(object.shape), matrix = detail::pov_matrix(object.transform);
-  std::string declared;
-  const std::string texture = textures.use(detail::pov_texture(material, frame, losses), declared);
-  // In POV-Ray whatever transmits lets shadow rays pass. Where it should not, a double that nobody sees stops them in
-  // its place.
-  const bool stops = material.transmits() && material.shadow == ShadowKind::opaque;
-  std::string text = comment(object.name) + declared + shape + "\n  " + texture + " " + detail::pov_interior(material) +
-                     (stops ? " no_shadow" : "") + "\n" + matrix + "}\n";
-  if (stops) text += shape + "\n  pigment { rgb 0 } no_image no_reflection\n" + matrix + "}\n";
-  return text;
-}
+class ObjectText {
+ public:
+  ObjectText(const Scene& scene, PovLosses& losses) : scene_(scene), losses_(losses) {}
+
+  /// Groups first: each is declared before what uses it.
+  std::string operator()() {
+    std::string text;
+    for (const Group& group : scene_.groups) {
+      groups_.emplace(group.name, static_cast<int>(groups_.size()) + 1);
+      std::string members, declared;
+      for (const Object& object : group.objects) members += object_text(object, declared);
+      text += comment(group.name) + declared +
+              fmt::format("#declare Group_{} = union {{\n{}}}\n", groups_.at(group.name), members);
+    }
+    for (const Object& object : scene_.objects) {
+      std::string declared;
+      const std::string object_lines = object_text(object, declared);
+      text += declared + object_lines;
+    }
+    return text;
+  }
+
+ private:
+  std::string object_text(const Object& object, std::string& declared) {
+    std::string place = detail::pov_matrix(object.transform);
+    if (!is_at_rest(object.motion)) losses_.insert("motion: everything stands where it is when the shutter opens");
+    const Vec3d offset = offset_at(object.motion, scene_.camera.shutter_open);
+    if (offset != Vec3d(0.0)) place += "  translate " + pov_vector(offset) + "\n";
+    if (const auto* instance = std::get_if<Instance>(&object.shape)) {
+      const auto group = groups_.find(instance->group);
+      if (group == groups_.end()) return {};
+      return comment(object.name) + fmt::format("object {{ Group_{}\n{}}}\n", group->second, place);
+    }
+    const Material& material = object.material;
+    const auto plain = detail::plain_shape(object.shape);
+    const auto texture_of = [&](const Material& of) {
+      const auto frame = of.checker && plain ? detail::flat_frame(*plain) : std::nullopt;
+      return textures_.use(detail::pov_texture(of, frame, losses_), declared);
+    };
+    std::string shape;
+    if (plain) {
+      shape = detail::pov_shape(*plain);
+    } else if (const auto* mesh = std::get_if<MeshShape>(&object.shape); mesh && mesh->mesh) {
+      shape = detail::pov_mesh(*mesh, texture_of);
+    } else {
+      return {};
+    }
+    // In POV-Ray whatever transmits lets shadow rays pass. Where it should not, a double that nobody sees stops them in
+    // its place.
+    const bool stops = material.transmits() && material.shadow == ShadowKind::opaque;
+    const std::string texture = texture_of(material);
+    std::string text = comment(object.name) + shape + "\n  " + texture + " " + detail::pov_interior(material) +
+                       (stops ? " no_shadow" : "") + "\n" + place + "}\n";
+    if (stops) text += shape + "\n  pigment { rgb 0 } no_image no_reflection\n" + place + "}\n";
+    return text;
+  }
+
+  const Scene& scene_;
+  PovLosses& losses_;
+  Textures textures_;
+  std::map<std::string, int> groups_;
+};
 
 }  // namespace
 
@@ -169,8 +216,7 @@ PovText format_pov(const Scene& scene) {
     pov.text +=
         comment(light.name) + "light_source { " + std::visit(LightText(scene, light, losses), light.kind) + " }\n";
   }
-  Textures textures;
-  for (const Object& object : scene.objects) pov.text += object_text(object, textures, losses);
+  pov.text += ObjectText(scene, losses)();
   if (scene.encoding == Encoding::truncated) losses.insert("8-bit pictures without the sRGB curve");
   if (scene.render.integrator == Integrator::path) losses.insert("light from everywhere (path tracing)");
   pov.left_out.assign(losses.begin(), losses.end());

@@ -6,8 +6,8 @@
 // exactly, and so do the attenuation of lights as far as POV-Ray has it, spots (a smooth step in the cosine), area
 // lights of n x n samples, Fresnel's weights and absorption.
 //
-// What does not: gloss and translucency, fixed normals, patterns on curved surfaces, image textures, motion; what of this
-// a scene uses is told. Under total internal reflection POV-Ray reflects a few percent more than our kr + kt.
+// What does not: gloss and translucency, fixed normals, patterns on curved surfaces, image textures, motion; what of
+// this a scene uses is told. Under total internal reflection POV-Ray reflects a few percent more than our kr + kt.
 
 #include "scene/scene.h"
 

@@ -6,13 +6,46 @@
 
 namespace raywalk::detail {
 
-void Triangles::add(Scene& scene, Names& names, const Material& material, const Vec3d& a, const Vec3d& b,
-                    const Vec3d& c) {
-  if (cross(b - a, c - a) == Vec3d(0.0)) {
+void Triangles::add(Scene& scene, Names& names, const Material& material, const std::array<MeshCorner, 3>& corners) {
+  const Vec3d& a = corners[0].position;
+  if (cross(corners[1].position - a, corners[2].position - a) == Vec3d(0.0)) {
     ++left_out_;
     return;
   }
-  scene.objects.push_back({names.next("Triangle"), Triangle<double>{a, b, c}, material});
+  if (gathered_.triangles.empty() || !(material_ == material)) put(scene, names);
+  material_ = material;
+  const auto first = static_cast<std::int32_t>(gathered_.positions.size());
+  for (const MeshCorner& corner : corners) {
+    gathered_.positions.push_back(corner.position);
+    gathered_.normals.push_back(corner.normal);
+    smooth_ = smooth_ || corner.normal != Vec3d(0.0);
+  }
+  gathered_.triangles.push_back({first, first + 1, first + 2});
+  // Indices have 31 bits.
+  constexpr std::size_t most = 500'000'000;
+  if (gathered_.triangles.size() == most) put(scene, names);
+}
+
+void Triangles::put(Scene& scene, Names& names) {
+  if (gathered_.triangles.empty()) return;
+  if (!smooth_) gathered_.normals.clear();
+  if (gathered_.triangles.size() == 1 && !smooth_) {
+    const auto& at = gathered_.positions;
+    scene.objects.push_back({names.next("Triangle"), Shape<double>(Triangle<double>{at[0], at[1], at[2]}), material_});
+  } else {
+    gathered_.positions.shrink_to_fit();
+    gathered_.triangles.shrink_to_fit();
+    MeshShape mesh;
+    mesh.smooth = smooth_;
+    mesh.mesh = std::make_shared<const Mesh>(std::move(gathered_));
+    Object object;
+    object.name = names.next("Mesh");
+    object.shape = mesh;
+    object.material = material_;
+    scene.objects.push_back(std::move(object));
+  }
+  gathered_ = {};
+  smooth_ = false;
 }
 
 void Triangles::warn(WordReader& words) const {

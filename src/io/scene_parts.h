@@ -1,11 +1,14 @@
 #pragma once
-// What the readers of other formats share: naming what has no name, and checking what no single number can tell.
-// Internal to `io`.
+// What the readers of other formats share: naming what has no name, gathering triangles, and checking what no single
+// number can tell. Internal to `io`.
 
 #include "io/word_reader.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,14 +25,25 @@ class Names {
   std::map<std::string_view, int> counts_;  ///< of string literals
 };
 
-/// Adds triangles to a scene, and leaves out those without an area: no ray meets them.
+/// A corner of a triangle; a normal of 0 where the surface is flat.
+struct MeshCorner {
+  Vec3d position, normal{0.0};
+};
+
+/// Makes meshes of the triangles that follow each other in one material, and leaves out those without an area: no ray
+/// meets them. One that stands alone becomes a triangle.
 class Triangles {
  public:
-  void add(Scene& scene, Names& names, const Material& material, const Vec3d& a, const Vec3d& b, const Vec3d& c);
+  void add(Scene& scene, Names& names, const Material& material, const std::array<MeshCorner, 3>& corners);
+  /// Puts what was gathered into the scene: before any other object, before another material, and at the end.
+  void put(Scene& scene, Names& names);
   /// Says how many were left out, if any.
   void warn(WordReader& words) const;
 
  private:
+  Mesh gathered_;
+  bool smooth_ = false;
+  Material material_;
   int left_out_ = 0;
 };
 

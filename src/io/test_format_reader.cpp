@@ -49,10 +49,6 @@ class Matrices {
   Affine<double> whole_;
 };
 
-struct VertexWithNormal {
-  Vec3d position, normal;
-};
-
 class TestFormatReader {
  public:
   TestFormatReader(std::string_view text, const std::string& file) : words_(text, file, WordReader::Scope::line) {}
@@ -77,6 +73,7 @@ class TestFormatReader {
       words_.fail("there is no size (expected size WIDTH HEIGHT)", "such as size 640 480, in the first line");
     if (!scene_.camera.fov)
       words_.fail("there is no camera (expected camera FROM AT UP FOV)", "such as camera 0 0 4 0 0 0 0 1 0 30");
+    triangles_.put(scene_, names_);
     triangles_.warn(words_);
     if (!words_.ok()) return tl::unexpected(*words_.error());
     return SceneDocument{std::move(scene_), {}, words_.warnings()};
@@ -225,9 +222,10 @@ class TestFormatReader {
     const Vec3d centre = words_.point("the centre");
     const double radius = words_.number("the radius", above_zero);
     static_cast<void>(matrix());
-    if (words_.ok())
-      scene_.objects.push_back(
-          {names_.next("Sphere"), Sphere<double>{centre, radius}, material_, matrices_.back().object_steps()});
+    if (!words_.ok()) return;
+    triangles_.put(scene_, names_);
+    scene_.objects.push_back({names_.next("Sphere"), Shape<double>(Sphere<double>{centre, radius}), material_,
+                              matrices_.back().object_steps()});
   }
   void read_vertex() { vertices_.push_back(words_.point("the position")); }
   void read_vertex_with_normal() {
@@ -245,23 +243,24 @@ class TestFormatReader {
   }
   void read_triangle() {
     const std::size_t a = index(vertices_.size()), b = index(vertices_.size()), c = index(vertices_.size());
-    if (words_.ok()) add_triangle(vertices_[a], vertices_[b], vertices_[c]);
+    if (words_.ok()) add_triangle({{{vertices_[a]}, {vertices_[b]}, {vertices_[c]}}});
   }
   void read_smooth_triangle() {
     const std::size_t size = smooth_vertices_.size(), a = index(size), b = index(size), c = index(size);
-    if (words_.ok())
-      add_triangle(smooth_vertices_[a].position, smooth_vertices_[b].position, smooth_vertices_[c].position);
+    if (words_.ok()) add_triangle({smooth_vertices_[a], smooth_vertices_[b], smooth_vertices_[c]});
   }
-  void add_triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  void add_triangle(std::array<detail::MeshCorner, 3> corners) {
     const Affine<double>& m = matrix();
     if (!words_.ok()) return;
-    // Where the matrix mirrors, the corners change turns so that the normal's side stays (as by the inverse transpose).
-    const bool mirrors = m.determinant() < 0;
-    const Vec3d pa = m.point(a), pb = m.point(mirrors ? c : b), pc = m.point(mirrors ? b : c);
-    for (const Vec3d& p : {pa, pb, pc})
-      if (!is_finite(p) || length(p) > scene_keys::most_magnitude)
+    for (detail::MeshCorner& corner : corners) {
+      corner = {m.point(corner.position), corner.normal == Vec3d(0.0) ? corner.normal : m.normal(corner.normal)};
+      if (!is_finite(corner.position) || length(corner.position) > scene_keys::most_magnitude ||
+          !is_finite(corner.normal) || length(corner.normal) > scene_keys::most_magnitude)
         return words_.fail_item("the current matrix puts the triangle too far away", "scale by less");
-    triangles_.add(scene_, names_, material_, pa, pb, pc);
+    }
+    // Where the matrix mirrors, the corners change turns so that the normal's side stays (as by the inverse transpose).
+    if (m.determinant() < 0) std::swap(corners[1], corners[2]);
+    triangles_.add(scene_, names_, material_, corners);
   }
 
   WordReader words_;
@@ -272,7 +271,7 @@ class TestFormatReader {
   Attenuation attenuation_;
   std::vector<Matrices> matrices_{1};
   std::vector<Vec3d> vertices_;
-  std::vector<VertexWithNormal> smooth_vertices_;
+  std::vector<detail::MeshCorner> smooth_vertices_;
   bool has_size_ = false;
 };
 

@@ -44,6 +44,8 @@ TEST_CASE("POV-Ray renders converted scenes to nearly the same pictures") {
       {"mirrors", 0.02, "edges, many times mirrored"},
       {"shadows", 0.02, "edges"},
       {"quadrics", 0.02, "edges"},
+      {"sphereflake", 0.03, "edges, many times mirrored"},
+      {"mesh", 0.02, "edges"},
   };
   std::string pattern = (std::filesystem::temp_directory_path() / "raywalk-pov-XXXXXX").string();
   const std::filesystem::path folder = ::mkdtemp(pattern.data());

@@ -70,7 +70,8 @@ TEST_CASE("scene4-ambient.test is its solution: no pixel outside the mask is off
 TEST_CASE("the course scenes are read, and show what they describe") {
   struct Course {
     std::string name;
-    std::size_t objects, lights;
+    double entries;  ///< objects, and triangles of meshes
+    std::size_t lights;
     double least_covered, most_covered;  ///< share of the pixels that are not background
   };
   // A quad; dice of 12 triangles and 21 spheres; a table with things on it; a thousand spheres.
@@ -83,8 +84,8 @@ TEST_CASE("the course scenes are read, and show what they describe") {
     REQUIRE(document);
     CHECK(document->warnings.empty());
     const Scene& scene = document->scene;
-    INFO(scene.objects.size() << " objects");
-    CHECK(scene.objects.size() >= course.objects);
+    INFO(entries_of(scene.objects) << " objects and triangles");
+    CHECK(entries_of(scene.objects) >= course.entries);
     CHECK(scene.lights.size() == course.lights);
     RenderSettings settings;
     settings.size = ImageSize{160, 120};

@@ -131,6 +131,30 @@ TEST_CASE("NFF: polygons stay whole where they are flat; bent ones become triang
   CHECK(shape<Polygon<double>>(scene, 1).outline.size() == 5);
 }
 
+TEST_CASE("NFF: triangles of one material become a mesh; patches keep the normals of their corners") {
+  const std::string flat = "p 3 0 0 0 1 0 0 0 1 0\n", smooth = "pp 3 0 0 0 0 0 1 1 0 0 1 0 1 0 1 0 0 1 1\n";
+  const Scene scene =
+      read(view + "f 1 1 1 1 0 0 0 0\n" + flat + smooth + "s 0 0 0 1\n" + flat + flat + "f 1 0 0 1 0 0 0 0\n" + flat);
+  REQUIRE(scene.objects.size() == 4);
+  const auto& mesh = shape<MeshShape>(scene, 0);
+  REQUIRE(mesh.mesh);
+  CHECK(mesh.smooth);
+  CHECK(mesh.file.empty());
+  REQUIRE(mesh.mesh->triangles.size() == 2);
+  const auto corner = [&](std::size_t triangle, std::size_t i) {
+    return static_cast<std::size_t>(mesh.mesh->triangles[triangle][i]);
+  };
+  CHECK(mesh.mesh->normals.at(corner(0, 1)) == Vec3d(0.0));
+  CHECK(mesh.mesh->normals.at(corner(1, 0)) == Vec3d(0, 0, 1));
+  CHECK(mesh.mesh->normals.at(corner(1, 1)) == Vec3d(1, 0, 1));
+  CHECK(mesh.mesh->positions.at(corner(1, 2)) == Vec3d(0, 1, 0));
+  CHECK(shape<MeshShape>(scene, 2).mesh->triangles.size() == 2);
+  CHECK(!shape<MeshShape>(scene, 2).smooth);
+  CHECK(shape<Triangle<double>>(scene, 3).b == Vec3d(1, 0, 0));
+  CHECK(scene.objects[3].material.diffuse == Rgbd(1, 0, 0));
+  CHECK(scene.objects[2].material.diffuse == Rgbd(1.0));
+}
+
 TEST_CASE("NFF: a negative radius counts without its sign, and what has no area is left out with a word") {
   const auto document =
       parse_nff(view + "f 1 1 1 1 0 0 0 0\ns 0 0 0 -2\nc 0 0 0 -1 0 0 1 -1\np 3 0 0 0 1 1 1 2 2 2\n", "s.nff");

@@ -110,7 +110,8 @@ TEST_CASE("a course scene and an NFF scene, written as our own format, read back
   const Scene course =
       read(head +
            "point 1 2 3 .5 .5 .5\nspecular .5 .5 .5\ntranslate 1 2 3\nrotate 1 1 0 30\nsphere 0 0 0 1\n"
-           "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\ntri 0 1 2\n");
+           "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\ntri 0 1 2\ntri 0 2 1\nvertexnormal 0 0 1 0 0 1\n"
+           "vertexnormal 1 0 1 1 0 1\nvertexnormal 0 1 1 0 1 1\ntrinormal 0 1 2\nsphere 1 1 1 1\n");
   const auto text = format_scene(course);
   REQUIRE(text);
   const auto again = parse_scene(*text, "again.toml");
