@@ -6,14 +6,14 @@ namespace raywalk {
 
 namespace {
 
-struct Group {
+struct KeyGroup {
   const char* does;
   std::vector<Command> commands;
 };
 
-const std::vector<Group>& groups() {
+const std::vector<KeyGroup>& groups() {
   using enum Command;
-  static const std::vector<Group> all{
+  static const std::vector<KeyGroup> all{
       {"one step on \u00b7 back", {step, step_back}},
       {"to the next ray \u00b7 the ray before", {step_ray, step_ray_back}},
       {"to the end of the pixel \u00b7 of the pixel before", {step_pixel, step_pixel_back}},
@@ -48,7 +48,7 @@ const std::vector<Group>& groups() {
 
 std::vector<KeyListRow> key_list() {
   std::vector<KeyListRow> rows;
-  for (const Group& group : groups()) {
+  for (const KeyGroup& group : groups()) {
     KeyListRow row{{}, group.does};
     for (const Command command : group.commands)
       row.keys += (row.keys.empty() ? "" : " \u00b7 ") + all_command_keys(command);
