@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/exact.h"
 #include "shape/crossing.h"
 
 #include <cmath>
@@ -14,15 +15,65 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
+namespace detail {
+
+/// The line's way through the closed box: the faces by which it enters and leaves.
+struct BoxStretch {
+  double in = -infinity<double>, out = infinity<double>;
+  int in_part = 0, out_part = 0;
+};
+
+/// The same in exact arithmetic: the line runs through the box when it meets no entry after an exit.
+template <class T>
+[[nodiscard]] std::optional<BoxStretch> exact_stretch(const Box<T>& box, const Ray<T>& ray, int departed_part) {
+  struct Face {
+    Expansion distance;  ///< along the axis, times the sense of the direction
+    double slope = 0;    ///< > 0; 0: the line never meets the face
+    int part = 0;
+    [[nodiscard]] DoubleDouble t() const { return distance.rounded() / DoubleDouble(slope); }
+  };
+  Face entry[3], exit[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = static_cast<double>(ray.origin[axis]), d = static_cast<double>(ray.direction[axis]);
+    const int low = 2 * axis, high = low + 1;
+    const auto face = [&](int part) {
+      const double place = static_cast<double>(part == low ? box.min[axis] : box.max[axis]);
+      const Expansion away = part == departed_part ? Expansion() : Expansion(place) - o;
+      return Face{d < 0 ? -away : away, std::abs(d), part};
+    };
+    entry[axis] = face(d < 0 ? high : low);
+    exit[axis] = face(d < 0 ? low : high);
+  }
+  BoxStretch stretch;
+  DoubleDouble in(stretch.in), out(stretch.out);
+  for (const Face& enters : entry) {
+    if (enters.slope == 0) continue;
+    for (const Face& leaves : exit)
+      if (leaves.slope != 0 && (enters.distance * leaves.slope - leaves.distance * enters.slope).sign() > 0)
+        return std::nullopt;
+    if (const DoubleDouble t = enters.t(); t.hi > in.hi || (t.hi == in.hi && t.lo > in.lo))
+      in = t, stretch.in_part = enters.part;
+  }
+  for (const Face& leaves : exit) {
+    if (leaves.slope == 0) continue;
+    if (const DoubleDouble t = leaves.t(); t.hi < out.hi || (t.hi == out.hi && t.lo < out.lo))
+      out = t, stretch.out_part = leaves.part;
+  }
+  stretch.in = in.hi, stretch.out = out.hi;
+  return stretch;
+}
+
+}  // namespace detail
+
 /// Nearest t in (0, t_max) at which the ray crosses a face; edges and corners count.
 ///
 /// Slabs (T. Kay and J. Kajiya 1986), chosen by the sign of the direction and compared so that the NaN of an origin in
-/// a face's plane without slope passes (T. Ize 2013). All slabs are in double. The face departed from lies at t = 0.
+/// a face's plane without slope passes (T. Ize 2013). All slabs are in double; whether the ray enters one before it
+/// leaves another is decided exactly where the two nearly agree, at an edge. The face departed from lies at t = 0.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Box<T>& box, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {}) {
-  double in = -infinity<double>, out = infinity<double>;
-  int in_part = 0, out_part = 0;
+  detail::BoxStretch way;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin[axis], d = ray.direction[axis];
     const double low = box.min[axis], high = box.max[axis];
@@ -34,13 +85,21 @@ template <class T, class Explain = NoExplanation>
     double t_out = departed_part == 2 * axis + 1 ? 0 : (high - o) / d;
     int first = 2 * axis, second = first + 1;
     if (d < 0) std::swap(t_in, t_out), std::swap(first, second);
-    if (t_in > in) in = t_in, in_part = first;
-    if (t_out < out) out = t_out, out_part = second;
+    if (t_in > way.in) way.in = t_in, way.in_part = first;
+    if (t_out < way.out) way.out = t_out, way.out_part = second;
   }
-  if (!(in <= out)) return std::nullopt;
-  const bool entering = in > 0;
-  const T t = static_cast<T>(entering ? in : out);
-  const int part = entering ? in_part : out_part;
+  // Each is right to two roundings.
+  if (std::abs(way.in - way.out) <= 8 * detail::half_ulp * std::abs(way.out)) {
+    note_exact(explain);
+    const auto exact = detail::exact_stretch(box, ray, departed_part);
+    if (!exact) return std::nullopt;
+    way = *exact;
+  } else if (!(way.in <= way.out)) {
+    return std::nullopt;
+  }
+  const bool entering = way.in > 0;
+  const T t = static_cast<T>(entering ? way.in : way.out);
+  const int part = entering ? way.in_part : way.out_part;
   if constexpr (std::decay_t<Explain>::wanted) {
     const double slope = static_cast<double>(ray.direction[part / 2]);
     explain.plane(static_cast<double>(t) * slope, slope);

@@ -55,4 +55,10 @@ struct NoExplanation {
   void plane(double /*numerator*/, double /*denominator*/) {}
 };
 
+/// Tells an explainer that has a member `exact` that the fast arithmetic could not decide and the exact one has to.
+template <class Explain>
+void note_exact(Explain& explain) {
+  if constexpr (requires { explain.exact(); }) explain.exact();
+}
+
 }  // namespace raywalk

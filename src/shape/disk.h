@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/exact.h"
 #include "shape/crossing.h"
 
 #include <cmath>
@@ -15,21 +16,52 @@ struct Disk {
   friend bool operator==(const Disk&, const Disk&) = default;
 };
 
-/// t in (0, t_max) at which the ray crosses the disk; one that runs in its plane crosses it nowhere.
+namespace detail {
+
+/// Whether the line meets the disk's plane inside the rim or on it.
+template <class T>
+[[nodiscard]] bool exactly_inside(const Disk<T>& disk, const Ray<T>& ray) {
+  const Vec3d normal(disk.normal), o(ray.origin), d(ray.direction), centre(disk.centre);
+  const Expansion numerator = exact_dot_of_difference(normal, centre, o), denominator = exact_dot(normal, d);
+  Expansion square;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Expansion offset = numerator * d[axis] - denominator * (Expansion(centre[axis]) - o[axis]);
+    square = square + offset * offset;
+  }
+  const Expansion reach = denominator * static_cast<double>(disk.radius);
+  return (square - reach * reach).sign() <= 0;
+}
+
+}  // namespace detail
+
+/// t in (0, t_max) at which the ray crosses the disk; one that runs in its plane crosses it nowhere. Certain, as the
+/// plane's crossings are: where an error bound does not settle on which side of the rim the ray passes, exact
+/// arithmetic does.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Disk<T>& disk, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {}) {
-  const Vec3d normal(disk.normal), d(ray.direction);
-  const Vec3d to_centre = Vec3d(disk.centre) - Vec3d(ray.origin);
-  const double numerator = dot(normal, to_centre), denominator = dot(normal, d);
-  if constexpr (std::decay_t<Explain>::wanted) explain.plane(numerator, denominator);
-  if (departed_part != no_part || denominator == 0) return std::nullopt;
-  const double t_wide = numerator / denominator;
-  const T t = static_cast<T>(t_wide);
+  // Before it costs anything: a ray that leaves is as near to the plane as can be.
+  if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
+  const Vec3d normal(disk.normal), o(ray.origin), d(ray.direction), centre(disk.centre);
+  PlaneMeeting met = meet_plane(normal, centre, o, d);
+  if (met.exact()) note_exact(explain);
+  if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
+  if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
+  const Vec3d to_centre = centre - o, offset = met.t * d - to_centre;
+  const double radius = static_cast<double>(disk.radius), square = dot(offset, offset);
+  // |offset| errs by at most `error`, from t and from its own subtraction.
+  const double reach = std::abs(met.t) * length(d);
+  const double error = reach * met.error() + 4 * detail::half_ulp * (reach + length(to_centre));
+  const double doubt = 2 * error * (radius + error) + 8 * detail::half_ulp * radius * radius;
+  bool inside = square <= radius * radius;
+  if (!(std::abs(square - radius * radius) > doubt)) {
+    note_exact(explain);
+    inside = detail::exactly_inside(disk, ray);
+    met = meet_plane_exactly(normal, centre, o, d);
+  }
+  const T t = static_cast<T>(met.t);
   if (!(t > 0 && t < t_max)) return std::nullopt;
-  const Vec3d offset = t_wide * d - to_centre;
-  const double radius = static_cast<double>(disk.radius);
-  if (!(dot(offset, offset) <= radius * radius)) return std::nullopt;
+  if (!inside) return std::nullopt;
   return Crossing<T>{t};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/exact.h"
 #include "shape/crossing.h"
 
 #include <cmath>
@@ -13,17 +14,19 @@ struct Plane {
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 
-/// t in (0, t_max) at which the ray crosses the plane. A ray in or along the plane crosses it nowhere, and one that
-/// departs from it never meets it again.
+/// t in (0, t_max) at which the ray crosses the plane, in double even for float rays. A ray in or along the plane
+/// crosses it nowhere, and one that departs from it never meets it again. Which side the origin is on and where the ray
+/// goes are certain: where rounding could have decided, exact arithmetic does.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Plane<T>& plane, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {}) {
-  const T denominator = dot(plane.normal, ray.direction);
-  const T numerator = dot(plane.normal, plane.point - ray.origin);
-  if constexpr (std::decay_t<Explain>::wanted)
-    explain.plane(static_cast<double>(numerator), static_cast<double>(denominator));
-  if (departed_part != no_part || denominator == 0) return std::nullopt;
-  const T t = numerator / denominator;
+  // Before it costs anything: a ray that leaves is as near to the plane as can be.
+  if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
+  const PlaneMeeting met = meet_plane(Vec3d(plane.normal), Vec3d(plane.point), Vec3d(ray.origin), Vec3d(ray.direction));
+  if (met.exact()) note_exact(explain);
+  if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
+  if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
+  const T t = static_cast<T>(met.t);
   if (!(t > 0 && t < t_max)) return std::nullopt;
   return Crossing<T>{t};
 }

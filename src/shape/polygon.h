@@ -30,40 +30,94 @@ struct Polygon {
 /// farther from the plane than a millionth of the polygon's size.
 [[nodiscard]] std::string why_not_flat(const Polygon<double>& polygon);
 
-/// t in (0, t_max) at which the ray crosses the polygon; one that runs in its plane crosses it nowhere.
-///
-/// Whether the crossing lies inside is decided in the plan along the normal's largest component, by half-open edges and
-/// exact orientation: each corner counts for one of its edges.
-template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
-  const Vec3<T> normal = polygon.area_vector();
-  const Vec3<T>& corner = polygon.outline.front();
-  const Vec3d wide_normal(normal), o(ray.origin), d(ray.direction);
-  const double denominator = dot(wide_normal, d), numerator = dot(wide_normal, Vec3d(corner) - o);
-  if constexpr (std::decay_t<Explain>::wanted) explain.plane(numerator, denominator);
-  if (departed_part != no_part || denominator == 0) return std::nullopt;
-  const double t_wide = numerator / denominator;
-  const T t = static_cast<T>(t_wide);
-  if (!(t > 0 && t < t_max)) return std::nullopt;
+namespace detail {
 
-  int kz = std::abs(normal.x) > std::abs(normal.y) ? 0 : 1;
-  if (std::abs(normal.z) > std::abs(normal[kz])) kz = 2;
-  const int kx = (kz + 1) % 3, ky = (kz + 2) % 3;
-  const double x = o[kx] + t_wide * d[kx], y = o[ky] + t_wide * d[ky];
+/// Even-odd in the plan along `kz`. `above(p)` tells whether corner p is above the point, `left(p, q)` whether the
+/// point is to the left of the edge (1), on it (0) or to its right (-1).
+template <class T, class Above, class Left>
+[[nodiscard]] bool even_odd(const Polygon<T>& polygon, Above above, Left left) {
   bool inside = false;
   const auto count = [&](const std::vector<Vec3<T>>& loop) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Vec3d p(loop[i]), q(loop[i + 1 == loop.size() ? 0 : i + 1]);
-      const bool p_above = p[ky] > y, q_above = q[ky] > y;
+      const bool p_above = above(p), q_above = above(q);
       if (p_above == q_above) continue;
-      const double side = difference_of_products(q[kx] - p[kx], y - p[ky], q[ky] - p[ky], x - p[kx]);
+      const int side = left(p, q);
       if (q_above ? side > 0 : side < 0) inside = !inside;
     }
   };
   count(polygon.outline);
   for (const auto& hole : polygon.holes) count(hole);
-  if (!inside) return std::nullopt;
+  return inside;
+}
+
+/// The same with the crossing itself exact: everything is multiplied by the denominator of t.
+template <class T>
+[[nodiscard]] bool exactly_inside(const Polygon<T>& polygon, const Ray<T>& ray, const Vec3d& normal, int kx, int ky) {
+  const Vec3d o(ray.origin), d(ray.direction);
+  Expansion numerator = exact_dot_of_difference(normal, Vec3d(polygon.outline.front()), o);
+  Expansion denominator = exact_dot(normal, d);
+  if (denominator.sign() < 0) numerator = -numerator, denominator = -denominator;
+  const Expansion x = denominator * o[kx] + numerator * d[kx], y = denominator * o[ky] + numerator * d[ky];
+  return even_odd(
+      polygon, [&](const Vec3d& p) { return (denominator * p[ky] - y).sign() > 0; },
+      [&](const Vec3d& p, const Vec3d& q) {
+        const Expansion along_x = Expansion(q[kx]) - p[kx], along_y = Expansion(q[ky]) - p[ky];
+        return (along_x * (y - denominator * p[ky]) - along_y * (x - denominator * p[kx])).sign();
+      });
+}
+
+}  // namespace detail
+
+/// t in (0, t_max) at which the ray crosses the polygon; one that runs in its plane crosses it nowhere.
+///
+/// Whether the crossing lies inside is decided in the plan along the normal's largest component, by half-open edges:
+/// each corner counts for one of its edges. Where the error of the computed crossing leaves a side in doubt, exact
+/// arithmetic decides.
+template <class T, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const Ray<T>& ray, T t_max,
+                                                   int departed_part = no_part, Explain&& explain = {}) {
+  // Before it costs anything: a ray that leaves is as near to the plane as can be.
+  if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
+  const Vec3d normal(polygon.area_vector()), corner(polygon.outline.front()), o(ray.origin), d(ray.direction);
+  PlaneMeeting met = meet_plane(normal, corner, o, d);
+  if (met.exact()) note_exact(explain);
+  if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
+  if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
+  if (!(met.t > 0 && met.t < static_cast<double>(t_max) * 2)) return std::nullopt;
+
+  int kz = std::abs(normal.x) > std::abs(normal.y) ? 0 : 1;
+  if (std::abs(normal.z) > std::abs(normal[kz])) kz = 2;
+  const int kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+  const double x = o[kx] + met.t * d[kx], y = o[ky] + met.t * d[ky];
+  // x and y err by at most these.
+  const auto error = [&](int axis) {
+    const double reach = met.t * std::abs(d[axis]);
+    return reach * met.error() + 4 * detail::half_ulp * (reach + std::abs(o[axis]));
+  };
+  const double x_error = error(kx), y_error = error(ky);
+  bool sure = true;
+  bool inside = detail::even_odd(
+      polygon,
+      [&](const Vec3d& p) {
+        sure = sure && std::abs(p[ky] - y) > y_error;
+        return p[ky] > y;
+      },
+      [&](const Vec3d& p, const Vec3d& q) {
+        const double along_x = q[kx] - p[kx], along_y = q[ky] - p[ky];
+        const double left = along_x * (y - p[ky]), right = along_y * (x - p[kx]);
+        const double doubt = 2 * (std::abs(along_x) * y_error + std::abs(along_y) * x_error) +
+                             8 * detail::half_ulp * (std::abs(left) + std::abs(right));
+        sure = sure && std::abs(left - right) > doubt;
+        return left > right ? 1 : -1;
+      });
+  if (!sure) {
+    note_exact(explain);
+    inside = detail::exactly_inside(polygon, ray, normal, kx, ky);
+    met = meet_plane_exactly(normal, corner, o, d);
+  }
+  const T t = static_cast<T>(met.t);
+  if (!inside || !(t > 0 && t < t_max)) return std::nullopt;
   return Crossing<T>{t};
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "math/exact.h"
 #include "shape/crossing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +39,8 @@ struct Prism {
 /// ray is computed once and shared by both of its edges (half-open rule, so an edge's end belongs to one of the two).
 /// The number of edges crossed before the ray enters the slab tells whether it is inside there, and so whether the next
 /// crossing leads out or in; one that leads the other way is rounding's, at a corner, and is passed over. Every
-/// decision is made in t alone, in double even for float rays, so no ray slips between two faces. A face that the ray
+/// decision is made in t alone, in double even for float rays, so no ray slips between two faces; where error bounds
+/// leave one in doubt, at corners and rims, exact arithmetic makes it. A face that the ray
 /// departs from is crossed at exactly t = 0, and then that face says whether the ray starts inside. From inside there
 /// is always a way out: where rounding put the start of such a ray beyond a corner or a rim, that is at once, at the
 /// smallest positive t.
@@ -115,6 +119,8 @@ struct FaceCrossing {
 struct SideCrossings {
   bool inside = false;
   FaceCrossing in, out, out_before{-infinity<double>, no_part, 0, 0};
+  double in_error = 0;  ///< a bound of that of in.t
+  bool sure = true;     ///< no rounding can have decided on which side of the line a corner is, or of `start` an edge
 };
 
 template <class T>
@@ -122,12 +128,19 @@ SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d,
   SideCrossings crossings;
   // The nearest that run to the line's right (0) and to its left (1).
   FaceCrossing after[2], before[2] = {crossings.out_before, crossings.out_before};
+  double after_error[2] = {0, 0};
   const double steps = 1 / dot(d, d);  // t of a point is its place along d, times this
   Vec2d corner = Vec2d(prism.corner(0)) - o;
-  double side = cross(d, corner);
+  const auto size_of_cross = [](const Vec2d& a, const Vec2d& b) { return std::abs(a.x * b.y) + std::abs(a.y * b.x); };
+  const auto side_of = [&](const Vec2d& to) {
+    const double side = cross(d, to);
+    crossings.sure = crossings.sure && !(std::abs(side) < 4 * half_ulp * size_of_cross(d, to));
+    return side;
+  };
+  double side = side_of(corner);
   for (int i = 0; i < prism.sides(); ++i) {
     const Vec2d next = Vec2d(prism.corner_after(i)) - o;
-    const double next_side = cross(d, next);
+    const double next_side = side_of(next);
     if ((side >= 0) != (next_side >= 0)) {
       // The rate at which the line nears the edge's is computed from the edge itself: the difference of its ends' sides
       // loses digits when the edge is short and far. Its sign, though, is that of the difference. However much of the
@@ -138,11 +151,15 @@ SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d,
       const double above = cross(corner, edge), below = agree ? rate : difference;
       const auto [from, to] = std::minmax({dot(d, corner) * steps, dot(d, next) * steps});
       const double t = departed_part == i ? 0 : std::clamp(above / below, from, to);
+      const double error =
+          4 * half_ulp * (size_of_cross(corner, edge) + std::abs(t) * size_of_cross(d, edge)) / std::abs(below);
+      crossings.sure = crossings.sure && std::abs(t - start) > error + 4 * half_ulp * start;
       if (t <= start) {
         crossings.inside = !crossings.inside;
         if (i != departed_part && t > before[below > 0].t) before[below > 0] = {t, i, above, below};
       } else if (t < after[below > 0].t) {
         after[below > 0] = {t, i, above, below};
+        after_error[below > 0] = error;
       }
     }
     corner = next;
@@ -153,6 +170,7 @@ SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d,
       after[0].part == no_part && after[1].part == no_part && before[0].part == no_part && before[1].part == no_part;
   const int out = none || prism.twice_signed_area() > 0 ? 1 : 0;
   crossings.in = after[1 - out];
+  crossings.in_error = after_error[1 - out];
   crossings.out = after[out];
   crossings.out_before = before[out];
   return crossings;
@@ -176,6 +194,69 @@ bool departs_inwards(const Prism<T>& prism, const Vec3<T>& direction, int part) 
   return (cross(Vec2d(plan(direction)), edge) < 0) == (prism.twice_signed_area() > 0);
 }
 
+/// t = numerator / denominator, exactly; the denominator is above 0.
+struct ExactTime {
+  Expansion numerator, denominator = 1.0;
+  ExactTime() = default;
+  ExactTime(const Expansion& above, const Expansion& below)
+      : numerator(below.sign() < 0 ? -above : above), denominator(below.sign() < 0 ? -below : below) {}
+  [[nodiscard]] int compared_to(const ExactTime& other) const {
+    return (numerator * other.denominator - other.numerator * denominator).sign();
+  }
+};
+
+/// What `intersect` answers for a ray that does not depart from the prism, by exact signs alone.
+template <class T>
+std::optional<Crossing<T>> intersect_exactly(const Prism<T>& prism, const Ray<T>& ray, T t_max) {
+  const Vec3d o(ray.origin), d(ray.direction);
+  const double half = static_cast<double>(prism.height) / 2;
+  const bool level = d.z == 0, upright = d.x == 0 && d.y == 0, rising = d.z > 0;
+  if (level && !(-half <= o.z && o.z <= half)) return std::nullopt;
+  ExactTime in, out;
+  if (!level) {
+    in = ExactTime(Expansion(rising ? -half : half) - o.z, d.z);
+    out = ExactTime(Expansion(rising ? half : -half) - o.z, d.z);
+    if (out.numerator.sign() <= 0) return std::nullopt;
+  }
+  const bool enters = !level && in.numerator.sign() > 0;
+  const ExactTime start = enters && !upright ? in : ExactTime();
+  const Vec2d along = upright ? Vec2d(1, 0) : Vec2d(d.x, d.y);
+  bool inside = false;
+  // The nearest sides that run to the line's right (0) and to its left (1): where two meet at a corner that is touched,
+  // the one that leads in comes first.
+  std::optional<ExactTime> nearest[2];
+  int nearest_part[2] = {no_part, no_part};
+  for (int i = 0; i < prism.sides(); ++i) {
+    const Vec2d p(prism.corner(i)), q(prism.corner_after(i));
+    const Expansion px = Expansion(p.x) - o.x, py = Expansion(p.y) - o.y, qx = Expansion(q.x) - o.x,
+                    qy = Expansion(q.y) - o.y;
+    if (((py * along.x - px * along.y).sign() >= 0) == ((qy * along.x - qx * along.y).sign() >= 0)) continue;
+    const Expansion ex = qx - px, ey = qy - py;
+    const Expansion below = ey * along.x - ex * along.y;
+    const ExactTime t(px * ey - py * ex, below);
+    const int turn = below.sign() > 0;
+    if (t.compared_to(start) <= 0)
+      inside = !inside;
+    else if (!nearest[turn] || t.compared_to(*nearest[turn]) < 0)
+      nearest[turn] = t, nearest_part[turn] = i;
+  }
+  const int leads_out = prism.twice_signed_area() > 0 ? 1 : 0, turn = inside ? leads_out : 1 - leads_out;
+  const std::optional<ExactTime>& first = nearest[turn];
+  const int first_part = nearest_part[turn];
+  const auto crossing = [&](const ExactTime& t, int part) -> std::optional<Crossing<T>> {
+    const double wide = static_cast<double>(t.numerator.rounded() / t.denominator.rounded());
+    const T rounded = std::max(static_cast<T>(wide), std::numeric_limits<T>::min());
+    if (!(rounded < t_max)) return std::nullopt;
+    return Crossing<T>{rounded, part};
+  };
+  if (inside && enters) return crossing(in, rising ? prism.bottom() : prism.top());
+  const int out_part = rising ? prism.top() : prism.bottom();
+  if (upright) return inside ? crossing(out, out_part) : std::nullopt;
+  const bool side_first = first && (level || first->compared_to(out) < 0);
+  if (side_first) return crossing(*first, first_part);
+  return inside && !level ? crossing(out, out_part) : std::nullopt;
+}
+
 }  // namespace detail
 
 template <class T, class Explain>
@@ -194,6 +275,13 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
   const auto sides = detail::cross_sides(prism, Vec2d(plan(ray.origin)),
                                          upright ? Vec2d(1, 0) : Vec2d(plan(ray.direction)), start, departed_part);
   const bool inside = departs ? departs_in : sides.inside;
+  const bool sure_to_enter = !(std::abs(sides.in.t - slab.out) <= sides.in_error + 4 * detail::half_ulp * slab.out);
+  if (!departs && !(sides.sure && (inside || upright || sure_to_enter))) {
+    note_exact(explain);
+    const auto exact = detail::intersect_exactly(prism, ray, t_max);
+    if constexpr (std::decay_t<Explain>::wanted) explain.plane(exact ? static_cast<double>(exact->t) : NAN, 1);
+    return exact;
+  }
 
   detail::FaceCrossing next;
   const auto meet_cap = [&](double t, int part) {

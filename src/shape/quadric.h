@@ -1,7 +1,7 @@
 #pragma once
 
-#include "math/double_double.h"
 #include "shape/crossing.h"
+#include "shape/quadratic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,11 +47,11 @@ using HyperboloidTwoSheets = Quadric<T, QuadricKind::hyperboloid_two_sheets>;
 
 /// Nearest t in (0, t_max) at which the ray crosses the wall or a cap; a tangent ray counts.
 ///
-/// Along the ray the left side minus the right one is a t^2 + 2 b t + c: negative inside. Its roots are found in double
-/// (Kahan's form, no cancellation); where an error bound does not settle the sign of the discriminant or of a (a ray
-/// parallel to a cone's side), or the origin lies almost on the wall, again in double-double. Caps and wall are told
-/// apart by t alone, as in the prism, so no ray slips through a rim. A ray that departs from the wall has c = 0
-/// exactly.
+/// Along the ray the left side minus the right one is a t^2 + 2 b t + c: negative inside. Its roots are found in
+/// double, without cancellation, from the discriminant's perpendicular form (the sphere's, for any quadric). Caps and
+/// wall are told apart by t alone, as in the prism, so no ray slips through a rim. Where error bounds leave anything in
+/// doubt (the sign of the discriminant, or of a when the ray is parallel to a cone's side; an origin almost on the
+/// wall; a crossing near a rim) all is decided by exact arithmetic. A ray that departs from the wall has c = 0 exactly.
 template <class T, QuadricKind Kind, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
@@ -75,11 +75,6 @@ template <class T, QuadricKind Kind>
 
 namespace detail {
 
-/// x^2 xx + y^2 yy + z^2 zz + z linear + constant: negative inside.
-struct QuadricEquation {
-  double xx, yy, zz, linear, constant;
-};
-
 template <class T, QuadricKind Kind>
 [[nodiscard]] QuadricEquation equation_of(const Quadric<T, Kind>& quadric) {
   const Vec3d r(quadric.radii);
@@ -101,65 +96,65 @@ template <class T, QuadricKind Kind>
   return {};
 }
 
-/// Where a t^2 + 2 b t + c vanishes, near <= far, and whether it is negative between (else outside of them). A root at
-/// infinity is infinite. Without roots near and far are NaN and `inside_everywhere` tells the sign.
-struct QuadraticRoots {
-  double near = NAN, far = NAN;
-  bool inside_between = true, inside_everywhere = false;
-
-  [[nodiscard]] bool inside(double t) const {
-    if (std::isnan(near)) return inside_everywhere;
-    return inside_between ? near <= t && t <= far : t <= near || far <= t;
+template <class T, QuadricKind Kind>
+[[nodiscard]] ExactEquation exact_equation_of(const Quadric<T, Kind>& quadric) {
+  const Vec3d r(quadric.radii);
+  const Expansion x = Expansion(r.x) * r.x, y = Expansion(r.y) * r.y, z = Expansion(r.z) * r.z, none;
+  switch (Kind) {
+    case QuadricKind::ellipsoid:
+      return {y * z, x * z, x * y, none, -(x * y * z)};
+    case QuadricKind::elliptic_paraboloid:
+      return {y, x, none, -(x * y), none};
+    case QuadricKind::cone:
+      return {y, x, -(x * y), none, none};
+    case QuadricKind::cylinder:
+      return {y, x, none, none, -(x * y)};
+    case QuadricKind::hyperboloid_one_sheet:
+      return {y * z, x * z, -(x * y), none, -(x * y * z)};
+    case QuadricKind::hyperboloid_two_sheets:
+      return {y * z, x * z, -(x * y), none, x * y * z};
   }
-};
-
-/// Real is double or DoubleDouble; `discriminant` is b^2 - a c.
-template <class Real>
-[[nodiscard]] QuadraticRoots roots_of(Real a, Real b, Real c, Real discriminant) {
-  using std::sqrt;
-  const double a_hi = static_cast<double>(a), b_hi = static_cast<double>(b);
-  if (static_cast<double>(discriminant) < 0) return {NAN, NAN, true, a_hi < 0};
-  const Real root = sqrt(discriminant);
-  const Real q = b_hi > 0 ? -(b + root) : root - b;
-  if (static_cast<double>(q) == 0) {
-    if (a_hi == 0) return {NAN, NAN, true, static_cast<double>(c) < 0};
-    return {0, 0, a_hi > 0, false};
-  }
-  const double t0 = a_hi == 0 ? static_cast<double>(q) / a_hi : static_cast<double>(q / a);
-  const double t1 = static_cast<double>(c / q);
-  return {std::min(t0, t1), std::max(t0, t1), !std::signbit(a_hi), false};
+  return {};
 }
 
-/// The equation along the ray, and its roots.
-struct QuadricRoots {
-  double a, b, c, discriminant;
-  QuadraticRoots roots;
-};
-
-[[nodiscard]] inline QuadricRoots quadric_roots(const QuadricEquation& e, const Vec3d& o, const Vec3d& d,
-                                                bool on_wall) {
-  const double axx = e.xx * d.x * d.x, ayy = e.yy * d.y * d.y, azz = e.zz * d.z * d.z;
-  const double bxx = e.xx * o.x * d.x, byy = e.yy * o.y * d.y, bzz = e.zz * o.z * d.z, bl = e.linear * d.z / 2;
-  const double cxx = e.xx * o.x * o.x, cyy = e.yy * o.y * o.y, czz = e.zz * o.z * o.z, cl = e.linear * o.z;
-  const double a = axx + ayy + azz, b = bxx + byy + bzz + bl;
-  const double c = on_wall ? 0 : cxx + cyy + czz + cl + e.constant;
-  const double discriminant = b * b - a * c;
-  // Each sum errs by a few ulps of its largest term.
-  constexpr double ulps = 16 * 1.1102230246251565e-16, digits = 1e-8;
-  const double a_size = axx + ayy + std::abs(azz);
-  const double b_size = std::abs(bxx) + std::abs(byy) + std::abs(bzz) + std::abs(bl);
-  const double c_size = on_wall ? 0 : cxx + cyy + std::abs(czz) + std::abs(cl) + std::abs(e.constant);
-  const bool sure = std::abs(discriminant) > ulps * (b_size * b_size + a_size * c_size) &&
-                    std::abs(a) > ulps * a_size && (on_wall || std::abs(c) > digits * c_size);
-  if (sure) return {a, b, c, discriminant, roots_of(a, b, c, discriminant)};
-  const DoubleDouble xx(e.xx), yy(e.yy), zz(e.zz), half(e.linear / 2), ox(o.x), oy(o.y), oz(o.z), dx(d.x), dy(d.y),
-      dz(d.z);
-  const DoubleDouble wide_a = xx * dx * dx + yy * dy * dy + zz * dz * dz;
-  const DoubleDouble wide_b = xx * ox * dx + yy * oy * dy + zz * oz * dz + half * dz;
-  const DoubleDouble wide_c =
-      on_wall ? DoubleDouble()
-              : xx * ox * ox + yy * oy * oy + zz * oz * oz + half * oz + half * oz + DoubleDouble(e.constant);
-  return {a, b, c, discriminant, roots_of(wide_a, wide_b, wide_c, wide_b * wide_b - wide_a * wide_c)};
+/// The whole of `intersect` by exact signs.
+template <class T, QuadricKind Kind>
+[[nodiscard]] std::optional<Crossing<T>> intersect_exactly(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max,
+                                                           int departed_part) {
+  using Part = Quadric<T, Kind>;
+  const Vec3d o(ray.origin), d(ray.direction);
+  const ExactQuadratic wall = exact_quadratic(exact_equation_of(quadric), o, d, departed_part == Part::wall);
+  const auto lies = [&](double t) { return static_cast<T>(t) > 0 && static_cast<T>(t) < t_max; };
+  const double slope = std::abs(d.z);
+  struct Cut {
+    int part;
+    bool met;
+    Expansion distance;
+  };
+  const auto cut = [&](T z, int part) {
+    const bool met = slope > 0 && std::isfinite(z);
+    if (!met || departed_part == part) return Cut{part, met, {}};
+    const Expansion distance = Expansion(static_cast<double>(z)) - o.z;
+    return Cut{part, met, d.z < 0 ? -distance : distance};
+  };
+  Cut in = cut(quadric.z_min, Part::low_cap), out = cut(quadric.z_max, Part::high_cap);
+  if (d.z < 0) std::swap(in, out);
+  const auto t_of = [&](const Cut& c) { return static_cast<double>(c.distance.rounded() / DoubleDouble(slope)); };
+  const auto closed = [&](const Cut& c) {
+    const int sign = wall.value_sign(c.distance, slope);
+    return quadric.capped && c.met && (wall.flipped ? -sign : sign) <= 0 && lies(t_of(c));
+  };
+  if (closed(in)) return Crossing<T>{static_cast<T>(t_of(in)), in.part};
+  int first = 0, last = wall.count();
+  if (in.met && last > 0) {
+    const auto place = wall.place(in.distance, slope);
+    first = place.below + place.at;
+  }
+  if (out.met && last > 0) last = wall.place(out.distance, slope).below;
+  for (int i = first; i < last; ++i)
+    if (const double t = wall.root(i); lies(t)) return Crossing<T>{static_cast<T>(t), Part::wall};
+  if (closed(out)) return Crossing<T>{static_cast<T>(t_of(out)), out.part};
+  return std::nullopt;
 }
 
 }  // namespace detail
@@ -186,6 +181,11 @@ std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<
     return std::nullopt;
   }
 
+  const bool sure = wall.sure && wall.sure_about(slab_in) && wall.sure_about(slab_out);
+  if (!sure) {
+    note_exact(explain);
+    return detail::intersect_exactly(quadric, ray, t_max, departed_part);
+  }
   std::optional<Crossing<T>> nearest;
   const auto consider = [&](double t_wide, int part) {
     const T t = static_cast<T>(t_wide);
@@ -193,7 +193,8 @@ std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<
   };
   // On the wall a point must lie strictly between the cuts: their own t belongs to the caps.
   for (const double t : {wall.roots.near, wall.roots.far})
-    if (slab_in < t && t < slab_out) consider(t, Part::wall);
+    if (slab_in < t && t < slab_out)
+      consider(departed_part == Part::wall ? t : wall.refined(detail::equation_of(quadric), o, d, t), Part::wall);
   if (quadric.capped) {
     if (wall.roots.inside(slab_in)) consider(slab_in, in_part);
     if (wall.roots.inside(slab_out)) consider(slab_out, out_part);

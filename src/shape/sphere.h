@@ -1,6 +1,6 @@
 #pragma once
 
-#include "math/double_double.h"
+#include "math/expansion.h"
 #include "shape/crossing.h"
 
 #include <algorithm>
@@ -21,7 +21,8 @@ struct Sphere {
 /// Hit or miss is decided by the perpendicular form a r^2 - |o x d|^2 of b^2 - a c (Haines et al., "Precision
 /// Improvements for Ray/Sphere Intersection", Ray Tracing Gems 2019), computed in double even for float rays. Where
 /// its error bound does not settle the sign, or the origin is so near the surface that c has lost its digits, the same
-/// formulas run in double-double. A ray that departs from this sphere has c = 0 exactly: the other root is -2b/a.
+/// formulas run in double-double, and what cancels even there is computed exactly. A ray that departs from this sphere
+/// has c = 0 exactly: the other root is -2b/a.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
@@ -49,7 +50,21 @@ struct Roots {
   double near, far, discriminant;
 };
 
-/// The sphere's roots in double-double arithmetic on the ray as stored.
+/// c and the discriminant without any rounding but the last: for those that cancel beyond double-double's digits, as
+/// at a tangent from afar or right on the surface.
+struct SphereTerms {
+  DoubleDouble c, discriminant;
+};
+[[nodiscard]] inline SphereTerms exact_sphere_terms(const Vec3d& origin, const Vec3d& d, const Vec3d& centre,
+                                                    double radius) {
+  const Expansion x = Expansion(origin.x) - centre.x, y = Expansion(origin.y) - centre.y,
+                  z = Expansion(origin.z) - centre.z, r2 = Expansion(radius) * radius;
+  const Expansion cx = y * d.z - z * d.y, cy = z * d.x - x * d.z, cz = x * d.y - y * d.x;
+  const Expansion a = Expansion(d.x) * d.x + Expansion(d.y) * d.y + Expansion(d.z) * d.z;
+  return {(x * x + y * y + z * z - r2).rounded(), (a * r2 - (cx * cx + cy * cy + cz * cz)).rounded()};
+}
+
+/// The sphere's roots in double-double arithmetic on the ray as stored, exactly where that is not enough.
 [[nodiscard]] inline Roots sphere_roots_exactly(const Vec3d& origin, const Vec3d& direction, const Vec3d& centre,
                                                 double radius) {
   const DoubleDouble ox = two_sum(origin.x, -centre.x), oy = two_sum(origin.y, -centre.y),
@@ -57,9 +72,16 @@ struct Roots {
   const DoubleDouble dx(direction.x), dy(direction.y), dz(direction.z);
   const DoubleDouble a = dx * dx + dy * dy + dz * dz;
   const DoubleDouble b = dx * ox + dy * oy + dz * oz;
-  const DoubleDouble c = ox * ox + oy * oy + oz * oz - two_product(radius, radius);
+  const DoubleDouble oo = ox * ox + oy * oy + oz * oz, r2 = two_product(radius, radius);
   const DoubleDouble cx = oy * dz - oz * dy, cy = oz * dx - ox * dz, cz = ox * dy - oy * dx;
-  const DoubleDouble discriminant = a * two_product(radius, radius) - (cx * cx + cy * cy + cz * cz);
+  DoubleDouble c = oo - r2, discriminant = a * r2 - (cx * cx + cy * cy + cz * cz);
+  // Each errs by less than 2^-96 of `size`; 43 bits may cancel until the last digit of a double is in doubt.
+  constexpr double cancelled = 1e-13;
+  const double size = oo.hi + r2.hi;
+  if (!(std::abs(c.hi) > cancelled * size && std::abs(discriminant.hi) > cancelled * a.hi * size)) {
+    const SphereTerms exact = exact_sphere_terms(origin, direction, centre, radius);
+    c = exact.c, discriminant = exact.discriminant;
+  }
   if (discriminant.hi < 0) return {NAN, NAN, discriminant.hi};
   const DoubleDouble root = sqrt(discriminant);
   // Add quantities of one sign only, so that neither root cancels.
@@ -95,6 +117,7 @@ std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray,
     const Vec3d oxd = cross(o, d);
     const double discriminant = a * r2 - dot(oxd, oxd);
     if (std::abs(discriminant) <= sign_bound * a * size || std::abs(c) <= digits_bound * size) {
+      note_exact(explain);
       roots = detail::sphere_roots_exactly(origin, d, centre, radius);
     } else if (discriminant < 0) {
       roots = {NAN, NAN, discriminant};

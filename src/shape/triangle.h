@@ -3,6 +3,7 @@
 #include "math/exact.h"
 #include "shape/crossing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,11 +19,11 @@ struct Triangle {
 /// t in (0, t_max) at which the ray crosses the triangle; one that runs in its plane crosses it nowhere.
 ///
 /// S. Woop, C. Benthin and I. Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013: the corners are sheared
-/// into the ray's own frame, where the ray is the z axis, and the signs of three edge functions decide. A corner's
-/// place there is the same bits for every triangle that shares it, and the edge functions are right in sign, so a
-/// closed mesh has no gaps. A ray exactly through an edge or corner is decided as if it passed a hair beside it, by the
-/// same rule for all triangles (H. Edelsbrunner and E. Muecke, "Simulation of simplicity", 1990): it crosses a shared
-/// edge once.
+/// into the ray's own frame, where the ray is the z axis, and the signs of three edge functions decide. Where an error
+/// bound does not settle a sign, exact arithmetic does, so that hit and miss are right for each triangle, and a closed
+/// mesh has no gaps. A ray exactly through an edge or corner is decided as if it started a hair beside it, by the same
+/// rule for all triangles (H. Edelsbrunner and E. Muecke, "Simulation of simplicity", 1990): it crosses a shared edge
+/// once.
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {});
@@ -32,9 +33,9 @@ template <class T>
 struct ShearedRay {
   ShearedRay() = default;
   explicit ShearedRay(const Ray<T>& ray);
-  Vec3<T> origin{0};
-  int kx = 0, ky = 1, kz = 2;  ///< the axes that become x, y and z
-  T x = 0, y = 0, z = 1;       ///< the shear
+  Vec3d origin{0.0}, direction{0.0, 0.0, 1.0};
+  int kx = 0, ky = 1, kz = 2;        ///< the axes that become x, y and z: z the largest component of the direction
+  double x = 0, y = 0, inverse = 1;  ///< the shear, and 1 / direction[kz]
 };
 
 /// The same, bit for bit.
@@ -78,57 +79,83 @@ template <class T>
 
 namespace detail {
 
-/// A corner in the ray's frame: x and y across it, z along it in units of the direction.
-template <class T>
-struct Sheared {
-  T x, y, z;
-};
+/// On which side of the edge from p to q the ray passes, 1 or -1: the sign of d . (p - o) x (q - o). One that meets the
+/// edge is moved by (e, e^2, e^3); 0 when it is parallel to the edge, and so is decided by the others.
+[[nodiscard]] inline int exact_side(const Vec3d& o, const Vec3d& d, const Vec3d& p, const Vec3d& q) {
+  const Expansion px = Expansion(p.x) - o.x, py = Expansion(p.y) - o.y, pz = Expansion(p.z) - o.z;
+  const Expansion qx = Expansion(q.x) - o.x, qy = Expansion(q.y) - o.y, qz = Expansion(q.z) - o.z;
+  const int side = ((py * qz - pz * qy) * d.x + (pz * qx - px * qz) * d.y + (px * qy - py * qx) * d.z).sign();
+  if (side != 0) return side;
+  const Expansion ex = qx - px, ey = qy - py, ez = qz - pz;
+  if (const int x = (ez * d.y - ey * d.z).sign(); x != 0) return x;
+  if (const int y = (ex * d.z - ez * d.x).sign(); y != 0) return y;
+  return (ey * d.x - ex * d.y).sign();
+}
 
-/// Sign of the edge function of p and q about the ray, which is never 0: a ray on the edge is moved by (e, e^2).
 template <class T>
-int side_of(double edge, const Sheared<T>& p, const Sheared<T>& q) {
-  if (edge != 0) return edge > 0 ? 1 : -1;
-  if (p.y != q.y) return p.y < q.y ? 1 : -1;
-  if (p.x != q.x) return p.x > q.x ? 1 : -1;
-  return 0;
+[[nodiscard]] std::optional<Crossing<T>> intersect_exactly(const Triangle<T>& triangle, const Vec3d& o, const Vec3d& d,
+                                                           T t_max) {
+  const Vec3d a(triangle.a), b(triangle.b), c(triangle.c);
+  const int side = exact_side(o, d, a, b);
+  if (side == 0 || exact_side(o, d, b, c) != side || exact_side(o, d, c, a) != side) return std::nullopt;
+  const auto along = [&](const Vec3d& to, int axis) { return Expansion(to[axis]) - a[axis]; };
+  Expansion numerator, denominator;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int next = (axis + 1) % 3, after = (axis + 2) % 3;
+    const Expansion normal = along(b, next) * along(c, after) - along(b, after) * along(c, next);
+    numerator = numerator + normal * (Expansion(a[axis]) - o[axis]);
+    denominator = denominator + normal * d[axis];
+  }
+  if (denominator.sign() == 0) return std::nullopt;
+  const T t = static_cast<T>(static_cast<double>(numerator.rounded() / denominator.rounded()));
+  if (!(t > 0 && t < t_max)) return std::nullopt;
+  return Crossing<T>{t};
 }
 
 }  // namespace detail
 
 template <class T>
-ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(ray.origin) {
-  const Vec3<T>& d = ray.direction;
-  // The largest component of the direction becomes z; the other two keep their turn.
+ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(ray.origin), direction(ray.direction) {
+  const Vec3d& d = direction;
   kz = std::abs(d.x) > std::abs(d.y) ? 0 : 1;
   if (std::abs(d.z) > std::abs(d[kz])) kz = 2;
-  kx = (kz + 1) % 3, ky = (kz + 2) % 3;
-  if (d[kz] < 0) std::swap(kx, ky);
-  x = d[kx] / d[kz], y = d[ky] / d[kz], z = T(1) / d[kz];
+  kx = (kz + 1) % 3, ky = (kz + 2) % 3;  // x and y keep their turn
+  inverse = 1 / d[kz], x = d[kx] * inverse, y = d[ky] * inverse;
 }
 
 template <class T, class Explain>
 std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max, int departed_part,
                                      Explain&& explain) {
   const auto sheared = [&](const Vec3<T>& corner) {
-    const Vec3<T> p = corner - ray.origin;
-    return detail::Sheared<T>{p[ray.kx] - ray.x * p[ray.kz], p[ray.ky] - ray.y * p[ray.kz], ray.z * p[ray.kz]};
+    const Vec3d p = Vec3d(corner) - ray.origin;
+    return Vec3d(p[ray.kx] - ray.x * p[ray.kz], p[ray.ky] - ray.y * p[ray.kz], p[ray.kz]);
   };
-  const detail::Sheared<T> a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  const Vec3d a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  // A sheared x or y errs by 5 half ulps of itself and of twice its z, an edge function by what that makes of it.
+  const double across =
+      std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
+  const double depth = std::max({std::abs(a.z), std::abs(b.z), std::abs(c.z)});
+  const double corner_error = 8 * detail::half_ulp * (across + 2 * depth), error = 4 * across * corner_error;
   constexpr bool explained = std::decay_t<Explain>::wanted;
-  // Wholly on one side of the ray, or behind it: told without a product. The signs below would say the same.
-  const bool aside = (a.x > 0 && b.x > 0 && c.x > 0) || (a.x < 0 && b.x < 0 && c.x < 0) ||
-                     (a.y > 0 && b.y > 0 && c.y > 0) || (a.y < 0 && b.y < 0 && c.y < 0) ||
-                     (a.z <= 0 && b.z <= 0 && c.z <= 0);
-  if (aside && !explained) return std::nullopt;
-  const double u = difference_of_products(c.x, b.y, c.y, b.x);
-  const double v = difference_of_products(a.x, c.y, a.y, c.x);
-  const double w = difference_of_products(b.x, a.y, b.y, a.x);
-  const double determinant = u + v + w;
-  const double scaled = u * static_cast<double>(a.z) + v * static_cast<double>(b.z) + w * static_cast<double>(c.z);
+  if (!explained) {
+    // Wholly on one side of the ray, or behind it: told without a product.
+    const auto beside = [&](double p, double q, double r) {
+      return std::min({p, q, r}) > corner_error || std::max({p, q, r}) < -corner_error;
+    };
+    const bool behind = ray.inverse > 0 ? std::max({a.z, b.z, c.z}) <= 0 : std::min({a.z, b.z, c.z}) >= 0;
+    if (behind || beside(a.x, b.x, c.x) || beside(a.y, b.y, c.y)) return std::nullopt;
+  }
+  const double u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
+  const bool left = u > error || v > error || w > error, right = u < -error || v < -error || w < -error;
+  const double determinant = u + v + w, scaled = (u * a.z + v * b.z + w * c.z) * ray.inverse;
   if constexpr (explained) explain.plane(scaled, determinant);
-  if (departed_part != no_part || determinant == 0) return std::nullopt;
-  const int side = detail::side_of(u, c, b);
-  if (side == 0 || detail::side_of(v, a, c) != side || detail::side_of(w, b, a) != side) return std::nullopt;
+  if (departed_part != no_part || (left && right)) return std::nullopt;
+  const bool sure = std::min({std::abs(u), std::abs(v), std::abs(w)}) > error &&
+                    std::abs(u * a.z + v * b.z + w * c.z) > 4 * error * depth;
+  if (!sure) {
+    note_exact(explain);
+    return detail::intersect_exactly(triangle, ray.origin, ray.direction, t_max);
+  }
   const T t = static_cast<T>(scaled / determinant);
   if (!(t > 0 && t < t_max)) return std::nullopt;
   return Crossing<T>{t};

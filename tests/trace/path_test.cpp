@@ -29,25 +29,25 @@ Scene all_scene() {
   return scene;
 }
 
-// E. Veach's plates: four strips of growing sharpness below four balls of growing size and equal power.
+// E. Veach's plates: four strips of growing roughness below four balls of growing size and equal power.
 Scene plates() {
   Scene scene;
   scene.render.sampler = Sampler::random;
   scene.camera.eye = {-6, 0, 2.2};
-  scene.camera.look_at = {0, 0, 0.9};
+  scene.camera.look_at = {0, 0, 0.3};  // the balls themselves, above, are not in the picture
   scene.camera.screen = {1, 0.85, 21};
   double y = -1.5;
-  for (const double radius : {0.03, 0.1, 0.3, 0.9}) {
+  for (const double radius : {0.08, 0.2, 0.45, 0.9}) {
     Material light = black();
     light.emission = Rgbd(0.5 / (radius * radius));
     scene.objects.push_back(object("Ball", Sphere<double>{{2, y, 2.6}, radius}, light));
-    y += radius < 0.2 ? 0.8 : 1.3;
+    y += radius < 0.3 ? 0.8 : 1.3;
   }
   double x = -2, height = 0;
-  for (const double shininess : {3000.0, 300.0, 60.0, 12.0}) {
+  for (const double gloss : {1.0, 3.0, 8.0, 25.0}) {
     Material plate = matte(0.05);
-    plate.specular = Rgbd(0.8);
-    plate.shininess = shininess;
+    plate.reflection = Rgbd(0.8);
+    plate.gloss = gloss;
     scene.objects.push_back(
         object("Plate",
                Polygon<double>{
@@ -175,8 +175,10 @@ TEST_CASE("both strategies' weights, as told, complement each other") {
 TEST_CASE("all strategies have the same mean; both together vary least where each alone fails") {
   const Scene scene = plates();
   const auto by = [&](PathStrategy strategy, std::uint64_t seed) {
-    return path_estimates(scene, 28, 20, 48, {2, never, strategy}, seed);
+    return path_estimates(scene, 28, 14, 64, {2, never, strategy}, seed);
   };
+  REQUIRE(path_picture<double>(scene, 28, 14, {1, never, PathStrategy::both}).pixels ==
+          std::vector(28 * 14, Rgbd(0.0)));
   const Estimates both = by(PathStrategy::both, 1), lights = by(PathStrategy::lights, 2),
                   directions = by(PathStrategy::directions, 3);
   // Rare bright samples make small samples lie, so means are compared over the whole picture.
@@ -187,9 +189,8 @@ TEST_CASE("all strategies have the same mean; both together vary least where eac
     return std::pair{sum, std::sqrt(variance)};
   };
   for (const Estimates* alone : {&lights, &directions})
-    CHECK(std::abs(mean(both).first - mean(*alone).first) <=
-          4 * std::hypot(mean(both).second, mean(*alone).second) + 0.02 * mean(both).first);
-  CHECK(both.total_variance() < 0.6 * lights.total_variance());
+    CHECK(std::abs(mean(both).first - mean(*alone).first) <= 4 * std::hypot(mean(both).second, mean(*alone).second));
+  CHECK(both.total_variance() < 0.5 * lights.total_variance());
   CHECK(both.total_variance() < 0.5 * directions.total_variance());
 }
 

@@ -1,0 +1,121 @@
+#include "accel/accelerator.h"
+#include "check/aim.h"
+#include "check/family.h"
+
+#include <algorithm>
+
+namespace raywalk::check {
+
+namespace {
+
+/// Shapes of all sizes thrown together, some under a transform, some in one place.
+template <class T>
+Primitives<T> heap(Random& random, bool backwards) {
+  std::vector<std::pair<Shape<T>, std::optional<Placement<T>>>> all;
+  const int count = random.whole(5, 60);
+  const double spread = random.magnitude(0, 2);
+  for (int i = 0; i < count; ++i) {
+    const Vec3d at = spread * random.in_box();
+    const double size = random.magnitude(-1.5, 0.3);
+    Shape<T> shape;
+    bool moved = false;
+    switch (random.whole(0, 6)) {
+      case 0:
+        shape = Bench<Sphere<T>>::make(random, size, at);
+        break;
+      case 1:
+        shape = Bench<Box<T>>::make(random, size, at);
+        break;
+      case 2:
+        shape = Bench<Disk<T>>::make(random, size, at);
+        break;
+      case 3:
+        shape = Bench<Cone<T>>::make(random, size, at), moved = true;
+        break;
+      case 4:
+        shape = Bench<Prism<T>>::make(random, size, at), moved = true;
+        break;
+      default:
+        shape = Bench<Triangle<T>>::make(random, size, at);
+        break;
+    }
+    std::optional<Placement<T>> place;
+    if (moved) place = placement<T>(translation(at) * rotation(random.unit(), random.real(-180, 180)));
+    for (int copies = random.whole(0, 19) == 0 ? 2 : 1; copies > 0; --copies) all.emplace_back(shape, place);
+  }
+  if (backwards) std::reverse(all.begin(), all.end());
+  Primitives<T> primitives;
+  for (const auto& [shape, place] : all) place ? primitives.add(shape, *place) : primitives.add(shape);
+  return primitives;
+}
+
+/// Rays at corners of boxes, into faces' planes, between primitives: `kind` against no structure at all. With `none`,
+/// the same primitives in the reverse order.
+template <class T>
+Row compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  Row row;
+  constexpr std::uint64_t rays_a_heap = 1024;
+  std::optional<Accelerator<T>> plain, structure;
+  const bool permuted = kind == AcceleratorKind::none;
+  for (std::uint64_t number = first; number < first + count; ++number) {
+    if (!plain || number % rays_a_heap == 0) {
+      Random again(seed, 50, number / rays_a_heap);
+      plain.emplace(heap<T>(again, false), AcceleratorKind::none);
+      again = Random(seed, 50, number / rays_a_heap);
+      structure.emplace(heap<T>(again, permuted), kind);
+    }
+    Random random(seed, 51, number);
+    const Primitives<T>& all = plain->primitives();
+    const auto some_point = [&] {
+      const Bounds<T> box = all.box(random.whole(0, all.size() - 1));
+      Vec3d p;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double low = static_cast<double>(box.min[axis]), high = static_cast<double>(box.max[axis]);
+        const int where = random.whole(0, 3);
+        p[axis] = where == 0 ? low : where == 1 ? high : low + random.real(0, 1) * (high - low);
+      }
+      return p;
+    };
+    const Vec3d target = some_point();
+    Vec3d eye = random.coin() ? some_point() : target + random.magnitude(-1, 4) * random.unit();
+    for (int axis = 0; axis < 3; ++axis)
+      if (random.whole(0, 3) == 0) eye[axis] = target[axis];
+    const auto ray = ray_towards<T>(eye, target, random);
+    if (!ray || !is_finite(ray->origin)) continue;
+    TestCounts counts;
+    const auto expected = plain->closest(*ray, infinity<T>, counts),
+               got = structure->closest(*ray, infinity<T>, counts);
+    ++row.rays;
+    row.hits += expected.has_value();
+    const bool any = structure->any(*ray, infinity<T>, counts);
+    bool same = expected.has_value() == got.has_value() && any == expected.has_value();
+    // Of primitives at one t the lowest is met, and which is lowest the order decides.
+    if (same && got) same = got->t == expected->t && (permuted || got->primitive == expected->primitive);
+    if (same && got && !permuted) same = got->part == expected->part;
+    row.unequal += !same;
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<Family> accelerator_families() {
+  Family family{"accelerators", "", {}};
+  for (const AcceleratorKind kind : {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
+                                     AcceleratorKind::kdtree, AcceleratorKind::none}) {
+    const std::string name(kind == AcceleratorKind::none ? "permuted" : accelerator_name(kind));
+    const auto add = [&](const char* scalar, auto run) {
+      family.lines.push_back({name,
+                              scalar,
+                              [run, kind](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+                                return run(kind, seed, first, count);
+                              },
+                              {}});
+    };
+    add("float", compare<float>);
+    add("double", compare<double>);
+  }
+  return {family};
+}
+
+}  // namespace raywalk::check

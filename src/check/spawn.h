@@ -1,0 +1,80 @@
+#pragma once
+
+#include "accel/primitives.h"
+#include "check/judge.h"
+
+namespace raywalk::check {
+
+/// One of scale, shear and translation; a chain of them is what instances in groups see.
+[[nodiscard]] inline Affine<double> transform_step(Random& random) {
+  switch (random.whole(0, 3)) {
+    case 0:
+      return scaling(Vec3d(random.sign() * random.real(0.1, 10), random.real(0.1, 10), random.real(0.1, 10)));
+    case 1: {
+      Affine<double> shear;
+      shear.y.x = random.real(-2, 2), shear.z.x = random.real(-2, 2), shear.z.y = random.real(-2, 2);
+      return shear;
+    }
+    case 2:
+      return rotation(random.unit(), random.real(-180, 180));
+    default:
+      return translation(random.magnitude(0, 4) * random.unit());
+  }
+}
+
+/// A ray is sent at a shape in a chain of transforms; from where it hits, one leaves in a random direction.
+template <class S, class T>
+[[nodiscard]] Row spawn(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  using B = Bench<S>;
+  Row row;
+  for (std::uint64_t number = first; number < first + count; ++number) {
+    Random random(seed, 40, number);
+    Affine<double> chain;
+    for (int depth = random.whole(0, 3); depth > 0; --depth) chain = transform_step(random) * chain;
+    const auto place = placement<T>(chain);
+    const S shape = B::make(random, 1, Vec3d(0.0));
+    if (!place) continue;
+    const Vec3d eye = B::centre(shape) + random.magnitude(0.2, 2) * B::size(shape) * random.unit();
+    const auto in_shape =
+        ray_towards<T>(eye, random.whole(0, 3) == 0 ? B::special(shape, random) : B::surface(shape, random), random);
+    if (!in_shape) continue;
+    const Ray<T> ray{place->to_world.point(in_shape->origin), place->to_world.direction(in_shape->direction)};
+    Primitives<T> primitives;
+    primitives.add(shape, *place);
+    const auto hit = primitives.intersect(0, ray, infinity<T>);
+    if (!hit) continue;
+    const SurfacePoint<T> point = primitives.surface_at(0, ray, *hit);
+    const Ray<T> born{point.position, Vec3<T>(random.unit()), {0, hit->part}};
+    if (!is_finite(born.origin)) continue;
+
+    NoteExactPath note;
+    const auto met = primitives.intersect(0, born, infinity<T>, note);
+    ++row.rays;
+    row.hits += met.has_value();
+    row.exact_path += note.taken;
+    // The truth of the ray as stored in the shape's own space, with its origin on the part that it left.
+    const Ray<T> own = into_shape(*place, born);
+    Judgement judgement;
+    try {
+      judgement = judge(truth<Ball>(shape, own, hit->part), met);
+    } catch (const Undecided&) {
+      ++row.rationals;
+      judgement = judge(truth<Rational>(shape, own, hit->part), met);
+    }
+    row.self_hits += judgement.verdict == Verdict::false_hit;
+    row.missed += judgement.verdict == Verdict::missed;
+
+    // A sheet 16 ulps away along the normal, on the side that the ray goes to.
+    const double ulp =
+        ulp_at<T>(std::max({std::abs(point.position.x), std::abs(point.position.y), std::abs(point.position.z)}));
+    const double side = raywalk::dot(point.normal, born.direction) > 0 ? 1 : -1;
+    const Plane<T> sheet{Vec3<T>(Vec3d(point.position) + side * 16 * ulp * Vec3d(point.normal)), point.normal};
+    primitives.add(sheet);
+    const bool sheet_met = primitives.intersect(1, born, infinity<T>).has_value();
+    row.sheet_missed += !sheet_met && !truth<Rational>(sheet, born).crossings.empty();
+    row.unequal += sheet_met && truth<Rational>(sheet, born).crossings.empty();
+  }
+  return row;
+}
+
+}  // namespace raywalk::check

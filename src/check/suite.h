@@ -1,0 +1,48 @@
+#pragma once
+// Runs families of tests in chunks on threads, keeps what is done in a file so that a long run goes on where it was
+// stopped, and writes the table.
+
+#include "check/family.h"
+#include "io/error.h"
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace raywalk::check {
+
+struct SuiteOptions {
+  std::uint64_t rays = 1'000'000;  ///< a family, over all of its lines
+  std::uint64_t seed = 1;
+  int threads = 1;                            ///< 0: as many as the machine runs at once
+  std::string state;                          ///< the file that keeps finished lines; empty: none
+  const std::atomic<bool>* cancel = nullptr;  ///< ends the run at the next chunk
+  std::function<void(double done, double seconds_left)> progress{};  ///< called now and then; done in 0..1
+};
+
+/// A line that has run.
+struct Tested {
+  std::string family, line, scalar;
+  Row row;
+  std::string broken;  ///< the goals it breaks; empty: none
+};
+
+struct SuiteResult {
+  std::vector<Tested> lines;
+  bool finished = true;  ///< not cancelled
+  [[nodiscard]] bool good() const;
+};
+
+/// Runs all lines of `families`. Fails when the state file cannot be read or written, or is of another run.
+[[nodiscard]] Result<SuiteResult> run_suite(const std::vector<Family>& families, const SuiteOptions& options);
+
+/// Its heading, one row a line, and what holds instead where a family does not meet a goal.
+[[nodiscard]] std::string table_text(const std::vector<Family>& families, const SuiteResult& result);
+
+/// A state file's text and back: the settings of the run and its finished lines.
+[[nodiscard]] std::string state_text(const SuiteOptions& options, const std::vector<Tested>& lines);
+[[nodiscard]] Result<std::vector<Tested>> read_state(const std::string& path, const std::string& text,
+                                                     const SuiteOptions& options);
+
+}  // namespace raywalk::check

@@ -1,0 +1,111 @@
+# The mutants, for run.sh: mutant NAME WHO FILE OLD NEW [FLAGS]. Each OLD is one place of the product's source.
+# shellcheck shell=bash
+
+# --- The compiler's liberties -----------------------------------------------------------------------------------------
+mutant contraction_on arithmetic '' '' '' '-ffp-contract=fast -mfma'
+mutant reassociation_on arithmetic '' '' '' '-ffast-math'
+
+# --- Exact arithmetic -------------------------------------------------------------------------------------------------
+mutant two_sum_forgets_its_error arithmetic math/double_double.h '(a - a_part) + (b - b_part)' '(a - a_part)'
+mutant two_product_forgets_low_bits arithmetic math/double_double.h '+ a_lo * b_hi) + a_lo * b_lo' '+ a_lo * b_hi)'
+mutant expansion_drops_a_term arithmetic math/expansion.h \
+  'if (sum.lo != 0) shorter.terms_.push_back(sum.lo);' ''
+mutant expansion_signed_by_its_least arithmetic math/expansion.h 'terms_.back() > 0 ? 1 : -1' 'terms_.front() > 0 ? 1 : -1'
+mutant dot_without_bound arithmetic math/exact.h \
+  'std::abs(sum) >= 2 * error ? Certain{sum, error} : detail::rounded(detail::exact_dot(n, d))' 'Certain{sum, error}'
+mutant difference_without_bound Plane math/exact.h \
+  'std::abs(sum) >= 2 * error ? Certain{sum, error} : detail::rounded(detail::exact_dot_of_difference(n, p, o))' \
+  'Certain{sum, error}'
+
+# --- Sphere -----------------------------------------------------------------------------------------------------------
+mutant sphere_second_root_dropped Sphere shape/sphere.h 'const T t = near > 0 ? near : far;' 'const T t = near;'
+mutant sphere_tangent_missed Sphere shape/sphere.h 'if (discriminant.hi < 0) return' 'if (discriminant.hi <= 0) return'
+mutant sphere_sign_without_bound Sphere shape/sphere.h 'sign_bound = 32 *' 'sign_bound = 0 *'
+mutant sphere_digits_without_bound Sphere shape/sphere.h 'digits_bound = 1e-8;' 'digits_bound = 0;'
+mutant sphere_exact_tier_dropped Sphere shape/sphere.h 'constexpr double cancelled = 1e-13;' 'constexpr double cancelled = -1;'
+mutant sphere_zero_is_a_crossing Sphere shape/sphere.h 'if (!(t > 0 && t < t_max))' 'if (!(t >= 0 && t < t_max))'
+mutant sphere_roots_cancel Sphere shape/sphere.h 'const double q = b > 0 ? -(b + root) : root - b;' \
+  'const double q = b > 0 ? root - b : -(b + root);'
+mutant sphere_leaves_the_wrong_way Sphere shape/sphere.h 'roots = {std::min(0.0, -2 * b / a), std::max(0.0, -2 * b / a), b * b};' \
+  'roots = {std::min(0.0, 2 * b / a), std::max(0.0, 2 * b / a), b * b};'
+mutant sphere_behind_is_before Sphere shape/sphere.h 'b > 0 && c > digits_bound * size' 'b < 0 && c > digits_bound * size'
+mutant sphere_departure_forgotten Sphere shape/sphere.h 'if (departed_part != no_part) {' 'if (false) {'
+
+# --- Plane, disk, polygon ---------------------------------------------------------------------------------------------
+mutant plane_behind_is_before Plane shape/plane.h 'if (!(t > 0 && t < t_max))' 'if (!(t < t_max))'
+mutant disk_rim_excluded Disk shape/disk.h '(square - reach * reach).sign() <= 0' '(square - reach * reach).sign() < 0'
+mutant disk_rim_without_bound Disk shape/disk.h 'std::abs(square - radius * radius) > doubt' \
+  'std::abs(square - radius * radius) >= 0'
+mutant polygon_half_open_turned Polygon shape/polygon.h '(denominator * p[ky] - y).sign() > 0' \
+  '(denominator * p[ky] - y).sign() >= 0'
+mutant polygon_back_face Polygon shape/polygon.h 'if (denominator.sign() < 0) numerator' 'if (false) numerator'
+mutant polygon_edges_without_bound Polygon shape/polygon.h 'std::abs(left - right) > doubt' 'std::abs(left - right) >= 0'
+mutant polygon_heights_without_bound Polygon shape/polygon.h 'std::abs(p[ky] - y) > y_error' 'std::abs(p[ky] - y) >= 0'
+mutant polygon_left_is_right Polygon shape/polygon.h 'q_above ? side > 0 : side < 0' 'q_above ? side < 0 : side > 0'
+
+# --- Box --------------------------------------------------------------------------------------------------------------
+mutant box_edge_without_bound Box shape/box.h '<= 8 * detail::half_ulp * std::abs(way.out)' '< 0'
+mutant box_edges_open Box shape/box.h 'enters.slope).sign() > 0' 'enters.slope).sign() >= 0'
+mutant box_faces_open Box shape/box.h 'if (!(low <= o && o <= high))' 'if (!(low < o && o < high))'
+mutant box_signs_ignored Box shape/box.h 'if (d < 0) std::swap(t_in, t_out)' 'if (false) std::swap(t_in, t_out)'
+mutant box_sign_of_zero_ignored Box shape/box.h 'if (d == 0) {' 'if (false) {'
+mutant box_departure_forgotten Box shape/box.h 'double t_in = departed_part == 2 * axis ? 0' 'double t_in = false ? 0'
+mutant box_enters_where_it_starts Box shape/box.h 'const bool entering = way.in > 0;' 'const bool entering = way.in >= 0;'
+
+# --- Quadrics ---------------------------------------------------------------------------------------------------------
+mutant quadric_second_root_dropped Cylinder shape/quadric.h '{wall.roots.near, wall.roots.far})' '{wall.roots.near})'
+mutant quadric_discriminant_without_bound Cylinder shape/quadratic.h \
+  'std::abs(discriminant) > 2 * discriminant_error' 'std::abs(discriminant) > 0'
+mutant quadric_parallel_without_bound Cone shape/quadratic.h 'std::abs(a) > 2 * a_error' 'std::abs(a) > 0'
+mutant quadric_rim_without_bound Cylinder shape/quadric.h 'wall.sure && wall.sure_about(slab_in) && wall.sure_about(slab_out)' \
+  'wall.sure'
+mutant quadric_tangent_missed Cylinder shape/quadratic.h 'return discriminant.sign() + 1;' \
+  'return discriminant.sign() > 0 ? 2 : 0;'
+mutant quadric_linear_case_forgotten Cone shape/quadratic.h 'if (a.sign() == 0) return b.sign() == 0 ? 0 : 1;' ''
+mutant quadric_other_way_round Cone shape/quadratic.h 'const bool flip = a.sign() < 0;' 'const bool flip = false;'
+mutant quadric_rim_met_twice Cylinder shape/quadric.h 'first = place.below + place.at;' 'first = place.below;'
+mutant quadric_cap_open Cylinder shape/quadric.h '(wall.flipped ? -sign : sign) <= 0' '(wall.flipped ? -sign : sign) < 0'
+mutant quadric_departure_forgotten Cylinder shape/quadratic.h 'const double c = on_wall ? 0 :' 'const double c = false ? 0 :'
+mutant quadric_not_refined Cone shape/quadratic.h '<= error * std::abs(t) ? better : t' '<= error * std::abs(t) ? t : t'
+mutant quadric_moments_not_used Cylinder shape/quadratic.h 'const double a_error = 8' 'const double a_error = 0'
+mutant quadric_inside_is_outside Cone shape/quadratic.h ': t <= near || far <= t;' ': near <= t && t <= far;'
+
+# --- Prism ------------------------------------------------------------------------------------------------------------
+mutant prism_half_open_broken Prism shape/prism.h '(side >= 0) != (next_side >= 0)' '(side > 0) != (next_side >= 0)'
+mutant prism_cap_behind Prism shape/prism.h 'if (slab.out < next.t) meet_cap' 'if (slab.out > next.t) meet_cap'
+mutant prism_corners_without_bound Prism shape/prism.h '!(std::abs(side) < 4 * half_ulp * size_of_cross(d, to))' 'true'
+mutant prism_rim_without_bound Prism shape/prism.h 'std::abs(t - start) > error + 4 * half_ulp * start' 'true'
+mutant prism_exactly_half_open Prism shape/prism.h 'along.y).sign() >= 0) == ((qy' 'along.y).sign() > 0) == ((qy'
+mutant prism_upright_from_the_slab Prism shape/prism.h 'enters && !upright ? in' 'enters ? in'
+mutant prism_parity_forgotten Prism shape/prism.h 'crossings.inside = !crossings.inside;' 'crossings.inside = true;'
+
+# --- Triangles --------------------------------------------------------------------------------------------------------
+mutant triangle_signs_without_bound Triangle shape/triangle.h \
+  'std::min({std::abs(u), std::abs(v), std::abs(w)}) > error' 'true'
+mutant triangle_t_without_bound Triangle shape/triangle.h '> 4 * error * depth' '>= 0'
+mutant triangle_edges_for_both mesh shape/triangle.h 'if (side != 0) return side;' 'return side >= 0 ? 1 : -1;'
+mutant triangle_edges_for_none mesh shape/triangle.h 'if (side != 0) return side;' 'return side;'
+mutant triangle_one_edge_turned mesh shape/triangle.h 'exact_side(o, d, c, a) != side' 'exact_side(o, d, a, c) != side'
+mutant triangle_absolute_threshold mesh shape/triangle.h '(left && right)) return' \
+  '(left && right) || std::abs(determinant) < 1e-9) return'
+mutant triangle_bound_too_small Triangle shape/triangle.h 'error = 32 * detail::half_ulp' 'error = 0.01 * detail::half_ulp'
+mutant triangle_tie_turned_in_y mesh shape/triangle.h 'y != 0) return y;' 'y != 0) return -y;'
+mutant triangle_deep_corner_forgotten Triangle shape/triangle.h 'across * (across + 2 * depth)' 'across * across'
+
+# --- Accelerators -----------------------------------------------------------------------------------------------------
+mutant accel_tie_to_the_higher accel accel/query.h 'id < nearest_->primitive)' 'id > nearest_->primitive)'
+mutant accel_sign_of_zero_ignored accel accel/query.h 'negative[axis] = std::signbit(ray.direction[axis])' \
+  'negative[axis] = ray.direction[axis] < 0'
+mutant accel_boxes_without_pad accel accel/primitives.h 'const T pad = 8 *' 'const T pad = -8 *'
+mutant kdtree_in_the_plane accel accel/kdtree.h 'if (std::isnan(t)) {' 'if (false) {'
+mutant kdtree_one_side accel accel/kdtree.h 'boxes.box(id).max[best_axis] >= plane' 'boxes.box(id).min[best_axis] >= plane'
+mutant bvh_too_early accel accel/bvh.h 'if (entry.in > query.reach()) continue;' 'if (entry.in > query.reach() / 2) continue;'
+mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \
+  'leave[0] >= leave[1] ? (leave[0] <= leave[2]'
+
+# --- Transforms -------------------------------------------------------------------------------------------------------
+mutant normal_by_the_map_itself transform math/transform.h 'n.x * cross(y, z) + n.y * cross(z, x) + n.z * cross(x, y)' \
+  'n.x * x + n.y * y + n.z * z'
+mutant mirror_turns_inside_out transform math/transform.h 'return determinant() < 0 ? -image : image;' 'return image;'
+mutant inverse_moves_the_wrong_way transform math/transform.h 'inverted.move = -inverted.direction(m.move);' \
+  'inverted.move = inverted.direction(m.move);'

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# Tests of the tests: each mutant changes one place of the numeric code; the suite must notice ("killed"). Prints a line
+# a mutant, and at the end how many survived; exits with 1 when one did.
+#
+#   tests/mutants/run.sh [NAME...]     all mutants, or those named; what is done already is not done again
+#   tests/mutants/run.sh --fresh       forgets what is done
+#
+# Results are kept in build/mutants. CXX chooses the compiler.
+set -uo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+work=$root/build/mutants
+results=$work/results
+cxx=${CXX:-g++}
+[[ ${1:-} == --fresh ]] && { rm -rf "$work"; shift; }
+mkdir -p "$work" && touch "$results"
+wanted=("$@")
+survived=0
+killed=0
+
+# suspect WHO: how suspects.cpp is compiled for a mutant of WHO.
+suspect() {
+  case $1 in
+    mesh | accel | transform | arithmetic) printf '%s\n' "-DSUSPECT=${1^^}" ;;
+    Prism | Polygon | Triangle) printf '%s\n' "-DSHAPE_ALONE=$1" ;;
+    *) printf '%s\n' "-DSHAPE=$1" ;;
+  esac
+}
+
+# verdict NAME WHO FLAGS FOLDER: compiles the suspects over FOLDER/src and runs them.
+verdict() {
+  local log=$work/$1.log
+  # shellcheck disable=SC2086
+  if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "$(suspect "$2")" "$root/tests/mutants/suspects.cpp" \
+    "$4/src/shape/polygon.cpp" -o "$work/$1.bin" -lgmpxx -lgmp >"$log" 2>&1; then
+    printf 'broken'
+  elif timeout 60 "$work/$1.bin" >>"$log" 2>&1; then
+    printf 'survived'
+  else
+    printf 'killed'
+  fi
+  rm -f "$work/$1.bin"
+}
+
+# mutant NAME WHO FILE OLD NEW [FLAGS]: OLD stands exactly once in src/FILE. No FILE: only the compiler's FLAGS differ.
+mutant() {
+  local name=$1 who=$2 file=$3 old=$4 new=$5 flags=${6:-} known text copy result
+  if ((${#wanted[@]} > 0)) && [[ " ${wanted[*]} " != *" $name "* ]]; then return; fi
+  known=$(sed -n "s/^$name //p" "$results")
+  if [[ -z $known ]]; then
+    copy=$work/$name
+    rm -rf "$copy" && mkdir -p "$copy" && cp -r "$root/src" "$copy/src"
+    if [[ -n $file ]]; then
+      text=$(<"$copy/src/$file")
+      if [[ $text != *"$old"* || ${text#*"$old"} == *"$old"* ]]; then
+        printf '%-40s does not apply: src/%s does not have its line exactly once\n' "$name" "$file"
+        survived=$((survived + 1))
+        rm -rf "$copy"
+        return
+      fi
+      printf '%s\n' "${text/"$old"/"$new"}" >"$copy/src/$file"
+    fi
+    known=$(verdict "$name" "$who" "$flags" "$copy")
+    rm -rf "$copy"
+    printf '%s %s\n' "$name" "$known" >>"$results"
+  fi
+  printf '%-40s %s\n' "$name" "$known"
+  if [[ $known == killed ]]; then killed=$((killed + 1)); else survived=$((survived + 1)); fi
+}
+
+# Unchanged, the suite must find nothing, or the deaths below mean nothing.
+innocent() {
+  local who result
+  for who in Sphere Plane Disk Box Cone Cylinder Polygon Prism mesh accel transform arithmetic; do
+    ((${#wanted[@]} > 0)) && [[ " ${wanted[*]} " != *" $who "* ]] && continue
+    grep -qx "unchanged_$who survived" "$results" && continue
+    result=$(verdict "unchanged_$who" "$who" "" "$root")
+    printf '%-40s %s\n' "unchanged_$who" "$result"
+    if [[ $result != survived ]]; then
+      printf 'the suite breaks without any mutation: see %s\n' "$work/unchanged_$who.log" >&2
+      exit 1
+    fi
+    printf 'unchanged_%s survived\n' "$who" >>"$results"
+  done
+}
+
+innocent
+source "$root/tests/mutants/mutants.sh"
+printf '%s killed, %s survived\n' "$killed" "$survived"
+((survived == 0))

@@ -1,0 +1,121 @@
+// What a mutant of the numeric code has to get past: the hard-case suite, cut down to the shape that the mutant is of
+// (-DSUSPECT=...), so that it compiles and runs in seconds. Exits with 1 and says what broke: the mutant is killed.
+
+#include "check/family.h"
+#include "check/law.h"
+#include "check/spawn.h"
+
+#include <cstdio>
+
+#define MESH 1
+#define ACCEL 2
+#define TRANSFORM 3
+#define ARITHMETIC 4
+#if SUSPECT == MESH
+#include "check/mesh_family.cpp"
+#elif SUSPECT == ACCEL
+#include "accel/accelerator.cpp"
+#include "check/accelerator_family.cpp"
+#endif
+
+namespace raywalk::check {
+
+namespace {
+
+int broken = 0;
+
+void expect(bool holds, const char* what) {
+  if (holds) return;
+  ++broken;
+  std::printf("broken: %s\n", what);
+}
+
+void expect_clean(const Row& row, const char* what) {
+  expect(row.rays > 0, what);
+  expect(row.leaks + row.self_hits + row.sheet_missed + row.unequal == 0, what);
+  expect(row.missed + row.false_hits == row.excused || row.missed + row.false_hits == 0, what);
+  expect(row.fast_ulps_by_condition <= 4 && row.exact_ulps <= 1, what);
+}
+
+[[maybe_unused]] void run(const std::vector<Family>& families, std::uint64_t count) {
+  for (const Family& family : families)
+    for (const Line& line : family.lines) expect_clean(line.run(1, 0, count), line.name.c_str());
+}
+
+template <class S, class T>
+void aimed(std::uint64_t count) {
+  for (int i = 0; i < stratum_count; ++i) {
+    const auto stratum = static_cast<Stratum>(i);
+    const Row row = try_stratum<S, T>(stratum, 1, static_cast<std::uint64_t>(i), 0, count, 50);
+    if (stratum != Stratum::subnormal) expect(row.missed + row.false_hits == 0, "decisions");
+    expect_clean(row, stratum_name(stratum).data());
+  }
+}
+
+template <template <class> class S>
+[[maybe_unused]] void whole_shape(std::uint64_t count) {
+  aimed<S<float>, float>(count);
+  aimed<S<double>, double>(count);
+  expect_clean(spawn<S<double>, double>(1, 0, count), "spawned");
+  expect_clean(obey<S<double>, double>(Law::mirrored, 1, 0, count), "mirrored");
+  expect_clean(obey<S<double>, double>(Law::scaled, 1, 0, count), "scaled");
+}
+
+/// A mapped normal is across mapped tangents, and outside stays outside; there and back again is where it was.
+[[maybe_unused]] void transforms() {
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    Random random(1, 70, i);
+    Affine<double> chain;
+    for (int depth = random.whole(1, 3); depth > 0; --depth) chain = transform_step(random) * chain;
+    const Vec3d n = random.unit(), t = across(n, random), image = chain.normal(n), along = chain.direction(t);
+    expect(std::abs(raywalk::dot(image, along)) <= 1e-9 * length(image) * length(along), "normals");
+    expect(raywalk::dot(image, chain.direction(n)) > 0, "outside stays outside");
+    const auto back = inverse(chain);
+    expect(back.has_value(), "inverse");
+    if (!back) continue;
+    const Vec3d p = random.in_box(), there = chain.point(p);
+    expect(length(back->point(there) - p) <= 1e-9 * (1 + length(chain.move)), "there and back");
+  }
+}
+
+/// Identities that hold exactly or not at all.
+[[maybe_unused]] void arithmetic() {
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    Random random(1, 71, i);
+    const auto number = [&] { return std::ldexp(random.real(), random.whole(-40, 40)); };
+    const double a = number(), b = number(), c = number(), d = number();
+    const Expansion x = a, y = b, z = c, w = d;
+    expect(((x + y) * (z + w) - x * z - x * w - y * z - y * w).sign() == 0, "distributive");
+    const Rational exact = Rational(a) * b - Rational(c) * d;
+    expect((x * y - z * w).sign() == sign(exact), "sign of an expansion");
+    const Vec3d n(a, b, c), v(b, c, -(a * b + b * c) / c);
+    expect((certain_dot(n, v).value > 0) - (certain_dot(n, v).value < 0) ==
+               sign(Rational(Rational(a) * b + Rational(b) * c + Rational(c) * v.z)),
+           "certain dot");
+  }
+}
+
+}  // namespace
+
+}  // namespace raywalk::check
+
+int main() {
+  using namespace raywalk;
+  using namespace raywalk::check;
+#if SUSPECT == MESH
+  run(mesh_families(), 20000);
+#elif SUSPECT == ACCEL
+  run(accelerator_families(), 20000);
+#elif SUSPECT == TRANSFORM
+  transforms();
+#elif SUSPECT == ARITHMETIC
+  arithmetic();
+  whole_shape<Plane>(1000);
+#elif defined(SHAPE)
+  whole_shape<SHAPE>(3000);
+#elif defined(SHAPE_ALONE)
+  aimed<SHAPE_ALONE<float>, float>(3000);
+  aimed<SHAPE_ALONE<double>, double>(3000);
+#endif
+  return broken > 0 ? 1 : 0;
+}
