@@ -3,6 +3,8 @@
 
 #include "trace/world.h"
 
+#include <vector>
+
 #include <cmath>
 
 namespace raywalk {
@@ -18,10 +20,10 @@ template <class T>
 template <class T>
 [[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests) {
   Rgb<T> passed{1};
-  if (!world.accelerator.any(shadow, t_max, tests, MarkedPrimitives{world.filters_shadows})) return passed;
+  std::vector<int> met;
+  world.accelerator.crossed(shadow, t_max, tests, MarkedPrimitives{world.filters_shadows}, met);
   const Primitives<T>& primitives = world.accelerator.primitives();
-  for (int id = 0; id < primitives.size(); ++id) {
-    if (!world.filters_shadows[static_cast<std::size_t>(id)]) continue;
+  for (const int id : met) {
     Ray<T> rest = shadow;
     T reach = t_max;
     constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends

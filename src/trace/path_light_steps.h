@@ -132,7 +132,7 @@ void PathTracer<T, Observer>::add_light(Rgb<T>& shade, const Traced& ray, const 
   shade += added;
   note(PathLine::add_light, ray.length, [&] {
     return LightAdded{way.lamp ? way.lamp->index : -1,
-                      way.lamp ? -1 : way.target.primitive,
+                      way.lamp ? -1 : world_.object(way.target.primitive),
                       static_cast<double>(way.direction_density),
                       static_cast<double>(way.light_density),
                       static_cast<double>(way.weight),

@@ -132,12 +132,15 @@ auto PathTracer<T, Observer>::prepare(const Traced& ray, const Hit<T>& hit) -> V
   Lobes<T>& lobes = at.lobes;
   lobes.incident = ray.ray.direction;
   lobes.normal = lobes.side = at.entering ? point.normal : -point.normal;
+  if (const auto smooth = primitives.smooth_normal(hit.primitive, point, at.time))
+    lobes.normal = smooth_normal_towards(ray.ray.direction, lobes.side, at.entering ? *smooth : -*smooth);
   lobes.diffuse = surface.diffuse;
   if (surface.checker) {
-    const bool even = detail::even_square(primitives.uv_at(hit.primitive, point, hit.part), surface.checker->size);
+    const bool even =
+        detail::even_square(primitives.uv_at(hit.primitive, point, hit.part, at.time), surface.checker->size);
     lobes.diffuse *= even ? surface.checker->even : surface.checker->odd;
   }
-  if (surface.picture) lobes.diffuse *= surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part));
+  if (surface.picture) lobes.diffuse *= surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part, at.time));
   at.specular = surface.specular;
   if (!is_black(surface.specular)) {
     lobes.shininess = surface.shininess;
