@@ -61,8 +61,10 @@ void declare_render(CLI::App& program, Run& run) {
   add_size(command, to.size);
   constexpr int most_samples = 1 << 20, most_threads = 1024;
   add_choice(command, "--integrator", to.integrator,
-             std::array{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed},
-             integrator_name, "How light is followed: shadows only, mirrors and glass too, or soft effects too");
+             std::array{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
+                        Integrator::path},
+             integrator_name,
+             "How light is followed: shadows only, mirrors and glass too, soft effects, or everywhere");
   add_whole(command, "--spp", to.samples, 1, most_samples, "Samples of each pixel");
   add_choice(
       command, "--sampler", to.sampler, std::array{Sampler::random, Sampler::jittered, Sampler::sobol},
