@@ -1,5 +1,6 @@
 #include "app/info_command.h"
 
+#include "accel/accelerator.h"
 #include "app/process.h"
 #include "scene/effects.h"
 
