@@ -67,7 +67,7 @@ TEST_CASE("pick finds what plan_view draws") {
         for (int i = 0; i < state.scene().camera.screen.cells; ++i) targets.push_back({TargetKind::cell, i});
       }
       for (int i = 0; i < static_cast<int>(state.scene().objects.size()); ++i) {
-        const Shape<double>& shape = state.scene().objects[static_cast<std::size_t>(i)].shape;
+        const ObjectShape& shape = state.scene().objects[static_cast<std::size_t>(i)].shape;
         if (std::holds_alternative<Plane<double>>(shape)) continue;
         targets.push_back({TargetKind::object, i});
         if (mode != Mode::move) continue;
