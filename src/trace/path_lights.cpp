@@ -36,7 +36,7 @@ template <class T>
 PathLights<T>::PathLights(const World<T>& world) {
   const Primitives<T>& primitives = world.accelerator.primitives();
   for (int id = 0; id < primitives.size(); ++id)
-    if (!is_black(world.surface(id).emission)) add(world, id);
+    if (!is_black(world.surface(id).emission) && !primitives.moves(id)) add(world, id);
   double sum = 0;
   for (Piece& piece : pieces_) {
     const Rgbd emission(world.surface(piece.primitive).emission);

@@ -17,3 +17,10 @@ growth=$("$folder/benchmark_growth" 1000) || [ $? -eq 1 ]
 grep -Eq "clusters: kdtree costs more|trees grow no faster" <<<"$growth" || { echo "unexpected: $growth"; exit 1; }
 
 if "$folder/benchmark_hooks" /nowhere.toml 2>/dev/null; then echo "no scene, but no error"; exit 1; fi
+
+# A mesh of one triangle instead of the room: the mesh and the folder that holds it are not shipped.
+mesh=$(mktemp --suffix=.ply)
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n-9 0 0\n9 0 0\n0 9 0\n3 0 1 2\n' >"$mesh"
+bunny=$("$folder/benchmark_bunny_room" "$mesh" 16x16 1 1 1)
+rm -f "$mesh"
+grep -Eq '^float  paths +[0-9.]+ million rays/s' <<<"$bunny" || { echo "unexpected: $bunny"; exit 1; }
