@@ -88,6 +88,9 @@ template <template <class> class S>
     expect(((x + y) * (z + w) - x * z - x * w - y * z - y * w).sign() == 0, "distributive");
     const Rational exact = Rational(a) * b - Rational(c) * d;
     expect((x * y - z * w).sign() == sign(exact), "sign of an expansion");
+    // Each product is rounded by itself, or what lies in the plan would leave it.
+    const Vec3d along(a, b, c);
+    expect(raywalk::cross(along, along) == Vec3d(0.0), "a vector has no cross product with itself");
     const Vec3d n(a, b, c), v(b, c, -(a * b + b * c) / c);
     expect((certain_dot(n, v).value > 0) - (certain_dot(n, v).value < 0) ==
                sign(Rational(Rational(a) * b + Rational(b) * c + Rational(c) * v.z)),
