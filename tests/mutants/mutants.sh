@@ -61,7 +61,7 @@ mutant quadric_rim_without_bound Cylinder shape/quadric.h 'wall.sure && wall.sur
   'wall.sure'
 mutant quadric_tangent_missed Cylinder shape/quadratic.h 'return discriminant.sign() + 1;' \
   'return discriminant.sign() > 0 ? 2 : 0;'
-mutant quadric_linear_case_forgotten Cone shape/quadratic.h 'if (a.sign() == 0) return b.sign() == 0 ? 0 : 1;' ''
+mutant quadric_linear_case_forgotten Cone shape/quadratic.h 'if (a.sign() == 0) return static_cast<double>(-wide_c / (wide_b + wide_b));' ''
 mutant quadric_other_way_round Cone shape/quadratic.h 'const bool flip = a.sign() < 0;' 'const bool flip = false;'
 mutant quadric_rim_met_twice Cylinder shape/quadric.h 'first = place.below + place.at;' 'first = place.below;'
 mutant quadric_cap_open Cylinder shape/quadric.h '(wall.flipped ? -sign : sign) <= 0' '(wall.flipped ? -sign : sign) < 0'
@@ -87,7 +87,7 @@ mutant triangle_edges_for_both mesh shape/triangle.h 'if (side != 0) return side
 mutant triangle_edges_for_none mesh shape/triangle.h 'if (side != 0) return side;' 'return side;'
 mutant triangle_one_edge_turned mesh shape/triangle.h 'exact_side(o, d, c, a) != side' 'exact_side(o, d, a, c) != side'
 mutant triangle_absolute_threshold mesh shape/triangle.h '(left && right)) return' \
-  '(left && right) || std::abs(determinant) < 1e-9) return'
+  '(left && right) || std::abs(determinant) < 1e-6) return'
 mutant triangle_bound_too_small Triangle shape/triangle.h 'error = 32 * detail::half_ulp' 'error = 0.01 * detail::half_ulp'
 mutant triangle_tie_turned_in_y mesh shape/triangle.h 'y != 0) return y;' 'y != 0) return -y;'
 mutant triangle_deep_corner_forgotten Triangle shape/triangle.h 'across * (across + 2 * depth)' 'across * across'
