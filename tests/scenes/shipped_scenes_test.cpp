@@ -17,7 +17,9 @@ using raywalk::test::contains;
 
 namespace {
 
-const std::set<std::string> planar_scenes{"classic", "glass", "mirrors", "shadows"};
+const std::set<std::string> planar_scenes{"classic",      "glass",          "mirrors",     "shadows",
+                                          "antialiasing", "depth_of_field", "everything",  "gloss",
+                                          "motion_blur",  "penumbra",       "translucency"};
 
 /// Every scene of the folder, by name without ending.
 std::map<std::string, SceneDocument> shipped_scenes() {
@@ -61,7 +63,7 @@ TEST_CASE("every shipped scene is read, has a title and a line about it, and is 
     CHECK(document.scene.description.find('\n') == std::string::npos);
     CHECK(format_scene(document.scene, document.text) == document.text);
     // Only the numbers that are another program's give off more light than they get.
-    CHECK(document.warnings.empty() == (name != "whitted"));
+    CHECK(document.warnings.empty() == (name != "whitted" && name != "distributed"));
   }
 }
 
@@ -133,7 +135,8 @@ TEST_CASE("between them the planar scenes reach every line, both ways of every c
     CHECK(answers.size() == 2);
   }
   CHECK(endings == std::set<Ending>{Ending::hit, Ending::missed, Ending::blocked, Ending::reached_light, Ending::depth,
-                                    Ending::threshold, Ending::total_internal_reflection, Ending::facing_away});
+                                    Ending::threshold, Ending::total_internal_reflection, Ending::facing_away,
+                                    Ending::outside_cone});
 }
 
 TEST_CASE("each scene shows what it is about") {
@@ -186,4 +189,28 @@ TEST_CASE("every shipped scene renders to finite colours, none of them a single 
     for (const Rgb<float>& pixel : image.pixels) greens.insert(pixel.y);
     CHECK(greens.size() > 100);
   }
+}
+
+TEST_CASE("the scenes of distributed effects call for them") {
+  const auto scenes = shipped_scenes();
+  const auto used = [&](const std::string& name, Effect effect) {
+    const Scene& scene = scenes.at(name).scene;
+    return effects_of(scene, scene.render.samples).used(effect);
+  };
+  using enum Effect;
+  for (const auto& [name, effect] : std::map<std::string, Effect>{{"gloss", gloss},
+                                                                  {"translucency", translucency},
+                                                                  {"penumbra", penumbra},
+                                                                  {"depth_of_field", depth_of_field},
+                                                                  {"motion_blur", motion_blur},
+                                                                  {"antialiasing", antialiasing}}) {
+    INFO(name);
+    CHECK(used(name, effect));
+    CHECK(used("everything", effect));
+    // And for none of the others but antialiasing, so that its picture shows what it does.
+    for (const Effect other : {gloss, translucency, penumbra, depth_of_field, motion_blur})
+      if (other != effect) CHECK_FALSE(used(name, other));
+  }
+  CHECK(used("distributed", penumbra));
+  CHECK(used("distributed", depth_of_field));
 }
