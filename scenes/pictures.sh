@@ -4,7 +4,7 @@
 #   scenes/pictures.sh [RAYWALK]        the program; build/release/raywalk when left out
 #
 # Each picture is 240 pixels wide, in the shape of the scene's own. It takes as many samples as the scene's [render]
-# asks for, at least 9.
+# asks for, at least 9, and at least 64 of paths.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 raywalk=${1:-$here/../build/release/raywalk}
@@ -21,6 +21,8 @@ for scene in "$here"/*.toml; do
   read -r width height < <(fact "$scene" image | sed 's/^\([0-9]*\) x \([0-9]*\) .*/\1 \2/')
   samples=$(sed -n '/^\[render\]/,/^\[[^r]/s/^samples *= *\([0-9]*\).*/\1/p' "$scene" | head -n 1)
   [ "${samples:-1}" -ge 9 ] || samples=9
+  # Paths are noisy.
+  if grep -q '^integrator *= *"path"' "$scene" && [ "$samples" -lt 64 ]; then samples=64; fi
   "$raywalk" render "$scene" -o "$here/pictures/$name.png" --size "240x$((240 * height / width))" --spp "$samples" 2>/dev/null
   printf '| ![%s](pictures/%s.png) | [`%s`](%s.toml) | %s |\n' "$name" "$name" "$name" "$name" "$(fact "$scene" description)"
 done >"$gallery"
