@@ -45,6 +45,20 @@ void lines_pane(const Ui& ui, const Rect& where) {
       begin_pane(ui, "plan", where, ui.colours.plan, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (visible) {
+    paint(*ImGui::GetWindowDrawList(), lines_view(ui.state, viewport), where, ui.dpi, ui.fonts);
+    // The buttons come before the pane's own, for what comes first gets the mouse.
+    const float edge = ui.px(28);
+    ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+    float x = where.right() - ui.px(10);
+    for (const Command command : {Command::lines, Command::reset_view, Command::walk_strip}) {
+      if (!enabled(command, ui.state)) continue;
+      const float width = button_width(ui, command, look);
+      x -= width;
+      if (x < where.x) break;
+      ImGui::SetCursorScreenPos({x, where.y + ui.px(8)});
+      command_button(ui, command, {width, edge}, look);
+      x -= ui.px(6);
+    }
     ImGui::SetCursorScreenPos(corner(where));
     ImGui::InvisibleButton(
         "lines", size(where),
@@ -52,7 +66,6 @@ void lines_pane(const Ui& ui, const Rect& where) {
     ui.publish("lines", where);
     turn_by_mouse(ui, SpaceView::lines, where);
     const bool inside = ImGui::IsItemHovered(), clicked = clicked_in_place();
-    paint(*ImGui::GetWindowDrawList(), lines_view(ui.state, viewport), where, ui.dpi, ui.fonts);
     Target target;
     if (inside && !ImGui::IsItemActive() && ImGui::IsMousePosValid()) {
       const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -73,19 +86,6 @@ void lines_pane(const Ui& ui, const Rect& where) {
       ImGui::TextUnformatted(what.c_str());
       pop_font();
       ImGui::EndTooltip();
-    }
-    // How to move about, and back.
-    const float edge = ui.px(28);
-    ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-    float x = where.right() - ui.px(10);
-    for (const Command command : {Command::lines, Command::reset_view, Command::walk_strip}) {
-      if (!enabled(command, ui.state)) continue;
-      const float width = button_width(ui, command, look);
-      x -= width;
-      if (x < where.x) break;
-      ImGui::SetCursorScreenPos({x, where.y + ui.px(8)});
-      command_button(ui, command, {width, edge}, look);
-      x -= ui.px(6);
     }
   }
   end_pane();

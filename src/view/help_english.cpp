@@ -52,7 +52,15 @@ std::vector<HelpSection> help() {
        {{"Code",
          "MAIN ALGORITHM and SHADE. DEPTH counts how many SHADEs are open. Click on a line to run on until it has "
          "run again."},
-        {"3-D image", "The same scene as a picture. The marked row is SCREEN; the marked pixel is being traced."},
+        {"3-D image",
+         "The same scene as a picture. The marked row is SCREEN; the marked pixel is being traced. Click any pixel to "
+         "walk its rays. Drag to turn the picture, with Shift or the right button to move it, turn the wheel to come "
+         "nearer; O goes back, U puts the scene's camera there. Settings: how it is made, and heat maps of what each "
+         "pixel costs."},
+        {"Lines in space",
+         "In the plan's place, for pixels off SCREEN and for scenes that are not flat: the outlines of all bodies, the "
+         "pyramid that EYE sees, and the rays. Turn it as the picture; V changes to the plan and back, S goes back to "
+         "SCREEN."},
         {"Ray tree",
          "All rays of the pixel: each stands below the ray at whose hit it was formed. Point at one to see it "
          "in the plan and in the code; click to go to it."},

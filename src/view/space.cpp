@@ -37,6 +37,12 @@ Camera camera_of(const State& state, SpaceView view) {
   return {};
 }
 
+/// What a view is turned about: once turned, a camera goes on looking at it.
+Vec3d pivot(const State& state, SpaceView view, const Camera& camera) {
+  const bool is_scenes_own = view == SpaceView::image && !state.image_camera;
+  return is_scenes_own ? pivot_of(state.scene(), camera) : camera.look_at;
+}
+
 void walk_something(State& state, std::optional<PixelWalk> walk) {
   state.playing = false;
   state.walk = std::move(walk);
@@ -71,19 +77,20 @@ void walk_strip(State& state) {
 void orbit(State& state, const action::Orbit& by) {
   const Camera camera = camera_of(state, by.view);
   const Vec2d angles{std::clamp(by.angles.x, -10.0, 10.0), std::clamp(by.angles.y, -10.0, 10.0)};
-  set_camera(state, by.view, orbited(camera, pivot_of(state.scene(), camera), angles));
+  set_camera(state, by.view, orbited(camera, pivot(state, by.view, camera), angles));
 }
 
 void shift(State& state, const action::Shift& by) {
   const Camera camera = camera_of(state, by.view);
   const Vec2d parts{std::clamp(by.parts.x, -10.0, 10.0), std::clamp(by.parts.y, -10.0, 10.0)};
-  // What the eye turns about is what keeps its place under the pointer.
-  set_camera(state, by.view, shifted(camera, pivot_of(state.scene(), camera), parts));
+  Camera centred = camera;
+  centred.look_at = pivot(state, by.view, camera);
+  set_camera(state, by.view, shifted(centred, centred.look_at, parts));
 }
 
 void approach(State& state, const action::Approach& by) {
   const Camera camera = camera_of(state, by.view);
-  set_camera(state, by.view, approached(camera, pivot_of(state.scene(), camera), std::clamp(by.factor, 0.01, 100.0)));
+  set_camera(state, by.view, approached(camera, pivot(state, by.view, camera), std::clamp(by.factor, 0.01, 100.0)));
 }
 
 void reset_view(State& state, SpaceView view) {

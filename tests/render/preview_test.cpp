@@ -191,7 +191,7 @@ TEST_CASE("a heat map of rays is what each pixel's own trace forms, in colours u
   while (preview.refine(1)) {
   }
   const World<double> world(scene);
-  const RayGenerator<double> camera(scene.camera, size, size);
+  const RayGenerator<double> camera(scene, size, size);
   std::vector<double> rays;
   for (int row = 0; row < size.height; ++row)
     for (int column = 0; column < size.width; ++column) {

@@ -1,5 +1,6 @@
 #include "fixtures.h"
 
+#include "view/lines_view.h"
 #include "view/panels.h"
 #include "view/plan_geometry.h"
 
@@ -126,6 +127,7 @@ std::string broken_promise(const State& state) {
   if (!std::isfinite(state.camera.centre.x) || !std::isfinite(state.camera.centre.y)) return "the plan is nowhere";
   if (!(state.camera.pixels_per_unit > 0) || !std::isfinite(state.camera.pixels_per_unit)) return "the zoom is broken";
   if (!is_finite(plan_view(state))) return "a number of the plan is not finite";
+  if (shows_lines(state) && !is_finite(lines_view(state, state.viewport))) return "a number of the lines is not finite";
   for (const TreeNode& node : tree_panel(state).nodes)
     if (!std::isfinite(node.x) || !std::isfinite(node.y)) return "a number of the tree is not finite";
   if (sentence(state).empty()) return "no sentence";

@@ -130,6 +130,6 @@ TEST_CASE("the line view begins with the whole of each shipped scene in the pane
       widest = std::max({widest, std::abs(at->x - eye->x) / pane.width, std::abs(at->y - eye->y) / pane.height});
     }
     CHECK((eye->x > 0 && eye->x < pane.width && eye->y > 0 && eye->y < pane.height));
-    CHECK(widest > 0.25);
+    CHECK(widest > 0.12);
   }
 }
