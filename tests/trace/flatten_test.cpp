@@ -105,8 +105,9 @@ TEST_CASE("what does not move in truth gives the bits of what stands still") {
   offset.objects[1].motion = {{0, {0, 0.5, 0.25}}, {1, {0, 0.5, 0.25}}};
   CHECK((pixels_of<double>(offset) == pixels_of<double>(placed)));
   CHECK((pixels_of<double>(offset) != pixels_of<double>(still)));
-  // Moving, the pinhole's rays see it where it is when the shutter opens.
+  // Moving, rays that draw no time see it where it is when the shutter opens.
   Scene moving = still;
+  moving.render.integrator = Integrator::whitted;
   moving.objects[1].motion = {{0, {0, 9, 9}}, {1, {0, 0.5, 0.25}}, {2, {7, 0, 0}}};
   moving.camera.shutter_open = 1;
   moving.camera.shutter_close = 1.5;

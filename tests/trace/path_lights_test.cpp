@@ -192,3 +192,10 @@ TEST_CASE("float draws what double draws") {
     if (std::abs(x->density / static_cast<double>(y->density) - 1) > 1e-5) FAIL("another density");
   }
 }
+
+TEST_CASE("a light that moves is left to chance") {
+  Scene scene = lit_by(Sphere<double>{{3, 1, -2}, 0.5});
+  CHECK_FALSE(PathLights<double>(World<double>(scene)).empty());
+  scene.objects[0].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+  CHECK(PathLights<double>(World<double>(scene)).empty());
+}
