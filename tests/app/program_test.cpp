@@ -96,8 +96,7 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
 
 TEST_CASE("options of features that do not exist yet are not taken silently") {
   const Folder folder;
-  for (const std::string option : {"--integrator=path", "--numerics=robust", "--sampler=sobol", "--light-grid=3",
-                                   "--tolerance=0.1"}) {
+  for (const std::string option : {"--numerics=robust", "--integrator=photons", "--sampler=halton"}) {
     INFO(option);
     CHECK(folder.run({"render", classic, "-o", "x.png", option}).exit_code == 2);
   }
@@ -137,7 +136,10 @@ TEST_CASE("scenes that come along are found by name, files of that name come fir
   const Outcome shipped = folder.run({"info", "classic"});
   CHECK(shipped.exit_code == 0);
   CHECK_THAT(shipped.out, contains("/scenes/classic.toml\n"));
-  CHECK(folder.run({"info", "classic.toml"}).out == shipped.out);
+  const auto scene_part = [](const std::string& out) {
+    return out.substr(0, out.find("structures over"));
+  };  // no times
+  CHECK(scene_part(folder.run({"info", "classic.toml"}).out) == scene_part(shipped.out));
   folder.write("classic", "background = 0.25\n[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n");
   const Outcome own = folder.run({"info", "classic"});
   CHECK(own.exit_code == 0);

@@ -35,7 +35,7 @@ TEST_CASE("render writes the picture that the renderer makes") {
   // Every option that may change the picture does.
   const std::vector<std::pair<std::vector<std::string>, std::string>> options{
       {{"--spp", "3"}, "spp"},
-      {{"--depth", "1"}, "depth"},
+      {{"--depth", "2"}, "depth"},
       {{"--threshold", "0.3"}, "thr"},
       {{"--precision", "float"}, "float"},
       {{"--spp", "3", "--seed", "5"}, "seed"},
