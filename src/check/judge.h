@@ -106,7 +106,7 @@ template <class S, class T>
     for (int axis = 0; axis < 3; ++axis) v[axis] += static_cast<T>(random.whole(-2, 2) * ulp);
     return v;
   };
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     Case<S, T> other{tried.shape, {moved(tried.ray.origin), moved(tried.ray.direction)}};
     if (judge_exactly(other, got).verdict == Verdict::right) return true;
   }

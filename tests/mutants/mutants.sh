@@ -89,11 +89,11 @@ mutant triangle_one_edge_turned mesh shape/triangle.h 'exact_side(o, d, c, a) !=
 mutant triangle_absolute_threshold mesh shape/triangle.h '(left && right)) return' \
   '(left && right) || std::abs(determinant) < 1e-6) return'
 mutant triangle_bound_too_small Triangle shape/triangle.h 'error = 32 * detail::half_ulp' 'error = 0.01 * detail::half_ulp'
-mutant triangle_tie_turned_in_y mesh shape/triangle.h 'y != 0) return y;' 'y != 0) return -y;'
+mutant triangle_tie_by_the_edge_alone mesh shape/triangle.h 'x != 0) return x;' 'x != 0) return 1;'
 mutant triangle_deep_corner_forgotten Triangle shape/triangle.h 'across * (across + 2 * depth)' 'across * across'
 
 # --- Accelerators -----------------------------------------------------------------------------------------------------
-mutant accel_tie_to_the_higher accel accel/query.h 'id < nearest_->primitive)' 'id > nearest_->primitive)'
+mutant accel_tie_to_the_higher accel accel/query.h 'id < hit_.primitive' 'id > hit_.primitive'
 mutant accel_sign_of_zero_ignored accel accel/query.h 'negative[axis] = std::signbit(ray.direction[axis])' \
   'negative[axis] = ray.direction[axis] < 0'
 mutant accel_boxes_without_pad accel accel/primitives.h 'const T pad = 8 *' 'const T pad = -8 *'

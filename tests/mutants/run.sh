@@ -32,7 +32,7 @@ verdict() {
   local log=$work/$1.log
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "$(suspect "$2")" "$root/tests/mutants/suspects.cpp" \
-    "$4/src/shape/polygon.cpp" -o "$work/$1.bin" -lgmpxx -lgmp >"$log" 2>&1; then
+    "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp -o "$work/$1.bin" -lgmpxx -lgmp >"$log" 2>&1; then
     printf 'broken'
   elif timeout 60 "$work/$1.bin" >>"$log" 2>&1; then
     printf 'survived'
