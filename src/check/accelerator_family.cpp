@@ -80,8 +80,10 @@ Row compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::
     Vec3d eye = random.coin() ? some_point() : target + random.magnitude(-1, 4) * random.unit();
     for (int axis = 0; axis < 3; ++axis)
       if (random.whole(0, 3) == 0) eye[axis] = target[axis];
-    const auto ray = ray_towards<T>(eye, target, random);
+    auto ray = ray_towards<T>(eye, target, random);
     if (!ray || !is_finite(ray->origin)) continue;
+    for (int axis = 0; axis < 3; ++axis)
+      if (ray->direction[axis] == 0 && random.coin()) ray->direction[axis] = -T(0);
     TestCounts counts;
     const auto expected = plain->closest(*ray, infinity<T>, counts),
                got = structure->closest(*ray, infinity<T>, counts);
