@@ -138,8 +138,7 @@ class Preview::WorkIn final : public Preview::Work {
     Statistics sum;
     for (const Pixel& pixel : block) {
       const auto begun = Clock::now();
-      const Statistics own =
-          kernel_(centres_, {pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0}, put);
+      const Statistics own = kernel_(centres_, {pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0}, put);
       const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - begun).count();
       note_cost(pixel.column, pixel.row, cost_of(settings().heat, own, microseconds));
       sum += own;

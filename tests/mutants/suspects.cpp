@@ -91,7 +91,8 @@ template <template <class> class S>
     // Each product is rounded by itself, or what lies in the plan would leave it.
     const Vec3d along(a, b, c);
     volatile double again[] = {a, b, c};  // so that the compiler does not see that they are the same
-    expect(raywalk::cross(along, Vec3d(again[0], again[1], again[2])) == Vec3d(0.0), "a vector has no cross product with itself");
+    expect(raywalk::cross(along, Vec3d(again[0], again[1], again[2])) == Vec3d(0.0),
+           "a vector has no cross product with itself");
     const Vec3d n(a, b, c), v(b, c, -(a * b + b * c) / c);
     expect((certain_dot(n, v).value > 0) - (certain_dot(n, v).value < 0) ==
                sign(Rational(Rational(a) * b + Rational(b) * c + Rational(c) * v.z)),
