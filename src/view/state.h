@@ -138,7 +138,7 @@ struct State {
   std::optional<Camera> image_camera;  ///< the picture seen from elsewhere; absent: as the scene's camera sees it
   std::optional<Camera> lines_camera;  ///< absent: the whole scene, overlooked
   std::optional<bool> lines_wanted;    ///< chosen by hand; absent: lines where the plan cannot show what is walked
-  SpaceView turned_last = SpaceView::image;
+  SpaceView turned_last = SpaceView::image;  ///< or asked for last: what the keys turn
   ImageSettings image;
   std::uint64_t image_revision = 0;  ///< changes with every change of image_camera and image
 

@@ -219,7 +219,10 @@ void apply(State& state, const Action& action) {
             state.ui_scale = std::clamp(a.scale, min_ui_scale, max_ui_scale);
             refit(state);
           },
-          [&](const SetTab& a) { state.tab = a.tab; },
+          [&](const SetTab& a) {
+            state.tab = a.tab;
+            if (a.tab == Tab::image) state.turned_last = SpaceView::image;  // what is asked for is what keys turn
+          },
           [&](const DismissNotice&) { state.notice.reset(); },
       },
       action);
