@@ -48,7 +48,7 @@ constexpr double eye_tolerance = 2, share_tolerance = 0.01;
 #else
 // With sanitizers a sixteenth of the rays has to do, whose numbers are less even.
 constexpr int size = 128;
-constexpr double eye_tolerance = 60, share_tolerance = 0.05;
+constexpr double eye_tolerance = 128, share_tolerance = 0.05;
 #endif
 
 void check_near(const char* what, double counted, double known) {
