@@ -9,25 +9,6 @@ using namespace raywalk;
 using namespace raywalk::test;
 using action::Answer;
 
-namespace {
-
-void make_dirty(State& state) {
-  Material material = state.scene().objects[0].material;
-  material.shininess += 1;
-  update(state, action::SetMaterial{0, material});
-  REQUIRE(state.dirty);
-}
-
-State saved_state(const TemporaryFolder& folder, const std::string& name = "scene.toml") {
-  State state = state_of(busy_scene());
-  state.state_dir = folder.file("state");
-  update(state, action::SaveAs{folder.file(name)});
-  REQUIRE_FALSE(state.dirty);
-  return state;
-}
-
-}  // namespace
-
 TEST_CASE("Save as writes the scene, Open reads it back") {
   const TemporaryFolder folder;
   State state = busy_state();

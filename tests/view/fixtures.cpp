@@ -145,4 +145,19 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(folder_, failed);
 }
 
+void make_dirty(State& state) {
+  Material material = state.scene().objects[0].material;
+  material.shininess += 1;
+  update(state, action::SetMaterial{0, material});
+  REQUIRE(state.dirty);
+}
+
+State saved_state(const TemporaryFolder& folder, const std::string& name) {
+  State state = state_of(busy_scene());
+  state.state_dir = folder.file("state");
+  update(state, action::SaveAs{folder.file(name)});
+  REQUIRE_FALSE(state.dirty);
+  return state;
+}
+
 }  // namespace raywalk::test

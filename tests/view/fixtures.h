@@ -52,4 +52,9 @@ class TemporaryFolder {
   std::filesystem::path folder_;
 };
 
+/// Edits the scene so that it is not saved.
+void make_dirty(State& state);
+/// The busy scene, saved in `folder`, with the folder of its state beside it.
+State saved_state(const TemporaryFolder& folder, const std::string& name = "scene.toml");
+
 }  // namespace raywalk::test
