@@ -3,13 +3,12 @@
 
 #include "trace/world.h"
 
-#include <vector>
-
 #include <cmath>
+#include <vector>
 
 namespace raywalk {
 
-/// What is left of light after a way through a medium (Beer's law).
+/// What is left of light after a way inside an object that absorbs it (A. Beer 1852).
 template <class T>
 [[nodiscard]] Rgb<T> left_after(const Rgb<T>& absorption, T way) {
   return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
@@ -17,10 +16,11 @@ template <class T>
 
 /// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission. One object
 /// after the other, each by itself: where surfaces of two touch, rounding could else hand the ray to and fro for ever.
+/// `met` is room for the search, handed in so that no shadow ray allocates.
 template <class T>
-[[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests) {
+[[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests,
+                                    std::vector<int>& met) {
   Rgb<T> passed{1};
-  std::vector<int> met;
   world.accelerator.crossed(shadow, t_max, tests, MarkedPrimitives{world.filters_shadows}, met);
   const Primitives<T>& primitives = world.accelerator.primitives();
   for (const int id : met) {
@@ -47,10 +47,11 @@ template <class T>
 
 /// The share of light that arrives over a shadow ray's (0, t_max): 0 behind what stops it.
 template <class T>
-[[nodiscard]] Rgb<T> light_through(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests) {
+[[nodiscard]] Rgb<T> light_through(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests,
+                                   std::vector<int>& met) {
   if (world.stops_shadows.empty()) return Rgb<T>(world.accelerator.any(shadow, t_max, tests) ? T(0) : T(1));
   if (world.accelerator.any(shadow, t_max, tests, MarkedPrimitives{world.stops_shadows})) return Rgb<T>(0);
-  return light_filtered(world, shadow, t_max, tests);
+  return light_filtered(world, shadow, t_max, tests, met);
 }
 
 /// What a shadow ray that does not arrive meets first.

@@ -15,6 +15,7 @@
 #include "trace/statistics.h"
 
 #include <optional>
+#include <vector>
 
 namespace raywalk {
 
@@ -152,8 +153,9 @@ class PathTracer {
   const RayGenerator<T>& camera_;
   Observer& observer_;
   Statistics statistics_;
-  RandomKey key_;        ///< of the pixel's present sample
-  int rays_formed_ = 0;  ///< numbers the rays of a recording
+  std::vector<int> filters_met_;  ///< kept so that no shadow ray allocates
+  RandomKey key_;                 ///< of the pixel's present sample
+  int rays_formed_ = 0;           ///< numbers the rays of a recording
 };
 
 }  // namespace raywalk

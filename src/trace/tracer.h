@@ -143,7 +143,6 @@ class Tracer {
                                            const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction);
   Nearest find_closest(Line line, int depth, const Traced& ray);
   Rgb<T> find_intersection(int depth, const Traced& shadow, const Lamp& lamp);
-  Rgb<T> light_passed(const Ray<T>& shadow, T t_max);
   [[nodiscard]] static int samples_of(const Lamp& lamp);
   Vec3<T> light_point(const Traced& ray, const Lamp& lamp, int sample);
   Vec3<T> spread(const Traced& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& side, Effect effect);

@@ -1,6 +1,7 @@
 #pragma once
 // What each statement of trace/tracer.h does. Included by it alone.
 
+#include "trace/passage.h"
 #include "trace/tracer.h"
 
 #include <algorithm>
@@ -40,12 +41,6 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
           Vec3d(normal),
           Rgbd(1.0),
           explanation.numbers};
-}
-
-/// What is left of light after a way inside an object that absorbs it (A. Beer 1852).
-template <class T>
-Rgb<T> left_after(const Rgb<T>& absorption, T way) {
-  return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
 }
 
 template <class T>
@@ -173,7 +168,7 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
     at.entering = entering;
     const Surface* through = ray.medium.surface;
     if (through == nullptr && !entering) through = &surface;
-    if (through != nullptr && through->absorbs) at.passed = detail::left_after(through->absorption, hit.t);
+    if (through != nullptr && through->absorbs) at.passed = left_after(through->absorption, hit.t);
     if (surface.transmits) {
       at.n1 = entering ? T(1) : surface.ior;
       at.n2 = entering ? surface.ior : T(1);
@@ -227,48 +222,18 @@ auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const La
   int* last = world_.shadow_cache ? &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())] : nullptr;
   const bool blocked = all_stop ? world_.accelerator.any(shadow.ray, t_max, statistics_.tests, AnyPrimitive{}, last)
                                 : world_.accelerator.any(shadow.ray, t_max, statistics_.tests, stops, last);
-  const Rgb<T> passed = blocked ? Rgb<T>(0) : all_stop ? Rgb<T>(1) : light_passed(shadow.ray, t_max);
+  const Rgb<T> passed = blocked    ? Rgb<T>(0)
+                        : all_stop ? Rgb<T>(1)
+                                   : light_filtered(world_, shadow.ray, t_max, statistics_.tests, filters_met_);
   ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
   note(Line::find_intersection, depth, [&] {
     // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
-    TestCounts uncounted;
-    const Nearest blocker = !blocked   ? std::nullopt
-                            : all_stop ? world_.accelerator.closest(shadow.ray, t_max, uncounted)
-                                       : world_.accelerator.closest(shadow.ray, t_max, uncounted, stops);
+    const Nearest blocker = blocked ? first_blocker(world_, shadow.ray, t_max) : std::nullopt;
     Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
                           : Found{shadow.number, Ending::reached_light};
     found.passed = Rgbd(passed);
     return found;
   });
-  return passed;
-}
-
-/// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission. One object
-/// after the other, each by itself: where surfaces of two touch, rounding could else hand the ray to and fro for ever.
-template <class Policy>
-auto Tracer<Policy>::light_passed(const Ray<T>& shadow, T t_max) -> Rgb<T> {
-  Rgb<T> passed{1};
-  world_.accelerator.crossed(shadow, t_max, statistics_.tests, MarkedPrimitives{world_.filters_shadows}, filters_met_);
-  const Primitives<T>& primitives = world_.accelerator.primitives();
-  for (const int id : filters_met_) {
-    Ray<T> rest = shadow;
-    T reach = t_max;
-    constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
-    for (int crossings = 0; crossings < crossings_limit; ++crossings) {
-      ++statistics_.tests.primitives;
-      const auto crossing = primitives.intersect(id, rest, reach);
-      if (!crossing) break;
-      const Surface& surface = world_.surface(id);
-      const SurfacePoint<T> point = primitives.surface_at(id, rest, *crossing);
-      passed *= surface.filter;
-      if (surface.absorbs &&
-          dot(point.normal, rest.direction) > 0)  // it leaves, and was inside since the crossing before
-        passed *= detail::left_after(surface.absorption, length(point.position - rest.origin));
-      rest.origin = point.position;
-      rest.departure = {id, crossing->part};
-      reach -= crossing->t;
-    }
-  }
   return passed;
 }
 
