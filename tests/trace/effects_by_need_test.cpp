@@ -9,6 +9,7 @@
 
 #include "support/catch.h"
 #include "trace/kernel_of.h"
+#include "trace/path_kernel.h"
 #include "trace/pictures.h"
 
 using namespace raywalk;
@@ -92,6 +93,14 @@ std::vector<Switch> switches() {
        {depth_of_field},
        [](Scene& s) { s.camera.aperture = 0.2; },
        [](Scene& s) { s.camera.focus = 3; }},
+      {motion_blur,
+       {motion_blur},
+       [](Scene& s) { s.objects[2].motion = {{0, {0, 0, 0}}, {0.5, {0, 0.3, 0.2}}, {1, {0.2, 0.8, 0}}}; },
+       // One key, and one that moves before the shutter opens and after it has closed.
+       [](Scene& s) {
+         s.objects[3].motion = {{0.4, {0, 0, 0}}};
+         s.objects[0].motion = {{-2, {1, 0, 0}}, {-1, {0, 0, 0}}, {1, {0, 0, 0}}, {2, {0, 5, 0}}};
+       }},
       {antialiasing, {antialiasing}, dull, dull, 4},
       {textures,
        {textures},
@@ -170,12 +179,51 @@ TEMPLATE_TEST_CASE("each pair of effects costs what it calls for and nothing els
     }
 }
 
+TEMPLATE_TEST_CASE("so does each pair of effects by paths, beside indirect light", "", float, double) {
+  using T = TestType;
+  const auto by_paths = [](const Scene& scene, const Sampling& sampling) {
+    return picture_by<T>(scene, width, height, sampling,
+                         [&](const World<T>& world, const auto&... a) { return SceneKernel<T>(scene, world)(a...); });
+  };
+  Scene paths = plain_scene();
+  paths.render.integrator = Integrator::path;
+  paths.render.path_length = 4;
+  const std::vector<Switch> all = switches();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i; j < all.size(); ++j) {
+      const Switch &a = all[i], &b = all[j];
+      INFO(effect_name(a.effect) << " and " << effect_name(b.effect));
+      Scene scene = paths;
+      a.on(scene);
+      if (j != i) b.on(scene);
+      const Sampling sampling{std::max(a.samples, b.samples), 5};
+      std::set<Effect> expected = a.calls_for;
+      expected.insert(b.calls_for.begin(), b.calls_for.end());
+      expected.insert(Effect::indirect_light);
+      CHECK(used_by(scene, sampling.per_pixel) == expected);
+      const auto traced = by_paths(scene, sampling);
+      for (int each = 0; each < effect_count; ++each) {
+        const auto effect = static_cast<Effect>(each);
+        INFO(effect_name(effect));
+        CHECK((traced.statistics.drawn(effect) > 0) == (expected.count(effect) > 0 && draws_numbers(effect)));
+      }
+      CHECK((traced.statistics.formed(RayKind::shadow) > 0) == (expected.count(Effect::shadows) > 0));
+      CHECK((traced.statistics.formed(RayKind::refract) > 0) == (expected.count(Effect::refraction) > 0));
+      Scene idle = scene;
+      for (const Switch& other : all)
+        if (expected.count(other.effect) == 0) other.inert(idle);
+      CHECK(used_by(idle, sampling.per_pixel) == expected);
+      CHECK(same(traced, by_paths(idle, sampling)));
+    }
+}
+
 TEST_CASE("an effect that is switched on leaves alone what holds nothing of it") {
   const std::vector<Switch> all = switches();
   for (const Switch& with : all)
     for (const Switch& and_with : all) {
       const Effect effect = and_with.effect;
-      if (effect == Effect::depth_of_field || effect == Effect::antialiasing) continue;  // every pixel draws for these
+      // Every pixel draws for these; of what moves, a time that meets nothing of it changes nothing all the same.
+      if (effect == Effect::depth_of_field || effect == Effect::antialiasing) continue;
       INFO(effect_name(effect) << " beside " << effect_name(with.effect));
       Scene before = plain_scene();
       with.on(before);
@@ -191,11 +239,13 @@ TEST_CASE("an effect that is switched on leaves alone what holds nothing of it")
           // One sample by itself: what it draws and fires is then its own.
           Rgbd old(0.0), now(0.0);
           const PixelBlock block{column, column + 1, row, row + 1, sampling.per_pixel - 1};
-          static_cast<void>(trace(world, camera, block, [&](const Pixel&, const Rgbd& shade) { old = shade; }));
-          Recording recording;
+          Recording recording_before, recording;
+          static_cast<void>(trace_watched(
+              world, camera, block, [&](const Pixel&, const Rgbd& shade) { old = shade; }, recording_before));
           const Statistics statistics = trace_watched(
               world_after, camera_after, block, [&](const Pixel&, const Rgbd& shade) { now = shade; }, recording);
           bool meets = statistics.drawn(effect) > 0;
+          if (effect == Effect::motion_blur) meets = recording_before.meets(2);
           for (const Event& event : recording.events) {
             const auto* decided = std::get_if<Decided>(&event.detail);
             const auto* found = std::get_if<Found>(&event.detail);
@@ -205,7 +255,7 @@ TEST_CASE("an effect that is switched on leaves alone what holds nothing of it")
                     (decided && (decided->holds || decided->why) && event.line == Line::if_transparent &&
                      (effect == Effect::refraction || effect == Effect::translucency)) ||
                     (decided && decided->holds && effect == Effect::gloss && event.line == Line::if_reflective) ||
-                    (found && found->object == 2 && effect == Effect::textures);
+                    (found && found->object == 2 && (effect == Effect::textures || effect == Effect::motion_blur));
           }
           if (!meets) ++spared, wrong += old != now;
           changed += old != now;
@@ -230,7 +280,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   };
   const auto whole = traced(Integrator::distributed, 3);
   CHECK(used_by(scene, 3) == std::set{shadows, reflection, refraction, gloss, translucency, penumbra, depth_of_field,
-                                      antialiasing, textures});
+                                      motion_blur, antialiasing, textures});
   CHECK(whole.statistics.random_draws > 0);
   scene.render.integrator = Integrator::automatic;
   CHECK(integrator_of(scene) == Integrator::distributed);

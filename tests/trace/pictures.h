@@ -1,6 +1,7 @@
 // Small pictures and single rays for the tracer's tests.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,13 @@ struct Recording final : Observer {
     for (const Event& event : events)
       if (const auto* detail = std::get_if<Detail>(&event.detail)) found.push_back(*detail);
     return found;
+  }
+  // Whether some ray met an object, or was stopped by it.
+  [[nodiscard]] bool meets(int object) const {
+    return std::any_of(events.begin(), events.end(), [&](const Event& event) {
+      const auto* found = std::get_if<Found>(&event.detail);
+      return found != nullptr && found->object == object;
+    });
   }
 };
 
