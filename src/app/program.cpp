@@ -2,6 +2,7 @@
 #include "app/program.h"
 
 #include "app/check_command.h"
+#include "app/compare_command.h"
 #include "app/file_commands.h"
 #include "app/info_command.h"
 #include "app/names.h"
@@ -266,6 +267,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   declare_info(program, run);
   declare_convert(program, run);
   declare_generate(program, run);
+  declare_compare(program, run);
   declare_check(program, run);
   try {
     program.parse(argc, argv);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/options.h"
+
+namespace raywalk {
+
+struct CompareOptions {
+  std::string test, reference;
+  std::string difference;  ///< where the picture of the difference goes; empty: nowhere
+};
+
+[[nodiscard]] ExitCode compare_command(const CompareOptions& options);
+
+void declare_compare(CLI::App& program, Run& run);
+
+}  // namespace raywalk
