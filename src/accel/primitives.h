@@ -111,9 +111,15 @@ class Primitives {
 
  private:
   static constexpr std::int32_t none = -1;
+#ifdef RAYWALK_WITHOUT_MOTION  // set only by the benchmark that measures what motion costs where nothing moves
+  static constexpr bool moves_compiled = false;
+#else
+  static constexpr bool moves_compiled = true;
+#endif
   [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const Motion* motion_of(int id) const {
-    if (static_cast<std::size_t>(id) >= motion_of_.size() || motion_of_[static_cast<std::size_t>(id)] == none)
+    if (!moves_compiled || static_cast<std::size_t>(id) >= motion_of_.size() ||
+        motion_of_[static_cast<std::size_t>(id)] == none)
       return nullptr;
     return &motions_[static_cast<std::size_t>(motion_of_[static_cast<std::size_t>(id)])];
   }

@@ -26,6 +26,16 @@ inline constexpr int effect_count = 11;
 
 [[nodiscard]] std::string_view effect_name(Effect effect);
 
+/// Whether an effect's code is compiled: always, but in the programs with which tests/benchmark/effects.sh measures
+/// what an effect costs that a scene does not call for. They define RAYWALK_WITHOUT as the effect's name.
+[[nodiscard]] constexpr bool compiled([[maybe_unused]] Effect effect) {
+#ifdef RAYWALK_WITHOUT
+  return effect != Effect::RAYWALK_WITHOUT;
+#else
+  return true;
+#endif
+}
+
 struct EffectUse {
   bool used = false;
   std::string why;  ///< one clause, for people: "the material of Mirror Sphere reflects"

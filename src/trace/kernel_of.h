@@ -15,31 +15,33 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
   return tracer.statistics();
 }
 
-/// Refraction never comes without reflection (total internal reflection), nor do lobes: five sets, each with or without
-/// textures and penumbras.
-template <class T, bool Textures, bool Penumbra>
+/// Refraction never comes without reflection (total internal reflection), nor do lobes: five sets.
+template <class T, bool Textures, bool Penumbra, bool Shadows>
 Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put) {
   const HitEffects set = hit_effects(world.effects);
+  const auto run = [&]<bool Reflection, bool Refraction, bool Lobes>() {
+    return run_kernel<T, HitEffects{Reflection, Refraction, Textures, Penumbra, Lobes, Shadows}>(world, camera, block,
+                                                                                                 put);
+  };
   if (set.lobes)
-    return set.refraction ? run_kernel<T, HitEffects{true, true, Textures, Penumbra, true}>(world, camera, block, put)
-                          : run_kernel<T, HitEffects{true, false, Textures, Penumbra, true}>(world, camera, block, put);
-  if (set.refraction)
-    return run_kernel<T, HitEffects{true, true, Textures, Penumbra, false}>(world, camera, block, put);
-  if (set.reflection)
-    return run_kernel<T, HitEffects{true, false, Textures, Penumbra, false}>(world, camera, block, put);
-  return run_kernel<T, HitEffects{false, false, Textures, Penumbra, false}>(world, camera, block, put);
+    return set.refraction ? run.template operator()<true, true, true>() : run.template operator()<true, false, true>();
+  if (set.refraction) return run.template operator()<true, true, false>();
+  if (set.reflection) return run.template operator()<true, false, false>();
+  return run.template operator()<false, false, false>();
 }
 
+/// Each with or without textures, with shadows, shadows and penumbras or none of these: thirty sets.
 template <class T>
 Statistics run_fitting_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put) {
   const HitEffects set = hit_effects(world.effects);
-  if (set.textures)
-    return set.penumbra ? run_kernel<T, true, true>(world, camera, block, put)
-                        : run_kernel<T, true, false>(world, camera, block, put);
-  return set.penumbra ? run_kernel<T, false, true>(world, camera, block, put)
-                      : run_kernel<T, false, false>(world, camera, block, put);
+  const auto run = [&]<bool Penumbra, bool Shadows>() {
+    return set.textures ? run_kernel<T, true, Penumbra, Shadows>(world, camera, block, put)
+                        : run_kernel<T, false, Penumbra, Shadows>(world, camera, block, put);
+  };
+  if (set.penumbra) return run.template operator()<true, true>();
+  return set.shadows ? run.template operator()<false, true>() : run.template operator()<false, false>();
 }
 
 template <class T>

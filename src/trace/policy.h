@@ -23,13 +23,28 @@ struct HitEffects {
   bool reflection = true, refraction = true, textures = true;
   bool penumbra = true;  ///< lights with an extent
   bool lobes = true;     ///< gloss and translucency
+  bool shadows = true;   ///< lights, whether or not anything stands before them
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
 
 [[nodiscard]] inline HitEffects hit_effects(const Effects& effects) {
-  return {effects.used(Effect::reflection), effects.used(Effect::refraction), effects.used(Effect::textures),
-          effects.used(Effect::penumbra), effects.used(Effect::gloss) || effects.used(Effect::translucency)};
+  return {effects.used(Effect::reflection),
+          effects.used(Effect::refraction),
+          effects.used(Effect::textures),
+          effects.used(Effect::penumbra),
+          effects.used(Effect::gloss) || effects.used(Effect::translucency),
+          effects.used(Effect::shadows)};
+}
+
+[[nodiscard]] constexpr HitEffects compiled(HitEffects set) {
+  set.reflection = set.reflection && compiled(Effect::reflection);
+  set.refraction = set.refraction && compiled(Effect::refraction);
+  set.textures = set.textures && compiled(Effect::textures);
+  set.penumbra = set.penumbra && compiled(Effect::penumbra);
+  set.lobes = set.lobes && (compiled(Effect::gloss) || compiled(Effect::translucency));
+  set.shadows = set.shadows && compiled(Effect::shadows);
+  return set;
 }
 
 /// Everything about the tracer that is fixed when it is compiled.
@@ -37,7 +52,7 @@ template <class ScalarType, class ObserverType = NoObserver, HitEffects Set = al
 struct Policy {
   using Scalar = ScalarType;
   using Observer = ObserverType;
-  static constexpr HitEffects effects = Set;
+  static constexpr HitEffects effects = compiled(Set);
 };
 
 }  // namespace raywalk

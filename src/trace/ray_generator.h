@@ -46,6 +46,7 @@ class RayGenerator {
     sampler_ = scene.render.sampler;
     if (effects.used(Effect::depth_of_field)) lens_radius_ = static_cast<T>(scene.camera.aperture);
     moves_ = effects.used(Effect::motion_blur);
+    is_sampled_ = is_sampled_ || lens_radius_ > 0 || moves_;
   }
   /// As if it were a pinhole, its shutter open for no time, the samples of a pixel jittered.
   RayGenerator(const Camera& camera, ImageSize size, ImageSize whole, Sampling sampling = {})
@@ -66,33 +67,15 @@ class RayGenerator {
     focus_ = static_cast<T>(camera.focus_distance());
     shutter_open_ = static_cast<T>(camera.shutter_open);
     shutter_close_ = static_cast<T>(camera.shutter_close);
+    is_sampled_ = sampling.per_pixel > 1;
   }
 
   /// The ray of a sample, of unit length. Counts what it draws.
   [[nodiscard]] Ray<T> primary_ray(const Pixel& pixel, Statistics& statistics) const {
-    T across = static_cast<T>(2 * pixel.column + 1 - size_.width);
-    T upwards = static_cast<T>(size_.height - 1 - 2 * pixel.row);
-    if (sampling_.per_pixel > 1) {
-      const Vec2<T> moved = offset(pixel, statistics);
-      across += moved.x;
-      upwards += moved.y;
-    }
-    const Vec3<T> through = forward_ + (across / width_) * right_ + (upwards / width_) * up_;
-    Ray<T> ray{eye_, normalize(through)};
-    if (lens_radius_ > 0) {
-      // A thin lens: all that leaves it for one pixel meets in one point of the plane in focus.
-      const Vec2<T> on_lens = lens_radius_ * concentric_disk(draw_for(pixel, Effect::depth_of_field, statistics));
-      const Vec3<T> aside = on_lens.x * lens_right_ + on_lens.y * lens_up_;
-      ray.origin = eye_ + aside;
-      ray.direction = normalize(focus_ * through - aside);
-    }
-    ray.time = shutter_open_;
-    if (moves_) {
-      const T share = draw<T>(sampler_, key(pixel, Effect::motion_blur), count());
-      statistics.drew(Effect::motion_blur, 1);
-      ray.time = shutter_open_ + share * (shutter_close_ - shutter_open_);
-    }
-    return ray;
+    const Vec2<T> centre{static_cast<T>(2 * pixel.column + 1 - size_.width),
+                         static_cast<T>(size_.height - 1 - 2 * pixel.row)};
+    if (is_sampled_) return sampled_ray(pixel, centre, statistics);
+    return {eye_, normalize(through(centre)), {}, shutter_open_};
   }
 
   [[nodiscard]] ImageSize size() const { return size_; }
@@ -117,31 +100,22 @@ class RayGenerator {
     return static_cast<std::int32_t>(above << 16 ^ static_cast<std::uint32_t>(denominator / divisor));
   }
 
-  [[nodiscard]] Vec2<T> draw_for(const Pixel& pixel, Effect effect, Statistics& statistics) const {
-    statistics.drew(effect, 2);
-    return draw_pair<T>(sampler_, key(pixel, effect), count());
+  /// From the eye to the plane at distance 1; `place`: in half pixels from the middle of the image.
+  [[nodiscard]] Vec3<T> through(const Vec2<T>& place) const {
+    return forward_ + (place.x / width_) * right_ + (place.y / width_) * up_;
   }
 
-  /// From the pixel's centre, in half pixels, each in [-1, 1).
-  [[nodiscard]] Vec2<T> offset(const Pixel& pixel, Statistics& statistics) const {
-    const Vec2<T> unit = draws_ ? draw_for(pixel, Effect::antialiasing, statistics) : fixed_place(pixel.sample);
-    return {2 * unit.x - 1, 2 * unit.y - 1};
-  }
-
-  /// Where sample `sample` falls when nothing is drawn: the first ones in a k x k grid, what is left over in one row.
-  [[nodiscard]] Vec2<T> fixed_place(int sample) const {
-    int edge = 1;
-    while ((edge + 1) * (edge + 1) <= sampling_.per_pixel) ++edge;
-    const int square = edge * edge, left_over = sampling_.per_pixel - square;
-    if (sample >= square) return {(static_cast<T>(sample - square) + T(0.5)) / static_cast<T>(left_over), T(0.5)};
-    return {(static_cast<T>(sample % edge) + T(0.5)) / static_cast<T>(edge),
-            (static_cast<T>(sample / edge) + T(0.5)) / static_cast<T>(edge)};
-  }
+  /// Apart, so that all of it costs one question where the centres of pixels are seen by a pinhole at one time.
+  [[nodiscard]] Ray<T> sampled_ray(const Pixel& pixel, Vec2<T> place, Statistics& statistics) const;
+  [[nodiscard]] Vec2<T> draw_for(const Pixel& pixel, Effect effect, Statistics& statistics) const;
+  [[nodiscard]] Vec2<T> offset(const Pixel& pixel, Statistics& statistics) const;
+  [[nodiscard]] Vec2<T> fixed_place(int sample) const;
 
   ImageSize size_;
   Sampling sampling_;
   Sampler sampler_ = Sampler::jittered;
   bool draws_ = true, moves_ = false;
+  bool is_sampled_ = false;  ///< not all rays go from the eye through the pixel's centre when the shutter opens
   std::vector<std::int32_t> column_keys_, row_keys_;
   T width_;                             ///< pixels across the picture
   Vec3<T> eye_, forward_, right_, up_;  ///< right and up as long as half the image's width at distance 1
@@ -149,5 +123,8 @@ class RayGenerator {
   Vec3<T> lens_right_, lens_up_;        ///< unit length
   T shutter_open_, shutter_close_;
 };
+
+extern template class RayGenerator<float>;
+extern template class RayGenerator<double>;
 
 }  // namespace raywalk

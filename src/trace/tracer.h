@@ -86,17 +86,19 @@ class Tracer {
   Rgb<T> shade(int depth, const Traced& ray, const Hit<T>& hit) {
     const Shading at = prepare(ray, hit);
     Direct direct;
-    for (const Lamp& lamp : world_.lamps) {
-      for (int sample = 0; sample < samples_of(lamp); ++sample) {
-        // Form shadow ray
-        const auto shadow = form_shadow_ray(depth, at, ray, lamp, sample);
-        if (!shadow) {
-          add_unlit(direct, lamp);
-          continue;
+    if constexpr (Policy::effects.shadows) {
+      for (const Lamp& lamp : world_.lamps) {
+        for (int sample = 0; sample < samples_of(lamp); ++sample) {
+          // Form shadow ray
+          const auto shadow = form_shadow_ray(depth, at, ray, lamp, sample);
+          if (!shadow) {
+            add_unlit(direct, lamp);
+            continue;
+          }
+          // Find intersection
+          const Rgb<T> visible = find_intersection(depth, *shadow, lamp);
+          add_light(direct, at, ray, lamp, shadow->ray, visible);
         }
-        // Find intersection
-        const Rgb<T> visible = find_intersection(depth, *shadow, lamp);
-        add_light(direct, at, ray, lamp, shadow->ray, visible);
       }
     }
     Rgb<T> reflected{0}, refracted{0};

@@ -49,7 +49,7 @@ template <class Policy>
 auto Tracer<Policy>::spread(const Traced& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& side,
                             Effect effect) -> Vec3<T> {
   if constexpr (Policy::effects.lobes) {
-    if (one_minus_cos > 0) {
+    if (compiled(effect) && one_minus_cos > 0) {
       RandomKey key = key_;
       key.effect = static_cast<std::uint32_t>(effect);
       key.path = ray.branch.path;

@@ -101,6 +101,9 @@ TEST_CASE("the kernels are different ones") {
   CHECK_FALSE(same_bits(full, by([](const auto&... a) {
                           return detail::run_kernel<double, HitEffects{true, true, true, true, false}>(a...);
                         })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) {
+                          return detail::run_kernel<double, HitEffects{true, true, true, true, true, false}>(a...);
+                        })));
 }
 
 TEST_CASE("effects that are not called for fire no ray and draw no number") {

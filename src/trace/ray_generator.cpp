@@ -1,0 +1,52 @@
+#include "trace/ray_generator.h"
+
+namespace raywalk {
+
+template <class T>
+Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, Statistics& statistics) const {
+  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) place += offset(pixel, statistics);
+  const Vec3<T> ahead = through(place);
+  Ray<T> ray{eye_, normalize(ahead), {}, shutter_open_};
+  if (compiled(Effect::depth_of_field) && lens_radius_ > 0) {
+    // A thin lens: all that leaves it for one pixel meets in one point of the plane in focus.
+    const Vec2<T> on_lens = lens_radius_ * concentric_disk(draw_for(pixel, Effect::depth_of_field, statistics));
+    const Vec3<T> aside = on_lens.x * lens_right_ + on_lens.y * lens_up_;
+    ray.origin = eye_ + aside;
+    ray.direction = normalize(focus_ * ahead - aside);
+  }
+  if (compiled(Effect::motion_blur) && moves_) {
+    const T share = draw<T>(sampler_, key(pixel, Effect::motion_blur), count());
+    statistics.drew(Effect::motion_blur, 1);
+    ray.time = shutter_open_ + share * (shutter_close_ - shutter_open_);
+  }
+  return ray;
+}
+
+template <class T>
+Vec2<T> RayGenerator<T>::draw_for(const Pixel& pixel, Effect effect, Statistics& statistics) const {
+  statistics.drew(effect, 2);
+  return draw_pair<T>(sampler_, key(pixel, effect), count());
+}
+
+/// From the pixel's centre, in half pixels, each in [-1, 1).
+template <class T>
+Vec2<T> RayGenerator<T>::offset(const Pixel& pixel, Statistics& statistics) const {
+  const Vec2<T> unit = draws_ ? draw_for(pixel, Effect::antialiasing, statistics) : fixed_place(pixel.sample);
+  return {2 * unit.x - 1, 2 * unit.y - 1};
+}
+
+/// Where sample `sample` falls when nothing is drawn: the first ones in a k x k grid, what is left over in one row.
+template <class T>
+Vec2<T> RayGenerator<T>::fixed_place(int sample) const {
+  int edge = 1;
+  while ((edge + 1) * (edge + 1) <= sampling_.per_pixel) ++edge;
+  const int square = edge * edge, left_over = sampling_.per_pixel - square;
+  if (sample >= square) return {(static_cast<T>(sample - square) + T(0.5)) / static_cast<T>(left_over), T(0.5)};
+  return {(static_cast<T>(sample % edge) + T(0.5)) / static_cast<T>(edge),
+          (static_cast<T>(sample / edge) + T(0.5)) / static_cast<T>(edge)};
+}
+
+template class RayGenerator<float>;
+template class RayGenerator<double>;
+
+}  // namespace raywalk
