@@ -26,6 +26,19 @@ namespace detail {
   return x ^ (x >> 31);
 }
 
+/// What the draws of a key have in common that differ in their dimension only.
+[[nodiscard]] constexpr std::uint64_t common_bits(const RandomKey& key) {
+  std::uint64_t bits = mix(key.seed);
+  bits = mix(bits ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
+                     static_cast<std::uint32_t>(key.pixel_y)));
+  bits = mix(bits ^ (static_cast<std::uint64_t>(key.sample) << 32 | key.effect));
+  return mix(bits ^ key.path);
+}
+/// Uniform in [0, 2^24).
+[[nodiscard]] constexpr std::uint32_t random_24(std::uint64_t common, std::uint32_t dimension) {
+  return static_cast<std::uint32_t>(mix(common ^ dimension) >> 40);
+}
+
 }  // namespace detail
 
 /// The `path` of a ray that leaves the end of the ray with `path` as its `branch`-th: distinct branches draw
@@ -37,14 +50,7 @@ namespace detail {
 /// Uniform in [0, 1), a multiple of 2^-24, so that float and double runs draw the same numbers.
 template <class T>
 [[nodiscard]] constexpr T random_unit(const RandomKey& key) {
-  using detail::mix;
-  std::uint64_t bits = mix(key.seed);
-  bits = mix(bits ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
-                     static_cast<std::uint32_t>(key.pixel_y)));
-  bits = mix(bits ^ (static_cast<std::uint64_t>(key.sample) << 32 | key.effect));
-  bits = mix(bits ^ key.path);
-  bits = mix(bits ^ key.dimension);
-  return static_cast<T>(bits >> 40) * static_cast<T>(1.0 / 16777216.0);
+  return static_cast<T>(detail::random_24(detail::common_bits(key), key.dimension)) * static_cast<T>(1.0 / 16777216.0);
 }
 
 }  // namespace raywalk

@@ -24,11 +24,6 @@ namespace {
 constexpr int unit_bits = 24;
 constexpr std::uint32_t unit = 1u << unit_bits;
 
-std::uint32_t random_bits(RandomKey key, std::uint32_t dimensions_on) {
-  key.dimension += dimensions_on;
-  return static_cast<std::uint32_t>(random_unit<double>(key) * unit);
-}
-
 /// What all samples of a key have in common; `salt` tells apart what is derived from it.
 std::uint32_t stream(RandomKey key, std::uint32_t salt) {
   key.sample = 0;
@@ -65,14 +60,21 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t seed)
     i &= mask;
     i ^= i >> 5;
   } while (i >= count);
-  return static_cast<std::uint32_t>((static_cast<std::uint64_t>(i) + seed) % count);
+  const std::uint32_t turned = i + seed % count;
+  return turned < count && turned >= i ? turned : turned - count;
 }
 
 /// A step of 2^-24 in cell `cell` of `cells` equal ones, chosen by a random one of the whole interval. In integers, so
 /// that rounding carries nothing into a neighbouring cell. cells <= 2^24.
 std::uint32_t within(std::uint32_t cell, std::uint32_t cells, std::uint32_t random) {
-  const auto begin_of = [cells](std::uint64_t i) { return (i * unit + cells - 1) / cells; };
-  const std::uint64_t begin = begin_of(cell), size = begin_of(cell + 1) - begin;
+  // i * unit / cells, rounded up. Quotients of integers below 2^48 and 2^24 lie further from the next integer than a
+  // double rounds, and are had sooner than those of integers.
+  const auto begin_of = [cells](std::uint32_t i) {
+    const std::int64_t whole = std::int64_t{i} * unit;
+    const auto below = static_cast<std::int64_t>(static_cast<double>(whole) / cells);
+    return below + (below * cells != whole);
+  };
+  const std::int64_t begin = begin_of(cell), size = begin_of(cell + 1) - begin;
   return static_cast<std::uint32_t>(begin + (size * random >> unit_bits));
 }
 
@@ -113,14 +115,13 @@ std::uint32_t shuffled_index(const RandomKey& key) {
 }  // namespace
 
 std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count) {
-  const std::uint32_t random = random_bits(key, 0);
+  const std::uint32_t random = random_24(common_bits(key), key.dimension);
   if (key.sample >= count || count > unit) return random;
   return within(permuted(key.sample, count, stream(key, 0)), count, random);
 }
 
 DrawnPair draw_jittered_pair(const RandomKey& key, std::uint32_t count) {
-  const std::uint32_t u = random_bits(key, 0);
-  const std::uint32_t v = random_bits(key, 1);
+  const auto [u, v] = draw_random_pair(key);
   const auto edge = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)));  // rounded right: exact
   if (key.sample >= edge * edge) return {u, v};
   const std::uint32_t cell = permuted(key.sample, edge * edge, stream(key, 0));

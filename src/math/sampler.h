@@ -24,6 +24,10 @@ namespace detail {
 struct DrawnPair {
   std::uint32_t u, v;
 };
+[[nodiscard]] inline DrawnPair draw_random_pair(const RandomKey& key) {
+  const std::uint64_t common = common_bits(key);
+  return {random_24(common, key.dimension), random_24(common, key.dimension + 1)};
+}
 [[nodiscard]] std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count);
 [[nodiscard]] DrawnPair draw_jittered_pair(const RandomKey& key, std::uint32_t count);
 [[nodiscard]] std::uint32_t draw_sobol(const RandomKey& key);
@@ -56,13 +60,9 @@ template <class T>
 [[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, std::uint32_t count) {
   detail::DrawnPair drawn{};
   switch (sampler) {
-    case Sampler::random: {
-      RandomKey second = key;
-      ++second.dimension;
-      const T u = random_unit<T>(key);
-      const T v = random_unit<T>(second);
-      return {u, v};
-    }
+    case Sampler::random:
+      drawn = detail::draw_random_pair(key);
+      break;
     case Sampler::jittered:
       drawn = detail::draw_jittered_pair(key, count);
       break;
