@@ -1,0 +1,135 @@
+#pragma once
+// Four boxes at a time, in float for rays of either precision: rounded outwards, boxes let through a few rays too many
+// and none too few.
+
+#include "accel/query.h"
+#include "math/lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace raywalk {
+
+/// Four boxes, those that are not there empty.
+struct BoxLanes {
+  /// The least x, y and z of all four, then the greatest.
+  std::array<Lanes, 6> planes{all_lanes(infinity<float>),  all_lanes(infinity<float>),  all_lanes(infinity<float>),
+                              all_lanes(-infinity<float>), all_lanes(-infinity<float>), all_lanes(-infinity<float>)};
+
+  template <class T>
+  void set(std::size_t lane, const Bounds<T>& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto plane = static_cast<std::size_t>(axis);
+      planes[plane][lane] = -at_least(-static_cast<double>(box.min[axis]));
+      planes[plane + 3][lane] = at_least(static_cast<double>(box.max[axis]));
+    }
+  }
+  [[nodiscard]] Bounds<float> box(std::size_t lane) const {
+    return {{planes[0][lane], planes[1][lane], planes[2][lane]}, {planes[3][lane], planes[4][lane], planes[5][lane]}};
+  }
+
+ private:
+  /// The least float not below x.
+  static float at_least(double x) {
+    constexpr float most = std::numeric_limits<float>::max();
+    if (x > static_cast<double>(most)) return infinity<float>;
+    if (x < -static_cast<double>(most)) return -most;
+    const float rounded = static_cast<float>(x);
+    return static_cast<double>(rounded) < x ? std::nextafter(rounded, infinity<float>) : rounded;
+  }
+};
+
+/// Where a ray enters each of four boxes, and a bit for each that it meets.
+struct LanesMet {
+  Lanes in;
+  unsigned bits;
+};
+
+/// The ray's terms of slab tests, as SlabRay has them, for four boxes at a time.
+template <class T>
+class LaneRay {
+ public:
+  /// With `mapped`, as SlabRay.
+  LaneRay(const Ray<T>& ray, bool mapped) {
+    constexpr float epsilon = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::min();
+    const Lanes origin{static_cast<float>(ray.origin.x), static_cast<float>(ray.origin.y),
+                       static_cast<float>(ray.origin.z), 0};
+    const Lanes slope{static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y),
+                      static_cast<float>(ray.direction.z), 1};
+    const Lanes size = absolute(origin), steep = absolute(slope), inverse = all_lanes(1) / slope;
+    constexpr unsigned all = 15;
+    held_ = bits_of((size < all_lanes(1e18F)) & (steep < all_lanes(1e18F)) & (steep > all_lanes(1e-18F))) == all ||
+            holds(ray);
+    // The origin is rounded to float, or into a primitive's space: boxes are taken for so much larger.
+    const bool exact = std::is_same_v<T, float> && !mapped;
+    const Lanes slack = all_lanes(exact ? 0 : 16 * epsilon * (size[0] + size[1] + size[2]) + least);
+    const Lanes away = with_signs_of(slope, slack), from_in = origin + away, from_out = origin - away;
+    const unsigned negative = bits_of(reinterpret_cast<LaneMask>(slope));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      near_[axis] = axis + 3 * (negative >> axis & 1U);
+      far_[axis] = 2 * axis + 3 - near_[axis];
+      from_in_[axis] = all_lanes(from_in[axis]);
+      from_out_[axis] = all_lanes(from_out[axis]);
+      inverse_[axis] = all_lanes(inverse[axis]);
+    }
+  }
+
+  /// Whether float's range holds the ray, so that no more than rounding is lost; else this answers nothing.
+  [[nodiscard]] bool held() const { return held_; }
+
+  /// The boxes that the ray meets before `reach`; all of them and, by rounding, some that it passes closely. NaN, of an
+  /// origin in a face's plane without slope, is no bound.
+  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, T reach) const {
+    constexpr float most = std::numeric_limits<float>::max();
+    Lanes in = all_lanes(0),
+          out = all_lanes(reach < static_cast<T>(most) ? static_cast<float>(reach) : infinity<float>);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      in = max((boxes.planes[near_[axis]] - from_in_[axis]) * inverse_[axis], in);
+      out = min((boxes.planes[far_[axis]] - from_out_[axis]) * inverse_[axis], out);
+    }
+    // Either end of a slab errs by four roundings at most: of the slope, its inverse, the difference and the product.
+    // Below the least normal float a rounding may be as large as the number.
+    constexpr float pad = 1 + 8 * std::numeric_limits<float>::epsilon(), grain = 16 * std::numeric_limits<float>::min();
+    return {in, bits_of(in <= out * all_lanes(pad) + all_lanes(grain))};
+  }
+
+ private:
+  static bool holds(const Ray<T>& ray) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const T slope = std::abs(ray.direction[axis]);
+      if (!(std::abs(ray.origin[axis]) < T(1e18) && (slope == 0 || (slope > T(1e-18) && slope < T(1e18)))))
+        return false;
+    }
+    return true;
+  }
+
+  bool held_;
+  std::array<std::size_t, 3> near_, far_;
+  std::array<Lanes, 3> from_in_, from_out_, inverse_;
+};
+
+/// The same by SlabRay, one box after the other, for rays that float cannot hold.
+template <class T>
+class WideLaneRay {
+ public:
+  WideLaneRay(const Ray<T>& ray, bool mapped) : slabs_(ray, mapped) {}
+
+  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, T reach) const {
+    LanesMet met{all_lanes(0), 0};
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const Bounds<float> box = boxes.box(lane);
+      if (clip(slabs_, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, reach}).empty()) continue;
+      met.bits |= 1U << lane;
+    }
+    return met;
+  }
+
+ private:
+  SlabRay<T> slabs_;
+};
+
+}  // namespace raywalk
