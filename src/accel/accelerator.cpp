@@ -15,12 +15,14 @@ namespace raywalk {
 
 namespace {
 
-/// A handful of primitives is searched faster than any structure is entered; beyond that a BVH is never far from the
-/// best and never bad.
-AcceleratorKind resolve(AcceleratorKind kind, std::size_t bounded) {
-  constexpr std::size_t few = 8;
+/// Two or three spheres are searched faster than a structure is entered; beyond that a BVH is never far from the best
+/// and never bad. Other shapes are so much dearer to test that even one is better kept in a box.
+template <class T>
+AcceleratorKind resolve(AcceleratorKind kind, const Boxes<T>& boxes, const Primitives<T>& primitives) {
   if (kind != AcceleratorKind::automatic) return kind;
-  return bounded <= few ? AcceleratorKind::none : AcceleratorKind::bvh;
+  const auto sphere = [&](int id) { return primitives.template plain<Sphere<T>>(id) != nullptr; };
+  const bool few = boxes.bounded.size() <= 3 && std::all_of(boxes.bounded.begin(), boxes.bounded.end(), sphere);
+  return few ? AcceleratorKind::none : AcceleratorKind::bvh;
 }
 
 template <class T>
@@ -47,7 +49,7 @@ AnyStructure<T> build(AcceleratorKind kind, const Boxes<T>& boxes, const Primiti
     case AcceleratorKind::kdtree:
       return KdTree<T>(boxes);
   }
-  return List<T>(static_cast<int>(boxes.boxes.size()));
+  return List<T>(primitives.size());
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind) : pr
   const auto begin = std::chrono::steady_clock::now();
   const Boxes<T> boxes(primitives_);
   primitives_.find_equals(boxes.boxes);
-  kind_ = resolve(kind, boxes.bounded.size());
+  kind_ = resolve(kind, boxes, primitives_);
   structure_ = std::make_shared<const Structure>(Structure{build(kind_, boxes, primitives_)});
   if (kind_ != AcceleratorKind::none) unbounded_ = boxes.unbounded;
   statistics_ = std::visit([](const auto& structure) { return structure.statistics(); }, structure_->any);
@@ -87,9 +89,8 @@ std::optional<Hit<T>> Accelerator<T>::closest(const Ray<T>& ray, T t_max, TestCo
 }
 
 template <class T>
-template <class Accept>
-bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept, int* last) const {
-  AnyQuery<T, Accept> query(primitives_, ray, t_max, accept);
+template <class Query>
+bool Accelerator<T>::found(Query& query, const Ray<T>& ray, TestCounts& counts, int* last) const {
   if (last == nullptr || *last < 0 || !query.test(primitives_, *last)) search(ray, query);
   if (last != nullptr) *last = query.found_id();
   counts += query.counts();
@@ -97,27 +98,35 @@ bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept 
 }
 
 template <class T>
-void Accelerator<T>::crossed(const Ray<T>& ray, T t_max, TestCounts& counts, MarkedPrimitives accept,
-                             std::vector<int>& found) const {
-  found.clear();
-  EveryQuery<T, MarkedPrimitives> query(primitives_, ray, t_max, accept, found);
-  search(ray, query);
-  counts += query.counts();
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, int* last) const {
+  AnyQuery<T> query(primitives_, ray, t_max);
+  return found(query, ray, counts, last);
+}
+
+template <class T>
+bool Accelerator<T>::any_stop(const Ray<T>& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+                              std::vector<int>& filters, int* last) const {
+  filters.clear();
+  ShadowQuery<T> query(primitives_, ray, t_max, roles, filters);
+  const bool stopped = found(query, ray, counts, last);
+  if (filters.size() > 1) {
+    std::sort(filters.begin(), filters.end());
+    filters.erase(std::unique(filters.begin(), filters.end()), filters.end());
+  }
+  return stopped;
 }
 
 template class Accelerator<float>;
 template class Accelerator<double>;
 
 // Compiled here once, so that the tracer's kernels need not hold a copy of every structure each.
-#define RAYWALK_QUERIES(T, Accept)                                                                     \
-  template std::optional<Hit<T>> Accelerator<T>::closest(const Ray<T>&, T, TestCounts&, Accept) const; \
-  template bool Accelerator<T>::any(const Ray<T>&, T, TestCounts&, Accept, int*) const;
-RAYWALK_QUERIES(float, AnyPrimitive)
-RAYWALK_QUERIES(float, MarkedPrimitives)
-RAYWALK_QUERIES(double, AnyPrimitive)
-RAYWALK_QUERIES(double, MarkedPrimitives)
-#undef RAYWALK_QUERIES
+template std::optional<Hit<float>> Accelerator<float>::closest(const Ray<float>&, float, TestCounts&,
+                                                               AnyPrimitive) const;
+template std::optional<Hit<float>> Accelerator<float>::closest(const Ray<float>&, float, TestCounts&,
+                                                               StopsShadows) const;
+template std::optional<Hit<double>> Accelerator<double>::closest(const Ray<double>&, double, TestCounts&,
+                                                                 AnyPrimitive) const;
+template std::optional<Hit<double>> Accelerator<double>::closest(const Ray<double>&, double, TestCounts&,
+                                                                 StopsShadows) const;
 
 }  // namespace raywalk

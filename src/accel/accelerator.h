@@ -47,18 +47,19 @@ class Accelerator {
   explicit Accelerator(Primitives<T> primitives, AcceleratorKind kind = AcceleratorKind::automatic);
 
   /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive or
-  /// MarkedPrimitives.
+  /// StopsShadows.
   template <class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
-  /// Whether any accepted primitive is crossed in (0, t_max). With `last`, the primitive of that id (-1 for none) is
+  /// Whether any primitive is crossed in (0, t_max). With `last`, the primitive of that id (-1 for none) is
   /// tested first, and replaced by the one that is found: what hid a light from one point often hides it from the next
   /// (E. Haines and D. Greenberg, "The light buffer", 1986). It changes the cost and not the answer.
-  template <class Accept = AnyPrimitive>
-  [[nodiscard]] bool any(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}, int* last = nullptr) const;
+  [[nodiscard]] bool any(const Ray<T>& ray, T t_max, TestCounts& counts, int* last = nullptr) const;
 
-  /// Every accepted primitive that is crossed in (0, t_max), as ascending ids.
-  void crossed(const Ray<T>& ray, T t_max, TestCounts& counts, MarkedPrimitives accept, std::vector<int>& found) const;
+  /// The same, of the primitives whose role it is to stop shadow rays. Where none is crossed, `filters` are the ids,
+  /// ascending, of those crossed that filter. `roles`: by primitive.
+  [[nodiscard]] bool any_stop(const Ray<T>& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+                              std::vector<int>& filters, int* last = nullptr) const;
 
   [[nodiscard]] const Primitives<T>& primitives() const { return primitives_; }
   /// What was built: never `automatic`.
@@ -67,6 +68,8 @@ class Accelerator {
 
  private:
   struct Structure;
+  template <class Query>
+  bool found(Query& query, const Ray<T>& ray, TestCounts& counts, int* last) const;
   template <class Query>
   void search(const Ray<T>& ray, Query& query) const;
 

@@ -11,8 +11,8 @@ class List {
   explicit List(int count) : count_(count) {}
 
   template <class Query>
-  void search(const Ray<T>& /*ray*/, const Primitives<T>& primitives, Query& query) const {
-    for (int id = 0; id < count_; ++id)
+  [[gnu::flatten]] void search(const Ray<T>& /*ray*/, const Primitives<T>& primitives, Query& query) const {
+    for (int id = 0, end = count_; id < end; ++id)
       if (query.test(primitives, id)) return;
   }
 

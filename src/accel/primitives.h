@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,10 +19,16 @@ template <class T>
 class Primitives {
  public:
   Primitives() = default;
-  explicit Primitives(std::vector<Shape<T>> shapes) : shapes_(std::move(shapes)) {}
+  explicit Primitives(std::vector<Shape<T>> shapes) {
+    for (Shape<T>& shape : shapes) add(std::move(shape));
+  }
 
   /// Shapes are added before meshes, whose triangles have the ids that follow.
   void add(Shape<T> shape) {
+    plain_.push_back(std::holds_alternative<Sphere<T>>(shape)  ? Plain::sphere
+                     : std::holds_alternative<Plane<T>>(shape) ? Plain::plane
+                                                               : Plain::other);
+    ++shape_count_;
     shapes_.push_back(std::move(shape));
     if (!places_.empty()) place_of_.push_back(none);
   }
@@ -29,6 +36,8 @@ class Primitives {
     place_of_.resize(shapes_.size(), none);
     place_of_.push_back(static_cast<std::int32_t>(places_.size()));
     places_.push_back(place);
+    plain_.push_back(Plain::other);
+    ++shape_count_;
     shapes_.push_back(std::move(shape));
   }
   void add(const Mesh& mesh, const Affine<double>& to_world, bool smooth) { triangles_.add(mesh, to_world, smooth); }
@@ -38,7 +47,7 @@ class Primitives {
   void set_shutter(double open, double close) { open_ = open, close_ = close; }
 
   [[nodiscard]] int size() const { return shape_count() + triangles_.size(); }
-  [[nodiscard]] int shape_count() const { return static_cast<int>(shapes_.size()); }
+  [[nodiscard]] int shape_count() const { return shape_count_; }
   [[nodiscard]] const Triangles<T>& triangles() const { return triangles_; }
   /// A primitive in its own space, and the map that takes it into the world; null when it stands there already.
   [[nodiscard]] Shape<T> shape(int id) const {
@@ -49,9 +58,14 @@ class Primitives {
     return &places_[static_cast<std::size_t>(place_of_[static_cast<std::size_t>(id)])];
   }
   [[nodiscard]] bool moves(int id) const { return motion_of(id) != nullptr; }
-  /// The shape where it stands in the world, when it is neither mapped nor moving nor a mesh's triangle; else null.
-  [[nodiscard]] const Shape<T>* plain_shape(int id) const {
-    return id < shape_count() && place_of(id) == nullptr && motion_of(id) == nullptr ? &own(id) : nullptr;
+  /// A sphere or plane, S, that stands in the world as it is, neither mapped nor moving; null for all else.
+  template <class S>
+  [[nodiscard]] const S* plain(int id) const {
+    constexpr Plain wanted = std::is_same_v<S, Sphere<T>> ? Plain::sphere : Plain::plane;
+    if (id >= shape_count() || plain_[static_cast<std::size_t>(id)] != wanted) return nullptr;
+    const S* shape = std::get_if<S>(&own(id));
+    if (shape == nullptr) __builtin_unreachable();
+    return shape;
   }
 
   /// The lowest id of a primitive that equals this one in shape, place and motion. All of them are one surface: the
@@ -62,28 +76,23 @@ class Primitives {
   /// Makes `first_equal` known, in time n log n. `boxes` are those of all primitives.
   void find_equals(const std::vector<Bounds<T>>& boxes);
 
-  /// Nearest crossing in (0, t_max) of the ray with one primitive, in the ray's own t.
+  /// Nearest crossing in (0, t_max) of the ray with one primitive, in the ray's own t. For one of many tests of a ray,
+  /// what triangles need of it may have been computed already: `sheared`.
   template <class Explain = NoExplanation>
-  [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const Ray<T>& ray, T t_max, Explain&& explain = {}) const {
-    if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
-    return intersect_at_rest(id, ray, t_max, explain);
-  }
-  /// The same, bit for bit, for one of many tests of a ray: what triangles need of it is computed once.
-  [[nodiscard]] ShearedRay<T> sheared(const Ray<T>& ray) const {
-    return triangles_.size() > 0 ? ShearedRay<T>(ray) : ShearedRay<T>();
-  }
-  [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const Ray<T>& ray, const ShearedRay<T>& sheared,
-                                                     T t_max) const {
-    if (!motion_of_.empty()) return intersect(id, ray, t_max);
-    if (id >= shape_count()) return triangles_.intersect(id - shape_count(), sheared, t_max, departed_part(ray, id));
-    // The shapes that scenes are full of are tested in place.
-    const auto* sphere = place_of_.empty() ? std::get_if<Sphere<T>>(&own(id)) : nullptr;
-    if (sphere) return raywalk::intersect(*sphere, ray, t_max, departed_part(ray, id));
-    const auto* plane = place_of_.empty() ? std::get_if<Plane<T>>(&own(id)) : nullptr;
-    if (plane) return raywalk::intersect(*plane, ray, t_max, departed_part(ray, id));
-    return intersect_at_rest(id, ray, t_max, NoExplanation{});
+  [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const Ray<T>& ray, T t_max, Explain&& explain = {},
+                                                     const ShearedRay<T>* sheared = nullptr) const {
+    // The primitives that scenes are full of are tested in place.
+    if (const auto* sphere = plain<Sphere<T>>(id))
+      return raywalk::intersect(*sphere, ray, t_max, departed_part(ray, id), explain);
+    if (const auto* plane = plain<Plane<T>>(id))
+      return raywalk::intersect(*plane, ray, t_max, departed_part(ray, id), explain);
+    if (sheared != nullptr && id >= shape_count() && !moves(id))
+      return triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id));
+    return intersect_any(id, ray, t_max, explain);
   }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
+    if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::surface_at(*sphere, ray, crossing);
+    if (const auto* plane = plain<Plane<T>>(id)) return raywalk::surface_at(*plane, ray, crossing);
     const Motion* motion = motion_of(id);
     if (!motion) return surface_at_rest(id, ray, crossing);
     SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
@@ -92,6 +101,7 @@ class Primitives {
   }
   /// Of a point at `time`.
   [[nodiscard]] Vec2<T> uv_at(int id, SurfacePoint<T> point, int part, T time = 0) const {
+    if (const auto* plane = plain<Plane<T>>(id)) return raywalk::uv_at(*plane, point, part);
     take_back(id, point, time);
     if (id >= shape_count()) return triangles_.uv_at(id - shape_count(), point);
     const Placement<T>* place = place_of(id);
@@ -110,6 +120,8 @@ class Primitives {
   [[nodiscard]] bool maps_rays() const { return !places_.empty() || !motions_.empty(); }
 
  private:
+  /// Spheres and planes that stand in the world as they are, at rest.
+  enum class Plain : std::uint8_t { other, sphere, plane };
   static constexpr std::int32_t none = -1;
 #ifdef RAYWALK_WITHOUT_MOTION  // set only by the benchmark that measures what motion costs where nothing moves
   static constexpr bool moves_compiled = false;
@@ -133,6 +145,11 @@ class Primitives {
     if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
   }
   template <class Explain>
+  [[nodiscard]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max, Explain&& explain) const {
+    if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
+    return intersect_at_rest(id, ray, t_max, explain);
+  }
+  template <class Explain>
   [[nodiscard]] std::optional<Crossing<T>> intersect_at_rest(int id, const Ray<T>& ray, T t_max,
                                                              Explain&& explain) const {
     const int departed = departed_part(ray, id);
@@ -153,19 +170,21 @@ class Primitives {
   /// The part of primitive `id` that the ray departs from, or no_part.
   [[nodiscard]] int departed_part(const Ray<T>& ray, int id) const {
     const int from = ray.departure.primitive;
-    return from == id || (from >= 0 && !first_equal_.empty() && first_equal(from) == first_equal(id))
-               ? ray.departure.part
-               : no_part;
+    return from == id || (any_equal_ && from >= 0 && first_equal(from) == first_equal(id)) ? ray.departure.part
+                                                                                           : no_part;
   }
   [[nodiscard]] bool equal(int a, int b) const;
 
   std::vector<Shape<T>> shapes_;
+  std::vector<Plain> plain_;  ///< by shape
+  int shape_count_ = 0;
   Triangles<T> triangles_;
   std::vector<std::int32_t> place_of_;  ///< by shape; empty when none has a map
   std::vector<Placement<T>> places_;
   std::vector<std::int32_t> motion_of_;  ///< by primitive, those behind its end are at rest
   std::vector<Motion> motions_;
   double open_ = 0, close_ = 1;
+  bool any_equal_ = false;
   std::vector<std::int32_t> first_equal_;  ///< by primitive; empty when no two are equal
 };
 

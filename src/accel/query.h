@@ -36,10 +36,17 @@ struct AnyPrimitive {
   constexpr bool operator()(int /*primitive*/) const { return true; }
 };
 
-/// Accepts the primitives whose mark is set.
-struct MarkedPrimitives {
-  const std::vector<std::uint8_t>& marks;
-  bool operator()(int primitive) const { return marks[static_cast<std::size_t>(primitive)] != 0; }
+/// What a primitive does to shadow rays.
+enum class ShadowRole : std::uint8_t {
+  stops,
+  filters,  ///< lets light through, weighted
+  ignored   ///< its equal in the same place filters already
+};
+
+/// Accepts the primitives that stop shadow rays.
+struct StopsShadows {
+  const std::vector<ShadowRole>& roles;  ///< by primitive
+  bool operator()(int primitive) const { return roles[static_cast<std::size_t>(primitive)] == ShadowRole::stops; }
 };
 
 /// What a search asks of each primitive, and what it has cost.
@@ -47,7 +54,9 @@ template <class T, class Accept>
 class Query {
  public:
   Query(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept)
-      : ray_(ray), sheared_(primitives.sheared(ray)), t_max_(t_max), accept_(accept) {}
+      : ray_(ray), t_max_(t_max), accept_(accept) {
+    if (primitives.triangles().size() > 0) sheared_.emplace(ray);
+  }
   void enter_node() { ++counts_.nodes; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }
 
@@ -56,11 +65,11 @@ class Query {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     // The full reach, not the nearest t so far: a tie must be seen to be decided.
-    return primitives.intersect(id, ray_, sheared_, t_max_);
+    return primitives.intersect(id, ray_, t_max_, NoExplanation{}, sheared_ ? &*sheared_ : nullptr);
   }
 
   const Ray<T>& ray_;
-  ShearedRay<T> sheared_;
+  std::optional<ShearedRay<T>> sheared_;
   T t_max_;
   TestCounts counts_;
   Accept accept_;
@@ -96,11 +105,12 @@ class ClosestQuery : public Query<T, Accept> {
   Hit<T> hit_{infinity<T>, nobody, 0};
 };
 
-/// A search for any accepted crossing in (0, t_max).
-template <class T, class Accept>
-class AnyQuery : public Query<T, Accept> {
+/// A search for any crossing in (0, t_max).
+template <class T>
+class AnyQuery : public Query<T, AnyPrimitive> {
  public:
-  using Query<T, Accept>::Query;
+  AnyQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max)
+      : Query<T, AnyPrimitive>(primitives, ray, t_max, {}) {}
 
   bool test(const Primitives<T>& primitives, int id) {
     if (this->cross(primitives, id)) found_ = id;
@@ -114,21 +124,33 @@ class AnyQuery : public Query<T, Accept> {
   int found_ = -1;
 };
 
-/// A search for all accepted primitives that are crossed in (0, t_max): their ids, some of them more than once.
-template <class T, class Accept>
-class EveryQuery : public Query<T, Accept> {
+/// A search for what a shadow ray crosses in (0, t_max): anything that stops it or, if nothing does, all that filters
+/// it, some of it more than once.
+template <class T>
+class ShadowQuery : public Query<T, AnyPrimitive> {
  public:
-  EveryQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept, std::vector<int>& found)
-      : Query<T, Accept>(primitives, ray, t_max, accept), found_(found) {}
+  ShadowQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, const std::vector<ShadowRole>& roles,
+              std::vector<int>& filters)
+      : Query<T, AnyPrimitive>(primitives, ray, t_max, {}), roles_(roles), filters_(filters) {}
 
   bool test(const Primitives<T>& primitives, int id) {
-    if (this->cross(primitives, id)) found_.push_back(id);
-    return false;
+    const ShadowRole role = roles_[static_cast<std::size_t>(id)];
+    if (role == ShadowRole::ignored || !this->cross(primitives, id)) return false;
+    if (role == ShadowRole::filters) {
+      filters_.push_back(id);
+      return false;
+    }
+    stopped_by_ = id;
+    return true;
   }
   [[nodiscard]] T reach() const { return this->t_max_; }
+  [[nodiscard]] bool found() const { return stopped_by_ >= 0; }
+  [[nodiscard]] int found_id() const { return stopped_by_; }
 
  private:
-  std::vector<int>& found_;
+  const std::vector<ShadowRole>& roles_;
+  std::vector<int>& filters_;
+  int stopped_by_ = -1;
 };
 
 /// The ray's terms of every slab test, computed once a ray.

@@ -23,9 +23,7 @@ class Volumes {
       // A grain more than needed: a flat box has a volume too, and the tests below may round as they like.
       constexpr double ample = 1 + 1e-6;
       const double grain = 1e-6 * length(half) + 1e-300;
-      const Shape<T>* shape = primitives.plain_shape(id);
-      const auto* sphere = shape == nullptr ? nullptr : std::get_if<Sphere<T>>(shape);
-      if (sphere)
+      if (const Sphere<T>* sphere = primitives.template plain<Sphere<T>>(id))
         volume.inverse = Vec3d(1 / (ample * static_cast<double>(sphere->radius)));
       else if (kind == VolumeKind::ellipsoid)
         for (int axis = 0; axis < 3; ++axis) volume.inverse[axis] = 1 / (std::sqrt(3.0) * ample * half[axis] + grain);
@@ -46,7 +44,7 @@ class Volumes {
       }
       return;
     }
-    const Vec3d origin(ray.origin), direction(ray.direction);
+    const Vec3d origin = wide(ray.origin), direction = wide(ray.direction);
     for (const Volume& volume : volumes_) {
       query.enter_node();
       if (misses(volume, origin, direction, static_cast<double>(query.reach()))) continue;

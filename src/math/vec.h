@@ -24,6 +24,13 @@ template <class T>
 using Rgb = glm::vec<3, T>;
 using Rgbd = Rgb<double>;
 
+/// v in double. By components, for a copy of the whole goes through memory: where the components have just been written
+/// one by one, the processor waits for them.
+template <class T>
+[[nodiscard]] constexpr Vec3d wide(const Vec3<T>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
 template <class T>
 [[nodiscard]] constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -21,7 +21,7 @@ namespace detail {
 /// Whether the line meets the disk's plane inside the rim or on it.
 template <class T>
 [[nodiscard]] bool exactly_inside(const Disk<T>& disk, const Ray<T>& ray) {
-  const Vec3d normal(disk.normal), o(ray.origin), d(ray.direction), centre(disk.centre);
+  const Vec3d normal = wide(disk.normal), o = wide(ray.origin), d = wide(ray.direction), centre = wide(disk.centre);
   const Expansion numerator = exact_dot_of_difference(normal, centre, o), denominator = exact_dot(normal, d);
   Expansion square;
   for (int axis = 0; axis < 3; ++axis) {
@@ -42,9 +42,9 @@ template <class T, class Explain = NoExplanation>
                                                    int departed_part = no_part, Explain&& explain = {}) {
   // Before it costs anything: a ray that leaves is as near to the plane as can be.
   if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
-  const Vec3d normal(disk.normal), o(ray.origin), d(ray.direction), centre(disk.centre);
+  const Vec3d normal = wide(disk.normal), o = wide(ray.origin), d = wide(ray.direction), centre = wide(disk.centre);
   PlaneMeeting met = meet_plane(normal, centre, o, d);
-  if (met.exact()) note_exact(explain);
+  if (met.exact) note_exact(explain);
   if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
   if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
   const Vec3d to_centre = centre - o, offset = met.t * d - to_centre;

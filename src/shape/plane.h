@@ -14,6 +14,15 @@ struct Plane {
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 
+namespace detail {
+
+template <class T>
+[[nodiscard, gnu::noinline, gnu::cold]] PlaneMeeting meet_exactly(const Plane<T>& plane, const Ray<T>& ray) {
+  return meet_plane_exactly(wide(plane.normal), wide(plane.point), wide(ray.origin), wide(ray.direction));
+}
+
+}  // namespace detail
+
 /// t in (0, t_max) at which the ray crosses the plane, in double even for float rays. A ray in or along the plane
 /// crosses it nowhere, and one that departs from it never meets it again. Which side the origin is on and where the ray
 /// goes are certain: where rounding could have decided, exact arithmetic does.
@@ -21,13 +30,23 @@ template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Plane<T>& plane, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {}) {
   // Before it costs anything: a ray that leaves is as near to the plane as can be.
-  if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
-  const PlaneMeeting met = meet_plane(Vec3d(plane.normal), Vec3d(plane.point), Vec3d(ray.origin), Vec3d(ray.direction));
-  if (met.exact()) note_exact(explain);
-  if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
-  if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
-  const T t = static_cast<T>(met.t);
-  if (!(t > 0 && t < t_max)) return std::nullopt;
+  constexpr bool explained = std::decay_t<Explain>::wanted;
+  if (!explained && departed_part != no_part) return std::nullopt;
+  const Vec3d normal = wide(plane.normal), point = wide(plane.point), o = wide(ray.origin), d = wide(ray.direction);
+  RoundedSum numerator = estimate_dot_of_difference(normal, point, o), denominator = estimate_dot(normal, d);
+  double quotient = 0;
+  if (numerator.certain() && denominator.certain()) {
+    // One behind is told without the division.
+    if ((numerator.value > 0) == (denominator.value > 0)) quotient = numerator.value / denominator.value;
+  } else {
+    note_exact(explain);
+    const PlaneMeeting met = detail::meet_exactly(plane, ray);
+    numerator.value = met.numerator.value, denominator.value = met.denominator.value, quotient = met.t;
+  }
+  if constexpr (explained) explain.plane(numerator.value, denominator.value);
+  if (explained && departed_part != no_part) return std::nullopt;
+  const T t = static_cast<T>(quotient);
+  if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: none
   return Crossing<T>{t};
 }
 

@@ -54,7 +54,7 @@ template <class T, class Above, class Left>
 /// The same with the crossing itself exact: everything is multiplied by the denominator of t.
 template <class T>
 [[nodiscard]] bool exactly_inside(const Polygon<T>& polygon, const Ray<T>& ray, const Vec3d& normal, int kx, int ky) {
-  const Vec3d o(ray.origin), d(ray.direction);
+  const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   Expansion numerator = exact_dot_of_difference(normal, Vec3d(polygon.outline.front()), o);
   Expansion denominator = exact_dot(normal, d);
   if (denominator.sign() < 0) numerator = -numerator, denominator = -denominator;
@@ -79,9 +79,10 @@ template <class T, class Explain = NoExplanation>
                                                    int departed_part = no_part, Explain&& explain = {}) {
   // Before it costs anything: a ray that leaves is as near to the plane as can be.
   if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
-  const Vec3d normal(polygon.area_vector()), corner(polygon.outline.front()), o(ray.origin), d(ray.direction);
+  const Vec3d normal = wide(polygon.area_vector()), corner = wide(polygon.outline.front());
+  const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   PlaneMeeting met = meet_plane(normal, corner, o, d);
-  if (met.exact()) note_exact(explain);
+  if (met.exact) note_exact(explain);
   if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
   if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
   if (!(met.t > 0 && met.t < static_cast<double>(t_max) * 2)) return std::nullopt;

@@ -207,7 +207,8 @@ struct ExactTime {
 
 /// What `intersect` answers for a ray that does not depart from the prism, by exact signs alone.
 template <class T>
-std::optional<Crossing<T>> intersect_exactly(const Prism<T>& prism, const Ray<T>& ray, T t_max) {
+[[gnu::noinline, gnu::cold]] std::optional<Crossing<T>> intersect_exactly(const Prism<T>& prism, const Ray<T>& ray,
+                                                                          T t_max) {
   const Vec3d o(ray.origin), d(ray.direction);
   const double half = static_cast<double>(prism.height) / 2;
   const bool level = d.z == 0, upright = d.x == 0 && d.y == 0, rising = d.z > 0;

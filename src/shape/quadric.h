@@ -122,7 +122,7 @@ template <class T, QuadricKind Kind>
 [[nodiscard]] std::optional<Crossing<T>> intersect_exactly(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max,
                                                            int departed_part) {
   using Part = Quadric<T, Kind>;
-  const Vec3d o(ray.origin), d(ray.direction);
+  const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   const ExactQuadratic wall = exact_quadratic(exact_equation_of(quadric), o, d, departed_part == Part::wall);
   const auto lies = [&](double t) { return static_cast<T>(t) > 0 && static_cast<T>(t) < t_max; };
   const double slope = std::abs(d.z);
@@ -163,7 +163,7 @@ template <class T, QuadricKind Kind, class Explain>
 std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max, int departed_part,
                                      Explain&& explain) {
   using Part = Quadric<T, Kind>;
-  const Vec3d o(ray.origin), d(ray.direction);
+  const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   const detail::QuadricRoots wall =
       detail::quadric_roots(detail::equation_of(quadric), o, d, departed_part == Part::wall);
   if constexpr (std::decay_t<Explain>::wanted)

@@ -45,6 +45,10 @@ template <class T>
 
 namespace detail {
 
+/// With size = o.o + r^2: the discriminant is wrong by at most about 20 a size ulp, of which this is more, c by 5 size
+/// ulp; c must keep half of its digits.
+inline constexpr double sphere_sign_bound = 32 * 1.1102230246251565e-16, sphere_digits_bound = 1e-8;
+
 /// The two roots of a t^2 + 2 b t + c, ascending, and b^2 - a c; no roots (NaN) when that is negative.
 struct Roots {
   double near, far, discriminant;
@@ -55,8 +59,8 @@ struct Roots {
 struct SphereTerms {
   DoubleDouble c, discriminant;
 };
-[[nodiscard]] inline SphereTerms exact_sphere_terms(const Vec3d& origin, const Vec3d& d, const Vec3d& centre,
-                                                    double radius) {
+[[nodiscard, gnu::noinline, gnu::cold]] inline SphereTerms exact_sphere_terms(const Vec3d& origin, const Vec3d& d,
+                                                                              const Vec3d& centre, double radius) {
   const Expansion x = Expansion(origin.x) - centre.x, y = Expansion(origin.y) - centre.y,
                   z = Expansion(origin.z) - centre.z, r2 = Expansion(radius) * radius;
   const Expansion cx = y * d.z - z * d.y, cy = z * d.x - x * d.z, cz = x * d.y - y * d.x;
@@ -65,8 +69,10 @@ struct SphereTerms {
 }
 
 /// The sphere's roots in double-double arithmetic on the ray as stored, exactly where that is not enough.
-[[nodiscard]] inline Roots sphere_roots_exactly(const Vec3d& origin, const Vec3d& direction, const Vec3d& centre,
-                                                double radius) {
+template <class T>
+[[nodiscard, gnu::noinline, gnu::cold]] Roots roots_exactly(const Sphere<T>& sphere, const Ray<T>& ray) {
+  const Vec3d origin = wide(ray.origin), direction = wide(ray.direction), centre = wide(sphere.centre);
+  const double radius = static_cast<double>(sphere.radius);
   const DoubleDouble ox = two_sum(origin.x, -centre.x), oy = two_sum(origin.y, -centre.y),
                      oz = two_sum(origin.z, -centre.z);
   const DoubleDouble dx(direction.x), dy(direction.y), dz(direction.z);
@@ -96,45 +102,47 @@ struct SphereTerms {
 template <class T, class Explain>
 std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray, T t_max, int departed_part,
                                      Explain&& explain) {
-  const Vec3d origin(ray.origin), d(ray.direction), centre(sphere.centre);
+  constexpr bool explained = std::decay_t<Explain>::wanted;
+  const Vec3d o = wide(ray.origin) - wide(sphere.centre), d = wide(ray.direction);
   const double radius = static_cast<double>(sphere.radius);
-  const Vec3d o = origin - centre;
-  const double a = dot(d, d);
   const double b = dot(d, o);
-  double c = 0;
-  detail::Roots roots{};
-  if (departed_part != no_part) {
-    roots = {std::min(0.0, -2 * b / a), std::max(0.0, -2 * b / a), b * b};
-  } else {
-    const double r2 = radius * radius;
-    const double oo = dot(o, o);
-    // The discriminant is wrong by at most about 20 a size ulp; c by 5 size ulp, and must keep half of its digits.
-    constexpr double sign_bound = 32 * 1.1102230246251565e-16, digits_bound = 1e-8;
-    const double size = oo + r2;
-    c = oo - r2;
-    // From outside and away: both roots, if any, lie behind. (Nobody asks for them unless they are explained.)
-    if (!std::decay_t<Explain>::wanted && b > 0 && c > digits_bound * size) return std::nullopt;
-    const Vec3d oxd = cross(o, d);
-    const double discriminant = a * r2 - dot(oxd, oxd);
-    if (std::abs(discriminant) <= sign_bound * a * size || std::abs(c) <= digits_bound * size) {
-      note_exact(explain);
-      roots = detail::sphere_roots_exactly(origin, d, centre, radius);
-    } else if (discriminant < 0) {
-      roots = {NAN, NAN, discriminant};
-    } else {
-      const double root = std::sqrt(discriminant);
-      const double q = b > 0 ? -(b + root) : root - b;  // one sign only: no cancellation
-      const double t0 = q / a, t1 = c / q;
-      roots = {std::min(t0, t1), std::max(t0, t1), discriminant};
-    }
-  }
-  if constexpr (std::decay_t<Explain>::wanted)
-    explain.quadratic(a, 2 * b, c, 4 * roots.discriminant, roots.near, roots.far);
   // Rounded before they are compared: what is positive in double may be 0 in float, and is then no crossing.
-  const T near = static_cast<T>(roots.near), far = static_cast<T>(roots.far);
-  const T t = near > 0 ? near : far;
-  if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: no roots
-  return Crossing<T>{t};
+  const auto nearest = [&](double near, double far) -> std::optional<Crossing<T>> {
+    T t = static_cast<T>(near);
+    if (!(t > 0)) t = static_cast<T>(far);
+    if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: no roots
+    return Crossing<T>{t};
+  };
+  if (departed_part != no_part) {
+    if (!explained && b >= 0) return std::nullopt;
+    const double a = dot(d, d), root = -2 * b / a;
+    if constexpr (explained) explain.quadratic(a, 2 * b, 0, 4 * b * b, std::min(0.0, root), std::max(0.0, root));
+    return nearest(root, root);
+  }
+  const double r2 = radius * radius, oo = dot(o, o);
+  const double size = oo + r2, c = oo - r2;
+  // From outside and away: both roots, if any, lie behind. (Nobody asks for them unless they are explained.)
+  if (!explained && b > 0 && c > detail::sphere_digits_bound * size) return std::nullopt;
+  const double a = dot(d, d);
+  const Vec3d oxd = cross(o, d);
+  const double discriminant = a * r2 - dot(oxd, oxd);
+  if (std::abs(discriminant) <= detail::sphere_sign_bound * a * size ||
+      std::abs(c) <= detail::sphere_digits_bound * size) {
+    note_exact(explain);
+    const detail::Roots roots = detail::roots_exactly(sphere, ray);
+    if constexpr (explained) explain.quadratic(a, 2 * b, c, 4 * roots.discriminant, roots.near, roots.far);
+    return nearest(roots.near, roots.far);
+  }
+  if constexpr (explained) {
+    const double root = std::sqrt(discriminant), q = b > 0 ? -(b + root) : root - b;
+    explain.quadratic(a, 2 * b, c, 4 * discriminant, std::min(q / a, c / q), std::max(q / a, c / q));
+  }
+  if (discriminant < 0) return std::nullopt;
+  const double root = std::sqrt(discriminant);
+  // Quantities of one sign only are added: no root cancels. From outside and towards, c / q is the nearer one.
+  if (b > 0) return nearest(c / -(b + root), NAN);  // from inside: the other root lies behind
+  const double q = root - b;
+  return c > 0 ? nearest(c / q, q / a) : nearest(q / a, NAN);
 }
 
 template <class T>

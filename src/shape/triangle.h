@@ -93,8 +93,9 @@ namespace detail {
 }
 
 template <class T>
-[[nodiscard]] std::optional<Crossing<T>> intersect_exactly(const Triangle<T>& triangle, const Vec3d& o, const Vec3d& d,
-                                                           T t_max) {
+[[nodiscard, gnu::noinline, gnu::cold]] std::optional<Crossing<T>> intersect_exactly(const Triangle<T>& triangle,
+                                                                                     const Vec3d& o, const Vec3d& d,
+                                                                                     T t_max) {
   const Vec3d a(triangle.a), b(triangle.b), c(triangle.c);
   const int side = exact_side(o, d, a, b);
   if (side == 0 || exact_side(o, d, b, c) != side || exact_side(o, d, c, a) != side) return std::nullopt;
@@ -115,7 +116,7 @@ template <class T>
 }  // namespace detail
 
 template <class T>
-ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(ray.origin), direction(ray.direction) {
+ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(wide(ray.origin)), direction(wide(ray.direction)) {
   const Vec3d& d = direction;
   kz = std::abs(d.x) > std::abs(d.y) ? 0 : 1;
   if (std::abs(d.z) > std::abs(d[kz])) kz = 2;
@@ -126,8 +127,10 @@ ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(ray.origin), direction(ray
 template <class T, class Explain>
 std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max, int departed_part,
                                      Explain&& explain) {
+  constexpr bool explained = std::decay_t<Explain>::wanted;
+  if (!explained && departed_part != no_part) return std::nullopt;  // a plane is met once
   const auto sheared = [&](const Vec3<T>& corner) {
-    const Vec3d p = Vec3d(corner) - ray.origin;
+    const Vec3d p = wide(corner) - ray.origin;
     return Vec3d(p[ray.kx] - ray.x * p[ray.kz], p[ray.ky] - ray.y * p[ray.kz], p[ray.kz]);
   };
   const Vec3d a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
@@ -136,7 +139,6 @@ std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedR
       std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
   const double depth = std::max({std::abs(a.z), std::abs(b.z), std::abs(c.z)});
   const double corner_error = 8 * detail::half_ulp * (across + 2 * depth), error = 4 * across * corner_error;
-  constexpr bool explained = std::decay_t<Explain>::wanted;
   if (!explained) {
     // Wholly on one side of the ray, or behind it: told without a product.
     const auto beside = [&](double p, double q, double r) {

@@ -4,6 +4,7 @@
 #include "trace/world.h"
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace raywalk {
@@ -14,16 +15,15 @@ template <class T>
   return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
 }
 
-/// Follows a shadow ray through the objects that filter light: each crossing multiplies by the transmission. One object
-/// after the other, each by itself: where surfaces of two touch, rounding could else hand the ray to and fro for ever.
-/// `met` is room for the search, handed in so that no shadow ray allocates.
+/// What the objects `filters`, all that a shadow ray crosses, leave of its light: each crossing multiplies by the
+/// transmission. One object after the other, each by itself: where surfaces of two touch, rounding could else hand the
+/// ray to and fro for ever.
 template <class T>
 [[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests,
-                                    std::vector<int>& met) {
+                                    const std::vector<int>& filters) {
   Rgb<T> passed{1};
-  world.accelerator.crossed(shadow, t_max, tests, MarkedPrimitives{world.filters_shadows}, met);
   const Primitives<T>& primitives = world.accelerator.primitives();
-  for (const int id : met) {
+  for (const int id : filters) {
     Ray<T> rest = shadow;
     T reach = t_max;
     constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
@@ -45,21 +45,25 @@ template <class T>
   return passed;
 }
 
-/// The share of light that arrives over a shadow ray's (0, t_max): 0 behind what stops it.
+/// The share of light that arrives over a shadow ray's (0, t_max); none when something stops it. `filters` is room for
+/// the search, handed in so that no shadow ray allocates; `last` is what hid the light before (Accelerator::any).
 template <class T>
-[[nodiscard]] Rgb<T> light_through(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests,
-                                   std::vector<int>& met) {
-  if (world.stops_shadows.empty()) return Rgb<T>(world.accelerator.any(shadow, t_max, tests) ? T(0) : T(1));
-  if (world.accelerator.any(shadow, t_max, tests, MarkedPrimitives{world.stops_shadows})) return Rgb<T>(0);
-  return light_filtered(world, shadow, t_max, tests, met);
+[[nodiscard]] std::optional<Rgb<T>> light_through(const World<T>& world, const Ray<T>& shadow, T t_max,
+                                                  TestCounts& tests, std::vector<int>& filters, int* last = nullptr) {
+  const Accelerator<T>& accelerator = world.accelerator;
+  const bool stopped = world.shadow_roles.empty()
+                           ? accelerator.any(shadow, t_max, tests, last)
+                           : accelerator.any_stop(shadow, t_max, tests, world.shadow_roles, filters, last);
+  if (stopped) return std::nullopt;
+  return filters.empty() ? Rgb<T>(1) : light_filtered(world, shadow, t_max, tests, filters);
 }
 
 /// What a shadow ray that does not arrive meets first.
 template <class T>
 [[nodiscard]] std::optional<Hit<T>> first_blocker(const World<T>& world, const Ray<T>& shadow, T t_max) {
   TestCounts uncounted;
-  if (world.stops_shadows.empty()) return world.accelerator.closest(shadow, t_max, uncounted);
-  return world.accelerator.closest(shadow, t_max, uncounted, MarkedPrimitives{world.stops_shadows});
+  if (world.shadow_roles.empty()) return world.accelerator.closest(shadow, t_max, uncounted);
+  return world.accelerator.closest(shadow, t_max, uncounted, StopsShadows{world.shadow_roles});
 }
 
 }  // namespace raywalk

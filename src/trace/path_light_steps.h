@@ -108,8 +108,8 @@ Rgb<T> PathTracer<T, Observer>::find_intersection(const Traced& ray, const Way& 
   Rgb<T> visible{0};
   Nearest blocker;
   if (way.lamp) {
-    visible =
-        light_through(world_, way.ray, way.lamp->directional ? infinity<T> : T(1), statistics_.tests, filters_met_);
+    const T t_max = way.lamp->directional ? infinity<T> : T(1);
+    visible = light_through(world_, way.ray, t_max, statistics_.tests, filters_met_).value_or(Rgb<T>(0));
   } else {
     blocker = world_.accelerator.closest(way.ray, infinity<T>, statistics_.tests);
     if (blocker && Departure{blocker->primitive, blocker->part} == way.target) visible = Rgb<T>(1);

@@ -69,6 +69,8 @@ class Tracer {
   static constexpr bool draws = Policy::effects.penumbra || Policy::effects.lobes;
   /// A ray on its way: what it is, and the largest part of the pixel it can bring.
   struct Traced {
+    Traced(const Ray<T>& the_ray, RayKind its_kind, const Rgb<T>& its_share, int its_number)
+        : ray(the_ray), kind(its_kind), share(its_share), number(its_number) {}
     Ray<T> ray;
     RayKind kind;
     Rgb<T> share;

@@ -189,6 +189,7 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
 template <class Policy>
 auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample)
     -> std::optional<Traced> {
+  std::optional<Traced> shadow;
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
   const Vec3<T> to_light = lamp.directional ? lamp.place : light_point(ray, lamp, sample) - at.position;
   const bool before = dot(at.normal, to_light) > 0 && (!at.smoothed || dot(at.side, to_light) > 0);
@@ -200,12 +201,12 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
       return RayNotFormed{ray.number,      RayKind::shadow, why,        Vec3d(at.position),
                           Vec3d(to_light), Rgbd(ray.share), lamp.index, sample};
     });
-    return std::nullopt;
+    return shadow;
   }
-  const Traced shadow{{at.position, to_light, at.departure, ray.ray.time}, RayKind::shadow, ray.share, rays_formed_++};
+  shadow.emplace(Ray<T>{at.position, to_light, at.departure, ray.ray.time}, RayKind::shadow, ray.share, rays_formed_++);
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
-    RayFormed event{shadow.number,   ray.number,      RayKind::shadow, Vec3d(at.position),
+    RayFormed event{shadow->number,  ray.number,      RayKind::shadow, Vec3d(at.position),
                     Vec3d(to_light), Rgbd(ray.share), lamp.index,      !lamp.directional};
     event.light_sample = sample;
     return event;
@@ -217,24 +218,18 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
 template <class Policy>
 auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const Lamp& lamp) -> Rgb<T> {
   const T t_max = lamp.directional ? infinity<T> : T(1);
-  const bool all_stop = world_.stops_shadows.empty();
-  const MarkedPrimitives stops{world_.stops_shadows};
   int* last = world_.shadow_cache ? &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())] : nullptr;
-  const bool blocked = all_stop ? world_.accelerator.any(shadow.ray, t_max, statistics_.tests, AnyPrimitive{}, last)
-                                : world_.accelerator.any(shadow.ray, t_max, statistics_.tests, stops, last);
-  const Rgb<T> passed = blocked    ? Rgb<T>(0)
-                        : all_stop ? Rgb<T>(1)
-                                   : light_filtered(world_, shadow.ray, t_max, statistics_.tests, filters_met_);
-  ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
+  const std::optional<Rgb<T>> passed = light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, last);
+  ++statistics_.ends(passed ? Ending::reached_light : Ending::blocked);
   note(Line::find_intersection, depth, [&] {
     // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
-    const Nearest blocker = blocked ? first_blocker(world_, shadow.ray, t_max) : std::nullopt;
+    const Nearest blocker = passed ? std::nullopt : first_blocker(world_, shadow.ray, t_max);
     Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
                           : Found{shadow.number, Ending::reached_light};
-    found.passed = Rgbd(passed);
+    found.passed = Rgbd(passed.value_or(Rgb<T>(0)));
     return found;
   });
-  return passed;
+  return passed.value_or(Rgb<T>(0));
 }
 
 template <class Policy>
@@ -308,6 +303,7 @@ template <class Draw>
 auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
                                         const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction)
     -> std::optional<Traced> {
+  std::optional<Traced> formed;
   const Rgb<T> share = parent.share * at.passed * weight;
   const bool too_deep = depth + 1 > world_.depth;
   if (too_deep || max_component(share) < world_.threshold) {
@@ -315,20 +311,20 @@ auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at,
     ++statistics_.ends(why);
     note(line, depth,
          [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(sharp), Rgbd(share)}; });
-    return std::nullopt;
+    return formed;
   }
   const Vec3<T> direction = draw_direction();
-  Traced formed{{at.position, direction, at.departure, parent.ray.time}, kind, share, rays_formed_++};
-  if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
+  formed.emplace(Ray<T>{at.position, direction, at.departure, parent.ray.time}, kind, share, rays_formed_++);
+  if constexpr (draws) formed->branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
   if constexpr (Policy::effects.refraction) {
     if (kind == RayKind::refract)
-      formed.medium.surface = at.entering ? at.surface : nullptr;
+      formed->medium.surface = at.entering ? at.surface : nullptr;
     else
-      formed.medium.surface = at.entering ? parent.medium.surface : at.surface->transmits ? at.surface : nullptr;
+      formed->medium.surface = at.entering ? parent.medium.surface : at.surface->transmits ? at.surface : nullptr;
   }
   ++statistics_.formed(kind);
   note(line, depth, [&] {
-    RayFormed event{formed.number, parent.number, kind, Vec3d(at.position), Vec3d(direction), Rgbd(share)};
+    RayFormed event{formed->number, parent.number, kind, Vec3d(at.position), Vec3d(direction), Rgbd(share)};
     if (kind == RayKind::refract) {
       const Refraction<T>& r = at.refraction;
       event.snell = SnellNumbers{static_cast<double>(at.n1), static_cast<double>(at.n2), static_cast<double>(r.cos_in),

@@ -202,14 +202,16 @@ World<T>::World(const Scene& scene, AcceleratorKind kind)
       draws(draws_random(integrator_of(scene))),
       accelerator(Flattener<T>(scene, *this).take(), kind) {
   for (int id = 0; id < accelerator.primitives().size(); ++id) {
-    const bool filters = surface(id).filters_shadows;
+    if (!surface(id).filters_shadows) {
+      shadow_roles.push_back(ShadowRole::stops);
+      continue;
+    }
     const int same = accelerator.primitives().first_equal(id);
     // Of two that filter in the same place, only the first is there.
-    filters_shadows.push_back(filters && (same == id || !surface(same).filters_shadows));
-    stops_shadows.push_back(!filters);
+    shadow_roles.push_back(same == id || !surface(same).filters_shadows ? ShadowRole::filters : ShadowRole::ignored);
   }
-  const bool all_stop = std::all_of(stops_shadows.begin(), stops_shadows.end(), [](auto stops) { return stops != 0; });
-  if (all_stop) filters_shadows.clear(), stops_shadows.clear();
+  const auto stops = [](ShadowRole role) { return role == ShadowRole::stops; };
+  if (std::all_of(shadow_roles.begin(), shadow_roles.end(), stops)) shadow_roles.clear();
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (!is_black(scene.lights[i].strength)) lamps.push_back(lamp_of<T>(static_cast<int>(i), scene, draws));
   for (std::uint32_t dimension = 0; Lamp & lamp : lamps) {

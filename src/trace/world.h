@@ -96,8 +96,7 @@ struct World {
   T threshold;
   Effects effects;
   bool draws;  ///< lights and lobes are sampled at random; else lights in fixed places
-  /// By primitive: whether it lets shadow rays through weighted, or stops them. Empty when all of them stop.
-  std::vector<std::uint8_t> filters_shadows, stops_shadows;
+  std::vector<ShadowRole> shadow_roles;  ///< by primitive; empty when all of them stop shadow rays
 
   /// By primitive: the index of the object in the scene, and of its surface. Empty when each primitive is the object
   /// of its own number.

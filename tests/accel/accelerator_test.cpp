@@ -93,14 +93,15 @@ void compare(int count, bool mixed) {
   const std::vector<Shape<T>> all = shapes<T>(count, mixed, random);
   const std::vector<Ray<T>> probes = rays<T>(4000, all, random);
   const Accelerator<T> list(primitives(all), AcceleratorKind::none);
-  std::vector<std::uint8_t> marks(all.size());
-  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 3 != 0;
+  std::vector<ShadowRole> roles(all.size(), ShadowRole::stops);
+  for (std::size_t i = 0; i < roles.size(); i += 3) roles[i] = i % 2 ? ShadowRole::filters : ShadowRole::ignored;
+  std::vector<int> filters, expected_filters;
   for (const AcceleratorKind kind : structures) {
     const Accelerator<T> structure(primitives(all), kind);
     REQUIRE(structure.kind() == kind);
     int differing = 0, hits = 0;
     TestCounts brute, counts, remembering;
-    int last = -1;
+    int last = -1, last_stop = -1;
     for (const Ray<T>& ray : probes) {
       const auto expected = list.closest(ray, infinity<T>, brute);
       hits += expected.has_value();
@@ -112,11 +113,16 @@ void compare(int count, bool mixed) {
         if (!structure.any(ray, beyond, counts)) ++differing;
       }
       // What was found last is tried first; the answer is the same.
-      if (structure.any(ray, infinity<T>, remembering, AnyPrimitive{}, &last) != expected.has_value()) ++differing;
+      if (structure.any(ray, infinity<T>, remembering, &last) != expected.has_value()) ++differing;
       if ((last >= 0) != expected.has_value()) ++differing;
-      const MarkedPrimitives marked{marks};
-      if (!same(list.closest(ray, infinity<T>, brute, marked), structure.closest(ray, infinity<T>, counts, marked)))
+      const StopsShadows stops{roles};
+      const auto stopping = list.closest(ray, infinity<T>, brute, stops);
+      if (!same(stopping, structure.closest(ray, infinity<T>, counts, stops))) ++differing;
+      const bool stopped = list.any_stop(ray, infinity<T>, brute, roles, expected_filters);
+      if (stopped != stopping.has_value() ||
+          structure.any_stop(ray, infinity<T>, counts, roles, filters, &last_stop) != stopped)
         ++differing;
+      if (!stopped && filters != expected_filters) ++differing;
     }
     INFO(accelerator_name(kind) << ", " << count << " primitives");
     CHECK(differing == 0);
@@ -152,8 +158,9 @@ TEMPLATE_TEST_CASE("accelerators hold nothing, one thing, and a thousand in one 
 }
 
 TEST_CASE("the automatic choice builds a structure only where one pays", "[accel]") {
-  CHECK(Accelerator<double>(Primitives<double>(std::vector<Shape<double>>(5, Sphere<double>{}))).kind() ==
+  CHECK(Accelerator<double>(Primitives<double>(std::vector<Shape<double>>(3, Sphere<double>{}))).kind() ==
         AcceleratorKind::none);
+  CHECK(Accelerator<double>(Primitives<double>({Box<double>{Vec3d(0.0), Vec3d(1.0)}})).kind() == AcceleratorKind::bvh);
   CHECK(Accelerator<double>(Primitives<double>(std::vector<Shape<double>>(50, Sphere<double>{}))).kind() ==
         AcceleratorKind::bvh);
 }

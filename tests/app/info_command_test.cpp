@@ -45,6 +45,6 @@ TEST_CASE("info names every effect and why it is used or not") {
   for (const AcceleratorKind kind : all_accelerators)
     if (kind != AcceleratorKind::automatic)
       CHECK_THAT(outcome.out, contains("\n  " + std::string(accelerator_name(kind)) + " "));
-  CHECK_THAT(outcome.out, contains("structures over 4 primitives; none is chosen"));
+  CHECK_THAT(outcome.out, contains("structures over 4 primitives; bvh is chosen"));
   CHECK_THAT(outcome.out, contains("used: Transparent Sphere transmits") && contains("none: nothing moves"));
 }
