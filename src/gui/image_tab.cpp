@@ -127,10 +127,8 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   command_button(ui, Command::image_settings, {button, line + ui.px(6)}, look);
   const std::string status = status_of(ui.state, picture, has_row);
   const float y = where.bottom() - line - ui.px(4);
-  ImGui::PushClipRect({where.x, y}, {where.right() - button - ui.px(4), y + line + ui.px(4)}, true);
   ImGui::SetCursorScreenPos({where.x + ui.px(4), y});
-  label(ui.colours.dim_text, status);
-  ImGui::PopClipRect();
+  label(ui.colours.dim_text, shortened(status, where.width - button - ui.px(8)));
   pop_font();
 }
 

@@ -35,20 +35,19 @@ void draw_link(const Ui& ui, const TreeNode& node, ImVec2 from, ImVec2 to) {
   paint_line(*ImGui::GetWindowDrawList(), line);
 }
 
-void draw_text(const Ui& ui, ImFont* font, ImVec2 middle, Colour colour, const std::string& what, float most_width,
+void draw_text(const Ui& ui, ImFont* font, ImVec2 middle, Colour colour, const std::string& text, float most_width,
                Colour ground = {0, 0, 0, 0}) {
-  if (what.empty()) return;
+  if (text.empty()) return;
   push_font(font);
+  const std::string what = shortened(text, most_width);
   const ImVec2 extent = ImGui::CalcTextSize(what.c_str());
-  const float width = std::min(extent.x, most_width), left = middle.x - width / 2;
+  const float width = extent.x, left = middle.x - width / 2;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (ground.a > 0) {
     draw.AddRectFilled({left - ui.px(3), middle.y - extent.y / 2}, {left + width + ui.px(3), middle.y + extent.y / 2},
                        to_imgui(ground), ui.px(3));
   }
-  draw.PushClipRect({left, middle.y - extent.y}, {left + most_width, middle.y + extent.y}, true);
   draw.AddText({std::round(left), std::round(middle.y - extent.y / 2)}, to_imgui(colour), what.c_str());
-  draw.PopClipRect();
   pop_font();
 }
 

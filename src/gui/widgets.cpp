@@ -42,6 +42,20 @@ std::string hint_of(Command command) {
 void push_font(ImFont* font) { ImGui::PushFont(font); }
 void pop_font() { ImGui::PopFont(); }
 
+std::string shortened(const std::string& text, float most_width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= most_width) return text;
+  std::string kept = text;
+  while (!kept.empty()) {
+    // The last letter goes whole: its last byte and those of UTF-8 before it.
+    while (kept.size() > 1 && (static_cast<unsigned char>(kept.back()) & 0xC0U) == 0x80U) kept.pop_back();
+    kept.pop_back();
+    while (!kept.empty() && kept.back() == ' ') kept.pop_back();
+    const std::string with_ellipsis = kept + "\u2026";
+    if (ImGui::CalcTextSize(with_ellipsis.c_str()).x <= most_width) return with_ellipsis;
+  }
+  return {};
+}
+
 void label(Colour colour, std::string_view text) {
   ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(colour));
   ImGui::TextUnformatted(text.data(), text.data() + text.size());

@@ -54,6 +54,8 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
 /// Pushes a face at its own size, and back.
 void push_font(ImFont* font);
 void pop_font();
+/// `text` as far as it fits into this width, in the face that is pushed, with an ellipsis for what is left out.
+[[nodiscard]] std::string shortened(const std::string& text, float most_width);
 /// Text in a colour; `text` is taken as it is.
 void label(Colour colour, std::string_view text);
 /// The same in lines no wider than the pane.
