@@ -95,7 +95,7 @@ struct World {
   int depth;
   T threshold;
   Effects effects;
-  bool draws;  ///< lights and lobes are sampled at random; else lights in fixed places
+  bool draws;                            ///< lights and lobes are sampled at random; else lights in fixed places
   std::vector<ShadowRole> shadow_roles;  ///< by primitive; empty when all of them stop shadow rays
 
   /// By primitive: the index of the object in the scene, and of its surface. Empty when each primitive is the object
