@@ -5,6 +5,7 @@
 #include "app/compare_command.h"
 #include "app/file_commands.h"
 #include "app/info_command.h"
+#include "app/lesson_command.h"
 #include "app/names.h"
 #include "app/options.h"
 #include "app/render_command.h"
@@ -269,6 +270,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   declare_generate(program, run);
   declare_compare(program, run);
   declare_check(program, run);
+  declare_lesson(program, run);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

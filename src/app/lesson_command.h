@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/options.h"
+
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// The lessons' names and titles in every language.
+[[nodiscard]] ExitCode lesson_list_command();
+/// Plays the lessons of these names (none: all), and says for each whether the trace bears it out. A name may be short:
+/// "5" or "05" for the lesson whose folder begins so.
+[[nodiscard]] ExitCode lesson_check_command(const std::vector<std::string>& names);
+
+void declare_lesson(CLI::App& program, Run& run);
+
+}  // namespace raywalk

@@ -1,0 +1,183 @@
+// The words of a lesson: filled in, and checked for what is missing.
+
+#include "lesson/play.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace raywalk {
+
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// A formula in braces, "t:2": and how many decimals it is to have, or -1.
+struct Slot {
+  std::string formula;
+  int decimals = -1;
+};
+
+Slot slot_of(std::string_view inner) {
+  const std::size_t colon = inner.rfind(':');
+  const std::string_view after = colon == std::string_view::npos ? "" : inner.substr(colon + 1);
+  int decimals = 0;
+  const auto [end, error] = std::from_chars(after.data(), after.data() + after.size(), decimals);
+  constexpr int most = 12;
+  if (after.empty() || error != std::errc() || end != after.data() + after.size() || decimals > most)
+    return {std::string(inner), -1};
+  return {std::string(inner.substr(0, colon)), decimals};
+}
+
+/// A number with decimals that stands in the words outside of braces and code; empty for none.
+std::string unchecked_number(const std::string& text) {
+  int depth = 0;
+  bool code = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '{') ++depth;
+    if (text[i] == '}') --depth;
+    if (text[i] == '`') code = !code;
+    if (depth > 0 || code || i == 0 || i + 1 >= text.size()) continue;
+    if ((text[i] == '.' || text[i] == ',') && is_digit(text[i - 1]) && is_digit(text[i + 1]))
+      return text.substr(i - 1, 4);
+  }
+  return "";
+}
+
+class WordsChecker {
+ public:
+  explicit WordsChecker(const PlayedLesson& played) : played_(played), lesson_(*played.lesson) {}
+
+  std::vector<Error> check() {
+    for (const std::string_view language : lesson_languages) {
+      const auto words = lesson_.words.find(language);
+      if (words == lesson_.words.end()) {
+        errors_.push_back({lesson_.folder, 0, 0, fmt::format("there are no words in \"{}\"", language), ""});
+        continue;
+      }
+      language_ = language;
+      words_ = &words->second;
+      require(words_->summary, 1, "the lesson has no summary below its title");
+      require(words_->teacher, 1, "the section \"## teacher\" is missing");
+      require(words_->sources, 1, "the section \"## sources\" is missing");
+      for (std::size_t i = 0; i < lesson_.steps.size(); ++i) check_step(i);
+      for (const StepWords& step : words_->steps)
+        if (std::none_of(lesson_.steps.begin(), lesson_.steps.end(),
+                         [&](const LessonStep& each) { return each.id == step.id; }))
+          fail(step.line, fmt::format("lesson.toml has no step \"{}\"", step.id), "the id stands before the colon");
+      if (played_.steps.empty()) continue;
+      const std::size_t last = played_.steps.size() - 1;
+      for (const Passage* whole : {&words_->summary, &words_->teacher}) fill(last, played_.steps[last].shown, *whole);
+      check_length();
+    }
+    return errors_;
+  }
+
+ private:
+  void fail(int line, std::string message, std::string hint = "") {
+    errors_.push_back({words_->file, line, 0, std::move(message), std::move(hint)});
+  }
+  void require(const Passage& passage, int line, const std::string& message) {
+    if (passage.empty()) fail(line, message, "lessons/README.md says what a lesson has");
+  }
+
+  void check_step(std::size_t index) {
+    const LessonStep& step = lesson_.steps[index];
+    const StepWords* words = words_->find(step.id);
+    if (words == nullptr) return fail(1, fmt::format("the step \"{}\" has no words", step.id), "");
+    require(words->text, words->line, fmt::format("the step \"{}\" has no text", step.id));
+    require(words->presenter, words->line, fmt::format("the step \"{}\" has no \"### presenter\"", step.id));
+    if (step.question) {
+      require(words->question, words->line, fmt::format("the step \"{}\" asks nothing: \"### predict\"", step.id));
+      require(words->reveal, words->line, fmt::format("the step \"{}\" has no \"### reveal\"", step.id));
+      require(words->teacher, words->line, fmt::format("the step \"{}\" has no \"### teacher\"", step.id));
+    } else if (!words->question.empty()) {
+      fail(words->question.line, fmt::format("the step \"{}\" asks for no prediction in lesson.toml", step.id));
+    }
+    const auto* choice = step.question ? std::get_if<ChoiceQuestion>(&*step.question) : nullptr;
+    const std::size_t expected = choice != nullptr ? choice->choices.size() : 0;
+    if (words->choices.size() != expected)
+      fail(words->line, fmt::format("the step \"{}\" has {} choices (expected {}, as in lesson.toml)", step.id,
+                                    words->choices.size(), expected));
+    const LessonWords& english = lesson_.words.at(std::string(lesson_languages.front()));
+    if (const StepWords* other = english.find(step.id); other != nullptr) {
+      if (other->change.empty() != words->change.empty())
+        fail(words->line, fmt::format("\"### change\" of the step \"{}\" stands in one language only", step.id));
+      if (other->teacher.empty() != words->teacher.empty())
+        fail(words->line, fmt::format("\"### teacher\" of the step \"{}\" stands in one language only", step.id));
+    }
+    if (index >= played_.steps.size()) return;
+    const PlayedStep& played = played_.steps[index];
+    for (const Passage* before : {&words->text, &words->question}) fill(index, played.asked, *before);
+    for (const Passage& each : words->choices) fill(index, played.asked, each);
+    for (const Passage* after : {&words->reveal, &words->change, &words->presenter, &words->teacher})
+      fill(index, played.shown, *after);
+  }
+
+  void fill(std::size_t index, int position, const Passage& passage) {
+    const auto text = filled(played_, index, position, passage, language_);
+    if (!text) errors_.push_back(text.error());
+    if (const std::string number = unchecked_number(passage.text); !number.empty())
+      fail(passage.line, fmt::format("the number \"{}...\" stands in the words and is checked by nothing", number),
+           "write it as a formula in braces, {t:2}, or as code between `");
+  }
+
+  /// A presenter speaks some 120 words a minute, and has five minutes and a breath.
+  void check_length() {
+    constexpr std::size_t least = 120, most = 720;
+    std::size_t count = 0;
+    for (const StepWords& step : words_->steps)
+      count += static_cast<std::size_t>(std::count(step.presenter.text.begin(), step.presenter.text.end(), ' ')) + 1;
+    if (count < least || count > most)
+      fail(1, fmt::format("the presenter has {} words to say (expected {} to {}: about five minutes)", count, least,
+                          most));
+  }
+
+  const PlayedLesson& played_;
+  const Lesson& lesson_;
+  std::string_view language_;
+  const LessonWords* words_ = nullptr;
+  std::vector<Error> errors_;
+};
+
+}  // namespace
+
+Result<std::string> filled(const PlayedLesson& played, std::size_t index, int position, const Passage& passage,
+                           std::string_view language) {
+  const auto words = played.lesson->words.find(language);
+  const std::string file = words == played.lesson->words.end() ? played.lesson->folder : words->second.file;
+  const auto wrong = [&](const std::string& message) {
+    return tl::unexpected(Error{file, passage.line, 0, message, "a formula in braces takes its number from the trace"});
+  };
+  const char mark = language == "pt" ? ',' : '.';
+  std::string text;
+  for (std::size_t at = 0; at < passage.text.size();) {
+    const std::size_t open = passage.text.find('{', at);
+    text += passage.text.substr(at, open - at);
+    if (open == std::string::npos) break;
+    const std::size_t close = passage.text.find('}', open);
+    if (close == std::string::npos) return wrong("a brace is opened and not closed");
+    const Slot slot = slot_of(std::string_view(passage.text).substr(open + 1, close - open - 1));
+    const auto expression = Expression::parse(slot.formula);
+    if (!expression) return wrong(expression.error());
+    const Outcome value = value_at(played, index, position, *expression);
+    if (!value) return wrong(slot.formula + ": " + value.error());
+    if (std::holds_alternative<Nothing>(*value))
+      return wrong(fmt::format("{{{}}} is nothing at step {} of the walk", slot.formula, position));
+    text += text_of(*value, slot.decimals, mark);
+    at = close + 1;
+  }
+  return text;
+}
+
+std::vector<Error> check_lesson(const Lesson& lesson, const std::string& scenes_folder) {
+  const PlayedLesson played = play_lesson(lesson, scenes_folder);
+  std::vector<Error> errors = played.errors;
+  const std::vector<Error> of_words = WordsChecker(played).check();
+  errors.insert(errors.end(), of_words.begin(), of_words.end());
+  return errors;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,197 @@
+#include "lesson/expression_parser.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <cstdlib>
+
+namespace raywalk {
+
+namespace {
+
+/// A lesson's formulas are short; what nests deeper than this was not written by a person.
+constexpr int most_nesting = 60;
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+}  // namespace
+
+Expression ExpressionParser::make(Expression::Node node) {
+  return Expression(std::make_shared<const Expression::Node>(std::move(node)));
+}
+
+void ExpressionParser::skip_spaces() {
+  while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+}
+
+bool ExpressionParser::take(std::string_view sign) {
+  skip_spaces();
+  if (text_.substr(at_, sign.size()) != sign) return false;
+  at_ += sign.size();
+  return true;
+}
+
+bool ExpressionParser::take_word(std::string_view word) {
+  skip_spaces();
+  const std::size_t end = at_ + word.size();
+  if (text_.substr(at_, word.size()) != word) return false;
+  if (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) return false;
+  at_ = end;
+  return true;
+}
+
+tl::unexpected<std::string> ExpressionParser::fail(const std::string& expected) const {
+  const std::string found = at_ < text_.size() ? "\"" + std::string(text_.substr(at_, 20)) + "\"" : "the end";
+  return tl::unexpected(fmt::format("\"{}\": found {} at character {} (expected {})", text_, found, at_ + 1, expected));
+}
+
+tl::expected<Expression, std::string> ExpressionParser::parse() {
+  auto whole = either();
+  skip_spaces();
+  if (whole && at_ < text_.size()) return fail("the end, or a sign such as + or ==");
+  return whole;
+}
+
+ExpressionParser::Parsed ExpressionParser::either() {
+  if (++nesting_ > most_nesting) return fail("fewer brackets");
+  auto left = both();
+  while (left && take_word("or")) {
+    auto right = both();
+    if (!right) return right;
+    left = make({.kind = Kind::or_, .parts = {*left, *right}});
+  }
+  --nesting_;
+  return left;
+}
+
+ExpressionParser::Parsed ExpressionParser::both() {
+  auto left = negation();
+  while (left && take_word("and")) {
+    auto right = negation();
+    if (!right) return right;
+    left = make({.kind = Kind::and_, .parts = {*left, *right}});
+  }
+  return left;
+}
+
+ExpressionParser::Parsed ExpressionParser::negation() {
+  if (!take_word("not")) return comparison();
+  if (++nesting_ > most_nesting) return fail("fewer negations");
+  auto part = negation();
+  --nesting_;
+  if (!part) return part;
+  return make({.kind = Kind::not_, .parts = {*part}});
+}
+
+ExpressionParser::Parsed ExpressionParser::comparison() {
+  auto left = sum();
+  if (!left) return left;
+  for (const std::string_view sign : {"==", "!=", "<=", ">=", "<", ">"}) {
+    if (!take(sign)) continue;
+    auto right = sum();
+    if (!right) return right;
+    Expression::Node node{.kind = Kind::compare, .word = std::string(sign), .parts = {*left, *right}};
+    if ((sign == "==" || sign == "!=") && take("+-")) {
+      auto within = sum();
+      if (!within) return within;
+      node.within = *within;
+    }
+    return make(std::move(node));
+  }
+  return left;
+}
+
+ExpressionParser::Parsed ExpressionParser::sum() {
+  auto left = product();
+  for (;;) {
+    skip_spaces();
+    if (!left || text_.substr(at_, 2) == "+-") return left;
+    const Kind kind = take("+") ? Kind::add : take("-") ? Kind::subtract : Kind::value;
+    if (kind == Kind::value) return left;
+    auto right = product();
+    if (!right) return right;
+    left = make({.kind = kind, .parts = {*left, *right}});
+  }
+}
+
+ExpressionParser::Parsed ExpressionParser::product() {
+  auto left = power();
+  for (;;) {
+    if (!left) return left;
+    const Kind kind = take("*") ? Kind::multiply : take("/") ? Kind::divide : Kind::value;
+    if (kind == Kind::value) return left;
+    auto right = power();
+    if (!right) return right;
+    left = make({.kind = kind, .parts = {*left, *right}});
+  }
+}
+
+ExpressionParser::Parsed ExpressionParser::power() {
+  auto base = single();
+  if (!base || !take("^")) return base;
+  if (++nesting_ > most_nesting) return fail("fewer powers");
+  auto exponent = power();
+  --nesting_;
+  if (!exponent) return exponent;
+  return make({.kind = Kind::power, .parts = {*base, *exponent}});
+}
+
+ExpressionParser::Parsed ExpressionParser::single() {
+  skip_spaces();
+  if (at_ >= text_.size()) return fail("a number, a name or a bracket");
+  const char c = text_[at_];
+  if (take("(")) {
+    auto inner = either();
+    if (inner && !take(")")) return fail("a closing bracket");
+    return inner;
+  }
+  if (take("-")) {
+    if (++nesting_ > most_nesting) return fail("fewer signs");
+    auto part = power();
+    --nesting_;
+    if (!part) return part;
+    return make({.kind = Kind::negative, .parts = {*part}});
+  }
+  if (c == '"' || c == '\'') return quoted(c);
+  if (is_digit(c) || c == '.') return number();
+  if (is_letter(c)) return named();
+  return fail("a number, a name or a bracket");
+}
+
+ExpressionParser::Parsed ExpressionParser::quoted(char quote) {
+  const std::size_t end = text_.find(quote, at_ + 1);
+  if (end == std::string_view::npos) return fail("a closing quote");
+  const std::string inner(text_.substr(at_ + 1, end - at_ - 1));
+  at_ = end + 1;
+  return make({.value = inner});
+}
+
+ExpressionParser::Parsed ExpressionParser::number() {
+  const std::string rest(text_.substr(at_, 40));
+  char* end = nullptr;
+  const double value = std::strtod(rest.c_str(), &end);
+  if (end == rest.c_str()) return fail("a number");
+  at_ += static_cast<std::size_t>(end - rest.c_str());
+  return make({.value = value});
+}
+
+ExpressionParser::Parsed ExpressionParser::named() {
+  const std::size_t begin = at_;
+  while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '.')) ++at_;
+  const std::string word(text_.substr(begin, at_ - begin));
+  if (word == "true" || word == "false") return make({.value = word == "true"});
+  if (!take("(")) return make({.kind = Kind::name, .word = word});
+  Expression::Node call{.kind = Kind::call, .word = word};
+  if (take(")")) return make(std::move(call));
+  do {
+    auto argument = either();
+    if (!argument) return argument;
+    call.parts.push_back(*argument);
+  } while (take(","));
+  if (!take(")")) return fail("a comma or a closing bracket");
+  return make(std::move(call));
+}
+
+}  // namespace raywalk

@@ -1,0 +1,92 @@
+#pragma once
+// A lesson as it stands in its folder: lesson.toml (the steps: where to go, what to ask, what to check) and one file of
+// words a language (en.md, pt.md). lessons/README.md explains both to those who write them.
+
+#include "accel/accelerator.h"
+#include "io/error.h"
+#include "lesson/expression.h"
+#include "lesson/words.h"
+#include "scene/scene.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace raywalk {
+
+/// A formula, and where it stands.
+struct Formula {
+  std::string text;
+  Expression expression;
+  int line = 0;
+};
+
+/// The student drags an arrow where the ray will go that the next line forms.
+struct ArrowQuestion {
+  double tolerance = 10;  ///< degrees between the guess and the ray, as the plan shows them
+};
+struct NumberQuestion {
+  Formula answer;
+  double tolerance = 0;
+  std::string unit;  ///< shown behind the number; may be empty
+};
+/// Exactly one of the choices holds in the trace; the words of each stand in the files of words, in the same order.
+struct ChoiceQuestion {
+  std::vector<Formula> choices;
+};
+using Question = std::variant<ArrowQuestion, NumberQuestion, ChoiceQuestion>;
+
+/// A 3-D picture that is rendered for what a step claims about it.
+struct PictureRequest {
+  std::string name;  ///< under which formulas know it
+  std::optional<ImageSize> size;
+  int samples = 1;
+  AcceleratorKind accelerator = AcceleratorKind::automatic;
+  std::string changes;  ///< to the step's scene, as TOML
+  int line = 0;
+};
+
+/// What lies beside the plan at a step.
+enum class LessonPane { unchanged, picture, tree, stack };
+
+/// A pixel of the scene's image, or with row -1 a cell of the strip; both from 0.
+struct LessonPixel {
+  int column = 0, row = -1;
+  friend bool operator==(const LessonPixel&, const LessonPixel&) = default;
+};
+
+struct LessonStep {
+  std::string id;                    ///< of the words that belong to it
+  std::optional<std::string> scene;  ///< a file of the lesson's folder, or a scene that comes with Raywalk
+  std::string changes;               ///< to values of the scene, as TOML; they hold until the next `scene`
+  std::vector<std::string> removed;  ///< names of objects and lights that are taken out
+  std::optional<LessonPixel> pixel;  ///< where the walk begins anew; without it, it goes on
+  std::optional<Formula> run;        ///< the line to run to; with a question, to stop before
+  std::optional<Formula> reveal;     ///< the line that answers the question, when it is not the next one
+  std::optional<Question> question;
+  std::vector<Formula> checks;  ///< claims about the trace, each of which must hold
+  std::vector<PictureRequest> pictures;
+  LessonPane pane = LessonPane::unchanged;
+  int line = 0;
+};
+
+struct Lesson {
+  std::string name;    ///< of its folder: "01-ray-casting"
+  std::string folder;  ///< its path
+  std::vector<LessonStep> steps;
+  std::map<std::string, LessonWords, std::less<>> words;  ///< by language
+};
+
+/// The names of the lessons in a folder, sorted: each is a folder that holds a lesson.toml.
+[[nodiscard]] std::vector<std::string> lesson_names(const std::string& folder);
+
+/// Reads lesson.toml alone, without the words.
+[[nodiscard]] Result<Lesson> parse_lesson(std::string_view text, const std::string& file_name);
+
+/// Reads a lesson and its words in every language. Fails at the first thing that cannot be understood.
+[[nodiscard]] Result<Lesson> read_lesson(const std::string& folder);
+
+}  // namespace raywalk

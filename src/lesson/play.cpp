@@ -1,0 +1,202 @@
+#include "lesson/play.h"
+
+#include "lesson/facts.h"
+#include "lesson/staging.h"
+#include "timeline/recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+class Player {
+ public:
+  Player(PlayedLesson& to, const std::string& scenes_folder, Pictures pictures)
+      : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), pictures_(pictures) {}
+
+  void play() {
+    for (const LessonStep& step : lesson_.steps) {
+      if (!stage(step)) return;
+      to_.steps.push_back({&step, walk_, position_, position_, {}});
+      if (!render_pictures(step) || !move(step)) {
+        to_.steps.pop_back();
+        return;
+      }
+      for (const Formula& check : step.checks) verify(check);
+      if (step.question) verify_question(step);
+      position_ = to_.steps.back().shown;
+    }
+  }
+
+ private:
+  [[nodiscard]] std::string file() const { return lesson_.folder + "/lesson.toml"; }
+  void fail(int line, std::string message, std::string hint = "") {
+    to_.errors.push_back({file(), line, 0, std::move(message), std::move(hint)});
+  }
+  bool fail(Error error, int line) {
+    if (error.line == 0) error = {file(), line, 0, error.message, error.hint};
+    to_.errors.push_back(std::move(error));
+    return false;
+  }
+
+  /// Makes the walk that the step stands in.
+  bool stage(const LessonStep& step) {
+    if (step.scene) {
+      auto document = stage_scene(*step.scene, lesson_.folder, scenes_folder_);
+      if (!document) return fail(document.error(), step.line);
+      document_ = std::move(*document);
+    }
+    if (!step.changes.empty() || !step.removed.empty()) {
+      auto changed = changed_scene(document_, step.changes, step.removed, file());
+      if (!changed) return fail(changed.error(), step.line);
+      document_ = std::move(*changed);
+    }
+    const std::optional<LessonPixel> wanted = step.pixel && step.pixel->row >= 0 ? step.pixel : std::nullopt;
+    const bool same_scene = !step.scene && step.changes.empty() && step.removed.empty() && walk_ != nullptr;
+    if (!same_scene || (step.pixel && walk_->pixel != wanted)) {
+      const Scene& scene = document_.scene;
+      const ImageSize size = scene.image;
+      if (wanted && (wanted->column >= size.width || wanted->row >= size.height)) {
+        fail(step.line, fmt::format("pixel: there is none [{}, {}] in a picture of {} x {}", wanted->column,
+                                    wanted->row, size.width, size.height));
+        return false;
+      }
+      walk_ = std::make_shared<const LessonWalk>(LessonWalk{
+          document_, wanted, wanted ? record_pixel(scene, size, wanted->column, wanted->row) : record_strip(scene)});
+      position_ = 0;
+    }
+    if (!step.pixel || wanted) {
+      if (wanted) position_ = 0;
+      return true;
+    }
+    const auto& pixels = walk_->timeline.pixels();
+    const auto pixel = std::find_if(pixels.begin(), pixels.end(),
+                                    [&](const PixelRecord& record) { return record.column == step.pixel->column; });
+    if (pixel == pixels.end()) {
+      fail(step.line,
+           fmt::format("pixel: SCREEN has no cell {} (expected 0 to {})", step.pixel->column, pixels.size() - 1));
+      return false;
+    }
+    position_ = pixel->begun_at - 1;
+    return true;
+  }
+
+  bool render_pictures(const LessonStep& step) {
+    if (pictures_ == Pictures::leave_out) return true;
+    for (const PictureRequest& request : step.pictures) {
+      Scene scene = document_.scene;
+      if (!request.changes.empty()) {
+        const auto changed = changed_scene(document_, request.changes, {}, file());
+        if (!changed) return fail(changed.error(), request.line);
+        scene = changed->scene;
+      }
+      RenderSettings settings;
+      settings.size = request.size;
+      settings.sampling.per_pixel = request.samples;
+      settings.accelerator = request.accelerator;
+      auto picture = render(scene, settings);
+      if (!picture) return fail(picture.error(), request.line);
+      to_.steps.back().pictures.insert_or_assign(request.name, std::move(*picture));
+    }
+    return true;
+  }
+
+  /// The first position from `from` on after a line for which the condition holds.
+  std::optional<int> find(const Formula& condition, int from) {
+    const Timeline& timeline = walk_->timeline;
+    for (int position = from + 1; position <= timeline.steps(); ++position) {
+      const Outcome here = value_at(to_, to_.steps.size() - 1, position, condition.expression);
+      if (!here) {
+        fail(condition.line, condition.text + ": " + here.error());
+        return std::nullopt;
+      }
+      if (holds(*here)) return position;
+    }
+    fail(condition.line, fmt::format("no line of the walk from step {} on fulfils: {}", from, condition.text),
+         "raywalk step SCENE --format json shows what there is");
+    return std::nullopt;
+  }
+
+  bool move(const LessonStep& step) {
+    PlayedStep& played = to_.steps.back();
+    int asked = position_, shown = position_;
+    if (step.run) {
+      const auto found = find(*step.run, position_);
+      if (!found) return false;
+      shown = *found;
+      asked = step.question ? shown - 1 : shown;
+    }
+    if (step.reveal) {
+      const auto found = find(*step.reveal, asked);
+      if (!found) return false;
+      shown = *found;
+    }
+    played.asked = asked;
+    played.shown = shown;
+    return true;
+  }
+
+  void verify(const Formula& check) {
+    const std::size_t index = to_.steps.size() - 1;
+    const int position = to_.steps.back().shown;
+    const Outcome value = value_at(to_, index, position, check.expression);
+    if (!value) return fail(check.line, check.text + ": " + value.error());
+    if (holds(*value)) return;
+    const std::string sides = check.expression.sides(Facts(to_, index, position));
+    fail(check.line,
+         fmt::format("the trace does not bear out: {}{}", check.text, sides.empty() ? "" : "; it has " + sides),
+         fmt::format("step \"{}\" stands at step {} of the walk", to_.steps.back().step->id, position));
+  }
+
+  void verify_question(const LessonStep& step) {
+    const PlayedStep& played = to_.steps.back();
+    const std::size_t index = to_.steps.size() - 1;
+    if (std::holds_alternative<ArrowQuestion>(*step.question)) {
+      const Outcome direction = value_at(to_, index, played.shown, *Expression::parse("direction"));
+      if (!direction || !std::holds_alternative<Vec3d>(*direction))
+        fail(step.line, "predict: the line that is run to forms no ray, so there is no arrow to compare with");
+    } else if (const auto* number = std::get_if<NumberQuestion>(&*step.question)) {
+      const Outcome value = value_at(to_, index, played.shown, number->answer.expression);
+      if (!value)
+        fail(number->answer.line, number->answer.text + ": " + value.error());
+      else if (!std::holds_alternative<double>(*value))
+        fail(number->answer.line, "predict: " + number->answer.text + " is no number here");
+    } else if (const auto* choice = std::get_if<ChoiceQuestion>(&*step.question)) {
+      int right = 0;
+      for (const Formula& each : choice->choices) {
+        const Outcome value = value_at(to_, index, played.shown, each.expression);
+        if (!value) return fail(each.line, each.text + ": " + value.error());
+        right += holds(*value) ? 1 : 0;
+      }
+      if (right != 1)
+        fail(step.line, fmt::format("predict: {} of the {} choices hold in the trace (expected exactly one)", right,
+                                    choice->choices.size()));
+    }
+  }
+
+  PlayedLesson& to_;
+  const Lesson& lesson_;
+  const std::string& scenes_folder_;
+  Pictures pictures_;
+  SceneDocument document_;
+  std::shared_ptr<const LessonWalk> walk_;
+  int position_ = 0;
+};
+
+}  // namespace
+
+PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder, Pictures pictures) {
+  PlayedLesson played;
+  played.lesson = &lesson;
+  Player(played, scenes_folder, pictures).play();
+  return played;
+}
+
+Outcome value_at(const PlayedLesson& played, std::size_t index, int position, const Expression& expression) {
+  return expression.evaluate(Facts(played, index, position));
+}
+
+}  // namespace raywalk

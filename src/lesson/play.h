@@ -1,0 +1,59 @@
+#pragma once
+// A lesson played: its steps as places in recorded walks. What it claims is looked up there.
+
+#include "io/scene_file.h"
+#include "lesson/lesson.h"
+#include "render/render.h"
+#include "timeline/timeline.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// The walk that a step, and those after it, stand in.
+struct LessonWalk {
+  SceneDocument document;
+  std::optional<LessonPixel> pixel;  ///< what was recorded: one pixel of the image; none: the whole strip
+  Timeline timeline;
+};
+
+/// A step, and where in its walk it stands.
+struct PlayedStep {
+  const LessonStep* step = nullptr;
+  std::shared_ptr<const LessonWalk> walk;
+  int asked = 0;  ///< position at which the student reads and predicts
+  int shown = 0;  ///< position of the answer; where nothing is asked, the same
+  std::map<std::string, Rendering, std::less<>> pictures;
+};
+
+/// What a lesson comes to. `lesson` must outlive it.
+struct PlayedLesson {
+  const Lesson* lesson = nullptr;
+  std::vector<PlayedStep> steps;  ///< up to the first that cannot be reached
+  std::vector<Error> errors;      ///< steps that are not reached, and claims that the trace does not bear out
+};
+
+/// Whether to render the pictures that steps ask for: a class that looks on need not wait for those.
+enum class Pictures { render, leave_out };
+
+/// Plays all steps. `scenes_folder`: where the scenes are that come with Raywalk.
+[[nodiscard]] PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder,
+                                       Pictures pictures = Pictures::render);
+
+/// All that is wrong with a lesson: what play_lesson finds, and in each language missing words, words too many, and
+/// numbers that nothing checks. Empty for a good one.
+[[nodiscard]] std::vector<Error> check_lesson(const Lesson& lesson, const std::string& scenes_folder);
+
+/// The value of a formula in the step number `index` at one of its positions.
+[[nodiscard]] Outcome value_at(const PlayedLesson& played, std::size_t index, int position,
+                               const Expression& expression);
+
+/// A passage with its numbers filled in, or what is wrong with it. Numbers are written as `language` writes them.
+[[nodiscard]] Result<std::string> filled(const PlayedLesson& played, std::size_t index, int position,
+                                         const Passage& passage, std::string_view language);
+
+}  // namespace raywalk

@@ -1,0 +1,50 @@
+#pragma once
+// The words of a lesson in one language: plain Markdown. A heading of the first order is the title; one of the second
+// opens a step, "## id: Heading", or one of the sections of the whole lesson, "## teacher" and "## sources"; one of the
+// third opens a part of a step. Numbers stand as formulas in braces, {t:2}, which the trace fills in.
+
+#include "io/error.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+/// The languages that every lesson speaks.
+inline constexpr std::array<std::string_view, 2> lesson_languages{"en", "pt"};
+
+/// Words, and the line of the file in which they begin. Paragraphs are one line each, an empty line between them; the
+/// items of a list begin with "- ".
+struct Passage {
+  std::string text;
+  int line = 0;
+  [[nodiscard]] bool empty() const { return text.empty(); }
+};
+
+struct StepWords {
+  std::string id;
+  std::string heading;
+  Passage text;                  ///< what the student reads first
+  Passage question;              ///< "### predict", without the choices
+  std::vector<Passage> choices;  ///< the items of the list under "### predict"
+  Passage reveal;                ///< "### reveal": what to see once the answer stands there
+  Passage change;                ///< "### change": what to change next, and watch
+  Passage presenter;             ///< "### presenter": what the presenter says and does
+  Passage teacher;               ///< "### teacher": what students answer, and why
+  int line = 0;
+};
+
+struct LessonWords {
+  std::string file;
+  std::string title;
+  Passage summary;  ///< what one can do afterwards
+  std::vector<StepWords> steps;
+  Passage teacher, sources;
+  [[nodiscard]] const StepWords* find(std::string_view id) const;
+};
+
+[[nodiscard]] Result<LessonWords> parse_words(std::string_view text, const std::string& file_name);
+
+}  // namespace raywalk

@@ -1,0 +1,227 @@
+// Lessons that are right, and lessons that say what is not so.
+#include "lesson/play.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+const std::string root = RAYWALK_SOURCE_DIR;
+const std::string scenes = root + "/scenes";
+
+const std::string good_steps = R"(
+[[step]]
+id = "hit"
+scene = "classic"
+pixel = 3
+run = 'line == "Find closest intersection"'
+check = ['object == "Solid Sphere"']
+[[step]]
+id = "mirror"
+run = 'line == "Form reflect ray"'
+predict.arrow = 10
+[[step]]
+id = "count"
+reveal = 'line == "Put final shade in pixel"'
+predict.number = 'count(formed)'
+[[step]]
+id = "choice"
+pixel = 0
+run = 'line == "Find closest intersection"'
+predict.choices = ['ending == "hit"', 'ending == "missed"']
+)";
+
+const std::string good_words = R"(# Title
+Summary.
+## hit: A hit
+It is {t:2} away.
+### presenter
+One
+## mirror: A mirror
+Text of two
+lines.
+### predict
+Where to?
+### reveal
+There, {angle(direction, parent.normal):0} degrees.
+### presenter
+Two
+### teacher
+Wrong answers.
+## count: Count
+Text.
+### predict
+How many?
+### reveal
+{count(formed)}, of {at("hit", object)}.
+### presenter
+Three
+### teacher
+Wrong answers.
+## choice: Choose
+Text.
+### predict
+Which?
+- a hit
+- none
+### reveal
+None.
+### presenter
+)" + [] {
+  std::string words;
+  for (int i = 0; i < 200; ++i) words += "word ";
+  return words;
+}() + R"(
+### teacher
+Wrong answers.
+## teacher
+Notes.
+## sources
+A book.
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+/// A lesson without a folder: its scenes are those that ship.
+Result<Lesson> lesson_of(const std::string& steps, const std::string& english, const std::string& portuguese) {
+  auto lesson = parse_lesson(steps, "lesson.toml");
+  if (!lesson) return lesson;
+  lesson->folder = "folder";
+  for (const auto& [language, text] : {std::pair("en", english), std::pair("pt", portuguese)}) {
+    const auto words = parse_words(text, std::string(language) + ".md");
+    if (!words) return tl::unexpected(words.error());
+    lesson->words.emplace(language, *words);
+  }
+  return lesson;
+}
+
+/// All that is wrong, one line each, without hints.
+std::string faults(const std::string& steps, const std::string& english = good_words,
+                   const std::string& portuguese = good_words) {
+  const auto lesson = lesson_of(steps, english, portuguese);
+  const auto line = [](Error error) {
+    error.hint.clear();
+    return error.text() + "\n";
+  };
+  if (!lesson) return line(lesson.error());
+  std::string text;
+  for (const Error& error : check_lesson(*lesson, scenes)) text += line(error);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every lesson that ships is borne out by the trace, in every language") {
+  const auto names = lesson_names(root + "/lessons");
+  REQUIRE_FALSE(names.empty());
+  for (const std::string& name : names) {
+    const auto lesson = read_lesson(root + "/lessons/" + name);
+    INFO(name);
+    REQUIRE(lesson);
+    for (const Error& error : check_lesson(*lesson, scenes)) FAIL_CHECK(error.text());
+  }
+}
+
+TEST_CASE("a step stands where it runs to, and before its line when it asks") {
+  const auto lesson = lesson_of(good_steps, good_words, good_words);
+  REQUIRE(lesson);
+  const PlayedLesson played = play_lesson(*lesson, scenes);
+  REQUIRE(played.errors.empty());
+  REQUIRE(played.steps.size() == 4);
+  const auto line_at = [&](const PlayedStep& step, int position) {
+    return step.walk->timeline.just_run(position)->line;
+  };
+  CHECK(line_at(played.steps[0], played.steps[0].shown) == Line::find_closest_intersection);
+  CHECK(played.steps[0].asked == played.steps[0].shown);
+  CHECK(line_at(played.steps[1], played.steps[1].asked) == Line::if_reflective);
+  CHECK(line_at(played.steps[1], played.steps[1].shown) == Line::form_reflect_ray);
+  CHECK(played.steps[2].asked == played.steps[1].shown);
+  CHECK(line_at(played.steps[2], played.steps[2].shown) == Line::put_final_shade);
+  CHECK(played.steps[1].walk == played.steps[0].walk);
+}
+
+TEST_CASE("words are filled in from the trace") {
+  const auto lesson = lesson_of(good_steps, good_words, good_words);
+  REQUIRE(lesson);
+  const PlayedLesson played = play_lesson(*lesson, scenes);
+  const PlayedStep& step = played.steps[0];
+  const double t = std::get<Found>(step.walk->timeline.event(step.shown - 1).detail).t;
+  const Passage passage{"{t:3} of {object}, {scene(\"limits.depth\")}", 1};
+  CHECK(filled(played, 0, step.shown, passage, "en").value() == text_of(t, 3) + " of Solid Sphere, 5");
+  CHECK(filled(played, 0, step.shown, {"{t:3}", 1}, "pt").value() == text_of(t, 3, ','));
+}
+
+TEST_CASE("a good lesson has no fault") { CHECK(faults(good_steps) == ""); }
+
+TEST_CASE("a claim that the trace does not bear out fails") {
+  CHECK(faults(replaced(good_steps, "'object == \"Solid Sphere\"'", "'object == \"Polygon\"'")) ==
+        "folder/lesson.toml:7: the trace does not bear out: object == \"Polygon\"; it has Solid Sphere == Polygon\n");
+  CHECK(faults(replaced(good_steps, "'ending == \"hit\"', ", "'true', ")) ==
+        "folder/lesson.toml:16: predict: 2 of the 2 choices hold in the trace (expected exactly one)\n");
+  CHECK(faults(replaced(good_steps, "'count(formed)'", "'object'")) ==
+        "folder/lesson.toml:15: predict: object is no number here\n");
+}
+
+TEST_CASE("a step that is not reached fails") {
+  const std::string text = faults(replaced(good_steps, "\"Form reflect ray\"", "\"Form reflect\""));
+  CHECK_THAT(text, raywalk::test::contains("folder/lesson.toml:10: no line of the walk"));
+  CHECK_THAT(faults(replaced(good_steps, "pixel = 0", "pixel = 21")),
+             raywalk::test::contains("SCREEN has no cell 21 (expected 0 to 20)"));
+  CHECK_THAT(faults(replaced(good_steps, "\"classic\"", "\"clasic\"")),
+             raywalk::test::contains("there is no such scene"));
+}
+
+TEST_CASE("words that are missing or too many fail, in the language they are missing in") {
+  CHECK(faults(good_steps, good_words, replaced(good_words, "### teacher\nWrong answers.\n## count", "## count")) ==
+        "pt.md:7: the step \"mirror\" has no \"### teacher\"\n"
+        "pt.md:7: \"### teacher\" of the step \"mirror\" stands in one language only\n");
+  CHECK(faults(good_steps, replaced(good_words, "- none\n", ""), good_words) ==
+        "en.md:28: the step \"choice\" has 1 choices (expected 2, as in lesson.toml)\n");
+  CHECK(faults(good_steps, replaced(good_words, "## hit:", "## hitt:"), good_words) ==
+        "en.md:1: the step \"hit\" has no words\nen.md:3: lesson.toml has no step \"hitt\"\n");
+  CHECK(faults(good_steps, replaced(good_words, "## sources\nA book.", ""), good_words) ==
+        "en.md:1: the section \"## sources\" is missing\n");
+}
+
+TEST_CASE("a number that nothing checks, and a formula that means nothing, fail") {
+  CHECK(faults(good_steps, replaced(good_words, "{t:2}", "7.4"), good_words) ==
+        "en.md:4: the number \"7.4 ...\" stands in the words and is checked by nothing\n");
+  CHECK(faults(good_steps, replaced(good_words, "{t:2}", "{tt:2}"), good_words) ==
+        "en.md:4: tt: \"tt\" is no name that formulas know; lessons/README.md lists them\n");
+  CHECK_THAT(faults(good_steps, replaced(good_words, "{t:2}", "{n1}"), good_words),
+             raywalk::test::contains("en.md:4: {n1} is nothing at step "));
+}
+
+TEST_CASE("a lesson's file is refused with line and hint") {
+  CHECK(
+      faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
+      "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, run, reveal, predict, "
+      "check, picture or show)\n");
+  CHECK(faults("[[step]]\nid = \"a\"\n") ==
+        "lesson.toml:1: the first step has no scene (expected scene = \"classic\" or another)\n");
+  CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrun = '1 +'\n"),
+             raywalk::test::contains("lesson.toml:4: run: \"1 +\""));
+  CHECK_THAT(faults("step = 3"), raywalk::test::contains("has no steps"));
+}
+
+TEST_CASE("a step changes values of its scene") {
+  std::string steps = replaced(good_steps, "pixel = 3",
+                               "pixel = 3\nset.\"Solid Sphere\".material.reflection = 0.5\n"
+                               "remove = [\"Polygon\"]");
+  steps = replaced(steps, "check = [",
+                   "check = ['scene(\"Solid Sphere.material.reflection\") == 0.5', "
+                   "'scene(\"Solid Sphere.radius\") == 1.2', 'walk(object == \"Polygon\") == 0', ");
+  CHECK(faults(steps) == "");
+  CHECK_THAT(faults(replaced(good_steps, "pixel = 3", "set.\"Solid Spher\".radius = 2")),
+             raywalk::test::contains("there is no \"Solid Spher\" in the scene"));
+  CHECK_THAT(faults(replaced(good_steps, "pixel = 3", "set.\"Solid Sphere\".radius = -2")),
+             raywalk::test::contains("radius"));
+}
