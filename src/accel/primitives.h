@@ -87,7 +87,7 @@ class Primitives {
     if (const auto* plane = plain<Plane<T>>(id))
       return raywalk::intersect(*plane, ray, t_max, departed_part(ray, id), explain);
     if (sheared != nullptr && id >= shape_count() && !moves(id))
-      return triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id));
+      return unless_left(id, ray, triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id)));
     return intersect_any(id, ray, t_max, explain);
   }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
@@ -156,7 +156,7 @@ class Primitives {
     if (id >= shape_count()) {
       if constexpr (std::decay_t<Explain>::wanted)
         static_cast<void>(raywalk::intersect(triangles_[id - shape_count()], ray, t_max, departed, explain));
-      return triangles_.intersect(id - shape_count(), ray, t_max, departed);
+      return unless_left(id, ray, triangles_.intersect(id - shape_count(), ray, t_max, departed));
     }
     const Placement<T>* place = place_of(id);
     return place ? raywalk::intersect(own(id), into_shape(*place, ray), t_max, departed, explain)
@@ -166,6 +166,16 @@ class Primitives {
     if (id >= shape_count()) return raywalk::surface_at(triangles_[id - shape_count()], ray, crossing);
     const Placement<T>* place = place_of(id);
     return place ? raywalk::surface_at(own(id), *place, ray, crossing) : raywalk::surface_at(own(id), ray, crossing);
+  }
+  /// A crossing of triangle `id`, unless that is only the edge or corner that the ray leaves it by: a ray that departs
+  /// from a neighbour on the same side of both, its origin rounded to the wrong side of this one.
+  [[nodiscard]] std::optional<Crossing<T>> unless_left(int id, const Ray<T>& ray,
+                                                       const std::optional<Crossing<T>>& crossing) const {
+    const int from = ray.departure.primitive;
+    if (!crossing || from < shape_count() ||
+        !triangles_.leaves_by_edge(from - shape_count(), id - shape_count(), ray, crossing->t))
+      return crossing;
+    return std::nullopt;
   }
   /// The part of primitive `id` that the ray departs from, or no_part.
   [[nodiscard]] int departed_part(const Ray<T>& ray, int id) const {

@@ -4,7 +4,10 @@
 #include "shape/mesh.h"
 #include "shape/triangle.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -33,6 +36,10 @@ class Triangles {
     if (crossing && cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0)) return std::nullopt;
     return crossing;
   }
+
+  /// Whether a ray from triangle `from` meets its neighbour `to` at a `t` that is 0 but for rounding, although it goes
+  /// to the side of it from which it came.
+  [[nodiscard]] bool leaves_by_edge(int from, int to, const Ray<T>& ray, T t) const;
 
   /// The normal that smooth shading takes at a point of triangle `i`, on the side of its own; none where it is flat.
   [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int i, const SurfacePoint<T>& point) const;
@@ -108,6 +115,19 @@ Vec2<T> Triangles<T>::uv_at(int i, const SurfacePoint<T>& point) const {
   const auto uv = [&](std::size_t corner) { return uv_[static_cast<std::size_t>(c[corner])]; };
   const Weights w = weights_at(i, point.position);
   return w.a * uv(0) + w.b * uv(1) + w.c * uv(2);
+}
+
+template <class T>
+bool Triangles<T>::leaves_by_edge(int from, int to, const Ray<T>& ray, T t) const {
+  const Triangle<T> left = (*this)[from], met = (*this)[to];
+  const auto size = [](const Vec3<T>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  constexpr T rounding = 32 * std::numeric_limits<T>::epsilon();
+  if (!(t * size(ray.direction) <= rounding * std::max({size(met.a), size(met.b), size(met.c), size(ray.origin)})))
+    return false;
+  const auto shared = [&](const Vec3<T>& p) { return p == left.a || p == left.b || p == left.c; };
+  if (!shared(met.a) && !shared(met.b) && !shared(met.c)) return false;
+  const auto side = [&](const Triangle<T>& of) { return dot(cross(of.b - of.a, of.c - of.a), ray.direction); };
+  return side(left) * side(met) > 0;
 }
 
 template <class T>

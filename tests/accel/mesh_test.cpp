@@ -64,6 +64,43 @@ TEMPLATE_TEST_CASE("a closed mesh has no leaks at its corners and edges", "[mesh
   CHECK(differing == 0);
 }
 
+TEMPLATE_TEST_CASE("rays that leave from an edge meet neither of its triangles", "[mesh]", float, double) {
+  using T = TestType;
+  const double scale = GENERATE(1e-3, 1.0, 1e6), shift = GENERATE(0.0, 100.0);
+  CAPTURE(scale, shift);
+  const Mesh mesh = icosphere(1);
+  const Affine<double> map = translation(scale * shift * Vec3d(1, -2, 0.5)) * scaling(Vec3d(scale));
+  Primitives<T> primitives;
+  primitives.add(mesh, map, false);
+  const Accelerator<T> tree(primitives, AcceleratorKind::bvh);
+  Numbers next(11);
+  TestCounts counts;
+  int departed = 0, self_hits = 0, lost = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const Vec3<T> target(edge_point(mesh, map, next, i % 5 == 0));
+    const Vec3<T> eye = Vec3<T>(map.point(Vec3d(0.0))) + static_cast<T>(3 * scale) * next.unit<T>();
+    const Ray<T> ray{eye, target - eye};
+    const auto hit = tree.closest(ray, infinity<T>, counts);
+    if (!hit) continue;
+    const SurfacePoint<T> point = primitives.surface_at(hit->primitive, ray, Crossing<T>{hit->t, hit->part});
+    // Away from all triangles at this place: on a ball, into the half space of its radius or nearly so.
+    const Vec3<T> out = normalize(point.position - Vec3<T>(map.point(Vec3d(0.0))));
+    Vec3<T> direction = next.unit<T>();
+    if (dot(direction, out) < 0) direction = -direction;
+    direction = normalize(direction + T(0.9) * out);
+    const Departure departure{hit->primitive, hit->part};
+    ++departed;
+    self_hits += tree.closest({point.position, direction, departure}, infinity<T>, counts).has_value();
+    self_hits += tree.any({point.position, direction, departure}, infinity<T>, counts);
+    // Inwards, the far side is met.
+    const auto through = tree.closest({point.position, -direction, departure}, infinity<T>, counts);
+    lost += !through || through->t < static_cast<T>(0.1 * scale);
+  }
+  CHECK(departed > 1000);
+  CHECK(self_hits == 0);
+  CHECK(lost == 0);
+}
+
 TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves", "[mesh]", float, double) {
   using T = TestType;
   const double far = GENERATE(3.0, 300.0);
