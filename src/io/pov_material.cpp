@@ -92,6 +92,12 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
   const Rgbd through =
       material.dielectric && material.transmits() ? material.reflection + material.transmission : material.transmission;
   const bool transmits = material.transmits();
+  constexpr double rounding = 1e-9;
+  const Rgbd kept = material.reflection + material.transmission;
+  if (transmits && std::min({kept.x, kept.y, kept.z}) < 1 - rounding)
+    losses.insert("light lost in total internal reflection and by dielectrics: it is reflected in full");
+  if (transmits && !is_black(material.absorption) && (material.reflects() || material.dielectric))
+    losses.insert("absorption along rays that are reflected inside of an object");
   std::vector<Part> parts = parts_of(material);
   // Layers from top to bottom. Each covers a share of what is below it, so that all shares are alike; what they let
   // through together is the transmission, whose colour the lowest layer gives.

@@ -210,7 +210,7 @@ class ObjectText {
 PovText format_pov(const Scene& scene) {
   PovText pov;
   PovLosses losses;
-  pov.text = head(scene) + camera_text(scene);
+  pov.text = camera_text(scene);
   for (const Light& light : scene.lights) {
     if (is_black(light.strength)) continue;
     pov.text +=
@@ -220,6 +220,9 @@ PovText format_pov(const Scene& scene) {
   if (scene.encoding == Encoding::truncated) losses.insert("8-bit pictures without the sRGB curve");
   if (scene.render.integrator == Integrator::path) losses.insert("light from everywhere (path tracing)");
   pov.left_out.assign(losses.begin(), losses.end());
+  std::string said;
+  for (const std::string& loss : losses) said += "// POV-Ray renders without: " + loss + "\n";
+  pov.text = said + head(scene) + pov.text;
   return pov;
 }
 
