@@ -240,7 +240,8 @@ Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std
       return tl::unexpected(Error{path, cursor.line(), 0, fmt::format("{}: a number is missing", keyword),
                                   is_colour ? "such as Kd 0.8 0.2 0.1" : "such as Ns 30"});
     const Rgbd colour = count == 3 ? Rgbd(values[0], values[1], values[2]) : Rgbd(values[0]);
-    if (keyword == "Ka") current.material.ambient = colour;
+    // Blender and others write Ka 1 1 1 whatever the surface: all things would shine white in full ambient light.
+    if (keyword == "Ka" && colour != Rgbd(1.0)) current.material.ambient = colour;
     if (keyword == "Kd") current.material.diffuse = colour;
     if (keyword == "Ks") current.material.specular = colour;
     if (keyword == "Ke") current.material.emission = colour;

@@ -111,6 +111,13 @@ TEST_CASE("an OBJ file with its materials") {
   CHECK(red.dielectric);
 }
 
+TEST_CASE("an ambient colour of 1 in an MTL file is what exporters write of every surface") {
+  const auto materials = parse_mtl("newmtl a\nKa 1 1 1\nKd 0.5 0.5 0.5\nnewmtl b\nKa 0.3 0.3 0.3\n", "a.mtl");
+  REQUIRE(materials);
+  CHECK(materials->at(0).material.ambient == Rgbd(0.0));
+  CHECK(materials->at(1).material.ambient == Rgbd(0.3));
+}
+
 TEST_CASE("what is wrong with a mesh file is told with its place") {
   const auto ply = [](const std::string& from, const std::string& to) {
     return parse_ply(replaced(square_ply, from, to), "bad");
