@@ -18,7 +18,8 @@ namespace raywalk {
 /// What a command line asks for, run after all of it is understood.
 using Run = std::function<ExitCode()>;
 inline constexpr const char* scene_help =
-    "A scene file (.toml, .nff, or .test of ray tracing courses), or the name of a scene that comes with Raywalk";
+    "A scene file (.toml, .nff, or .test of ray tracing courses), a mesh (.ply, .obj, .gltf, .glb), or the name of a "
+    "scene that comes with Raywalk";
 
 namespace detail {
 template <class Value>

@@ -1,6 +1,7 @@
 #include "io/scene_file.h"
 
 #include "io/file.h"
+#include "io/mesh_scene.h"
 #include "io/nff_reader.h"
 #include "io/scene_reader.h"
 #include "io/test_format_reader.h"
@@ -136,10 +137,17 @@ SceneFormat scene_format_of(std::string_view path) {
   return SceneFormat::toml;
 }
 
+namespace {
+
+bool is_mesh(SceneFormat format) { return format >= SceneFormat::ply; }
+
+}  // namespace
+
 bool has_scene_ending(std::string_view path) { return ends_with(path, scene_ending(scene_format_of(path))); }
 
 Result<SceneDocument> read_scene(const std::string& path) {
   const SceneFormat format = scene_format_of(path);
+  if (is_mesh(format)) return scene_of_mesh(path);
   const auto text = read_file(path, format == SceneFormat::toml ? most_bytes : most_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
   switch (format) {
@@ -154,6 +162,11 @@ Result<SceneDocument> read_scene(const std::string& path) {
       return parse_nff(*text, path);
     case SceneFormat::test:
       return parse_test_format(*text, path);
+    case SceneFormat::ply:
+    case SceneFormat::obj:
+    case SceneFormat::gltf:
+    case SceneFormat::glb:
+      break;  // read above
   }
   return SceneDocument{};
 }

@@ -23,8 +23,12 @@ enum class SceneFormat {
   toml,
   nff,   ///< io/nff_reader.h
   test,  ///< io/test_format_reader.h
+  ply,   ///< a mesh by itself, as the three that follow: io/mesh_scene.h
+  obj,
+  gltf,
+  glb,
 };
-inline constexpr int scene_format_count = 3;
+inline constexpr int scene_format_count = 7;
 [[nodiscard]] constexpr std::string_view scene_ending(SceneFormat format) {
   switch (format) {
     case SceneFormat::toml:
@@ -33,6 +37,14 @@ inline constexpr int scene_format_count = 3;
       return ".nff";
     case SceneFormat::test:
       return ".test";
+    case SceneFormat::ply:
+      return ".ply";
+    case SceneFormat::obj:
+      return ".obj";
+    case SceneFormat::gltf:
+      return ".gltf";
+    case SceneFormat::glb:
+      return ".glb";
   }
   return "";
 }

@@ -1,0 +1,47 @@
+#include "io/mesh_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/temporary_folder.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+TEST_CASE("a mesh opens as a scene that shows all of it, and is saved as a scene") {
+  const std::string ball = std::string(RAYWALK_SOURCE_DIR) + "/scenes/ball.ply";
+  auto document = read_scene(ball);
+  REQUIRE(document);
+  const Scene& scene = document->scene;
+  REQUIRE(scene.objects.size() == 1);
+  CHECK(scene.title == "ball.ply");
+  // Every corner of the mesh is in the picture, and the mesh fills a good part of it.
+  const Camera& camera = scene.camera;
+  const Vec3d forward = normalize(camera.look_at - camera.eye), right = normalize(cross(forward, camera.up));
+  const double aspect = static_cast<double>(scene.image.height) / scene.image.width;
+  double widest = 0, highest = 0;
+  for (const Vec3d& position : std::get<MeshShape>(scene.objects[0].shape).mesh->positions) {
+    const Vec3d way = position - camera.eye;
+    const double depth = dot(way, forward) * camera.half_extent();
+    REQUIRE(depth > 0);
+    widest = std::max(widest, std::abs(dot(way, right)) / depth);
+    highest = std::max(highest, std::abs(dot(way, cross(right, forward))) / depth / aspect);
+  }
+  CHECK(widest < 1);
+  CHECK(highest < 1);
+  CHECK(std::max(widest, highest) > 0.5);
+
+  const TemporaryFolder folder;
+  CHECK_FALSE(write_scene(*document, folder.file("ball.ply")));  // a mesh's file is never written over
+  REQUIRE(write_scene(*document, folder.file("ball.toml")));
+  const auto again = read_scene(folder.file("ball.toml"));
+  REQUIRE(again);
+  CHECK(again->scene == scene);
+}
+
+TEST_CASE("a mesh that cannot be read is told of as such") {
+  const auto none = read_scene("nowhere.ply");
+  REQUIRE_FALSE(none);
+  CHECK(none.error().file == "nowhere.ply");
+}
