@@ -34,16 +34,6 @@ bool has_nan(const Rgb<float>& c) { return std::isnan(c.x) || std::isnan(c.y) ||
 
 std::uint32_t swap_bytes(std::uint32_t x) { return x << 24 | (x & 0xff00) << 8 | (x >> 8 & 0xff00) | x >> 24; }
 
-std::uint8_t to_byte(float channel, Encoding encoding) {
-  switch (encoding) {
-    case Encoding::srgb:
-      return to_srgb8(channel);
-    case Encoding::truncated:
-      return static_cast<std::uint8_t>(255 * static_cast<double>(std::clamp(channel, 0.0F, 1.0F)));
-  }
-  return 0;
-}
-
 Result<Image> bad_pfm(const std::string& file, const std::string& what) {
   return tl::unexpected(
       Error{file, 0, 0, what, "a colour PFM starts with PF, the width and height, and -1.0, then 12 bytes a pixel"});

@@ -36,4 +36,14 @@ std::uint8_t to_srgb8(float linear) {
   return static_cast<std::uint8_t>(std::upper_bound(smallest.begin(), smallest.end(), linear) - smallest.begin());
 }
 
+std::uint8_t to_byte(float linear, Encoding encoding) {
+  switch (encoding) {
+    case Encoding::srgb:
+      return to_srgb8(linear);
+    case Encoding::truncated:
+      return static_cast<std::uint8_t>(255 * static_cast<double>(std::clamp(linear, 0.0F, 1.0F)));
+  }
+  return 0;
+}
+
 }  // namespace raywalk

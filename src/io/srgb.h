@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/scene.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -17,5 +19,7 @@ namespace raywalk {
 
 /// Linear light as a byte of a picture: clamped to 0..1, encoded, rounded. `linear` must not be NaN.
 [[nodiscard]] std::uint8_t to_srgb8(float linear);
+/// The same in the encoding that a scene asks for.
+[[nodiscard]] std::uint8_t to_byte(float linear, Encoding encoding);
 
 }  // namespace raywalk

@@ -20,10 +20,10 @@ constexpr int coarsest = 8;
 using Rgba = std::array<std::uint8_t, 4>;
 
 template <class T>
-Rgba rgba_of(const Rgb<T>& colour) {
+Rgba rgba_of(const Rgb<T>& colour, Encoding encoding) {
   const Rgb<float> c(colour);
   if (std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z)) return {255, 0, 255, 255};
-  return {to_srgb8(c.x), to_srgb8(c.y), to_srgb8(c.z), 255};
+  return {to_byte(c.x, encoding), to_byte(c.y, encoding), to_byte(c.z, encoding), 255};
 }
 
 }  // namespace
@@ -121,6 +121,7 @@ class Preview::WorkIn final : public Preview::Work {
         kernel_(scene, world_),
         centres_(scene, settings.size, settings.size),
         spread_(scene, settings.size, settings.size, Sampling{settings.samples}),
+        encoding_(scene.encoding),
         first_(settings.size),
         mean_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}) {
     begin_pass();
@@ -154,15 +155,16 @@ class Preview::WorkIn final : public Preview::Work {
   /// While samples are missing, the centre counts as one more: the first samples alone lie in one corner of the pixel.
   [[nodiscard]] Rgba shown(int column, int row, int samples_taken) const override {
     const Rgb<T>& centre = first_.at(column, row);
-    if (samples_taken == 0) return rgba_of(centre);
+    if (samples_taken == 0) return rgba_of(centre, encoding_);
     const Rgb<T>& mean = mean_.at(column, row);
-    if (samples_taken == samples_to_take()) return rgba_of(mean);
-    return rgba_of(mean + (centre - mean) / static_cast<T>(samples_taken + 1));
+    if (samples_taken == samples_to_take()) return rgba_of(mean, encoding_);
+    return rgba_of(mean + (centre - mean) / static_cast<T>(samples_taken + 1), encoding_);
   }
 
   World<T> world_;
   SceneKernel<T> kernel_;
   RayGenerator<T> centres_, spread_;
+  Encoding encoding_;
   Film<T> first_, mean_;
 };
 

@@ -6,10 +6,10 @@
 
 namespace raywalk {
 
-Colour display_colour(const Rgbd& linear) {
+Colour display_colour(const Rgbd& linear, Encoding encoding) {
   if (std::isnan(linear.x) || std::isnan(linear.y) || std::isnan(linear.z)) return {255, 0, 255};
   const Rgb<float> c(linear);
-  return {to_srgb8(c.x), to_srgb8(c.y), to_srgb8(c.z)};
+  return {to_byte(c.x, encoding), to_byte(c.y, encoding), to_byte(c.z, encoding)};
 }
 
 Colour mix(Colour a, Colour b, double t) {

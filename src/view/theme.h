@@ -4,6 +4,7 @@
 // (2008), whose yellow vanishes on white and is another one in the light theme.
 
 #include "math/vec.h"
+#include "scene/scene.h"
 #include "trace/event.h"
 
 #include <array>
@@ -19,8 +20,9 @@ struct Colour {
   [[nodiscard]] constexpr Colour with_alpha(int alpha) const { return {r, g, b, static_cast<std::uint8_t>(alpha)}; }
 };
 
-/// Linear light as a display shows it: clamped, sRGB encoded, rounded; what is not a number is magenta.
-[[nodiscard]] Colour display_colour(const Rgbd& linear);
+/// Linear light as a display shows it: clamped, encoded as a scene's pictures are, else in sRGB; what is not a number
+/// is magenta.
+[[nodiscard]] Colour display_colour(const Rgbd& linear, Encoding encoding = Encoding::srgb);
 /// a + t (b - a) in sRGB; t in 0..1.
 [[nodiscard]] Colour mix(Colour a, Colour b, double t);
 

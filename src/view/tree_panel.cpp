@@ -99,7 +99,7 @@ TreePanel tree_panel(const State& state) {
     if (ray.shade >= 0) {
       const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
       node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
-      if (node.returned) node.shade = display_colour(frame.returned);
+      if (node.returned) node.shade = display_colour(frame.returned, state.scene().encoding);
     }
     panel.nodes.push_back(std::move(node));
   }

@@ -45,6 +45,23 @@ std::uint32_t pixel_at(const Preview& preview, int column, int row) {
 
 }  // namespace
 
+TEST_CASE("a preview shows a scene as its picture files have it") {
+  Scene scene = planar_scenes().front().scene;
+  scene.encoding = Encoding::truncated;
+  Preview preview(scene, {{21, 11}, Precision::double_, 1});
+  refine_to_the_end(preview);
+  const auto film = rendered<double>(scene, {21, 11}, 1);
+  int other = 0;
+  for (std::size_t i = 0; i < film.pixels().size(); ++i)
+    for (int channel = 0; channel < 3; ++channel) {
+      const double linear = std::clamp(static_cast<double>(static_cast<float>(film.pixels()[i][channel])), 0.0, 1.0);
+      const int byte = preview.rgba()[4 * i + static_cast<std::size_t>(channel)];
+      REQUIRE(byte == static_cast<int>(std::floor(255 * linear)));
+      other += byte != to_srgb8(static_cast<float>(linear));
+    }
+  CHECK(other > 100);
+}
+
 TEMPLATE_TEST_CASE("a finished preview is the render, bit for bit, and has traced nothing twice", "", float, double) {
   for (const NamedScene& named : planar_scenes()) {
     INFO(named.name);
