@@ -1,11 +1,14 @@
 #include "view/outlines.h"
 
+#include "view/mesh_lines.h"
+
 #include "scene/transform_step.h"
 #include "shape/crossing.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace raywalk {
 
@@ -130,6 +133,23 @@ std::vector<Curve> outline(const Disk<double>& disk, const Bounds<double>& /*roo
 std::vector<Curve> outline(const Polygon<double>& polygon, const Bounds<double>& /*room*/) {
   std::vector<Curve> curves{closed(polygon.outline)};
   for (const auto& hole : polygon.holes) curves.push_back(closed(hole));
+  return curves;
+}
+
+std::vector<Curve> outline(const MeshShape& shape, const Bounds<double>& /*room*/) {
+  return shape.mesh ? *mesh_lines(shape.mesh) : std::vector<Curve>();
+}
+
+/// Its objects, up to a number of lines that can still be told apart; then boxes.
+std::vector<Curve> outline(const Instance& instance, const Bounds<double>& room) {
+  if (!instance.content) return {};
+  constexpr std::size_t most_lines = 20000;
+  std::vector<Curve> curves;
+  for (const Object& object : instance.content->group.objects) {
+    if (curves.size() > most_lines) return edges_of(bounds(instance));
+    std::vector<Curve> own = outline_of(object, room);
+    curves.insert(curves.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+  }
   return curves;
 }
 

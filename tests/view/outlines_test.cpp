@@ -1,0 +1,83 @@
+// Meshes and groups as lines in space.
+
+#include "view/outlines.h"
+
+#include <cmath>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+/// A cube's twelve triangles.
+std::shared_ptr<const Mesh> cube() {
+  auto mesh = std::make_shared<Mesh>();
+  for (int i = 0; i < 8; ++i) mesh->positions.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  mesh->triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                     {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  return mesh;
+}
+
+/// A sphere of many triangles, closed and nowhere sharp.
+std::shared_ptr<const Mesh> ball(int rings, int pieces) {
+  auto mesh = std::make_shared<Mesh>();
+  const double pi = 3.14159265358979323846;
+  for (int i = 0; i <= rings; ++i)
+    for (int k = 0; k < pieces; ++k) {
+      const double up = pi * i / rings, around = 2 * pi * k / pieces;
+      mesh->positions.emplace_back(std::sin(up) * std::cos(around), std::sin(up) * std::sin(around), std::cos(up));
+    }
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < pieces; ++k) {
+      const int next = (k + 1) % pieces, a = i * pieces + k, b = i * pieces + next;
+      mesh->triangles.push_back({a, a + pieces, b});
+      mesh->triangles.push_back({b, a + pieces, b + pieces});
+    }
+  return mesh;
+}
+
+Object object_of(std::shared_ptr<const Mesh> mesh) {
+  MeshShape shape;
+  shape.mesh = std::move(mesh);
+  return {"Mesh", shape, {}};
+}
+
+const Bounds<double> room{{-9, -9, -9}, {9, 9, 9}};
+
+}  // namespace
+
+TEST_CASE("a small mesh shows each of its edges once") {
+  const auto lines = outline_of(object_of(cube()), room);
+  CHECK(lines.size() == 18);  // twelve of the cube, and a diagonal on each face
+  double total = 0;
+  for (const Curve& line : lines) {
+    REQUIRE(line.size() == 2);
+    total += length(line[1] - line[0]);
+  }
+  CHECK(total == Approx(12 + 6 * std::sqrt(2.0)));
+}
+
+TEST_CASE("a large mesh shows sections, which lie on it") {
+  const auto lines = outline_of(object_of(ball(60, 80)), room);
+  CHECK(lines.size() > 500);
+  CHECK(lines.size() < 16000);
+  double off = 0;
+  for (const Curve& line : lines)
+    for (const Vec3d& point : line) off = std::max(off, std::abs(length(point) - 1));
+  CHECK(off < 0.002);  // the triangles' own distance from the sphere
+}
+
+TEST_CASE("instances show what is in their group, where they stand") {
+  const auto inner = std::make_shared<const GroupContent>(
+      Group{"inner", {object_of(cube()), {"Point", Sphere<double>{{5, 0, 0}, 1}, {}}}});
+  Object instance{"Instance", Instance{"inner", inner}, {}};
+  instance.transform = {TransformStep{Translate{{0, 0, 7}}}};
+  const auto lines = outline_of(instance, room);
+  CHECK(lines.size() == 18 + 3);
+  const auto twice = std::make_shared<const GroupContent>(Group{"outer", {instance, instance}});
+  CHECK(outline_of({"Both", Instance{"outer", twice}, {}}, room).size() == 2 * lines.size());
+  for (const Curve& line : lines)
+    for (const Vec3d& point : line) CHECK(point.z >= 6);
+  CHECK(outline_of({"None", Instance{"missing", nullptr}, {}}, room).empty());
+}
