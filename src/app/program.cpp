@@ -41,6 +41,17 @@ void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<doub
              "A ray that would bring less than this share of its pixel is not formed");
 }
 
+void add_integrator(CLI::App& command, std::optional<Integrator>& integrator, std::optional<int>& path_length) {
+  add_choice(command, "--integrator", integrator,
+             std::array{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
+                        Integrator::path},
+             integrator_name,
+             "How light is followed: shadows only, mirrors and glass too, soft effects, or everywhere");
+  constexpr auto range = scene_keys::path_length_count;
+  add_whole(command, "--path-length", path_length, range.low, range.high,
+            "With --integrator path: most rays between the eye and a light");
+}
+
 void add_size(CLI::App& command, std::optional<ImageSize>& size) {
   const std::string most = std::to_string(scene_keys::pixel_count.high);
   add_parsed(command, "--size", size, parse_size, "WxH", "two whole numbers up to " + most + ", such as 640x480",
@@ -62,11 +73,7 @@ void declare_render(CLI::App& program, Run& run) {
       ->type_name("IMAGE");
   add_size(command, to.size);
   constexpr int most_samples = 1 << 20, most_threads = 1024;
-  add_choice(command, "--integrator", to.integrator,
-             std::array{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
-                        Integrator::path},
-             integrator_name,
-             "How light is followed: shadows only, mirrors and glass too, soft effects, or everywhere");
+  add_integrator(command, to.integrator, to.path_length);
   add_whole(command, "--spp", to.samples, 1, most_samples, "Samples of each pixel");
   add_choice(
       command, "--sampler", to.sampler, std::array{Sampler::random, Sampler::jittered, Sampler::sobol},
@@ -114,15 +121,18 @@ void declare_step(CLI::App& program, Run& run) {
   add_choice(command, "--format", to.format, std::array{StepFormat::text, StepFormat::json}, step_format_name,
              "One line a step for people (as when left out), or all numbers of each step for programs");
   add_size(command, to.size);
+  add_integrator(command, to.integrator, to.path_length);
   add_limits(command, to.depth, to.threshold);
   add_precision(command, to.precision);
   command.footer(
       "A step is one executed line of the pseudocode: its number, its DEPTH in brackets, the line, and what it did.\n"
+      "Paths have a pseudocode of their own; in brackets stand the rays of the path so far.\n"
       "--size matters to --pixel X,Y only.\n\n"
       "Examples:\n"
       "  raywalk step classic\n"
       "  raywalk step classic --pixel 10 --depth 2\n"
-      "  raywalk step classic --pixel 220,200 --format json");
+      "  raywalk step classic --pixel 220,200 --format json\n"
+      "  raywalk step cornell --pixel 100,100 --integrator path");
   command.callback([options, &run] { run = [options] { return step_command(*options); }; });
 }
 

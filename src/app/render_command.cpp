@@ -101,6 +101,7 @@ ExitCode render_command(const RenderOptions& options) {
   choices.samples = options.corner_samples ? 1 : options.samples.value_or(choices.samples);
   choices.sampler = options.sampler.value_or(choices.sampler);
   if (options.light_grid) choices.light_grid = options.light_grid;
+  if (options.path_length) choices.path_length = options.path_length;
   choices.tolerance = options.tolerance.value_or(choices.tolerance);
   const Sampling sampling{choices.samples, options.seed, options.corner_samples};
   const ImageSize size = options.size.value_or(scene.image);

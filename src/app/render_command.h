@@ -19,6 +19,7 @@ struct RenderOptions {
   std::optional<int> samples{};
   std::optional<Sampler> sampler{};
   std::optional<int> light_grid{};
+  std::optional<int> path_length{};
   std::optional<double> tolerance{};
   std::uint64_t seed = 0;
   bool corner_samples = false;

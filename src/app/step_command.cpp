@@ -107,6 +107,8 @@ ExitCode step_command(const StepOptions& options) {
   auto document = load_scene(options.scene);
   if (!document) return fail(document.error());
   Scene& scene = document->scene;
+  scene.render.integrator = options.integrator.value_or(scene.render.integrator);
+  if (options.path_length) scene.render.path_length = options.path_length;
   scene.limits.depth = options.depth.value_or(scene.limits.depth);
   scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
   const ImageSize size = options.size.value_or(scene.image);

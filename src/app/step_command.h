@@ -14,6 +14,8 @@ struct StepOptions {
   std::string scene;
   std::optional<PixelChoice> pixel{};  ///< absent: the whole strip
   std::optional<ImageSize> size{};     ///< of the image that a pixel is of
+  std::optional<Integrator> integrator{};
+  std::optional<int> path_length{};
   std::optional<int> depth{};
   std::optional<double> threshold{};
   Precision precision = Precision::double_;

@@ -63,15 +63,14 @@ void draw_heading(const Ui& ui, const CodeBox& box, const Rect& where) {
   draw.AddText({std::round(where.x), std::round(where.y)}, to_imgui(box.depth ? ui.colours.text : ui.colours.dim_text),
                box.title.c_str());
   pop_font();
-  if (!box.depth || *box.depth == 0) return;
-  const std::string badge = fill(TextId::depth_badge, {std::to_string(*box.depth)});
+  if (box.badge.empty()) return;
   push_font(ui.fonts.small);
-  const ImVec2 extent = ImGui::CalcTextSize(badge.c_str());
+  const ImVec2 extent = ImGui::CalcTextSize(box.badge.c_str());
   const float height = line_height(ui.fonts, *ui.fonts.code_strong);
   const ImVec2 at{where.right() - extent.x - ui.px(8), where.y + (height - extent.y) / 2};
   draw.AddRectFilled({at.x - ui.px(8), at.y - ui.px(2)}, {where.right(), at.y + extent.y + ui.px(2)},
                      to_imgui(shades.accent), ui.px(9));
-  draw.AddText(at, to_imgui(shades.on_accent), badge.c_str());
+  draw.AddText(at, to_imgui(shades.on_accent), box.badge.c_str());
   pop_font();
 }
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array accelerators{AcceleratorKind::automatic, AcceleratorKind::none,   AcceleratorKind::bvh,
                                   AcceleratorKind::grid,      AcceleratorKind::octree, AcceleratorKind::kdtree};
-constexpr std::array integrators{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed};
+constexpr std::array integrators{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
+                                 Integrator::path};
 
 std::string_view heat_name(Heat heat) {
   switch (heat) {

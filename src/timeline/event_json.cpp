@@ -49,6 +49,8 @@ class Writer {
       to_["t"] = found.t;
       object(found.object);
       to_["part"] = found.part;
+      if (found.triangle >= 0) to_["triangle"] = found.triangle;
+      if (!found.member.empty()) to_["member"] = found.member;
       to_["point"] = triple(found.point);
       to_["normal"] = triple(found.normal);
     }
@@ -91,7 +93,51 @@ class Writer {
     to_["shade"] = triple(put.shade);
   }
 
+  void operator()(const BackgroundAdded& background) const {
+    to_["what"] = "background_added";
+    to_["ray"] = background.ray;
+    to_["added"] = triple(background.added);
+  }
+
+  void operator()(const EmissionAdded& emission) const {
+    to_["what"] = "emission_added";
+    to_["ray"] = emission.ray;
+    to_["emission"] = triple(emission.emission);
+    weighted(emission);
+  }
+
+  void operator()(const LightAdded& added) const {
+    to_["what"] = "light_added";
+    light(added.light);
+    if (added.object >= 0) object(added.object);
+    weighted(added);
+  }
+
+  void operator()(const DirectionChosen& chosen) const {
+    to_["what"] = "direction_chosen";
+    to_["absorbed"] = chosen.absorbed;
+    if (chosen.absorbed) return;
+    to_["lobe"] = lobe_name(chosen.lobe);
+    to_["direction"] = triple(chosen.direction);
+    to_["density"] = chosen.density;
+    to_["share"] = triple(chosen.share);
+  }
+
+  void operator()(const SurvivalDecided& decided) const {
+    to_["what"] = "survival_decided";
+    to_["survives"] = decided.survives;
+    to_["survival"] = decided.survival;
+    if (decided.why) to_["why"] = ending_name(*decided.why);
+  }
+
  private:
+  template <class Added>
+  void weighted(const Added& added) const {
+    to_["direction_density"] = added.direction_density;
+    to_["light_density"] = added.light_density;
+    to_["weight"] = added.weight;
+    to_["added"] = triple(added.added);
+  }
   void pixel(int column, int row, int sample) const {
     to_["column"] = column;
     to_["row"] = row;

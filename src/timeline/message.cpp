@@ -41,15 +41,28 @@ class Describer {
   [[nodiscard]] std::string light(int index) const {
     return index < 0 ? std::string() : scene_.lights[static_cast<std::size_t>(index)].name;
   }
-  /// The object whose surface the executing SHADE shades.
-  [[nodiscard]] std::string shaded() const { return object(ray(frame(timeline_.current_frame(position_)).ray).object); }
+  /// What was met, to the triangle of a mesh or the member of a group.
+  [[nodiscard]] std::string met(const Found& found) const {
+    std::string name = object(found.object);
+    if (!found.member.empty()) name = found.member + " of " + name;
+    return found.triangle < 0 ? name : "triangle " + std::to_string(found.triangle) + " of " + name;
+  }
+  /// The object whose surface the executing SHADE shades, or at which FOLLOW PATH stands.
+  [[nodiscard]] std::string shaded() const {
+    if (!timeline_.of_paths()) return object(ray(frame(timeline_.current_frame(position_)).ray).object);
+    const RayRecord& at = current();
+    const bool leaves = at.kind == RayKind::shadow || at.formed_at == position_;
+    return object(leaves && at.parent >= 0 ? ray(at.parent).object : at.object);
+  }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
     if (!timeline_.of_strip()) return {MessageId::image_pixel_begun, {begun.column, begun.row}};
     return {MessageId::pixel_begun, {begun.column, scene_.camera.screen.cells - 1}};
   }
 
-  [[nodiscard]] Message describe(const Event& /*event*/, const RayFormed& formed) const {
+  [[nodiscard]] Message describe(const Event& event, const RayFormed& formed) const {
+    if (event.line == Line::form_next_ray)
+      return {MessageId::next_formed, {shaded(), formed.kind, Share{max_component(formed.share)}}};
     switch (formed.kind) {
       case RayKind::primary: {
         const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
@@ -57,6 +70,7 @@ class Describer {
         return {MessageId::primary_formed, {pixel.column}};
       }
       case RayKind::shadow:
+        if (formed.light < 0) return {MessageId::object_aimed_at, {shaded()}};
         return {MessageId::shadow_formed, {shaded(), light(formed.light)}};
       case RayKind::reflect:
         return {MessageId::reflect_formed, {shaded(), Share{max_component(formed.share)}}};
@@ -76,6 +90,7 @@ class Describer {
     const bool reflect = stub.kind == RayKind::reflect;
     switch (stub.why) {
       case Ending::facing_away:
+        if (stub.light < 0) return {MessageId::object_not_aimed_at, {shaded()}};
         return {MessageId::shadow_facing_away, {shaded(), light(stub.light)}};
       case Ending::outside_cone:
         return {MessageId::shadow_outside_cone, {shaded(), light(stub.light)}};
@@ -101,7 +116,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& /*event*/, const Found& found) const {
     const RayRecord& record = current();
-    const std::string met = object(found.object);
+    const std::string met = this->met(found);
     switch (found.ending) {
       case Ending::hit: {
         const bool from_inside =
@@ -112,10 +127,12 @@ class Describer {
       case Ending::missed:
         return {MessageId::found_missed, {record.kind}};
       case Ending::blocked: {
+        if (record.light < 0) return {MessageId::object_hidden, {met}};
         const bool by_itself = ray(record.parent).object == found.object;
         return {by_itself ? MessageId::light_blocked_by_itself : MessageId::light_blocked, {light(record.light), met}};
       }
       case Ending::reached_light:
+        if (record.light < 0) return {MessageId::object_seen, {met}};
         if (found.passed == Rgbd(1.0)) return {MessageId::light_reached, {light(record.light)}};
         return {MessageId::light_filtered, {light(record.light), Share{max_component(found.passed)}}};
       case Ending::depth:
@@ -148,6 +165,14 @@ class Describer {
         if (decided.why == Ending::total_internal_reflection) return {MessageId::totally_reflected, {shaded()}};
         if (!decided.holds) return {MessageId::not_transparent, {shaded()}};
         return {MessageId::transparent, {shaded(), decided.weight}};
+      case Line::follow_path:
+        return {MessageId::path_called, {}};
+      case Line::while_ray:
+        if (decided.holds) return {MessageId::path_goes_on, {current().kind}};
+        return {MessageId::path_over, {frame(timeline_.current_frame(position_)).returned}};
+      case Line::if_intersect_nothing:
+        if (decided.holds) return {MessageId::path_met_nothing, {}};
+        return {MessageId::path_met, {object(current().object)}};
       case Line::for_each_pixel:
       case Line::form_primary_ray:
       case Line::find_closest_intersection:
@@ -162,7 +187,19 @@ class Describer {
       case Line::find_refract_intersect:
       case Line::shade_refract:
       case Line::compute_rtnshade:
-        break;  // these decide nothing
+      case Line::path_for_each_pixel:
+      case Line::path_form_primary_ray:
+      case Line::path_put_final_shade:
+      case Line::path_find_closest_intersection:
+      case Line::add_background:
+      case Line::add_emission:
+      case Line::path_form_shadow_ray:
+      case Line::path_find_intersection:
+      case Line::add_light:
+      case Line::choose_direction:
+      case Line::if_path_survives:
+      case Line::form_next_ray:
+        break;  // these decide nothing, or in words of their own
     }
     return {};
   }
@@ -184,6 +221,51 @@ class Describer {
     return {MessageId::pixel_put, {put.column, put.shade}};
   }
 
+  [[nodiscard]] Message describe(const Event& /*event*/, const BackgroundAdded& background) const {
+    return {MessageId::background_added, {background.added}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const EmissionAdded& emission) const {
+    if (is_black(emission.emission)) return {MessageId::emits_nothing, {shaded()}};
+    if (emission.weight > nearly_all) return {MessageId::emission_added, {shaded(), emission.added}};
+    return {MessageId::emission_weighted, {shaded(), Share{emission.weight}, emission.added}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const LightAdded& added) const {
+    const std::string name = added.light >= 0 ? light(added.light) : object(added.object);
+    if (is_black(added.added)) return {MessageId::light_adds_nothing, {}};
+    if (added.weight > nearly_all) return {MessageId::light_added, {name, added.added}};
+    return {MessageId::light_added_weighted, {name, Share{added.weight}, added.added}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const DirectionChosen& chosen) const {
+    if (chosen.absorbed) return {MessageId::direction_none, {shaded()}};
+    return {by_lobe(chosen.lobe), {shaded(), Share{max_component(chosen.share)}}};
+  }
+  static MessageId by_lobe(Lobe lobe) {
+    switch (lobe) {
+      case Lobe::diffuse:
+        return MessageId::direction_diffuse;
+      case Lobe::highlight:
+        return MessageId::direction_highlight;
+      case Lobe::mirror:
+        return MessageId::direction_mirror;
+      case Lobe::transparent:
+        return MessageId::direction_transparent;
+    }
+    return {};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const SurvivalDecided& decided) const {
+    if (decided.why == Ending::path_length) return {MessageId::path_too_long, {scene_.render.path_length.value_or(0)}};
+    if (decided.why == Ending::threshold)
+      return {MessageId::path_lost_roulette, {Share{max_component(current().share)}}};
+    if (!decided.survives) return {MessageId::path_absorbed, {shaded()}};
+    if (decided.survival == 1) return {MessageId::path_survives, {}};
+    return {MessageId::path_survives_roulette, {Share{decided.survival}}};
+  }
+
+  static constexpr double nearly_all = 0.995;  ///< a weight that reads as 100%
   const Scene& scene_;
   const Timeline& timeline_;
   int position_;

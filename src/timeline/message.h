@@ -50,6 +50,34 @@ enum class MessageId {
   image_pixel_begun,     ///< [column from 0, row from 0]
   image_primary_formed,  ///< [column from 0, row from 0]
   image_pixel_put,       ///< [column from 0, row from 0, colour]
+  // FOLLOW PATH.
+  path_called,             ///< []
+  path_goes_on,            ///< [ray kind]
+  path_over,               ///< no ray is left: [colour]
+  path_met,                ///< [object]
+  path_met_nothing,        ///< []
+  background_added,        ///< [colour]
+  emits_nothing,           ///< [object]
+  emission_added,          ///< [object, colour]
+  emission_weighted,       ///< a light's sample might have found it: [object, weight, colour]
+  object_aimed_at,         ///< a shadow ray to a point of an object that emits: [object it leaves]
+  object_not_aimed_at,     ///< [object it would leave]
+  object_seen,             ///< [object that emits]
+  object_hidden,           ///< [blocker]
+  light_adds_nothing,      ///< []
+  light_added,             ///< [light or object, colour]
+  light_added_weighted,    ///< the path might lead there too: [object, weight, colour]
+  direction_none,          ///< [object]
+  direction_diffuse,       ///< [object, share of the pixel]
+  direction_highlight,     ///< the same
+  direction_mirror,        ///< the same
+  direction_transparent,   ///< the same
+  path_survives,           ///< []
+  path_survives_roulette,  ///< [probability]
+  path_lost_roulette,      ///< [share of the pixel]
+  path_too_long,           ///< [most rays]
+  path_absorbed,           ///< [object]
+  next_formed,             ///< [object, ray kind, share of the pixel]
 };
 
 /// A part of the whole, 0..1.

@@ -1,5 +1,7 @@
 #include "timeline/recorder.h"
 
+#include "trace/path_kernel.h"
+
 namespace raywalk {
 
 namespace {
@@ -9,8 +11,8 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, PixelBlo
   const World<T> world(scene);
   const RayGenerator<T> camera(scene, size, whole, sampling);
   Recorder recorder;
-  for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample)
-    trace_watched(world, camera, block, [](const Pixel&, const Rgb<T>&) {}, recorder);
+  const SceneKernel<T> kernel(scene, world);
+  for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample) kernel.watched(camera, block, recorder);
   return recorder.take(size);
 }
 

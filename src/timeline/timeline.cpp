@@ -21,12 +21,16 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
   std::vector<int> record_of_ray;  // the recording's ray number -> index in rays_, which also holds stubs
   int innermost = -1;              // SHADE under way
   int pixel = -1;
+  int on_path = -1;           // the present ray of FOLLOW PATH
+  Vec3d next_direction{0.0};  // the one that FOLLOW PATH has chosen
+  Rgbd next_share{0.0};
 
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const Event& event = events_[i];
     const int after = static_cast<int>(i) + 1;
     const int executing = innermost;
     int ray = executing >= 0 ? frames_[static_cast<std::size_t>(executing)].ray : moments_.back().ray;
+    if (on_path >= 0) ray = on_path;
 
     const auto add_ray = [&](RayRecord record) {
       record.pixel = pixel;
@@ -36,97 +40,139 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
       ray = static_cast<int>(rays_.size());
       rays_.push_back(record);
     };
+    const auto end_path = [&] {
+      frames_[static_cast<std::size_t>(innermost)].returned_at = after;
+      innermost = -1;
+      on_path = -1;
+    };
     const auto index_of = [&](int number) { return record_of_ray[static_cast<std::size_t>(number)]; };
     const auto parent_of = [&](int number) { return number < 0 ? -1 : index_of(number); };
 
-    std::visit(Overloaded{
-                   [&](const PixelBegun& begun) {
-                     pixel = static_cast<int>(pixels_.size());
-                     pixels_.push_back({begun.column, begun.row, begun.sample, after, after, Rgbd(0.0)});
-                     ray = -1;
-                   },
-                   [&](const RayFormed& formed) {
-                     RayRecord record;
-                     record.kind = formed.kind;
-                     record.parent = parent_of(formed.parent);
-                     record.origin = formed.origin;
-                     record.direction = formed.direction;
-                     record.endless = !formed.light_at_end;
-                     record.end = formed.origin + (record.endless ? normalize(formed.direction) : formed.direction);
-                     record.light = formed.light;
-                     record.share = formed.share;
-                     record.found_at = static_cast<int>(events_.size()) + 1;
-                     add_ray(record);
-                     record_of_ray.resize(std::max(record_of_ray.size(), static_cast<std::size_t>(formed.ray) + 1), -1);
-                     record_of_ray[static_cast<std::size_t>(formed.ray)] = ray;
-                   },
-                   [&](const RayNotFormed& stub) {
-                     RayRecord record;
-                     record.formed = false;
-                     record.kind = stub.kind;
-                     record.ending = stub.why;
-                     record.parent = parent_of(stub.parent);
-                     record.origin = stub.origin;
-                     record.direction = stub.direction;
-                     const double size = length(stub.direction);
-                     record.end = size > 0 ? stub.origin + stub.direction / size : stub.origin;
-                     record.light = stub.light;
-                     record.share = stub.share;
-                     record.found_at = after;
-                     add_ray(record);
-                   },
-                   [&](const Found& found) {
-                     ray = index_of(found.ray);
-                     RayRecord& record = rays_[static_cast<std::size_t>(ray)];
-                     record.ending = found.ending;
-                     record.found_at = after;
-                     record.passed = found.passed;
-                     record.object = found.object;
-                     record.part = found.part;
-                     if (found.object >= 0) {
-                       record.end = found.point;
-                       record.normal = found.normal;
-                       record.endless = false;
-                     }
-                   },
-                   [&](const Decided& decided) {
-                     if (decided.why != Ending::total_internal_reflection) return;
-                     // The refract ray that does not exist would graze the surface, at best: a stub along it says so.
-                     const RayRecord shaded = rays_[static_cast<std::size_t>(ray)];
-                     RayRecord record;
-                     record.formed = false;
-                     record.kind = RayKind::refract;
-                     record.ending = Ending::total_internal_reflection;
-                     record.parent = ray;
-                     record.origin = shaded.end;
-                     const Vec3d along = shaded.direction - dot(shaded.direction, shaded.normal) * shaded.normal;
-                     const double size = length(along);
-                     record.direction = size > 0 ? along / size : shaded.direction;
-                     record.end = record.origin + record.direction;
-                     record.share = Rgbd(0.0);
-                     record.found_at = after;
-                     add_ray(record);
-                   },
-                   [&](const ShadeCalled& called) {
-                     ray = index_of(called.ray);
-                     if (called.missed) return;
-                     const int frame = static_cast<int>(frames_.size());
-                     frames_.push_back({innermost, event.depth + 1, ray, after, after, Rgbd(0.0)});
-                     rays_[static_cast<std::size_t>(ray)].shade = frame;
-                     innermost = frame;
-                   },
-                   [&](const ShadeComputed& computed) {
-                     FrameRecord& frame = frames_[static_cast<std::size_t>(innermost)];
-                     frame.returned = computed.total;
-                     frame.returned_at = after;
-                     innermost = frame.parent;
-                   },
-                   [&](const PixelPut& put) {
-                     pixels_.back().shade = put.shade;
-                     pixels_.back().done_at = after;
-                   },
-               },
-               event.detail);
+    std::visit(
+        Overloaded{
+            [&](const PixelBegun& begun) {
+              pixel = static_cast<int>(pixels_.size());
+              pixels_.push_back({begun.column, begun.row, begun.sample, after, after, Rgbd(0.0)});
+              ray = -1;
+            },
+            [&](const RayFormed& formed) {
+              RayRecord record;
+              record.kind = formed.kind;
+              record.parent = parent_of(formed.parent);
+              record.origin = formed.origin;
+              record.direction = formed.direction;
+              record.endless = !formed.light_at_end;
+              record.end = formed.origin + (record.endless ? normalize(formed.direction) : formed.direction);
+              record.light = formed.light;
+              record.share = formed.share;
+              record.found_at = static_cast<int>(events_.size()) + 1;
+              add_ray(record);
+              record_of_ray.resize(std::max(record_of_ray.size(), static_cast<std::size_t>(formed.ray) + 1), -1);
+              record_of_ray[static_cast<std::size_t>(formed.ray)] = ray;
+              if (event.line == Line::form_next_ray) on_path = ray;
+            },
+            [&](const RayNotFormed& stub) {
+              RayRecord record;
+              record.formed = false;
+              record.kind = stub.kind;
+              record.ending = stub.why;
+              record.parent = parent_of(stub.parent);
+              record.origin = stub.origin;
+              record.direction = stub.direction;
+              const double size = length(stub.direction);
+              record.end = size > 0 ? stub.origin + stub.direction / size : stub.origin;
+              record.light = stub.light;
+              record.share = stub.share;
+              record.found_at = after;
+              add_ray(record);
+            },
+            [&](const Found& found) {
+              ray = index_of(found.ray);
+              RayRecord& record = rays_[static_cast<std::size_t>(ray)];
+              record.ending = found.ending;
+              record.found_at = after;
+              record.passed = found.passed;
+              record.object = found.object;
+              record.part = found.part;
+              if (found.object >= 0) {
+                record.end = found.point;
+                record.normal = found.normal;
+                record.endless = false;
+              }
+            },
+            [&](const Decided& decided) {
+              if (event.line == Line::follow_path) {
+                on_path = moments_.back().ray;
+                ray = on_path;
+                innermost = static_cast<int>(frames_.size());
+                frames_.push_back({-1, 1, ray, after, after, Rgbd(0.0)});
+                rays_[static_cast<std::size_t>(ray)].shade = innermost;
+              }
+              if (event.line == Line::while_ray && !decided.holds) end_path();
+              if (decided.why != Ending::total_internal_reflection) return;
+              // The refract ray that does not exist would graze the surface, at best: a stub along it says so.
+              const RayRecord shaded = rays_[static_cast<std::size_t>(ray)];
+              RayRecord record;
+              record.formed = false;
+              record.kind = RayKind::refract;
+              record.ending = Ending::total_internal_reflection;
+              record.parent = ray;
+              record.origin = shaded.end;
+              const Vec3d along = shaded.direction - dot(shaded.direction, shaded.normal) * shaded.normal;
+              const double size = length(along);
+              record.direction = size > 0 ? along / size : shaded.direction;
+              record.end = record.origin + record.direction;
+              record.share = Rgbd(0.0);
+              record.found_at = after;
+              add_ray(record);
+            },
+            [&](const ShadeCalled& called) {
+              ray = index_of(called.ray);
+              if (called.missed) return;
+              const int frame = static_cast<int>(frames_.size());
+              frames_.push_back({innermost, event.depth + 1, ray, after, after, Rgbd(0.0)});
+              rays_[static_cast<std::size_t>(ray)].shade = frame;
+              innermost = frame;
+            },
+            [&](const ShadeComputed& computed) {
+              FrameRecord& frame = frames_[static_cast<std::size_t>(innermost)];
+              frame.returned = computed.total;
+              frame.returned_at = after;
+              innermost = frame.parent;
+            },
+            [&](const BackgroundAdded& background) {
+              frames_[static_cast<std::size_t>(innermost)].returned += background.added;
+              end_path();
+            },
+            [&](const EmissionAdded& emission) {
+              frames_[static_cast<std::size_t>(innermost)].returned += emission.added;
+            },
+            [&](const LightAdded& light) { frames_[static_cast<std::size_t>(innermost)].returned += light.added; },
+            [&](const DirectionChosen& chosen) {
+              next_direction = chosen.direction;
+              next_share = chosen.share;
+            },
+            [&](const SurvivalDecided& decided) {
+              if (decided.why != Ending::threshold) return;
+              // Where Russian roulette ended the path: a stub of the ray that would have gone on.
+              RayRecord record;
+              record.formed = false;
+              record.kind = RayKind::reflect;
+              record.ending = Ending::threshold;
+              record.parent = on_path;
+              record.origin = rays_[static_cast<std::size_t>(on_path)].end;
+              record.direction = next_direction;
+              record.end = record.origin + record.direction;
+              record.share = next_share;
+              record.found_at = after;
+              add_ray(record);
+            },
+            [&](const PixelPut& put) {
+              pixels_.back().shade = put.shade;
+              pixels_.back().done_at = after;
+            },
+        },
+        event.detail);
     moments_.push_back({static_cast<int>(rays_.size()), ray, executing, innermost, pixel});
   }
 }

@@ -37,11 +37,11 @@ struct RayRecord {
   int found_at = 0;   ///< position from which on its end is known
 };
 
-/// One execution of SHADE.
+/// One execution of SHADE, or of FOLLOW PATH.
 struct FrameRecord {
-  int parent = -1;  ///< index in frames() of the suspended caller; -1 when MAIN ALGORITHM called
+  int parent = -1;  ///< index in frames() of the suspended caller; -1 when MAIN ALGORITHM or PATH TRACING called
   int depth = 1;
-  int ray = 0;                         ///< index in rays() of the ray that is shaded
+  int ray = 0;                         ///< index in rays() of the ray that is shaded; the primary ray of a path
   int called_at = 0, returned_at = 0;  ///< positions: it is on the stack in [called_at, returned_at)
   Rgbd returned{0.0};                  ///< RTNSHADE
 };
@@ -62,6 +62,8 @@ class Timeline {
 
   [[nodiscard]] ImageSize image() const { return image_; }
   [[nodiscard]] bool of_strip() const { return image_.height == 1; }
+  /// Whether it is a walk through PATH TRACING.
+  [[nodiscard]] bool of_paths() const { return !events_.empty() && events_.front().line == Line::path_for_each_pixel; }
 
   /// Number of events; positions run from 0 to this.
   [[nodiscard]] int steps() const { return static_cast<int>(events_.size()); }

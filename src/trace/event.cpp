@@ -42,4 +42,18 @@ std::string_view ending_name(Ending ending) {
   return "";
 }
 
+std::string_view lobe_name(Lobe lobe) {
+  switch (lobe) {
+    case Lobe::diffuse:
+      return "diffuse";
+    case Lobe::highlight:
+      return "highlight";
+    case Lobe::mirror:
+      return "mirror";
+    case Lobe::transparent:
+      return "transparent";
+  }
+  return "";
+}
+
 }  // namespace raywalk

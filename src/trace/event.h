@@ -6,6 +6,7 @@
 #include "trace/pseudocode.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -89,6 +90,8 @@ struct Found {
   Vec3d point{0.0}, normal{0.0};  ///< normal: unit length, outwards
   Rgbd passed{1.0};               ///< shadow rays: the share of the light that filtering objects let through
   IntersectionNumbers numbers{};
+  int triangle = -1;     ///< of a mesh: which one, from 0
+  std::string member{};  ///< of an instance: the name of what was met in its group
 };
 
 /// if_*.
@@ -126,12 +129,63 @@ struct PixelPut {
   Rgbd shade;
 };
 
+// Path tracing only, from here on.
+
+/// How a surface scatters. Mirror and transparent lobes are sharp, or cones where the material is glossy or
+/// translucent.
+enum class Lobe { diffuse, highlight, mirror, transparent };
+inline constexpr int lobe_count = 4;
+[[nodiscard]] std::string_view lobe_name(Lobe lobe);  ///< "diffuse"
+
+/// add_background: the path has left the scene.
+struct BackgroundAdded {
+  int ray;
+  Rgbd added;
+};
+
+/// add_emission: what the surface met gives off. The densities are those with which this direction was chosen where the
+/// ray left (0: it was the only one possible) and with which a light sample there would have chosen it (0: it could
+/// not).
+struct EmissionAdded {
+  int ray;
+  Rgbd emission;
+  double direction_density, light_density, weight;
+  Rgbd added;  ///< to the pixel
+};
+
+/// add_light: what a light brings. Densities as above; both 0 for a light that no ray can meet.
+struct LightAdded {
+  int light;   ///< index in Scene::lights; -1 for an object that emits
+  int object;  ///< index in Scene::objects of that; else -1
+  double direction_density, light_density, weight;
+  Rgbd added;
+};
+
+/// choose_direction. `share`: what is left of the ray's share of the pixel along the direction chosen.
+struct DirectionChosen {
+  bool absorbed;  ///< none: the surface swallows what comes
+  Lobe lobe = Lobe::diffuse;
+  Vec3d direction{0.0};
+  double density = 0;  ///< by solid angle; 0 for the one direction of a sharp lobe
+  Rgbd share{0.0};
+};
+
+/// if_path_survives. Russian roulette: goes on with probability `survival`, and then counts 1 / survival times.
+struct SurvivalDecided {
+  bool survives;
+  double survival = 1;
+  std::optional<Ending> why{};  ///< why not: path_length or threshold (roulette); none when absorbed
+};
+
 using EventDetail =
-    std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed, PixelPut>;
+    std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed, PixelPut,
+                 BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided>;
 
 struct Event {
   Line line;
-  int depth;  ///< DEPTH of the SHADE that executes the line; 0 in MAIN ALGORITHM
+  /// DEPTH of the SHADE that executes the line; in FOLLOW PATH the rays of the path so far, the present one included; 0
+  /// in MAIN ALGORITHM and PATH TRACING.
+  int depth;
   EventDetail detail;
 };
 

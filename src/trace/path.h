@@ -2,13 +2,14 @@
 // Path tracing: J. Kajiya, "The Rendering Equation", SIGGRAPH 1986; with the light of every vertex drawn both from the
 // lights and along the path itself, and the two weighted (E. Veach and L. Guibas, "Optimally Combining Sampling
 // Techniques for Monte Carlo Rendering", SIGGRAPH 1995), and paths ended by Russian roulette (J. Arvo and D. Kirk,
-// SIGGRAPH 1990). `main_algorithm` and `follow_path` read like trace/path_pseudocode.h, and a test holds them together;
+// SIGGRAPH 1990). `main_algorithm` and `follow_path` read like trace/pseudocode.h, and a test holds them together;
 // what a statement does stands in trace/path_steps.h and trace/path_light_steps.h.
 //
 // Materials are the tracer's: kd / pi scatters evenly, the highlight is a lobe, mirrors and glass are exact. What
-// differs from SHADE: surfaces light each other, so that `ambient`, which stands for that light, is left out.
+// differs from SHADE: surfaces light each other, so that `ambient`, which stands for that light, is left out. Russian
+// roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded. Every
+// normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
 
-#include "trace/path_event.h"
 #include "trace/path_lights.h"
 #include "trace/path_lobes.h"
 #include "trace/ray_generator.h"
@@ -33,7 +34,7 @@ struct PathSettings {
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Fixed when compiled: the scalar type, and who watches (NoObserver or PathObserver).
+/// Fixed when compiled: the scalar type, and who watches (NoObserver or Observer).
 template <class T, class Observer>
 class PathTracer {
  public:
@@ -143,8 +144,8 @@ class PathTracer {
   }
 
   template <class Make>
-  void note(PathLine line, int length, Make&& make) {
-    if constexpr (Observer::watches) observer_.record(PathEvent{line, length, make()});
+  void note(Line line, int length, Make&& make) {
+    if constexpr (Observer::watches) observer_.record(Event{line, length, make()});
   }
 
   const World<T>& world_;

@@ -34,13 +34,13 @@ Statistics trace_paths(const World<double>& world, const PathLights<double>& lig
 
 Statistics trace_paths_watched(const World<float>& world, const PathLights<float>& lights, const PathSettings& settings,
                                const RayGenerator<float>& camera, const PixelBlock& block, const PutPixel<float>& put,
-                               PathObserver& observer) {
+                               Observer& observer) {
   return run(world, lights, settings, camera, block, put, observer);
 }
 
 Statistics trace_paths_watched(const World<double>& world, const PathLights<double>& lights,
                                const PathSettings& settings, const RayGenerator<double>& camera,
-                               const PixelBlock& block, const PutPixel<double>& put, PathObserver& observer) {
+                               const PixelBlock& block, const PutPixel<double>& put, Observer& observer) {
   return run(world, lights, settings, camera, block, put, observer);
 }
 

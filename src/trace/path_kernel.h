@@ -17,10 +17,10 @@ namespace raywalk {
 /// The same, watched by `observer`: same bits, same statistics.
 Statistics trace_paths_watched(const World<float>& world, const PathLights<float>& lights, const PathSettings& settings,
                                const RayGenerator<float>& camera, const PixelBlock& block, const PutPixel<float>& put,
-                               PathObserver& observer);
+                               Observer& observer);
 Statistics trace_paths_watched(const World<double>& world, const PathLights<double>& lights,
                                const PathSettings& settings, const RayGenerator<double>& camera,
-                               const PixelBlock& block, const PutPixel<double>& put, PathObserver& observer);
+                               const PixelBlock& block, const PutPixel<double>& put, Observer& observer);
 
 /// How far the paths of a scene go.
 [[nodiscard]] PathSettings path_settings_of(const Scene& scene);
@@ -36,6 +36,14 @@ class SceneKernel {
   [[nodiscard]] Statistics operator()(const RayGenerator<T>& camera, const PixelBlock& block,
                                       const PutPixel<T>& put) const {
     return lights_ ? trace_paths(world_, *lights_, settings_, camera, block, put) : trace(world_, camera, block, put);
+  }
+  /// The same with nobody to put the shades, watched by `observer`.
+  void watched(const RayGenerator<T>& camera, const PixelBlock& block, Observer& observer) const {
+    const PutPixel<T> nowhere = [](const Pixel&, const Rgb<T>&) {};
+    if (lights_)
+      trace_paths_watched(world_, *lights_, settings_, camera, block, nowhere, observer);
+    else
+      trace_watched(world_, camera, block, nowhere, observer);
   }
 
  private:

@@ -20,7 +20,7 @@ auto PathTracer<T, Observer>::form_shadow_ray(const Traced& ray, const Vertex& a
   Way way{{at.position, Vec3<T>(0), at.departure, at.time}, 0, lamp, {}, Rgb<T>(0), 0, 0, 1};
   const auto not_formed = [&](Ending why) {
     ++statistics_.ends(why);
-    note(PathLine::form_shadow_ray, ray.length, [&] {
+    note(Line::path_form_shadow_ray, ray.length, [&] {
       return RayNotFormed{ray.number,     RayKind::shadow,        why, Vec3d(at.position), Vec3d(way.ray.direction),
                           Rgbd(at.share), lamp ? lamp->index : -1};
     });
@@ -31,7 +31,7 @@ auto PathTracer<T, Observer>::form_shadow_ray(const Traced& ray, const Vertex& a
   if (why_not) return not_formed(*why_not);
   way.number = rays_formed_++;
   ++statistics_.formed(RayKind::shadow);
-  note(PathLine::form_shadow_ray, ray.length, [&] {
+  note(Line::path_form_shadow_ray, ray.length, [&] {
     return RayFormed{way.number,
                      ray.number,
                      RayKind::shadow,
@@ -116,11 +116,10 @@ Rgb<T> PathTracer<T, Observer>::find_intersection(const Traced& ray, const Way& 
   }
   const Ending ending = is_black(visible) ? Ending::blocked : Ending::reached_light;
   ++statistics_.ends(ending);
-  note(PathLine::find_intersection, ray.length, [&] {
+  note(Line::path_find_intersection, ray.length, [&] {
     if (way.lamp && ending == Ending::blocked)
       blocker = first_blocker(world_, way.ray, way.lamp->directional ? infinity<T> : T(1));
-    Found found = blocker && ending == Ending::blocked ? detail::describe(way.number, ending, world_, way.ray, *blocker)
-                                                       : Found{way.number, ending};
+    Found found = blocker ? detail::describe(way.number, ending, world_, way.ray, *blocker) : Found{way.number, ending};
     found.passed = Rgbd(visible);
     return found;
   });
@@ -131,7 +130,7 @@ template <class T, class Observer>
 void PathTracer<T, Observer>::add_light(Rgb<T>& shade, const Traced& ray, const Way& way, const Rgb<T>& visible) {
   const Rgb<T> added = way.brings * visible;
   shade += added;
-  note(PathLine::add_light, ray.length, [&] {
+  note(Line::add_light, ray.length, [&] {
     return LightAdded{way.lamp ? way.lamp->index : -1,
                       way.lamp ? -1 : world_.object(way.target.primitive),
                       static_cast<double>(way.direction_density),

@@ -1,8 +1,8 @@
 #pragma once
 // How a surface scatters light where a path has met it, as densities that can be drawn from.
 
+#include "trace/event.h"
 #include "trace/optics.h"
-#include "trace/path_event.h"
 #include "trace/sampling.h"
 
 #include <array>

@@ -61,21 +61,21 @@ struct PathTracer<T, Observer>::Way {
 
 template <class T, class Observer>
 auto PathTracer<T, Observer>::call(const Traced& primary) -> std::optional<Traced> {
-  note(PathLine::follow_path, 0, [&] { return Decided{true, Rgbd(primary.share)}; });
+  note(Line::follow_path, 0, [&] { return Decided{true, Rgbd(primary.share)}; });
   return primary;
 }
 
 template <class T, class Observer>
 void PathTracer<T, Observer>::begin(const Pixel& pixel) {
   key_ = camera_.key(pixel, Effect::indirect_light);
-  note(PathLine::for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
+  note(Line::path_for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
 }
 
 template <class T, class Observer>
 auto PathTracer<T, Observer>::form_primary_ray(const Pixel& pixel) -> Traced {
   const Traced primary{camera_.primary_ray(pixel, statistics_), RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
   ++statistics_.formed(RayKind::primary);
-  note(PathLine::form_primary_ray, 0, [&] {
+  note(Line::path_form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
                      Rgbd(1.0)};
   });
@@ -84,7 +84,7 @@ auto PathTracer<T, Observer>::form_primary_ray(const Pixel& pixel) -> Traced {
 
 template <class T, class Observer>
 bool PathTracer<T, Observer>::there_is(const std::optional<Traced>& ray) {
-  note(PathLine::while_ray, ray ? ray->length : 0,
+  note(Line::while_ray, ray ? ray->length : 0,
        [&] { return Decided{ray.has_value(), ray ? Rgbd(ray->share) : Rgbd(0.0)}; });
   return ray.has_value();
 }
@@ -93,7 +93,7 @@ template <class T, class Observer>
 auto PathTracer<T, Observer>::find_closest(const Traced& ray) -> Nearest {
   const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
-  note(PathLine::find_closest_intersection, ray.length, [&] {
+  note(Line::path_find_closest_intersection, ray.length, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
                    : Found{ray.number, Ending::missed};
   });
@@ -102,14 +102,14 @@ auto PathTracer<T, Observer>::find_closest(const Traced& ray) -> Nearest {
 
 template <class T, class Observer>
 bool PathTracer<T, Observer>::decide_missed(const Traced& ray, const Nearest& nearest) {
-  note(PathLine::if_intersect_nothing, ray.length, [&] { return Decided{!nearest}; });
+  note(Line::if_intersect_nothing, ray.length, [&] { return Decided{!nearest}; });
   return !nearest;
 }
 
 template <class T, class Observer>
 Rgb<T> PathTracer<T, Observer>::add_background(const Rgb<T>& shade, const Traced& ray) {
   const Rgb<T> added = ray.share * world_.background;
-  note(PathLine::add_background, ray.length, [&] { return BackgroundAdded{ray.number, Rgbd(added)}; });
+  note(Line::add_background, ray.length, [&] { return BackgroundAdded{ray.number, Rgbd(added)}; });
   return shade + added;
 }
 
@@ -184,7 +184,7 @@ void PathTracer<T, Observer>::add_emission(Rgb<T>& shade, const Traced& ray, con
     weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.density, light_density);
   const Rgb<T> added = weight * at.share * emission;
   shade += added;
-  note(PathLine::add_emission, ray.length, [&] {
+  note(Line::add_emission, ray.length, [&] {
     return EmissionAdded{ray.number,
                          Rgbd(emission),
                          static_cast<double>(ray.density),
@@ -215,7 +215,7 @@ auto PathTracer<T, Observer>::choose_direction(const Traced& ray, const Vertex& 
     choice = at.lobes.choose(lobe, unit);
     if (is_black(choice->weight)) choice.reset();
   }
-  note(PathLine::choose_direction, ray.length, [&] {
+  note(Line::choose_direction, ray.length, [&] {
     if (!choice) return DirectionChosen{true};
     return DirectionChosen{false, choice->lobe, Vec3d(choice->direction), static_cast<double>(choice->density),
                            Rgbd(at.share * choice->weight)};
@@ -241,7 +241,7 @@ T PathTracer<T, Observer>::decide_survival(const Traced& ray, const Vertex& at, 
     }
   }
   if (why) ++statistics_.ends(*why);
-  note(PathLine::if_path_survives, ray.length,
+  note(Line::if_path_survives, ray.length,
        [&] { return SurvivalDecided{survival > 0, static_cast<double>(survival), why}; });
   return survival;
 }
@@ -256,7 +256,7 @@ auto PathTracer<T, Observer>::form_next_ray(const Vertex& at, const Choice& choi
                     choice.density,
                     rays_formed_++};
   ++statistics_.formed(kind);
-  note(PathLine::form_next_ray, at.length, [&] {
+  note(Line::form_next_ray, at.length, [&] {
     RayFormed event{next.number, at.number, kind, Vec3d(at.position), Vec3d(choice.direction), Rgbd(next.share)};
     if (kind == RayKind::refract) event.snell = at.snell;
     return event;
@@ -269,7 +269,7 @@ template <class Put>
 void PathTracer<T, Observer>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
   if (!is_finite(final)) ++statistics_.not_finite;
   put(pixel, final);
-  note(PathLine::put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
+  note(Line::path_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
 }
 
 }  // namespace raywalk

@@ -5,10 +5,11 @@
 
 namespace raywalk {
 
-enum class Procedure { main_algorithm, shade };
+/// Those of the tracer, and those of path tracing.
+enum class Procedure { main_algorithm, shade, path_tracing, follow_path };
 
-/// The lines of the two procedures, in the order in which they stand on the screen. Each text is also the comment that
-/// heads its statement in trace/tracer.h; a test holds the two together.
+/// The lines of the procedures, in the order in which they stand on the screen. Each text is also the comment that
+/// heads its statement in trace/tracer.h or trace/path.h; a test holds the two together.
 enum class Line {
   for_each_pixel,
   form_primary_ray,
@@ -27,6 +28,22 @@ enum class Line {
   find_refract_intersect,
   shade_refract,
   compute_rtnshade,
+  // Path tracing's.
+  path_for_each_pixel,
+  path_form_primary_ray,
+  follow_path,
+  path_put_final_shade,
+  while_ray,
+  path_find_closest_intersection,
+  if_intersect_nothing,
+  add_background,
+  add_emission,
+  path_form_shadow_ray,
+  path_find_intersection,
+  add_light,
+  choose_direction,
+  if_path_survives,
+  form_next_ray,
 };
 
 struct PseudocodeLine {
@@ -57,8 +74,28 @@ inline constexpr std::array<PseudocodeLine, line_count> pseudocode{{
     {Line::compute_rtnshade, Procedure::shade, 0, "Compute rtnshade"},
 }};
 
+inline constexpr int path_line_count = 15;
+inline constexpr std::array<PseudocodeLine, path_line_count> path_pseudocode{{
+    {Line::path_for_each_pixel, Procedure::path_tracing, 0, "For each pixel"},
+    {Line::path_form_primary_ray, Procedure::path_tracing, 1, "Form primary ray"},
+    {Line::follow_path, Procedure::path_tracing, 1, "Follow path (final)"},
+    {Line::path_put_final_shade, Procedure::path_tracing, 1, "Put final shade in pixel"},
+    {Line::while_ray, Procedure::follow_path, 0, "While there is a ray"},
+    {Line::path_find_closest_intersection, Procedure::follow_path, 1, "Find closest intersection"},
+    {Line::if_intersect_nothing, Procedure::follow_path, 1, "If intersect nothing"},
+    {Line::add_background, Procedure::follow_path, 2, "Add background and end"},
+    {Line::add_emission, Procedure::follow_path, 1, "Add emission, weighted"},
+    {Line::path_form_shadow_ray, Procedure::follow_path, 1, "Form shadow ray"},
+    {Line::path_find_intersection, Procedure::follow_path, 1, "Find intersection"},
+    {Line::add_light, Procedure::follow_path, 1, "Add light, weighted"},
+    {Line::choose_direction, Procedure::follow_path, 1, "Choose direction"},
+    {Line::if_path_survives, Procedure::follow_path, 1, "If path survives"},
+    {Line::form_next_ray, Procedure::follow_path, 2, "Form next ray"},
+}};
+
 [[nodiscard]] constexpr const PseudocodeLine& pseudocode_of(Line line) {
-  return pseudocode[static_cast<std::size_t>(line)];
+  const auto number = static_cast<std::size_t>(line);
+  return number < pseudocode.size() ? pseudocode[number] : path_pseudocode[number - pseudocode.size()];
 }
 
 [[nodiscard]] constexpr std::string_view procedure_title(Procedure procedure) {
@@ -67,6 +104,10 @@ inline constexpr std::array<PseudocodeLine, line_count> pseudocode{{
       return "MAIN ALGORITHM";
     case Procedure::shade:
       return "SHADE (DEPTH, RTNSHADE)";
+    case Procedure::path_tracing:
+      return "PATH TRACING";
+    case Procedure::follow_path:
+      return "FOLLOW PATH (RTNSHADE)";
   }
   return "";
 }

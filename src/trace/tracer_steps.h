@@ -32,6 +32,7 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
   Explanation explanation;
   static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
   const Vec3<T> normal = primitives.smooth_normal(hit.primitive, point, ray.time).value_or(point.normal);
+  const typename World<T>::Piece piece = world.piece(hit.primitive);
   return {ray_number,
           ending,
           static_cast<double>(hit.t),
@@ -40,7 +41,9 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T
           Vec3d(point.position),
           Vec3d(normal),
           Rgbd(1.0),
-          explanation.numbers};
+          explanation.numbers,
+          piece.triangle,
+          piece.member};
 }
 
 template <class T>

@@ -125,7 +125,7 @@ class Flattener {
     bool each_its_own = primitives_.size() == static_cast<int>(scene.objects.size());
     for (int id = 0; each_its_own && id < primitives_.size(); ++id)
       each_its_own = world_.object(id) == id && world_.surface_indices[static_cast<std::size_t>(id)] == id;
-    if (each_its_own) world_.objects.clear(), world_.surface_indices.clear();
+    if (each_its_own) world_.objects.clear(), world_.surface_indices.clear(), world_.leaves.clear();
   }
 
   [[nodiscard]] Primitives<T> take() { return std::move(primitives_); }
@@ -141,10 +141,15 @@ class Flattener {
     const int first = primitives_.size();
     if (const auto* instance = std::get_if<Instance>(&object.shape)) {
       if (!instance->content) return;
+      ++nesting_;
       for (const Object& inner : instance->content->group.objects) add(inner, map, motion);
+      --nesting_;
     } else if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
-      if (meshes_ && mesh->mesh) add(object, *mesh, map);
+      if (!meshes_ || !mesh->mesh) return;
+      begin_leaf(object, true);
+      add(object, *mesh, map);
     } else if (!meshes_) {
+      begin_leaf(object, false);
       std::visit([&](const auto& shape) { add_shape(shape, map); }, object.shape);
       note(1, surface_index(&object.material));
     }
@@ -170,6 +175,16 @@ class Flattener {
       note(1, material < 0 ? own : surface_index(&(*shape.materials)[static_cast<std::size_t>(material)]));
   }
 
+  void begin_leaf(const Object& object, bool mesh) {
+    std::int32_t name = -1;
+    if (nesting_ > 0) {
+      const auto [entry, is_new] = name_of_.emplace(&object, static_cast<int>(world_.leaf_names.size()));
+      if (is_new) world_.leaf_names.push_back(object.name);
+      name = entry->second;
+    }
+    world_.leaves.push_back({primitives_.size(), name, mesh});
+  }
+
   /// Instances of a group share the surfaces of what is in it.
   int surface_index(const Material* material) {
     const auto [entry, is_new] = surface_of_.emplace(material, static_cast<int>(world_.surfaces.size()));
@@ -186,6 +201,8 @@ class Flattener {
   double shutter_open_, shutter_close_;
   Primitives<T> primitives_;
   std::unordered_map<const Material*, int> surface_of_;
+  std::unordered_map<const Object*, int> name_of_;
+  int nesting_ = 0;  ///< instances around what is added
   bool meshes_ = false;
   int top_ = 0;
 };
@@ -218,6 +235,16 @@ World<T>::World(const Scene& scene, AcceleratorKind kind)
     lamp.first_dimension = dimension;
     dimension += 2 * static_cast<std::uint32_t>(lamp.samples());
   }
+}
+
+template <class T>
+typename World<T>::Piece World<T>::piece(int primitive) const {
+  const auto after = std::upper_bound(leaves.begin(), leaves.end(), primitive,
+                                      [](int id, const Leaf& leaf) { return id < leaf.first; });
+  if (after == leaves.begin()) return {};
+  const Leaf& leaf = *(after - 1);
+  return {leaf.mesh ? primitive - leaf.first : -1,
+          leaf.name < 0 ? std::string() : leaf_names[static_cast<std::size_t>(leaf.name)]};
 }
 
 template struct World<float>;

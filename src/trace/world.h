@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace raywalk {
@@ -101,7 +102,14 @@ struct World {
   /// By primitive: the index of the object in the scene, and of its surface. Empty when each primitive is the object
   /// of its own number.
   std::vector<std::int32_t> objects, surface_indices;
-  Accelerator<T> accelerator;
+  /// Where the primitives of one shape or mesh begin, ascending. Empty with `objects`.
+  struct Leaf {
+    std::int32_t first, name;  ///< `name`: in leaf_names, or -1
+    bool mesh;
+  };
+  std::vector<Leaf> leaves;
+  std::vector<std::string> leaf_names;
+  Accelerator<T> accelerator;  ///< made last: what it is built from fills the lists above
   /// Whether a shadow ray first tries what hid the same light from the point before. Changes what a render costs.
   bool shadow_cache = false;
 
@@ -109,6 +117,12 @@ struct World {
     const auto id = static_cast<std::size_t>(primitive);
     return surfaces[surface_indices.empty() ? id : static_cast<std::size_t>(surface_indices[id])];
   }
+  /// What an object's primitives are, for people who point at one: asked by observers only.
+  struct Piece {
+    int triangle = -1;   ///< of a mesh, in the order of its file, from 0; -1: no mesh
+    std::string member;  ///< name of the object inside the group; empty outside of groups
+  };
+  [[nodiscard]] Piece piece(int primitive) const;
   /// Index in Scene::objects.
   [[nodiscard]] int object(int primitive) const {
     return objects.empty() ? primitive : objects[static_cast<std::size_t>(primitive)];

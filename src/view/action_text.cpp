@@ -83,7 +83,8 @@ class Reader {
   void line(Line& value) {
     int row = 0;
     number(row);
-    if (row < 1 || row > line_count) return fail(fmt::format("a line's number from 1 to {}", line_count));
+    if (row < 1 || row > line_count + path_line_count)
+      return fail(fmt::format("a line's number from 1 to {}", line_count + path_line_count));
     value = static_cast<Line>(row - 1);
   }
   void maybe_line(std::optional<Line>& value) {

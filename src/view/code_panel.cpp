@@ -1,4 +1,7 @@
 #include "view/panels.h"
+#include "view/text.h"
+
+#include <span>
 
 namespace raywalk {
 
@@ -23,13 +26,18 @@ CodeRow row_of(const State& state, const PseudocodeLine& line) {
 bool concerns(Line line, RayKind kind) {
   switch (kind) {
     case RayKind::primary:
-      return line == Line::form_primary_ray || line == Line::find_closest_intersection || line == Line::shade_final;
+      return line == Line::form_primary_ray || line == Line::find_closest_intersection || line == Line::shade_final ||
+             line == Line::path_form_primary_ray || line == Line::path_find_closest_intersection ||
+             line == Line::follow_path;
     case RayKind::shadow:
-      return line == Line::form_shadow_ray || line == Line::find_intersection;
+      return line == Line::form_shadow_ray || line == Line::find_intersection || line == Line::path_form_shadow_ray ||
+             line == Line::path_find_intersection;
     case RayKind::reflect:
-      return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect;
+      return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect ||
+             line == Line::form_next_ray || line == Line::path_find_closest_intersection;
     case RayKind::refract:
-      return line == Line::form_refract_ray || line == Line::find_refract_intersect || line == Line::shade_refract;
+      return line == Line::form_refract_ray || line == Line::find_refract_intersect || line == Line::shade_refract ||
+             line == Line::form_next_ray || line == Line::path_find_closest_intersection;
   }
   return false;
 }
@@ -46,12 +54,18 @@ bool is_lit(const State& state, int ray) {
 CodePanel code_panel(const State& state) {
   CodePanel panel;
   const Event* just_run = state.timeline->just_run(state.position);
-  for (const Procedure procedure : {Procedure::main_algorithm, Procedure::shade}) {
-    CodeBox& box = panel.boxes[static_cast<std::size_t>(procedure)];
+  const bool paths = state.timeline->of_paths();
+  const std::span<const PseudocodeLine> lines = paths ? std::span<const PseudocodeLine>(path_pseudocode) : pseudocode;
+  for (CodeBox& box : panel.boxes) {
+    const bool first = &box == panel.boxes.data();
+    const Procedure procedure = paths ? (first ? Procedure::path_tracing : Procedure::follow_path)
+                                      : (first ? Procedure::main_algorithm : Procedure::shade);
     box.procedure = procedure;
     box.title = procedure_title(procedure);
     if (just_run != nullptr && pseudocode_of(just_run->line).procedure == procedure) box.depth = just_run->depth;
-    for (const PseudocodeLine& line : pseudocode)
+    if (box.depth.value_or(0) > 0)
+      box.badge = fill(paths ? TextId::rays_badge : TextId::depth_badge, {std::to_string(*box.depth)});
+    for (const PseudocodeLine& line : lines)
       if (line.procedure == procedure) box.rows.push_back(row_of(state, line));
   }
   return panel;

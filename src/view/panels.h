@@ -23,9 +23,11 @@ struct CodeRow {
 
 struct CodeBox {
   Procedure procedure;
-  std::string title;  ///< "MAIN ALGORITHM" or "SHADE (DEPTH, RTNSHADE)"
-  /// DEPTH of the call that is executing, for the box it executes in; 0 in MAIN ALGORITHM. Absent in the other box.
+  std::string title;  ///< "MAIN ALGORITHM" or "SHADE (DEPTH, RTNSHADE)", or path tracing's
+  /// DEPTH of the call that is executing, or the rays of the path so far, for the box it executes in; 0 in the first
+  /// procedure. Absent in the other box.
   std::optional<int> depth;
+  std::string badge;  ///< the same for people; empty where there is none or it is 0
   std::vector<CodeRow> rows;
 };
 

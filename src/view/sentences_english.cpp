@@ -147,6 +147,60 @@ std::string_view template_of(MessageId id) {
       return "A primary ray leaves EYE through the image's pixel in column {0}, row {1}.";
     case MessageId::image_pixel_put:
       return "The image's pixel in column {0}, row {1} gets its final shade {2}.";
+    case MessageId::path_called:
+      return "FOLLOW PATH is called: it follows one path of light backwards, from EYE to wherever chance leads.";
+    case MessageId::path_goes_on:
+      return "There is a ray, a {0}: the path goes on with it.";
+    case MessageId::path_over:
+      return "No ray is left: the path has ended, and FOLLOW PATH returns {0}.";
+    case MessageId::path_met:
+      return "It hit {0}: light that leaves there towards it counts.";
+    case MessageId::path_met_nothing:
+      return "It hit nothing, so the path ends here.";
+    case MessageId::background_added:
+      return "The background adds {0} to the pixel; the path has left the scene and ends.";
+    case MessageId::emits_nothing:
+      return "{0} gives off no light: nothing is added.";
+    case MessageId::emission_added:
+      return "{0} gives off light itself, which adds {1} to the pixel.";
+    case MessageId::emission_weighted:
+      return "{0} gives off light; a shadow ray might have found it too, so it counts for {1} and adds {2}.";
+    case MessageId::object_aimed_at:
+      return "A shadow ray leaves {0} towards a point, drawn at random, of an object that gives off light.";
+    case MessageId::object_not_aimed_at:
+      return "No shadow ray is formed: here {0} faces away from the point drawn on an object that gives off light.";
+    case MessageId::object_seen:
+      return "The shadow ray reaches {0}: its light arrives.";
+    case MessageId::object_hidden:
+      return "The shadow ray is blocked by {0}: no light arrives.";
+    case MessageId::light_adds_nothing:
+      return "Nothing arrives, so nothing is added.";
+    case MessageId::light_added:
+      return "{0} adds {1} to the pixel.";
+    case MessageId::light_added_weighted:
+      return "The path might have led to {0} too, so this counts for {1}: it adds {2} to the pixel.";
+    case MessageId::direction_none:
+      return "No direction is chosen: the path does not go on from {0}.";
+    case MessageId::direction_diffuse:
+      return "By chance {0} scatters it like a matte surface; along the new direction it can bring {1} of the pixel.";
+    case MessageId::direction_highlight:
+      return "By chance {0} scatters it near its highlight; along the new direction it can bring {1} of the pixel.";
+    case MessageId::direction_mirror:
+      return "By chance {0} reflects it as a mirror; along the new direction it can bring {1} of the pixel.";
+    case MessageId::direction_transparent:
+      return "By chance {0} lets it through; along the new direction it can bring {1} of the pixel.";
+    case MessageId::path_survives:
+      return "The path survives: as yet no chance is taken with it.";
+    case MessageId::path_survives_roulette:
+      return "Russian roulette: the path survives, as {0} of such do, and counts as much more.";
+    case MessageId::path_lost_roulette:
+      return "Russian roulette ends the path, which could bring only {0} of the pixel.";
+    case MessageId::path_too_long:
+      return "The path ends: it may have at most {0} rays.";
+    case MessageId::path_absorbed:
+      return "The path ends: {0} swallows what comes.";
+    case MessageId::next_formed:
+      return "The path leaves {0} by a {1}, which can bring {2} of the pixel.";
   }
   return "";
 }

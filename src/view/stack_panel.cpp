@@ -47,7 +47,14 @@ void add_returned(const State& state, int ray_index, std::vector<StackRow::Retur
   if (ray.shade < 0) return;
   const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
   const bool done = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
-  if (done) returned.push_back({str(returns(ray.kind).name), frame.returned, display_colour(frame.returned)});
+  if (done) returned.push_back({str(returns(ray.kind).name), frame.returned, display_colour(frame.returned, state.scene().encoding)});
+}
+
+/// The ray that FOLLOW PATH has come by: a shadow ray leaves from where that one ended.
+int on_path(const Timeline& timeline, int position) {
+  const int current = timeline.current_ray(position);
+  const RayRecord& ray = ray_of(timeline, current);
+  return ray.kind == RayKind::shadow || !ray.formed ? ray.parent : current;
 }
 
 }  // namespace
@@ -73,21 +80,23 @@ StackPanel stack_panel(const State& state) {
   if (returning) calls.insert(calls.begin(), timeline.current_frame(state.position));
   for (const int call : calls) {
     const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(call)];
-    const RayRecord& ray = ray_of(timeline, frame.ray);
+    const int ray_index = timeline.of_paths() ? on_path(timeline, state.position) : frame.ray;
+    const RayRecord& ray = ray_of(timeline, ray_index);
     StackRow row;
-    row.title = fill(TextId::stack_shade, {std::to_string(frame.depth)});
+    row.title = timeline.of_paths() ? fill(TextId::stack_path, {std::to_string(ran == nullptr ? 1 : ran->depth)})
+                                    : fill(TextId::stack_shade, {std::to_string(frame.depth)});
     row.ray = ray_text(state, ray);
-    row.ray_index = frame.ray;
+    row.ray_index = ray_index;
     if (ray.object >= 0) row.object = state.scene().objects[static_cast<std::size_t>(ray.object)].name;
     const bool returns_now = returning && call == calls.front();
     row.waiting = returns_now ? fill(TextId::stack_returns, {colour_text(frame.returned)}) : waiting();
     for (int i = range.first; i < std::min(range.last, formed); ++i)
       if (ray_of(timeline, i).parent == frame.ray) add_returned(state, i, row.returned);
-    if (!returns_now) waits_for = ray.kind;
+    if (!returns_now) waits_for = timeline.of_paths() ? RayKind::primary : ray.kind;
     panel.rows.push_back(std::move(row));
   }
   StackRow main;
-  main.title = str(TextId::stack_main);
+  main.title = str(timeline.of_paths() ? TextId::stack_paths : TextId::stack_main);
   main.waiting = waiting();
   if (range.first < formed && range.first < range.last) add_returned(state, range.first, main.returned);
   panel.rows.push_back(std::move(main));

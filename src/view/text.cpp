@@ -71,8 +71,9 @@ std::string step_text(const Scene& scene, const Timeline& timeline, int position
   const Event* event = timeline.just_run(position);
   if (event == nullptr) return sentence_of(describe(scene, timeline, position));
   const PseudocodeLine& line = pseudocode_of(event->line);
-  const std::string indented =
-      std::string(static_cast<std::size_t>(2 * std::min(event->depth, 20) + 2 * line.indent), ' ');
+  // Calls within calls stand further in; a path goes on within the same call.
+  const int level = line.procedure == Procedure::follow_path ? 1 : std::min(event->depth, 20);
+  const std::string indented(static_cast<std::size_t>(2 * level + 2 * line.indent), ' ');
   const std::string depth = event->depth > 0 ? fmt::format("[{}]", event->depth) : "";
   return fmt::format("{:>5} {:>4}  {:<38}  {}", position, depth, indented + std::string(line.text),
                      sentence_of(describe(scene, timeline, position)));

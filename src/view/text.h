@@ -141,7 +141,10 @@ enum class TextId {
 
   // Panels.
   depth_badge,  ///< {0} depth
+  rays_badge,   ///< {0} rays of the path so far
   stack_main,
+  stack_paths,  ///< instead of MAIN ALGORITHM, when paths are traced
+  stack_path,
   stack_shade,    ///< {0} depth
   stack_returns,  ///< {0} RTNSHADE
   stack_primary_ray,

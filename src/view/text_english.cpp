@@ -245,6 +245,12 @@ std::string_view text(TextId id) {
       return "DEPTH {0}";
     case TextId::stack_main:
       return "MAIN ALGORITHM";
+    case TextId::rays_badge:
+      return "RAY {0}";
+    case TextId::stack_paths:
+      return "PATH TRACING";
+    case TextId::stack_path:
+      return "FOLLOW PATH (ray {0})";
     case TextId::stack_shade:
       return "SHADE (DEPTH {0})";
     case TextId::stack_returns:

@@ -89,6 +89,22 @@ TEST_CASE("a PNG has the size of the scene, and replaces the old one") {
   CHECK(folder.names() == std::vector<std::string>{"out.png"});
 }
 
+TEST_CASE("paths end at the length that is asked for") {
+  const Folder folder;
+  const auto ended = [&](const std::string& longest) {
+    REQUIRE(folder
+                .run({"render", classic, "-o", "a.png", "--size", "40x30", "--integrator", "path", "--path-length",
+                      longest, "--stats", "a.json"})
+                .exit_code == 0);
+    const auto json = nlohmann::json::parse(folder.read("a.json"));
+    CHECK(json.at("rays").at("shadow").get<int>() == (longest == "1" ? 0 : json.at("rays").at("shadow").get<int>()));
+    return json.at("ended").at("path_length").get<int>();
+  };
+  CHECK(ended("1") > 0);
+  CHECK(ended("2") > 0);
+  CHECK(ended("1000") == 0);
+}
+
 TEST_CASE("the statistics hold what is promised, and add up") {
   const Folder folder;
   REQUIRE(

@@ -47,6 +47,18 @@ TEST_CASE("a cell is the part of the strip that it is, number by number") {
   CHECK(cell.pixels().front().column == 13);
 }
 
+TEST_CASE("a path is walked by a pseudocode of its own") {
+  const Folder folder;
+  const std::string path = folder.run({"step", classic, "--pixel", "10", "--integrator", "path"}).out;
+  CHECK_THAT(path, contains("While there is a ray") && contains("Choose direction") && !contains("If reflective"));
+  const Outcome one_ray = folder.run({"step", classic, "--pixel", "10", "--integrator", "path", "--path-length", "1"});
+  CHECK_THAT(one_ray.out, contains("it may have at most 1 rays") || contains("left the scene"));
+  CHECK(folder.run({"step", classic, "--path-length", "0"}).exit_code == 2);
+  Scene scene = classic_scene();
+  scene.render.integrator = Integrator::path;
+  CHECK(path == transcript(scene, record_cell(scene, 10)));
+}
+
 TEST_CASE("limits and precision change the steps") {
   const Folder folder;
   const std::string usual = folder.run({"step", classic}).out;

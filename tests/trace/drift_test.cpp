@@ -3,7 +3,6 @@
 
 #include "trace/drift.h"
 #include "support/catch.h"
-#include "trace/path_pseudocode.h"
 #include "trace/pseudocode.h"
 
 using namespace raywalk;
@@ -27,8 +26,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 std::string path_drift(const std::string& source) {
   return test::drift(source, path_pseudocode,
-                     {std::pair{PathProcedure::path_tracing, "void main_algorithm("},
-                      std::pair{PathProcedure::follow_path, "Rgb<T> follow_path("}});
+                     {std::pair{Procedure::path_tracing, "void main_algorithm("},
+                      std::pair{Procedure::follow_path, "Rgb<T> follow_path("}});
 }
 
 std::string path_source() { return test::source_of(RAYWALK_SOURCE_DIR "/src/trace/path.h"); }
@@ -53,15 +52,15 @@ TEST_CASE("planted drift of the path tracer is found") {
 }
 
 TEST_CASE("the table of the path tracer's pseudocode is the enumeration, in order") {
-  int number = 0;
-  for (const PathPseudocodeLine& line : path_pseudocode) {
+  int number = line_count;
+  for (const PseudocodeLine& line : path_pseudocode) {
     CHECK(static_cast<int>(line.line) == number++);
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK_FALSE(line.text.empty());
   }
-  CHECK(number == path_line_count);
-  CHECK(static_cast<int>(PathLine::form_next_ray) == path_line_count - 1);
-  CHECK(procedure_title(PathProcedure::path_tracing) == "PATH TRACING");
+  CHECK(number == line_count + path_line_count);
+  CHECK(static_cast<int>(Line::form_next_ray) == number - 1);
+  CHECK(procedure_title(Procedure::path_tracing) == "PATH TRACING");
 }
 
 TEST_CASE("every line of pseudocode heads its statement in the tracer") {

@@ -114,10 +114,10 @@ TEST_CASE("what is told adds up: rays, endings, and the light of each pixel") {
   const Statistics& statistics = traced.statistics;
   std::array<std::uint64_t, ray_kind_count> formed{};
   std::array<std::uint64_t, ending_count> ended{};
-  std::set<PathLine> lines;
+  std::set<Line> lines;
   Rgbd sum(0.0);
   std::uint64_t pixels = 0;
-  for (const PathEvent& event : recording.events) {
+  for (const Event& event : recording.events) {
     lines.insert(event.line);
     if (const auto* ray = std::get_if<RayFormed>(&event.detail)) ++formed[static_cast<std::size_t>(ray->kind)];
     if (const auto* ray = std::get_if<RayNotFormed>(&event.detail)) ++ended[static_cast<std::size_t>(ray->why)];
@@ -282,6 +282,25 @@ TEST_CASE("a path is as long as it may be, and says when it may not") {
     CHECK(traced.statistics.ends(Ending::path_length) == pixels * 3);
     CHECK(traced.statistics.ends(Ending::threshold) == 0);
   }
+}
+
+TEST_CASE("ambient light, depth, threshold and fixed normals are the tracer's alone") {
+  const Scene scene = all_scene();
+  const auto paths = [](const Scene& of) { return path_picture<double>(of, 31, 23, {}, {2, 7}); };
+  const auto plain = paths(scene);
+  const auto same = [&](const Scene& other) { return same_bits(plain, paths(other)); };
+  Scene other = scene;
+  other.ambient = Rgbd(9.0);
+  for (Object& one : other.objects) one.material.ambient = Rgbd(0.5);
+  CHECK(same(other));
+  other = scene;
+  other.limits = {1, 0.9};
+  CHECK(same(other));
+  other = scene;
+  for (Object& one : other.objects) one.material.normal = ShadingNormal::fixed;
+  CHECK(same(other));
+  other.objects[0].material.diffuse *= 0.5;
+  CHECK_FALSE(same(other));
 }
 
 TEST_CASE("what needs no draw draws nothing") {

@@ -8,13 +8,13 @@
 
 namespace raywalk::test {
 
-struct PathRecording final : PathObserver {
-  std::vector<PathEvent> events;
-  void record(PathEvent&& event) override { events.push_back(std::move(event)); }
+struct PathRecording final : Observer {
+  std::vector<Event> events;
+  void record(Event&& event) override { events.push_back(std::move(event)); }
   template <class Detail>
   [[nodiscard]] std::vector<Detail> all() const {
     std::vector<Detail> found;
-    for (const PathEvent& event : events)
+    for (const Event& event : events)
       if (const auto* detail = std::get_if<Detail>(&event.detail)) found.push_back(*detail);
     return found;
   }
@@ -28,7 +28,7 @@ inline Scene by_path(Scene scene, Sampler sampler = Sampler::random) {
 
 template <class T>
 Picture<T> path_picture(const Scene& scene, int width, int height, const PathSettings& settings = {},
-                        Sampling sampling = {}, PathObserver* observer = nullptr) {
+                        Sampling sampling = {}, Observer* observer = nullptr) {
   return picture_by<T>(by_path(scene, scene.render.sampler), width, height, sampling,
                        [&](const World<T>& world, const auto& camera, const PixelBlock& block, const PutPixel<T>& put) {
                          const PathLights<T> lights(world);

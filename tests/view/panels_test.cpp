@@ -35,6 +35,40 @@ TEST_CASE("the code panel highlights the timeline's line at every position") {
   }
 }
 
+TEST_CASE("a walk of paths has its own pseudocode, call and return") {
+  Scene scene = busy_scene();
+  scene.render.integrator = Integrator::path;
+  State state = state_of(scene);
+  REQUIRE(state.timeline->of_paths());
+  const CodePanel start = code_panel(state);
+  CHECK(start.boxes[0].title == "PATH TRACING");
+  CHECK(start.boxes[1].title == "FOLLOW PATH (RTNSHADE)");
+  CHECK(start.boxes[0].rows.size() + start.boxes[1].rows.size() == path_line_count);
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    state.position = position;
+    const Event& ran = *state.timeline->just_run(position);
+    int highlighted = 0;
+    for (const CodeBox& box : code_panel(state).boxes) {
+      for (const CodeRow& row : box.rows) highlighted += row.just_run && row.line == ran.line;
+      if (box.depth.value_or(0) > 0) CHECK(box.badge == "RAY " + std::to_string(ran.depth));
+    }
+    CHECK(highlighted == 1);
+    const StackPanel stack = stack_panel(state);
+    CHECK(stack.rows.back().title == "PATH TRACING");
+    CHECK(stack.rows.size() == state.timeline->stack(position).size() + 1);
+    CHECK_FALSE(sentence(state).empty());
+    static_cast<void>(tree_panel(state));
+  }
+  update(state, action::RunToLine{Line::follow_path});
+  update(state, action::SetImageSettings{[] {
+           ImageSettings settings;
+           settings.integrator = Integrator::whitted;
+           return settings;
+         }()});
+  CHECK_FALSE(state.timeline->of_paths());
+  CHECK(code_panel(state).boxes[0].title == "MAIN ALGORITHM");
+}
+
 TEST_CASE("the code panel is the pseudocode") {
   const CodePanel panel = code_panel(classic_state());
   CHECK(panel.boxes[0].title == "MAIN ALGORITHM");

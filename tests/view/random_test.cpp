@@ -33,7 +33,7 @@ class RandomActions {
       case 5:
         return action::JumpToCell{whole(-1, 30)};
       case 6:
-        return action::RunToLine{static_cast<Line>(whole(0, line_count - 1))};
+        return action::RunToLine{static_cast<Line>(whole(0, line_count + path_line_count - 1))};
       case 7:
         return action::PlayPause{};
       case 8:
@@ -68,7 +68,7 @@ class RandomActions {
       case 25:
         return action::HoverRay{whole(-1, 300)};
       case 26:
-        return action::HoverLine{flip() ? std::optional(static_cast<Line>(whole(0, line_count - 1))) : std::nullopt};
+        return action::HoverLine{flip() ? std::optional(static_cast<Line>(whole(0, line_count + path_line_count - 1))) : std::nullopt};
       case 27:
         return action::Select{target()};
       case 28:

@@ -1,0 +1,147 @@
+// The walk through PATH TRACING: what the timeline and the messages make of its events.
+
+#include "timeline/message.h"
+#include "timeline/recorder.h"
+
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+/// A room that glows faintly, with a matte ball, a mirror, glass, something black and something shiny; a lamp, a spot.
+Scene room() {
+  Scene scene;
+  scene.background = Rgbd(0.1, 0.2, 0.3);
+  scene.camera.eye = {-4, 0, 0};
+  scene.camera.screen = {1, 1.4, 61};
+  scene.render.integrator = Integrator::path;
+  Material matte, mirror, glass, black, shiny, glow;
+  matte.diffuse = Rgbd(0.8);
+  mirror.diffuse = black.diffuse = glass.diffuse = glow.diffuse = shiny.diffuse = Rgbd(0.0);
+  mirror.reflection = Rgbd(0.9);
+  glass.transmission = Rgbd(0.95);
+  glass.dielectric = true;
+  shiny.specular = Rgbd(0.9);
+  shiny.shininess = 5;
+  glow.emission = Rgbd(2.0);
+  glow.diffuse = Rgbd(0.2);
+  scene.objects = {
+      {"Matte", Sphere<double>{{0, 1.6, 0}, 0.7}, matte},    {"Mirror", Sphere<double>{{0.5, 0, 0}, 0.7}, mirror},
+      {"Glass", Sphere<double>{{0, -1.5, 0}, 0.7}, glass},   {"Coal", Sphere<double>{{-1, -2.2, 0}, 0.3}, black},
+      {"Shiny", Sphere<double>{{-1, 2.2, 0}, 0.4}, shiny},   {"Glow", Sphere<double>{{-1.5, 0.8, 0}, 0.4}, glow},
+      {"Wall", Box<double>{{2, -4, -3}, {2.5, 4, 3}}, matte}};
+  scene.lights = {{"Lamp", Rgbd(0.5), PointLight{{-2, -2, 2}, {}}},
+                  {"Spot", Rgbd(0.5), SpotLight{{-3, 0, 2}, {0, 1.6, 0}, 20, 10, {}}}};
+  return scene;
+}
+
+/// The same with the wall all around: no path gets out.
+Scene closed(Scene scene) {
+  scene.objects.back().shape = Box<double>{{-6, -4, -3}, {4, 4, 3}};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("FOLLOW PATH is one call that returns what the pixel gets") {
+  const Timeline timeline = record_strip(room());
+  REQUIRE(timeline.of_paths());
+  REQUIRE(timeline.pixels().size() == 61);
+  REQUIRE(timeline.frames().size() == 61);
+  for (const FrameRecord& frame : timeline.frames()) {
+    const PixelRecord& pixel =
+        timeline.pixels()[static_cast<std::size_t>(timeline.rays()[static_cast<std::size_t>(frame.ray)].pixel)];
+    CHECK(timeline.event(frame.called_at - 1).line == Line::follow_path);
+    CHECK(frame.returned_at == pixel.done_at - 1);
+    CHECK(length(frame.returned - pixel.shade) <= 1e-12 * (1 + length(pixel.shade)));
+    for (int at = frame.called_at; at < frame.returned_at; ++at) REQUIRE(timeline.stack(at).size() == 1);
+    CHECK(timeline.stack(frame.returned_at).empty());
+  }
+  CHECK_FALSE(record_strip([] {
+                Scene scene = room();
+                scene.render.integrator = Integrator::whitted;
+                return scene;
+              }())
+                  .of_paths());
+}
+
+TEST_CASE("the rays of a path are a chain, with shadow rays beside it") {
+  const Timeline timeline = record_strip(closed(room()));
+  int longest = 0;
+  for (int i = 0; i < static_cast<int>(timeline.rays().size()); ++i) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
+    if (ray.kind == RayKind::primary) continue;
+    REQUIRE(ray.parent >= 0);
+    const RayRecord& parent = timeline.rays()[static_cast<std::size_t>(ray.parent)];
+    CHECK(parent.kind != RayKind::shadow);
+    CHECK(parent.ending == Ending::hit);
+    CHECK(length(ray.origin - parent.end) <= 1e-9);
+    if (ray.kind != RayKind::shadow && ray.formed) longest = std::max(longest, ray.depth);
+    // A line that is not about a shadow ray speaks of the ray that the path has come by.
+    const int at = ray.formed_at;
+    if (timeline.event(at - 1).line == Line::form_next_ray) CHECK(timeline.current_ray(at) == i);
+  }
+  CHECK(longest > 4);
+}
+
+TEST_CASE("every message of a path is reached, and names what the event says") {
+  std::set<MessageId> found;
+  for (const int longest : {0, 2, 20}) {
+    Scene scene = room();
+    if (longest > 0) scene.render.path_length = longest;
+    if (longest == 20) scene = closed(scene);
+    const Timeline timeline = record_strip(scene);
+    for (int position = 1; position <= timeline.steps(); ++position) {
+      const Message message = describe(scene, timeline, position);
+      found.insert(message.id);
+      const Event& event = *timeline.just_run(position);
+      const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(std::max(timeline.current_ray(position), 0))];
+      const auto name_at = [&](const RayRecord& of) { return scene.objects[static_cast<std::size_t>(of.object)].name; };
+      if (std::holds_alternative<EmissionAdded>(event.detail) || std::holds_alternative<DirectionChosen>(event.detail))
+        CHECK(std::get<std::string>(message.arguments.at(0)) == name_at(ray));
+      if (message.id == MessageId::next_formed || message.id == MessageId::shadow_formed)
+        CHECK(std::get<std::string>(message.arguments.at(0)) ==
+              name_at(timeline.rays()[static_cast<std::size_t>(ray.parent)]));
+    }
+  }
+  for (int i = static_cast<int>(MessageId::path_called); i <= static_cast<int>(MessageId::next_formed); ++i) {
+    INFO("message " << i - static_cast<int>(MessageId::path_called));
+    CHECK(found.count(static_cast<MessageId>(i)) == 1);
+  }
+  CHECK(found.count(MessageId::path_length) == 1);
+}
+
+TEST_CASE("a hit is named to the triangle of a mesh and the member of a group") {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}};
+  mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+  MeshShape sheet;
+  sheet.mesh = mesh;
+  Scene scene;
+  scene.camera.eye = {-4, 0, 0};
+  scene.camera.screen = {1, 2.2, 3};
+  const auto pair = std::make_shared<const GroupContent>(
+      Group{"pair", {{"Ball", Sphere<double>{{0, 2.9, 0}, 0.8}, {}}, {"Sheet", sheet, {}}}});
+  scene.objects = {{"Twins", Instance{"pair", pair}, {}}, {"Panel", sheet, {}}};
+  scene.objects[1].transform = {TransformStep{Translate{{0, -3.3, 0.5}}}};
+  const auto met = [&](int cell) {
+    const Timeline timeline = record_cell(scene, cell);
+    for (int position = 1; position <= timeline.steps(); ++position) {
+      const Message message = describe(scene, timeline, position);
+      if (message.id == MessageId::found_hit) return std::get<std::string>(message.arguments.at(1));
+    }
+    return std::string();
+  };
+  CHECK(met(0) == "Ball of Twins");
+  CHECK(met(2) == "triangle 0 of Panel");
+  scene.objects[1].transform = {TransformStep{Translate{{0, -3.3, -0.5}}}};
+  CHECK(met(2) == "triangle 1 of Panel");
+  scene.objects[0].transform = {TransformStep{Translate{{0, 0.3, -0.7}}}};
+  CHECK(met(1) == "triangle 1 of Sheet of Twins");
+  // What is an object by itself needs no more words.
+  scene.objects = {{"Twin", Sphere<double>{{0, 0, 0}, 1}, {}}};
+  CHECK(met(1) == "Twin");
+}
