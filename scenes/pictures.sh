@@ -1,5 +1,6 @@
 #!/bin/bash
-# Renders the thumbnail of every scene in this folder to pictures/NAME.png and writes the gallery in README.md.
+# Renders the thumbnail of every scene in this folder to pictures/NAME.png and writes the gallery in README.md; then
+# measures the two plots of the README beside this folder.
 #
 #   scenes/pictures.sh [RAYWALK]        the program; build/release/raywalk when left out
 #
@@ -34,3 +35,9 @@ done >"$gallery"
   cat "$gallery"
 } >"$here/README.md.new"
 mv "$here/README.md.new" "$here/README.md"
+
+plots=$(mktemp -d)
+trap 'rm -rf "$gallery" "$plots"' EXIT
+"$raywalk" study samples lights -o "$plots" >/dev/null
+cp "$plots/samples-1.svg" "$here/pictures/study-samples.svg"
+cp "$plots/lights-1.svg" "$here/pictures/study-lights.svg"

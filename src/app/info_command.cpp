@@ -1,5 +1,7 @@
 #include "app/info_command.h"
 
+#include "app/interrupt.h"
+#include "app/progress_bar.h"
 #include "app/scene_lookup.h"
 #include "scene/effects.h"
 #include "trace/world.h"
@@ -123,11 +125,52 @@ std::string info_text(const Scene& scene, const std::string& path) {
   return text + structures_text(scene);
 }
 
-ExitCode info_command(const std::string& scene) {
+std::string cost_text(const study::SceneCost& cost) {
+  const auto percent = [](double share) { return fmt::format("{:.0f}%", 100 * share); };
+  const auto rays = [](const study::Cost& of) { return static_cast<double>(of.rays); };
+  std::string text = fmt::format("\ncost of each effect, by {} x {} pixels with and without it ({} times in turns)\n",
+                                 cost.size.width, cost.size.height, cost.repetitions);
+  text += fmt::format("  {:<15} {:>9} {:>9}   {}\n", "", "of rays", "of time", "95% interval of the time");
+  for (const study::EffectCost& e : cost.effects)
+    text += fmt::format("  {:<15} {:>9} {:>9}   {} to {}\n", effect_name(e.effect), percent(e.rays_share),
+                        percent(e.seconds_share), percent(e.seconds_low), percent(e.seconds_high));
+  if (cost.whole.rays > 0)
+    text += fmt::format("  {:<15} {:>9}             of all rays; lights without shadows are not to be had\n",
+                        "shadow rays", percent(static_cast<double>(cost.shadow_rays) / rays(cost.whole)));
+  text += fmt::format("  {:<15} {} rays, {:.3g} s\n", "all together", cost.whole.rays, cost.whole.seconds);
+  text += fmt::format("  {:<15} {} rays, {:.3g} s: {:.3g} times the rays, {:.3g} times the time\n", "regardless",
+                      cost.everything.rays, cost.everything.seconds,
+                      rays(cost.everything) / std::max(1.0, rays(cost.whole)),
+                      cost.everything.seconds / std::max(cost.whole.seconds, 1e-9));
+  return text +
+         fmt::format(
+             "Shares overlap: what one effect sends out, another one multiplies. \"regardless\" is a tracer that does\n"
+             "not ask what the scene calls for: at every hit both a reflect and a refract ray, each drawn from a "
+             "lobe,\n"
+             "{0} x {0} shadow rays to every lamp; for every primary ray a point of the lens and a moment of the "
+             "shutter.\n",
+             cost.everything_grid);
+}
+
+ExitCode info_command(const std::string& scene, bool with_cost) {
   const auto document = load_scene(scene);
   if (!document) return fail(document.error());
-  if (const auto printed = print(info_text(document->scene, scene_path(scene))); !printed) return fail(printed.error());
-  return ExitCode::done;
+  std::string text = info_text(document->scene, scene_path(scene));
+  if (with_cost) {
+    const Interrupt interrupt;
+    ProgressBar bar;
+    constexpr int samples = 8000, repetitions = 7;
+    const auto show = [&bar](double done) {
+      Progress progress{};
+      progress.done = done;
+      bar.show(progress);
+    };
+    const auto cost = study::scene_cost(document->scene, samples, repetitions, show, &Interrupt::flag());
+    if (!cost) return fail({"", 0, 0, "interrupted before all was measured", ""});
+    text += cost_text(*cost);
+  }
+  const auto printed = print(text);
+  return printed ? ExitCode::done : fail(printed.error());
 }
 
 }  // namespace raywalk

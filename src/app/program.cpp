@@ -10,6 +10,7 @@
 #include "app/options.h"
 #include "app/render_command.h"
 #include "app/step_command.h"
+#include "app/study_command.h"
 #include "app/window_command.h"
 #include "io/image.h"
 #include "io/scene_keys.h"
@@ -138,13 +139,18 @@ void declare_step(CLI::App& program, Run& run) {
 
 void declare_info(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("info", "Say what a scene holds, the effects it calls for, and why");
-  const auto scene = std::make_shared<std::string>();
-  command.add_option("SCENE", *scene, scene_help)->required()->type_name("");
+  struct Asked {
+    std::string scene;
+    bool cost = false;
+  };
+  const auto asked = std::make_shared<Asked>();
+  command.add_option("SCENE", asked->scene, scene_help)->required()->type_name("");
+  command.add_flag("--cost", asked->cost, "Measure what each effect costs, and what all would cost regardless");
   command.footer(
       "Examples:\n"
       "  raywalk info classic\n"
-      "  raywalk info my/scene.toml");
-  command.callback([scene, &run] { run = [scene] { return info_command(*scene); }; });
+      "  raywalk info my/scene.toml --cost");
+  command.callback([asked, &run] { run = [asked] { return info_command(asked->scene, asked->cost); }; });
 }
 
 void declare_check(CLI::App& program, Run& run) {
@@ -279,6 +285,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   declare_convert(program, run);
   declare_generate(program, run);
   declare_compare(program, run);
+  declare_study(program, run);
   declare_check(program, run);
   declare_lesson(program, run);
   try {

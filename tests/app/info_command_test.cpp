@@ -48,3 +48,13 @@ TEST_CASE("info names every effect and why it is used or not") {
   CHECK_THAT(outcome.out, contains("structures over 4 primitives; bvh is chosen"));
   CHECK_THAT(outcome.out, contains("used: Transparent Sphere transmits") && contains("none: nothing moves"));
 }
+
+TEST_CASE("info --cost says what each effect takes, and what all would") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"info", "whitted", "--cost"});
+  CHECK(outcome.exit_code == 0);
+  for (const char* word : {"cost of each effect", "of rays", "of time", "reflection", "shadow rays", "all together",
+                           "regardless", "times the rays", "4 x 4 shadow rays"})
+    CHECK_THAT(outcome.out, contains(word));
+  CHECK_THAT(folder.run({"info", "whitted"}).out, !contains("cost of each effect"));
+}

@@ -1,0 +1,108 @@
+// E4: what the depth of recursion leaves out, in a room where it is known.
+#include "study/curve.h"
+#include "study/reference.h"
+#include "study/shot.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace raywalk::study {
+
+namespace {
+
+constexpr std::array albedos{0.3, 0.5, 0.7, 0.9};
+constexpr double least = 1e-7;  ///< relative error below which rounding begins to show
+
+/// Inside a ball whose wall glows and sends light on: as a mirror does, or evenly.
+Scene room(double albedo, bool mirror, int depth, int round) {
+  Scene scene;
+  Material wall;
+  wall.emission = Rgbd(1.0);
+  wall.diffuse = Rgbd(mirror ? 0.0 : albedo);
+  wall.reflection = Rgbd(mirror ? albedo : 0.0);
+  scene.objects = {{"Room", Sphere<double>{{0, 0, 0}, 2}, wall}};
+  scene.camera.eye = {drawn_for(round, 0) - 0.5, drawn_for(round, 1) - 0.5, drawn_for(round, 2) - 0.5};
+  scene.camera.look_at = {1, 0.2, 0.1};
+  scene.camera.screen = {1, 2.0, 1};
+  scene.limits.depth = depth;
+  scene.render.integrator = mirror ? Integrator::whitted : Integrator::path;
+  return scene;
+}
+
+std::string method_of(double albedo, bool mirror) { return fmt::format("{} {}", mirror ? "mirror" : "paths", albedo); }
+
+Report conclude(const std::vector<Trial>& trials) {
+  Report report;
+  Plot plot;
+  plot.title = "What is missing after N rays, by how much walls send back";
+  plot.x_label = "depth N: rays one after the other";
+  plot.y_label = "missing light, share of all";
+  plot.log_x = false;
+  plot.floor = least, plot.floor_name = "fitted above this";
+  for (const bool mirror : {true, false})
+    for (const double albedo : albedos) {
+      const Curve curve(trials, method_of(albedo, mirror));
+      std::vector<double> n, logs;
+      for (std::size_t i = 0; i < curve.knobs().size(); ++i) {
+        const double missing = curve.at(i);
+        if (missing < least) continue;
+        n.push_back(curve.knobs()[i]);
+        logs.push_back(std::log(missing));
+      }
+      const double ratio = std::exp(fit_line(n, logs).slope);
+      report.laws.push_back({method_of(albedo, mirror),
+                             fmt::format("each ray more leaves {} of what was missing", albedo),
+                             LawKind::exact,
+                             albedo,
+                             {ratio, 0, 0},
+                             1e-6,
+                             "Rounding alone cannot do this: the recursion or the reference is wrong."});
+      if (!mirror) continue;
+      PlotSeries series = curve.series(fmt::format("albedo {}", albedo));
+      series.law = std::log(albedo);
+      series.law_name = fmt::format("{}^N", albedo);
+      plot.series.push_back(series);
+    }
+  report.figures.push_back(
+      {plot,
+       "A closed room whose wall glows and sends back a share of the light that falls on it: after N rays the picture "
+       "shows E (1 - rho^N) / (1 - rho) of the E / (1 - rho) that is there. On this paper, with N along and powers of "
+       "ten upwards, that is a straight line; every ray more removes the same share of what is still missing. A dark "
+       "room (0.3) is right to 1% after four rays, a bright one (0.9) needs 44. Mirrors and evenly scattering walls, "
+       "traced by paths of limited length, give the same numbers."});
+  return report;
+}
+
+}  // namespace
+
+Experiment depth_experiment(Effort effort, const Faults& faults) {
+  const int most = effort == Effort::glance ? 8 : 48, edge = effort == Effort::full ? 16 : 6;
+  Experiment e;
+  e.number = "E4", e.name = "depth", e.title = "Depth of recursion";
+  e.question = "How deep must a tracer go before nobody sees what is missing?";
+  e.weight = 0.4;
+  e.columns = {"depth", "missing_share", "albedo"};
+  e.run = [=](int round, const std::atomic<bool>& cancel) {
+    std::vector<Trial> trials;
+    for (int depth = 1; depth <= most; depth += depth < 8 ? 1 : 4)
+      for (const bool mirror : {true, false})
+        for (const double albedo : albedos) {
+          if (cancel) return trials;
+          const Scene scene = room(albedo, mirror, depth, round);
+          constexpr int never = 1 << 30;
+          const PathSettings paths{depth, never, PathStrategy::directions};
+          const Shot shot =
+              shoot(scene, {edge, edge}, {1, seed_of(round)}, false, mirror ? std::nullopt : std::optional(paths));
+          const double truth = faults.reference * endless_furnace(1, albedo);
+          trials.push_back({round, method_of(albedo, mirror), static_cast<double>(depth),
+                            compared(shot.film, [&](int, int) { return truth; }).rms / truth, albedo, shot.cost});
+        }
+    return trials;
+  };
+  e.conclude = conclude;
+  return e;
+}
+
+}  // namespace raywalk::study

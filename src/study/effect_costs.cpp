@@ -1,0 +1,189 @@
+#include "study/effect_costs.h"
+
+#include "study/shot.h"
+#include "study/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace raywalk::study {
+
+namespace {
+
+/// Calls `change` for every material that the scene's objects, groups and files have.
+void change_materials(Scene& scene, const std::function<void(Material&)>& change) {
+  std::map<std::string, std::shared_ptr<const GroupContent>> changed;
+  const auto change_objects = [&](std::vector<Object>& objects) {
+    for (Object& object : objects) {
+      change(object.material);
+      if (auto* mesh = std::get_if<MeshShape>(&object.shape); mesh && mesh->materials) {
+        auto materials = std::make_shared<std::vector<Material>>(*mesh->materials);
+        for (Material& material : *materials) change(material);
+        mesh->materials = std::move(materials);
+      }
+      // A group stands before those that use it.
+      if (auto* instance = std::get_if<Instance>(&object.shape)) instance->content = changed[instance->group];
+    }
+  };
+  for (Group& group : scene.groups) {
+    change_objects(group.objects);
+    changed[group.name] = std::make_shared<const GroupContent>(group);
+  }
+  change_objects(scene.objects);
+}
+
+/// An area light shrunk to its middle.
+void shrink(Light& light) {
+  if (auto* sphere = std::get_if<SphereLight>(&light.kind)) sphere->radius = 0;
+  if (auto* panel = std::get_if<RectangleLight>(&light.kind)) {
+    panel->corner += (panel->u + panel->v) / 2.0;
+    panel->u = panel->v = Vec3d(0.0);
+  }
+}
+
+/// A point light grown to a tiny panel of many points.
+void grow(Light& light, int grid) {
+  constexpr double tiny = 1e-9;
+  if (auto* sphere = std::get_if<SphereLight>(&light.kind)) {
+    if (sphere->radius == 0) sphere->radius = tiny;
+    sphere->samples = std::max(sphere->samples, grid);
+  } else if (auto* panel = std::get_if<RectangleLight>(&light.kind)) {
+    panel->samples = std::max(panel->samples, grid);
+  } else if (const auto* point = std::get_if<PointLight>(&light.kind)) {
+    light.kind = SphereLight{point->position, tiny, grid, point->attenuation};
+  }
+}
+
+Cost median_of(const std::vector<Cost>& costs) {
+  Cost middle = costs.front();
+  std::vector<double> seconds;
+  for (const Cost& cost : costs) seconds.push_back(cost.seconds);
+  middle.seconds = median(seconds);
+  return middle;
+}
+
+}  // namespace
+
+std::optional<Scene> without(const Scene& scene, Effect effect) {
+  Scene changed = scene;
+  switch (effect) {
+    case Effect::shadows:
+      return std::nullopt;
+    case Effect::reflection:
+      change_materials(changed, [](Material& m) { m.reflection = Rgbd(0.0), m.dielectric = false; });
+      return changed;
+    case Effect::refraction:
+      change_materials(changed, [](Material& m) { m.transmission = Rgbd(0.0), m.dielectric = false; });
+      return changed;
+    case Effect::gloss:
+      change_materials(changed, [](Material& m) { m.gloss = 0; });
+      return changed;
+    case Effect::translucency:
+      change_materials(changed, [](Material& m) { m.translucency = 0; });
+      return changed;
+    case Effect::penumbra:
+      for (Light& light : changed.lights) shrink(light);
+      return changed;
+    case Effect::depth_of_field:
+      changed.camera.aperture = 0;
+      return changed;
+    case Effect::motion_blur:
+      changed.camera.shutter_close = changed.camera.shutter_open;
+      return changed;
+    case Effect::antialiasing:
+      changed.render.samples = 1;
+      return changed;
+    case Effect::indirect_light:
+      changed.render.integrator = Integrator::automatic;
+      return changed;
+    case Effect::textures:
+      change_materials(changed, [](Material& m) { m.checker.reset(), m.texture.reset(); });
+      return changed;
+  }
+  return std::nullopt;
+}
+
+Scene with_everything(const Scene& scene, int grid) {
+  constexpr double faint = 1e-9, narrow = 1e-4;  // weight; degrees
+  Scene changed = scene;
+  changed.render.integrator = Integrator::distributed;
+  changed.limits.threshold = 0;
+  change_materials(changed, [](Material& m) {
+    if (!m.reflects()) m.reflection = Rgbd(faint);
+    if (!m.transmits()) {
+      m.transmission = Rgbd(faint);
+      m.normal = ShadingNormal::facing;
+    }
+    m.gloss = std::max(m.gloss, narrow);
+    m.translucency = std::max(m.translucency, narrow);
+  });
+  for (Light& light : changed.lights) grow(light, grid);
+  changed.render.light_grid.reset();
+  Camera& camera = changed.camera;
+  camera.aperture = std::max(camera.aperture, faint * camera.focus_distance());
+  if (camera.shutter_close == camera.shutter_open) camera.shutter_close += faint;
+  if (first_mover(changed) == nullptr && !changed.objects.empty())
+    changed.objects.front().motion = {{camera.shutter_open, Vec3d(0.0)}, {camera.shutter_close, Vec3d(faint)}};
+  return changed;
+}
+
+std::optional<SceneCost> scene_cost(const Scene& scene, int samples, int repetitions,
+                                    const std::function<void(double done)>& progress, const std::atomic<bool>* cancel) {
+  SceneCost result;
+  result.repetitions = repetitions;
+  constexpr double fewest = 400;
+  const double pixels = std::max(fewest, static_cast<double>(samples) / scene.render.samples);
+  const double whole_pixels = static_cast<double>(scene.image.width) * scene.image.height;
+  const double scale = std::min(1.0, std::sqrt(pixels / whole_pixels));
+  result.size = {std::max(1, static_cast<int>(scene.image.width * scale)),
+                 std::max(1, static_cast<int>(scene.image.height * scale))};
+  const Effects used = effects_of(scene, scene.render.samples);
+  for (const Light& light : scene.lights)
+    result.everything_grid = std::max(result.everything_grid, light_grid_of(scene, light));
+
+  std::vector<Scene> scenes{scene, with_everything(scene, result.everything_grid)};
+  for (int i = 0; i < effect_count; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    if (!used.used(effect)) continue;
+    if (auto changed = without(scene, effect)) {
+      result.effects.push_back({effect, {}});
+      scenes.push_back(std::move(*changed));
+    }
+  }
+  std::vector<std::vector<Cost>> costs(scenes.size());
+  for (int repetition = 0; repetition <= repetitions; ++repetition)
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      if (cancel != nullptr && *cancel) return std::nullopt;
+      const Shot shot = shoot(scenes[i], result.size, {scenes[i].render.samples, 0});
+      if (i == 0) result.shadow_rays = shot.shadow_rays;
+      if (repetition > 0) costs[i].push_back(shot.cost);  // the first one warms up
+      if (progress)
+        progress(static_cast<double>(static_cast<std::size_t>(repetition) * scenes.size() + i + 1) /
+                 static_cast<double>((static_cast<std::size_t>(repetitions) + 1) * scenes.size()));
+    }
+  result.whole = median_of(costs[0]);
+  result.everything = median_of(costs[1]);
+  for (std::size_t i = 0; i < result.effects.size(); ++i) {
+    EffectCost& effect = result.effects[i];
+    const Cost rest = median_of(costs[i + 2]), &whole = result.whole;
+    const auto saved = [](std::uint64_t all, std::uint64_t some) { return all > some ? all - some : 0; };
+    effect.saved = {saved(whole.rays, rest.rays), saved(whole.nodes, rest.nodes), saved(whole.tests, rest.tests),
+                    saved(whole.draws, rest.draws), whole.seconds - rest.seconds};
+    effect.rays_share =
+        static_cast<double>(effect.saved.rays) / static_cast<double>(std::max<std::uint64_t>(whole.rays, 1));
+    std::vector<double> shares;  // of pairs that ran one after the other
+    for (std::size_t k = 0; k < costs[0].size(); ++k)
+      shares.push_back(1 - costs[i + 2][k].seconds / costs[0][k].seconds);
+    effect.seconds_share = median(shares);
+    const Interval reach = median_interval(shares);
+    effect.seconds_low = reach.low, effect.seconds_high = reach.high;
+  }
+  std::stable_sort(result.effects.begin(), result.effects.end(), [](const EffectCost& a, const EffectCost& b) {
+    return a.saved.rays != b.saved.rays ? a.saved.rays > b.saved.rays : a.seconds_share > b.seconds_share;
+  });
+  return result;
+}
+
+}  // namespace raywalk::study

@@ -1,0 +1,55 @@
+#pragma once
+// What an experiment concludes.
+
+#include "io/image.h"
+#include "study/plot.h"
+#include "study/statistics.h"
+
+#include <string>
+#include <vector>
+
+namespace raywalk::study {
+
+enum class LawKind {
+  equals,    ///< the number is `expected`
+  at_most,   ///< or less
+  at_least,  ///< or more
+  exact,     ///< no chance in it: the number is `expected` up to `tolerance`
+};
+
+/// A statement that theory makes, and what was measured.
+struct Law {
+  std::string name;  ///< "random, edge"
+  std::string says;  ///< "error falls as N^-1/2: each sample by itself"
+  LawKind kind = LawKind::equals;
+  double expected = 0;
+  Estimate measured{};
+  double tolerance = 0;
+  std::string otherwise{};  ///< an explanation for the case that it does not hold
+};
+
+/// A law after all laws of the study are known.
+struct Verdict {
+  bool holds = true;
+  double p = 1, level = 0.05;
+  Interval interval{};  ///< at the confidence that Holm's procedure leaves this law
+};
+[[nodiscard]] std::vector<Verdict> judged(const std::vector<Law>& laws);
+
+struct Figure {
+  Plot plot;
+  std::string text;  ///< a paragraph that explains it
+};
+
+struct Picture {
+  std::string caption;
+  Image image;
+};
+
+struct Report {
+  std::vector<Figure> figures;
+  std::vector<Law> laws;
+  std::vector<Picture> pictures{};
+};
+
+}  // namespace raywalk::study

@@ -1,0 +1,69 @@
+#include "study/shot.h"
+
+#include "math/random.h"
+#include "trace/path_kernel.h"
+
+#include <cmath>
+
+namespace raywalk::study {
+
+Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled,
+           const std::optional<PathSettings>& paths) {
+  const World<double> world(scene);
+  const SceneKernel<double> kernel(scene, world);
+  std::optional<PathLights<double>> lights;
+  if (paths) lights.emplace(world);
+  const auto run = [&](const RayGenerator<double>& camera, const PixelBlock& block, const PutPixel<double>& put) {
+    return paths ? trace_paths(world, *lights, *paths, camera, block, put) : kernel(camera, block, put);
+  };
+  RayGenerator<double> camera(scene, size, size, sampling);
+  Shot shot{Film<double>(size), {}, 0};
+  Statistics statistics;
+  const PutPixel<double> put = [&](const Pixel& p, const Rgbd& shade) {
+    shot.film.add(p.column, p.row, p.sample, shade);
+  };
+  const double start = thread_seconds();
+  for (int sample = 0; sample < sampling.per_pixel; ++sample) {
+    if (shuffled) {
+      Sampling other = sampling;
+      other.seed = detail::mix(sampling.seed + static_cast<std::uint64_t>(sample) * 7919);
+      camera = RayGenerator<double>(scene, size, size, other);
+    }
+    statistics += run(camera, {0, size.width, 0, size.height, sample}, put);
+  }
+  shot.shadow_rays = statistics.formed(RayKind::shadow);
+  shot.cost = cost_of(statistics, thread_seconds() - start);
+  return shot;
+}
+
+Camera looking_down(double x, double y, double height, double half) {
+  Camera camera;
+  camera.eye = {x, y, height};
+  camera.look_at = {x, y, 0};
+  camera.up = {0, 1, 0};
+  camera.screen = {1, 2 * half / height, 1};
+  return camera;
+}
+
+Compared compared(const Film<double>& film, const std::function<double(int column, int row)>& truth) {
+  double squares = 0, sum = 0;
+  const ImageSize size = film.size();
+  for (int row = 0; row < size.height; ++row)
+    for (int column = 0; column < size.width; ++column) {
+      const double difference = film.at(column, row).x - truth(column, row);
+      squares += difference * difference;
+      sum += difference;
+    }
+  const double pixels = static_cast<double>(size.width) * size.height;
+  return {std::sqrt(squares / pixels), sum / pixels};
+}
+
+double drawn_for(int round, int which) {
+  RandomKey key;
+  key.seed = seed_of(round);
+  key.effect = 0x73747564;  // "stud"
+  key.dimension = static_cast<std::uint32_t>(which);
+  return random_unit<double>(key);
+}
+
+}  // namespace raywalk::study

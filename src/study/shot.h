@@ -1,0 +1,40 @@
+#pragma once
+// Small pictures for experiments, in this thread.
+
+#include "render/film.h"
+#include "study/experiment.h"
+#include "trace/path.h"
+
+#include <optional>
+
+namespace raywalk::study {
+
+struct Shot {
+  Film<double> film;
+  Cost cost;  ///< of tracing, without what is made ready before
+  std::uint64_t shadow_rays = 0;
+};
+
+/// `shuffled`: each sample draws with a seed of its own, which a renderer must not do. `paths`: how far paths go, for
+/// the path integrator only.
+[[nodiscard]] Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled = false,
+                         const std::optional<PathSettings>& paths = std::nullopt);
+
+/// A camera that looks straight down from (x, y, height) at z = 0, x to the right and y up. `half`: half the width of
+/// what it sees there.
+[[nodiscard]] Camera looking_down(double x, double y, double height, double half);
+
+/// Root of the mean squared difference of the pixels' red from `truth`, over those for which `counts` is true.
+struct Compared {
+  double rms = 0;   ///< root of the mean squared difference
+  double mean = 0;  ///< the mean difference
+};
+[[nodiscard]] Compared compared(const Film<double>& film, const std::function<double(int column, int row)>& truth);
+
+/// A number in [0, 1) that depends on the round and on `which` only.
+[[nodiscard]] double drawn_for(int round, int which);
+
+/// The seed of a round: rounds draw independently of each other.
+[[nodiscard]] inline std::uint64_t seed_of(int round) { return 1000 + static_cast<std::uint64_t>(round); }
+
+}  // namespace raywalk::study

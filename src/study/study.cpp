@@ -1,0 +1,178 @@
+#include "study/study.h"
+
+#include "io/file.h"
+#include "render/parallel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+#include <set>
+
+namespace raywalk::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// What a folder's table must begin with to be gone on from.
+std::string heading_of(const Experiment& experiment, const StudyOptions& options) {
+  return fmt::format("# raywalk study {}: {}\n# effort {}, {} rounds\n# {}\n", experiment.name, experiment.title,
+                     effort_name(options.effort), experiment.rounds, options.machine);
+}
+
+std::string table_path(const Experiment& experiment, const StudyOptions& options) {
+  return (fs::path(options.folder) / (experiment.name + ".csv")).string();
+}
+
+std::vector<Trial> kept_trials(const Experiment& experiment, const StudyOptions& options) {
+  constexpr std::size_t most_bytes = std::size_t{256} << 20;
+  const auto csv = read_file(table_path(experiment, options), most_bytes);
+  if (!csv) return {};
+  return trials_of(*csv, experiment.columns, heading_of(experiment, options));
+}
+
+Result<void> keep(const Experiment& experiment, const StudyOptions& options, std::vector<Trial>& trials) {
+  std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.round < b.round; });
+  return write_file_atomically(table_path(experiment, options),
+                               csv_of(trials, experiment.columns, heading_of(experiment, options)));
+}
+
+/// Tells how far all experiments are, each weighted by how long it takes beside the others.
+class Clockwork {
+ public:
+  Clockwork(const std::vector<Experiment>& experiments, const StudyOptions& options) : options_(options) {
+    for (const Experiment& e : experiments) all_ += e.weight;
+  }
+  void skip(double weight) { done_ += weight, skipped_ += weight; }
+  void add(const std::string& name, double weight) {
+    done_ += weight;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count(), worked = done_ - skipped_;
+    if (options_.progress) options_.progress(name, done_ / all_, worked > 0 ? seconds * (all_ - done_) / worked : 0);
+  }
+
+ private:
+  const StudyOptions& options_;
+  Clock::time_point start_ = Clock::now();
+  double all_ = 0, done_ = 0, skipped_ = 0;
+};
+
+/// All trials, or fewer when cancelled.
+Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOptions& options, Clockwork& clock) {
+  static const std::atomic<bool> never{false};
+  const std::atomic<bool>& cancel = options.cancel != nullptr ? *options.cancel : never;
+  std::vector<Trial> trials = kept_trials(experiment, options);
+  std::set<int> done;
+  for (const Trial& trial : trials) done.insert(trial.round);
+  std::vector<int> left;
+  for (int round = 0; round < experiment.rounds; ++round)
+    if (done.count(round) == 0) left.push_back(round);
+  const double weight = experiment.weight / experiment.rounds;
+  clock.skip(weight * static_cast<double>(done.size()));
+  if (left.empty()) return trials;
+  if (done.empty() && !cancel)
+    static_cast<void>(experiment.run(0, cancel));  // a round to warm up that counts for nothing
+  const std::size_t at_a_time = static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads());
+  for (std::size_t from = 0; from < left.size() && !cancel; from += at_a_time) {
+    const std::size_t count = std::min(at_a_time, left.size() - from);
+    std::vector<std::vector<Trial>> found(count);
+    parallel_for(static_cast<int>(count), static_cast<int>(count), [&](int index) {
+      const auto i = static_cast<std::size_t>(index);
+      found[i] = experiment.run(left[from + i], cancel);
+    });
+    if (cancel) break;  // what was under way counts for nothing
+    for (const std::vector<Trial>& round : found) trials.insert(trials.end(), round.begin(), round.end());
+    if (const auto kept = keep(experiment, options, trials); !kept) return tl::unexpected(kept.error());
+    clock.add(experiment.name, weight * static_cast<double>(count));
+  }
+  return trials;
+}
+
+bool is_complete(const std::vector<Trial>& trials, const Experiment& experiment) {
+  std::set<int> done;
+  for (const Trial& trial : trials) done.insert(trial.round);
+  return static_cast<int>(done.size()) == experiment.rounds;
+}
+
+}  // namespace
+
+std::string_view effort_name(Effort effort) {
+  switch (effort) {
+    case Effort::glance:
+      return "glance";
+    case Effort::quick:
+      return "quick";
+    case Effort::full:
+      return "full";
+  }
+  return "";
+}
+
+std::string machine_text() {
+  std::string processor = "processor unknown";
+  constexpr std::size_t most_bytes = std::size_t{16} << 20;
+  if (const auto info = read_file("/proc/cpuinfo", most_bytes)) {
+    const std::size_t name = info->find("model name"), colon = info->find(": ", name), end = info->find('\n', name);
+    if (name != std::string::npos && colon < end) processor = info->substr(colon + 2, end - colon - 2);
+  }
+#if defined(__clang__)
+  const std::string compiler = fmt::format("clang {}", __clang_version__);
+#else
+  const std::string compiler = fmt::format("g++ {}", __VERSION__);
+#endif
+  return fmt::format("{}, {} threads, {}", processor, hardware_threads(), compiler);
+}
+
+int StudyResult::laws() const {
+  int count = 0;
+  for (const Concluded& c : concluded) count += static_cast<int>(c.verdicts.size());
+  return count;
+}
+
+std::vector<std::string> StudyResult::broken() const {
+  std::vector<std::string> names;
+  for (const Concluded& c : concluded)
+    for (std::size_t i = 0; i < c.verdicts.size(); ++i)
+      if (!c.verdicts[i].holds) names.push_back(c.experiment.name + ": " + c.report.laws[i].name);
+  return names;
+}
+
+Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const StudyOptions& options) {
+  std::error_code failed;
+  fs::create_directories(options.folder, failed);
+  if (failed)
+    return tl::unexpected(Error{options.folder, 0, 0, "cannot make this folder: " + failed.message(),
+                                "choose a folder that you may write to"});
+  StudyResult result;
+  Clockwork clock(experiments, options);
+  std::vector<Law> laws;
+  for (const Experiment& experiment : experiments) {
+    const auto trials = measured(experiment, options, clock);
+    if (!trials) return tl::unexpected(trials.error());
+    if (!is_complete(*trials, experiment)) {
+      result.finished = false;
+      return result;
+    }
+    Concluded concluded{experiment, experiment.conclude(*trials), {}};
+    for (std::size_t i = 0; i < concluded.report.figures.size(); ++i) {
+      const fs::path path = fs::path(options.folder) / fmt::format("{}-{}.svg", experiment.name, i + 1);
+      const auto written = write_file_atomically(path.string(), svg_of(concluded.report.figures[i].plot));
+      if (!written) return tl::unexpected(written.error());
+    }
+    laws.insert(laws.end(), concluded.report.laws.begin(), concluded.report.laws.end());
+    result.concluded.push_back(std::move(concluded));
+  }
+  const std::vector<Verdict> verdicts = judged(laws);
+  std::size_t next = 0;
+  for (Concluded& concluded : result.concluded)
+    for (std::size_t i = 0; i < concluded.report.laws.size(); ++i) concluded.verdicts.push_back(verdicts[next++]);
+  const auto written =
+      write_file_atomically((fs::path(options.folder) / "index.html").string(), page_of(result, options));
+  if (!written) return tl::unexpected(written.error());
+  return result;
+}
+
+}  // namespace raywalk::study

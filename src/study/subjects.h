@@ -1,0 +1,33 @@
+#pragma once
+// Pictures whose every pixel is known in closed form. All are looked down upon from (0, 0, 2), and show the floor's
+// square from -1 to 1, a pixel a smaller one.
+
+#include "study/reference.h"
+#include "study/shot.h"
+
+#include <string>
+
+namespace raywalk::study {
+
+struct Subject {
+  std::string name;
+  Scene scene;
+  std::function<double(const Rectangle& pixel)> truth;  ///< mean over a pixel's square of the floor z = 0
+  bool only_edges = false;                              ///< of the pixels, those count that are neither 0 nor 1
+};
+
+/// A floor under a point light: over a pixel, light and cosine change smoothly.
+[[nodiscard]] Subject smooth_subject();
+/// A glowing disk: its edge crosses pixels at all slopes.
+[[nodiscard]] Subject edge_subject();
+/// The straight edge of something that glows, nearer than what the lens is focused on.
+[[nodiscard]] Subject lens_subject();
+
+/// Of a square picture that many pixels wide.
+[[nodiscard]] Rectangle pixel_at(int column, int row, int edge);
+
+/// Calls visit(shown, truth) for each pixel that counts.
+void for_each_pixel(const Subject& subject, const Film<double>& film,
+                    const std::function<void(double shown, double truth)>& visit);
+
+}  // namespace raywalk::study

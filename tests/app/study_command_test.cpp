@@ -1,0 +1,49 @@
+#include <csignal>
+
+#include "app/process.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+TEST_CASE("study writes its folder and says which laws hold") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"study", "depth", "-o", "results", "--quick"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out, contains("E4") && contains("mirror 0.3") && contains("holds") && contains("index.html"));
+  CHECK_THAT(outcome.out, !contains("DOES NOT"));
+  for (const char* file : {"results/index.html", "results/depth.csv", "results/depth-1.svg"}) CHECK(folder.holds(file));
+  CHECK_THAT(folder.read("results/index.html"), contains("raywalk study depth -o DIR --quick"));
+}
+
+TEST_CASE("experiments go by name and number") {
+  const Folder folder;
+  const Outcome all = folder.run({"study", "--list"});
+  CHECK(all.exit_code == 0);
+  for (const char* name : {"numerics", "offsets", "samples", "depth", "endings", "lights", "structures", "adaptive",
+                           "tessellation", "E1", "E9"})
+    CHECK_THAT(all.out, contains(name));
+  CHECK_THAT(folder.run({"study", "e4", "--list"}).out, contains("depth") && !contains("samples"));
+  const Outcome unknown = folder.run({"study", "sampels", "-o", "results"});
+  CHECK(unknown.exit_code == 2);
+  CHECK_THAT(unknown.err, contains("sampels") && contains("did you mean samples?"));
+  CHECK_FALSE(folder.holds("results"));
+  const Outcome nowhere = folder.run({"study", "depth"});
+  CHECK(nowhere.exit_code == 2);
+  CHECK_THAT(nowhere.err, contains("-o DIR"));
+  folder.write("file", "");
+  CHECK(folder.run({"study", "depth", "-o", "file/in", "--quick"}).exit_code == 1);
+  CHECK_THAT(folder.run({"study", "--help"}).out, contains("Seeds are fixed") && contains("Examples"));
+}
+
+TEST_CASE("Ctrl-C leaves a study that goes on") {
+  const Folder folder;
+  Process process(raywalk_program(), {"study", "adaptive", "-o", "results", "--threads", "1"}, folder.path());
+  process.wait_until_busy_and_catching(SIGINT);
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("interrupted") && contains("goes on"));
+  CHECK_FALSE(folder.holds("results/index.html"));
+}

@@ -1,0 +1,185 @@
+// The experiments in small, whole studies in a folder, and that a study sees what is wrong.
+#include "study/study.h"
+
+#include <filesystem>
+
+#include "io/file.h"
+#include "io/temporary_folder.h"
+#include "study/curve.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::study;
+using namespace raywalk::test;
+
+namespace {
+
+StudyOptions options_in(const std::string& folder) {
+  StudyOptions options{folder, Effort::glance, 2, "test machine", "raywalk study"};
+  return options;
+}
+
+std::vector<std::string> broken_in(const Experiment& experiment) {
+  const TemporaryFolder folder;
+  const auto result = run_study({experiment}, options_in(folder.path()));
+  REQUIRE(result);
+  CHECK(result->finished);
+  CHECK(result->laws() > 0);
+  return result->broken();
+}
+
+bool names(const std::vector<std::string>& broken, const std::string& law) {
+  return std::find(broken.begin(), broken.end(), law) != broken.end();
+}
+
+std::vector<Trial> kept(const std::string& folder, const std::string& name) {
+  const auto csv = read_file(folder + "/" + name + ".csv", 1 << 26);
+  REQUIRE(csv);
+  const std::size_t heading = csv->find("\nround,") + 1, columns = csv->find('\n', heading);
+  Columns named;
+  for (const Experiment& e : all_experiments(Effort::glance))
+    if (e.name == name) named = e.columns;
+  REQUIRE(columns != std::string::npos);
+  return trials_of(*csv, named, csv->substr(0, heading));
+}
+
+}  // namespace
+
+TEST_CASE("every law of every experiment holds, in small") {
+  for (const Experiment& experiment : all_experiments(Effort::glance)) {
+    CAPTURE(experiment.name);
+    CHECK(experiment.rounds >= 20);
+    const std::vector<std::string> broken = broken_in(experiment);
+    for (const std::string& law : broken) UNSCOPED_INFO(law);
+    CHECK(broken.empty());
+  }
+}
+
+TEST_CASE("planted: a biased sampler is found") {
+  const auto broken = broken_in(samples_experiment(Effort::glance, {0.02, 1, false}));
+  CHECK(names(broken, "samples: sobol, smooth"));
+  CHECK(names(broken, "samples: jittered, smooth"));
+}
+
+TEST_CASE("planted: a wrong reference is found") {
+  CHECK(names(broken_in(samples_experiment(Effort::glance, {0, 1.01, false})), "samples: sobol, smooth"));
+  CHECK(names(broken_in(lights_experiment(Effort::glance, {0, 1.02, false})), "lights: sobol, open"));
+  CHECK(names(broken_in(depth_experiment(Effort::glance, {0, 1.001, false})), "depth: mirror 0.3"));
+}
+
+TEST_CASE("planted: a seed that changes from sample to sample is found") {
+  const auto broken = broken_in(samples_experiment(Effort::glance, {0, 1, true}));
+  CHECK(names(broken, "samples: jittered, smooth"));
+  CHECK(names(broken, "samples: jittered, edge"));
+  CHECK(names(broken, "samples: sobol, smooth"));
+  CHECK_FALSE(names(broken, "samples: random, smooth"));  // there it makes no difference
+}
+
+TEST_CASE("a study leaves tables, plots and one page, complete in itself") {
+  const TemporaryFolder folder;
+  const std::string at = folder.file("new");
+  const auto result = run_study({depth_experiment(Effort::glance), lights_experiment(Effort::glance)}, options_in(at));
+  REQUIRE(result);
+  const auto page = read_file(at + "/index.html", 1 << 26);
+  REQUIRE(page);
+  for (const char* word : {"What accuracy costs", "E4", "E6", "test machine", "raywalk study", "Holm", "holds", "<svg",
+                           "data:image/png;base64,iVBOR", "lights.csv", "dotted line"})
+    CHECK_THAT(*page, contains(word));
+  CHECK_THAT(*page, !contains("<script") && !contains("src='http") && !contains("href='http") && !contains("@import"));
+  for (const char* file : {"depth.csv", "lights.csv", "depth-1.svg", "lights-2.svg"})
+    CHECK(std::filesystem::exists(at + "/" + file));
+  // Every trial is there with its costs.
+  const std::vector<Trial> trials = kept(at, "lights");
+  CHECK(trials.size() == 24u * 4 * 2 * 4);
+  for (const Trial& trial : trials) {
+    CHECK(trial.cost.rays > 0);
+    CHECK(trial.cost.tests > 0);
+    CHECK((trial.cost.draws > 0) == !trial.method.starts_with("regular"));
+  }
+}
+
+TEST_CASE("a study that was stopped goes on, and its numbers are those of one that was not") {
+  const TemporaryFolder folder;
+  const std::string at = folder.path();
+  const Experiment experiment = lights_experiment(Effort::glance);
+  std::atomic<bool> cancel{false};
+  StudyOptions options = options_in(at);
+  options.cancel = &cancel;
+  int told = 0;
+  double left = -1;
+  options.progress = [&](const std::string& name, double done, double seconds_left) {
+    CHECK(name == "lights");
+    CHECK(done > 0);
+    left = seconds_left;
+    if (++told == 5) cancel = true;
+  };
+  const auto stopped = run_study({experiment}, options);
+  REQUIRE(stopped);
+  CHECK_FALSE(stopped->finished);
+  CHECK(left > 0);
+  CHECK_FALSE(std::filesystem::exists(at + "/index.html"));
+  const std::size_t before = kept(at, "lights").size();
+  CHECK(before == 10u * 32);  // 5 times 2 rounds
+
+  cancel = false;
+  int rounds = 0;
+  Experiment counted = experiment;
+  counted.run = [&](int round, const std::atomic<bool>& stop) {
+    ++rounds;
+    return experiment.run(round, stop);
+  };
+  options.threads = 1;
+  options.progress = {};
+  const auto whole = run_study({counted}, options);
+  REQUIRE(whole);
+  CHECK(whole->finished);
+  CHECK(rounds == 14);
+  const TemporaryFolder other;
+  REQUIRE(run_study({experiment}, options_in(other.path())));
+  std::vector<Trial> a = kept(at, "lights"), b = kept(other.path(), "lights");
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].round == b[i].round);
+    CHECK(a[i].method == b[i].method);
+    CHECK(a[i].error == b[i].error);
+    CHECK(a[i].cost.rays == b[i].cost.rays);
+    CHECK(a[i].cost.draws == b[i].cost.draws);
+  }
+
+  // Of another machine's rounds none counts; a table that is damaged is measured anew.
+  rounds = 0;
+  options.machine = "another";
+  REQUIRE(run_study({counted}, options));
+  CHECK(rounds == 25);  // and one to warm up
+  REQUIRE(write_file_atomically(at + "/lights.csv", "damaged"));
+  rounds = 0;
+  REQUIRE(run_study({counted}, options));
+  CHECK(rounds == 25);
+}
+
+TEST_CASE("a folder that cannot be made is said") {
+  const TemporaryFolder folder;
+  REQUIRE(write_file_atomically(folder.file("file"), "x"));
+  const auto result = run_study({depth_experiment(Effort::glance)}, options_in(folder.file("file/in")));
+  REQUIRE_FALSE(result);
+  CHECK_THAT(result.error().text(), contains("file/in") && contains("hint"));
+}
+
+TEST_CASE("tables keep every bit, and what is not understood is not taken") {
+  const Columns columns{"knob", "error", "other"};
+  const std::vector<Trial> trials{{3, "a b", 0.1, 1.0 / 3, 1e-300, {1, 2, 3, 4, 0.5}}, {4, "c", 16, -0.0, 7, {}}};
+  const std::string csv = csv_of(trials, columns, "# head\n");
+  const std::vector<Trial> read = trials_of(csv, columns, "# head\n");
+  REQUIRE(read.size() == 2);
+  CHECK(read[0].round == 3);
+  CHECK(read[0].method == "a b");
+  CHECK(read[0].knob == 0.1);
+  CHECK(read[0].error == 1.0 / 3);
+  CHECK(read[0].other == 1e-300);
+  CHECK(read[0].cost.draws == 4);
+  CHECK(read[0].cost.seconds == 0.5);
+  CHECK(trials_of(csv, columns, "# other\n").empty());
+  CHECK(trials_of(csv, {"knob", "error", "another"}, "# head\n").empty());
+  CHECK(trials_of(csv.substr(0, csv.size() - 3), columns, "# head\n").empty());
+  CHECK(trials_of(csv + "5,d,x,0,0,0,0,0,0,0\n", columns, "# head\n").empty());
+}
