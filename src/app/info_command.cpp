@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace raywalk {
@@ -126,7 +127,7 @@ std::string info_text(const Scene& scene, const std::string& path) {
 }
 
 std::string cost_text(const study::SceneCost& cost) {
-  const auto percent = [](double share) { return fmt::format("{:.0f}%", 100 * share); };
+  const auto percent = [](double share) { return fmt::format("{:.0f}%", std::round(100 * share) + 0.0); };
   const auto rays = [](const study::Cost& of) { return static_cast<double>(of.rays); };
   std::string text = fmt::format("\ncost of each effect, by {} x {} pixels with and without it ({} times in turns)\n",
                                  cost.size.width, cost.size.height, cost.repetitions);

@@ -45,7 +45,7 @@ void shrink(Light& light) {
 
 /// A point light grown to a tiny panel of many points.
 void grow(Light& light, int grid) {
-  constexpr double tiny = 1e-9;
+  static constexpr double tiny = 1e-9;
   if (auto* sphere = std::get_if<SphereLight>(&light.kind)) {
     if (sphere->radius == 0) sphere->radius = tiny;
     sphere->samples = std::max(sphere->samples, grid);
@@ -106,7 +106,7 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
 }
 
 Scene with_everything(const Scene& scene, int grid) {
-  constexpr double faint = 1e-9, narrow = 1e-4;  // weight; degrees
+  static constexpr double faint = 1e-9, narrow = 1e-4;  // weight; degrees
   Scene changed = scene;
   changed.render.integrator = Integrator::distributed;
   changed.limits.threshold = 0;

@@ -43,6 +43,7 @@ struct Experiment {
 [[nodiscard]] Experiment structures_experiment(Effort effort);
 [[nodiscard]] Experiment adaptive_experiment(Effort effort);
 [[nodiscard]] Experiment tessellation_experiment(Effort effort);
+[[nodiscard]] Experiment scene_experiment(Effort effort);
 
 /// In the order of their numbers.
 [[nodiscard]] std::vector<Experiment> all_experiments(Effort effort);

@@ -153,7 +153,9 @@ Report conclude(const std::vector<Trial>& trials) {
       {both,
        "A shadow ray leaves a ball, computed in float. It must not meet the ball again, and it must meet a sheet that "
        "runs close by. Balls are of 1/100 to 100 units: an epsilon that is right for one of them is wrong for another, "
-       "and the best of all still errs. Offsets made of the numbers' own steps or of an error bound follow the size. "
+       "and the best of all still errs. Steps of the floats follow the size of the numbers, but for the fixed length "
+       "that "
+       "they fall back to near 0, which is too long for the smallest balls. An error bound follows it everywhere. "
        "Raywalk's rays start at the point itself and carry the surface along, whose root t = 0 is known: no epsilon, "
        "and no wrong answer."});
   report.figures.push_back({apart,
