@@ -25,7 +25,8 @@ std::uint64_t key_of(const Bounds<T>& box) {
 template <class T>
 void Primitives<T>::move(int first, int end, const Motion& motion) {
   if (first == end || motion.empty()) return;
-  for (int id = first; id < std::min(end, shape_count()); ++id) plain_[static_cast<std::size_t>(id)] = Plain::other;
+  for (int id = first; id < std::min(end, shape_count()); ++id) plain_[static_cast<std::size_t>(id)] = Plain::moving;
+  triangles_move_ = triangles_move_ || end > shape_count();
   if (motion_of_.size() < static_cast<std::size_t>(end)) motion_of_.resize(static_cast<std::size_t>(end), none);
   std::fill(motion_of_.begin() + first, motion_of_.begin() + end, static_cast<std::int32_t>(motions_.size()));
   motions_.push_back(motion);

@@ -27,7 +27,7 @@ class Primitives {
   void add(Shape<T> shape) {
     plain_.push_back(std::holds_alternative<Sphere<T>>(shape)  ? Plain::sphere
                      : std::holds_alternative<Plane<T>>(shape) ? Plain::plane
-                                                               : Plain::other);
+                                                               : Plain::bare);
     ++shape_count_;
     shapes_.push_back(std::move(shape));
     if (!places_.empty()) place_of_.push_back(none);
@@ -36,7 +36,7 @@ class Primitives {
     place_of_.resize(shapes_.size(), none);
     place_of_.push_back(static_cast<std::int32_t>(places_.size()));
     places_.push_back(place);
-    plain_.push_back(Plain::other);
+    plain_.push_back(Plain::placed);
     ++shape_count_;
     shapes_.push_back(std::move(shape));
   }
@@ -58,6 +58,7 @@ class Primitives {
     return &places_[static_cast<std::size_t>(place_of_[static_cast<std::size_t>(id)])];
   }
   [[nodiscard]] bool moves(int id) const { return motion_of(id) != nullptr; }
+  [[nodiscard]] bool triangles_move() const { return triangles_move_; }
   /// A sphere or plane, S, that stands in the world as it is, neither mapped nor moving; null for all else.
   template <class S>
   [[nodiscard]] const S* plain(int id) const {
@@ -77,7 +78,7 @@ class Primitives {
   void find_equals(const std::vector<Bounds<T>>& boxes);
 
   /// Nearest crossing in (0, t_max) of the ray with one primitive, in the ray's own t. For one of many tests of a ray,
-  /// what triangles need of it may have been computed already: `sheared`.
+  /// what triangles need of it may have been computed already: `sheared`, where no triangle moves.
   template <class Explain = NoExplanation>
   [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const Ray<T>& ray, T t_max, Explain&& explain = {},
                                                      const ShearedRay<T>* sheared = nullptr) const {
@@ -86,13 +87,17 @@ class Primitives {
       return raywalk::intersect(*sphere, ray, t_max, departed_part(ray, id), explain);
     if (const auto* plane = plain<Plane<T>>(id))
       return raywalk::intersect(*plane, ray, t_max, departed_part(ray, id), explain);
-    if (sheared != nullptr && id >= shape_count() && !moves(id))
+    if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
+      return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
+    if (sheared != nullptr && id >= shape_count())
       return unless_left(id, ray, triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id)));
     return intersect_any(id, ray, t_max, explain);
   }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::surface_at(*sphere, ray, crossing);
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::surface_at(*plane, ray, crossing);
+    if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
+      return raywalk::surface_at(own(id), ray, crossing);
     const Motion* motion = motion_of(id);
     if (!motion) return surface_at_rest(id, ray, crossing);
     SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
@@ -120,8 +125,9 @@ class Primitives {
   [[nodiscard]] bool maps_rays() const { return !places_.empty() || !motions_.empty(); }
 
  private:
-  /// Spheres and planes that stand in the world as they are, at rest.
-  enum class Plain : std::uint8_t { other, sphere, plane };
+  /// Shapes that stand in the world as they are, at rest: spheres, planes and others. Those under a map, and those that
+  /// move, mapped or not.
+  enum class Plain : std::uint8_t { sphere, plane, bare, placed, moving };
   static constexpr std::int32_t none = -1;
 #ifdef RAYWALK_WITHOUT_MOTION  // set only by the benchmark that measures what motion costs where nothing moves
   static constexpr bool moves_compiled = false;
@@ -130,10 +136,13 @@ class Primitives {
 #endif
   [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const Motion* motion_of(int id) const {
-    if (!moves_compiled || static_cast<std::size_t>(id) >= motion_of_.size() ||
-        motion_of_[static_cast<std::size_t>(id)] == none)
-      return nullptr;
-    return &motions_[static_cast<std::size_t>(motion_of_[static_cast<std::size_t>(id)])];
+    const bool may =
+        id < shape_count() ? plain_[static_cast<std::size_t>(id)] == Plain::moving : triangles_move_ && any_motion(id);
+    return moves_compiled && may ? &motions_[static_cast<std::size_t>(motion_of_[static_cast<std::size_t>(id)])]
+                                 : nullptr;
+  }
+  [[nodiscard]] bool any_motion(int id) const {
+    return static_cast<std::size_t>(id) < motion_of_.size() && motion_of_[static_cast<std::size_t>(id)] != none;
   }
   /// The ray as what moves sees it.
   static Ray<T> at_rest(const Motion& motion, const Ray<T>& ray) {
@@ -195,6 +204,7 @@ class Primitives {
   std::vector<Motion> motions_;
   double open_ = 0, close_ = 1;
   bool any_equal_ = false;
+  bool triangles_move_ = false;            ///< some of them
   std::vector<std::int32_t> first_equal_;  ///< by primitive; empty when no two are equal
 };
 

@@ -55,7 +55,7 @@ class Query {
  public:
   Query(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept)
       : ray_(ray), t_max_(t_max), accept_(accept) {
-    if (primitives.triangles().size() > 0) sheared_.emplace(ray);
+    if (primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
   }
   void enter_node() { ++counts_.nodes; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }
