@@ -56,7 +56,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
              {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
   push_font(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
-  Form form(ui, memory, ui.px(330));
+  Form form(ui, memory, ui.px(390));
   form.heading(words::image_settings);
   const State& state = ui.state;
   ImageSettings next = state.image;
@@ -86,7 +86,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
 
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-  const ImVec2 extent{ui.px(330), ui.px(30)};
+  const ImVec2 extent{ui.px(390), ui.px(30)};
   command_button(ui, Command::reset_view, extent, look);
   command_button(ui, Command::use_camera, extent, look);
   ImGui::PopStyleVar();

@@ -50,10 +50,13 @@ class Lines {
       const bool endless = !bounds(object.shape).bounded();
       const Colour body = body_colour(scene_, object.material).with_alpha(255);
       const Colour ground = painter_.colours.plan;
+      const std::vector<Curve> curves = outline_of(object, room_);
+      constexpr std::size_t many_curves = 200;  // of a mesh, which would cover what is behind it
+      const bool faint = endless || curves.size() > many_curves;
       // Strong enough to be seen on the ground, whatever the body's own colour.
-      const Colour colour = mix(mix(ground, painter_.colours.ink, 0.45), body, 0.5).with_alpha(endless ? 70 : 190);
-      const Stroke stroke = painter_.outline(target, colour, endless ? 0.6 : 1);
-      for (const Curve& curve : outline_of(object, room_))
+      const Colour colour = mix(mix(ground, painter_.colours.ink, 0.45), body, 0.5).with_alpha(faint ? 70 : 190);
+      const Stroke stroke = painter_.outline(target, colour, faint ? 0.6 : 1);
+      for (const Curve& curve : curves)
         for (std::size_t k = 1; k < curve.size(); ++k) line(curve[k - 1], curve[k], stroke, target);
     }
   }

@@ -140,14 +140,16 @@ std::vector<Curve> outline(const MeshShape& shape, const Bounds<double>& /*room*
   return shape.mesh ? *mesh_lines(shape.mesh) : std::vector<Curve>();
 }
 
-/// Its objects, up to a number of lines that can still be told apart; then boxes.
+/// Its objects, as long as their lines can still be told apart, and drawn in every frame; else a box.
 std::vector<Curve> outline(const Instance& instance, const Bounds<double>& room) {
   if (!instance.content) return {};
-  constexpr std::size_t most_lines = 20000;
+  constexpr std::size_t most_points = 4000;
   std::vector<Curve> curves;
+  std::size_t points = 0;
   for (const Object& object : instance.content->group.objects) {
-    if (curves.size() > most_lines) return edges_of(bounds(instance));
     std::vector<Curve> own = outline_of(object, room);
+    for (const Curve& curve : own) points += curve.size();
+    if (points > most_points) return edges_of(bounds(instance));
     curves.insert(curves.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
   }
   return curves;

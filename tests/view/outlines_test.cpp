@@ -79,5 +79,8 @@ TEST_CASE("instances show what is in their group, where they stand") {
   CHECK(outline_of({"Both", Instance{"outer", twice}, {}}, room).size() == 2 * lines.size());
   for (const Curve& line : lines)
     for (const Vec3d& point : line) CHECK(point.z >= 6);
+  std::vector<Object> many(200, instance);
+  const auto crowd = std::make_shared<const GroupContent>(Group{"crowd", many});
+  CHECK(outline_of({"Crowd", Instance{"crowd", crowd}, {}}, room).size() == 12);  // a box
   CHECK(outline_of({"None", Instance{"missing", nullptr}, {}}, room).empty());
 }
