@@ -11,24 +11,21 @@ mutant two_product_forgets_low_bits arithmetic math/double_double.h '+ a_lo * b_
 mutant expansion_drops_a_term arithmetic math/expansion.h \
   'if (sum.lo != 0) shorter.terms_.push_back(sum.lo);' ''
 mutant expansion_signed_by_its_least arithmetic math/expansion.h 'terms_.back() > 0 ? 1 : -1' 'terms_.front() > 0 ? 1 : -1'
-mutant dot_without_bound arithmetic math/exact.h \
-  'std::abs(sum) >= 2 * error ? Certain{sum, error} : detail::rounded(detail::exact_dot(n, d))' 'Certain{sum, error}'
-mutant difference_without_bound Plane math/exact.h \
-  'std::abs(sum) >= 2 * error ? Certain{sum, error} : detail::rounded(detail::exact_dot_of_difference(n, p, o))' \
-  'Certain{sum, error}'
+mutant dot_without_bound arithmetic math/exact.h '{x + y + z, 4 * detail::half_ulp' '{x + y + z, 0 * detail::half_ulp'
+mutant difference_without_bound Plane math/exact.h '{x + y + z, 5 * detail::half_ulp' '{x + y + z, 0 * detail::half_ulp'
 
 # --- Sphere -----------------------------------------------------------------------------------------------------------
-mutant sphere_second_root_dropped Sphere shape/sphere.h 'const T t = near > 0 ? near : far;' 'const T t = near;'
+mutant sphere_second_root_dropped Sphere shape/sphere.h 'if (!(t > 0)) t = static_cast<T>(far);' ''
 mutant sphere_tangent_missed Sphere shape/sphere.h 'if (discriminant.hi < 0) return' 'if (discriminant.hi <= 0) return'
 mutant sphere_sign_without_bound Sphere shape/sphere.h 'sign_bound = 32 *' 'sign_bound = 0 *'
 mutant sphere_digits_without_bound Sphere shape/sphere.h 'digits_bound = 1e-8;' 'digits_bound = 0;'
 mutant sphere_exact_tier_dropped Sphere shape/sphere.h 'constexpr double cancelled = 1e-13;' 'constexpr double cancelled = -1;'
 mutant sphere_zero_is_a_crossing Sphere shape/sphere.h 'if (!(t > 0 && t < t_max))' 'if (!(t >= 0 && t < t_max))'
-mutant sphere_roots_cancel Sphere shape/sphere.h 'const double q = b > 0 ? -(b + root) : root - b;' \
-  'const double q = b > 0 ? root - b : -(b + root);'
-mutant sphere_leaves_the_wrong_way Sphere shape/sphere.h 'roots = {std::min(0.0, -2 * b / a), std::max(0.0, -2 * b / a), b * b};' \
-  'roots = {std::min(0.0, 2 * b / a), std::max(0.0, 2 * b / a), b * b};'
-mutant sphere_behind_is_before Sphere shape/sphere.h 'b > 0 && c > digits_bound * size' 'b < 0 && c > digits_bound * size'
+mutant sphere_roots_cancel Sphere shape/sphere.h 'nearest(c / -(b + root), NAN)' 'nearest((root - b) / a, NAN)'
+mutant sphere_far_root_first Sphere shape/sphere.h 'return c > 0 ? nearest(c / q, q / a) :' 'return c > 0 ? nearest(q / a, c / q) :'
+mutant sphere_leaves_the_wrong_way Sphere shape/sphere.h 'root = -2 * b / a;' 'root = 2 * b / a;'
+mutant sphere_behind_is_before Sphere shape/sphere.h 'b > 0 && c > detail::sphere_digits_bound * size' \
+  'b < 0 && c > detail::sphere_digits_bound * size'
 mutant sphere_departure_forgotten Sphere shape/sphere.h 'if (departed_part != no_part) {' 'if (false) {'
 
 # --- Plane, disk, polygon ---------------------------------------------------------------------------------------------
@@ -88,18 +85,28 @@ mutant triangle_edges_for_none mesh shape/triangle.h 'if (side != 0) return side
 mutant triangle_one_edge_turned mesh shape/triangle.h 'exact_side(o, d, c, a) != side' 'exact_side(o, d, a, c) != side'
 mutant triangle_absolute_threshold mesh shape/triangle.h '(left && right)) return' \
   '(left && right) || std::abs(determinant) < 1e-6) return'
-mutant triangle_bound_too_small Triangle shape/triangle.h 'error = 32 * detail::half_ulp' 'error = 0.01 * detail::half_ulp'
+mutant triangle_bound_too_small Triangle shape/triangle.h 'corner_error = 8 * detail::half_ulp' \
+  'corner_error = 0.001 * detail::half_ulp'
 mutant triangle_tie_by_the_edge_alone mesh shape/triangle.h 'x != 0) return x;' 'x != 0) return 1;'
-mutant triangle_deep_corner_forgotten Triangle shape/triangle.h 'across * (across + 2 * depth)' 'across * across'
+mutant triangle_deep_corner_forgotten Triangle shape/triangle.h 'detail::half_ulp * (across + 2 * depth)' \
+  'detail::half_ulp * across'
 
 # --- Accelerators -----------------------------------------------------------------------------------------------------
 mutant accel_tie_to_the_higher accel accel/query.h 'id < hit_.primitive' 'id > hit_.primitive'
 mutant accel_sign_of_zero_ignored accel accel/query.h 'negative[axis] = std::signbit(ray.direction[axis])' \
   'negative[axis] = ray.direction[axis] < 0'
-mutant accel_boxes_without_pad accel accel/primitives.h 'const T pad = 8 *' 'const T pad = -8 *'
+mutant accel_boxes_without_pad accel accel/primitives.cpp 'const T pad = 8 *' 'const T pad = -8 *'
 mutant kdtree_in_the_plane accel accel/kdtree.h 'if (std::isnan(t)) {' 'if (false) {'
 mutant kdtree_one_side accel accel/kdtree.h 'boxes.box(id).max[best_axis] >= plane' 'boxes.box(id).min[best_axis] >= plane'
-mutant bvh_too_early accel accel/bvh.h 'if (entry.in > query.reach()) continue;' 'if (entry.in > query.reach() / 2) continue;'
+mutant bvh_too_early accel accel/bvh.h 'beyond(waiting[count].in, query.reach())' 'beyond(2 * waiting[count].in, query.reach())'
+mutant lanes_rounded_inwards accel accel/box_lanes.h '-at_least(-static_cast<double>(box.min[axis]))' \
+  'at_least(static_cast<double>(box.min[axis]))'
+mutant lanes_origin_without_slack accel accel/box_lanes.h '16 * epsilon * (size[0] + size[1] + size[2]) + least' '0 * epsilon * least'
+mutant lanes_without_pad accel accel/box_lanes.h 'pad = 1 + 8 * std::numeric_limits<float>::epsilon(), grain' \
+  'pad = 1 - 8 * std::numeric_limits<float>::epsilon(), grain'
+mutant lanes_sign_of_zero_ignored accel accel/box_lanes.h 'bits_of(reinterpret_cast<LaneMask>(slope))' \
+  'bits_of(slope < all_lanes(0))'
+mutant lanes_beyond_floats_range accel accel/box_lanes.h 'slope == 0 || (slope > T(1e-18) && slope < T(1e18))' 'true'
 mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \
   'leave[0] >= leave[1] ? (leave[0] <= leave[2]'
 

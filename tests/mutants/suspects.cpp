@@ -94,9 +94,9 @@ template <template <class> class S>
     expect(raywalk::cross(along, Vec3d(again[0], again[1], again[2])) == Vec3d(0.0),
            "a vector has no cross product with itself");
     const Vec3d n(a, b, c), v(b, c, -(a * b + b * c) / c);
-    expect((certain_dot(n, v).value > 0) - (certain_dot(n, v).value < 0) ==
-               sign(Rational(Rational(a) * b + Rational(b) * c + Rational(c) * v.z)),
-           "certain dot");
+    const double slope = meet_plane(n, Vec3d(1.0), Vec3d(0.0), v).denominator.value;
+    expect((slope > 0) - (slope < 0) == sign(Rational(Rational(a) * b + Rational(b) * c + Rational(c) * v.z)),
+           "the slope to a plane");
   }
 }
 
