@@ -145,8 +145,9 @@ Report conclude(const std::vector<Trial>& trials, double most) {
          blocked
              ? "A square light, partly hidden by the straight edge of something half way up; what is seen of it is a "
                "smaller rectangle, known exactly. Points in rows and columns appear behind the edge one column at a "
-               "time: the shadow falls in n steps, and its error is as large as that of random points, only worse to "
-               "look at, for the steps line up as bands. Jittered points break the bands into noise, and less of it. "
+               "time: the shadow falls in n steps, and its error falls as slowly as that of random points and is worse "
+               "to look at, for the steps line up as bands. Jittered points break the bands into noise, and less of "
+               "it. "
                "The edge runs along the light's side here, which suits Sobol's points: they share out each side evenly "
                "in N parts, not only in n."
              : "The same light with nothing before it. What arrives changes smoothly over the light, so regular points "

@@ -119,8 +119,10 @@ std::string page_of(const StudyResult& result, const StudyOptions& options) {
       std::string(style) + "</head><body>\n<h1>What accuracy costs</h1>\n";
   html += fmt::format(
       "<p>Each part turns one knob of a ray tracer and shows the error and the bill. Errors are measured against "
-      "pictures that are known in closed form; every point stands for {} rounds with random numbers of their own, its "
-      "bar for a 95% interval. A dotted line is what theory expects. <b>{}</b></p>\n",
+      "pictures that are known in closed form, or where no formula is known, against two references that share no "
+      "random "
+      "number; every point stands for {} rounds with random numbers of their own, its bar for a 95% interval. A dotted "
+      "line is what theory expects. <b>{}</b></p>\n",
       result.concluded.empty() ? 0 : result.concluded.front().experiment.rounds,
       broken == 0 ? fmt::format("All {} laws hold.", laws) : fmt::format("{} of {} laws do not hold.", broken, laws));
   html += "<p>";

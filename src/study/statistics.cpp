@@ -21,7 +21,7 @@ double two_sided_p(const Estimate& estimate, double truth) {
   if (estimate.error == 0) return away == 0 ? 1 : 0;
   // By bisection of the logarithm: the quantile falls as the probability grows.
   double low = std::log(1e-300), high = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 50; ++i) {
     const double middle = (low + high) / 2;
     const bool beyond = student_quantile(std::exp(middle), estimate.freedom) * estimate.error > away;
     (beyond ? low : high) = middle;
