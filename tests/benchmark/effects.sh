@@ -31,7 +31,7 @@ for scene in "$@"; do
     without=$(instructions "$build/benchmark_without_$effect" "$scene")
     cmp -s "$scratch/shades_with" "$scratch/shades" || { echo "$scene: the programs disagree without $effect" >&2; exit 1; }
     awk -v scene="$(basename "$scene")" -v effect="$effect" -v with="$with" -v without="$without" 'BEGIN {
-      printf "%-20s %-14s %10d instructions, without its code %10d, ratio %.5f\n", scene, effect, with, without, with / without
+      printf "%-20s %-14s %10.0f instructions, without its code %10.0f, ratio %.5f\n", scene, effect, with, without, with / without
       exit !(with > 0 && without > 0 && with / without <= 1.001) }' || failed=1
   done
 done
