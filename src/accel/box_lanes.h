@@ -112,11 +112,11 @@ class LaneRay {
   std::array<Lanes, 3> from_in_, from_out_, inverse_;
 };
 
-/// The same by SlabRay, one box after the other, for rays that float cannot hold.
-template <class T>
+/// The same by slabs in T, one box after the other: for rays that float cannot hold, and naive ones.
+template <class T, class Slabs>
 class WideLaneRay {
  public:
-  WideLaneRay(const Ray<T>& ray, bool mapped) : slabs_(ray, mapped) {}
+  explicit WideLaneRay(const Slabs& slabs) : slabs_(slabs) {}
 
   [[nodiscard]] LanesMet meet(const BoxLanes& boxes, T reach) const {
     LanesMet met{all_lanes(0), 0};
@@ -129,7 +129,7 @@ class WideLaneRay {
   }
 
  private:
-  SlabRay<T> slabs_;
+  Slabs slabs_;
 };
 
 }  // namespace raywalk

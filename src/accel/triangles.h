@@ -2,7 +2,7 @@
 
 #include "math/transform.h"
 #include "shape/mesh.h"
-#include "shape/triangle.h"
+#include "shape/naive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ class Triangles {
     return {position(c[0]), position(c[1]), position(c[2])};
   }
 
-  /// `AnyRay` is a Ray or a ShearedRay.
+  /// `AnyRay` is a Ray, a ShearedRay or a NaiveRay.
   template <class AnyRay>
   [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part) const {
     const Triangle<T> triangle = (*this)[i];

@@ -23,7 +23,8 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
                    {"tolerance", report.choices.tolerance},
                    {"depth", report.limits.depth},
                    {"threshold", report.limits.threshold},
-                   {"precision", precision_name(report.precision)}};
+                   {"precision", precision_name(report.precision)},
+                   {"numerics", numerics_name(report.choices.numerics)}};
   for (int i = 0; i < ray_kind_count; ++i) {
     const auto kind = static_cast<RayKind>(i);
     json["rays"][std::string(ray_kind_name(kind))] = statistics.formed(kind);
