@@ -122,6 +122,7 @@ class WideLaneRay {
     LanesMet met{all_lanes(0), 0};
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const Bounds<float> box = boxes.box(lane);
+      if (box.empty()) continue;  // naive slabs would take it for a box turned inside out
       if (clip(slabs_, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, reach}).empty()) continue;
       met.bits |= 1U << lane;
     }

@@ -90,7 +90,8 @@ class Primitives {
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
     if (sheared != nullptr && id >= shape_count())
-      return unless_left(id, ray, triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id)));
+      return unless_left(id, ray,
+                         triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain));
     return intersect_any(id, ray, t_max, explain);
   }
   /// As books print it (shape/naive.h).
@@ -101,7 +102,7 @@ class Primitives {
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::intersect(*plane, ray, t_max, no_part, explain);
     const Motion* motion = motion_of(id);
     const NaiveRay<T> rest = motion ? NaiveRay<T>{at_rest(*motion, ray)} : ray;
-    if (id >= shape_count()) return raywalk::intersect(triangles_[id - shape_count()], rest, t_max, no_part, explain);
+    if (id >= shape_count()) return triangles_.intersect(id - shape_count(), rest, t_max, no_part, explain);
     const Placement<T>* place = place_of(id);
     return raywalk::intersect(own(id), place ? into_shape(*place, rest) : rest, t_max, no_part, explain);
   }
@@ -178,11 +179,8 @@ class Primitives {
   [[nodiscard]] std::optional<Crossing<T>> intersect_at_rest(int id, const Ray<T>& ray, T t_max,
                                                              Explain&& explain) const {
     const int departed = departed_part(ray, id);
-    if (id >= shape_count()) {
-      if constexpr (std::decay_t<Explain>::wanted)
-        static_cast<void>(raywalk::intersect(triangles_[id - shape_count()], ray, t_max, departed, explain));
-      return unless_left(id, ray, triangles_.intersect(id - shape_count(), ray, t_max, departed));
-    }
+    if (id >= shape_count())
+      return unless_left(id, ray, triangles_.intersect(id - shape_count(), ray, t_max, departed, explain));
     const Placement<T>* place = place_of(id);
     return place ? raywalk::intersect(own(id), into_shape(*place, ray), t_max, departed, explain)
                  : raywalk::intersect(own(id), ray, t_max, departed, explain);

@@ -21,14 +21,17 @@ struct Hit {
   int part;
 };
 
-/// What queries cost.
-struct TestCounts {
-  std::uint64_t nodes = 0;       ///< nodes or cells of a structure entered
-  std::uint64_t primitives = 0;  ///< ray-primitive tests made
+/// What queries cost. Handed to `intersect` as an explainer, it hears of the tests that exact arithmetic decided.
+struct TestCounts : NoExplanation {
+  std::uint64_t nodes = 0;            ///< nodes or cells of a structure entered
+  std::uint64_t primitives = 0;       ///< ray-primitive tests made
+  std::uint64_t exactly_decided = 0;  ///< of these, those where rounding left a doubt
 
+  void exact() { ++exactly_decided; }
   TestCounts& operator+=(const TestCounts& other) {
     nodes += other.nodes;
     primitives += other.primitives;
+    exactly_decided += other.exactly_decided;
     return *this;
   }
 };
@@ -68,7 +71,7 @@ class Query {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     // The full reach, not the nearest t so far: a tie must be seen to be decided.
-    return primitives.intersect(id, ray_, t_max_, NoExplanation{}, sheared_ ? &*sheared_ : nullptr);
+    return primitives.intersect(id, ray_, t_max_, counts_, sheared_ ? &*sheared_ : nullptr);
   }
 
   const AnyRay& ray_;

@@ -28,10 +28,11 @@ class Triangles {
   }
 
   /// `AnyRay` is a Ray, a ShearedRay or a NaiveRay.
-  template <class AnyRay>
-  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part) const {
+  template <class AnyRay, class Explain>
+  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part,
+                                                     Explain&& explain) const {
     const Triangle<T> triangle = (*this)[i];
-    const auto crossing = raywalk::intersect(triangle, ray, t_max, departed_part);
+    const auto crossing = raywalk::intersect(triangle, ray, t_max, departed_part, explain);
     // What has shrunk to a line has no normal; it is told last, of the few that are hit.
     if (crossing && cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0)) return std::nullopt;
     return crossing;

@@ -33,7 +33,9 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
     const auto ending = static_cast<Ending>(i);
     json["ended"][std::string(ending_name(ending))] = statistics.ends(ending);
   }
-  json["tests"] = {{"nodes", statistics.tests.nodes}, {"primitives", statistics.tests.primitives}};
+  json["tests"] = {{"nodes", statistics.tests.nodes},
+                   {"primitives", statistics.tests.primitives},
+                   {"exactly_decided", statistics.tests.exactly_decided}};
   json["random_draws"] = statistics.random_draws;
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);

@@ -29,7 +29,7 @@ template <class T, class AnyRay>
     constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
     for (int crossings = 0; crossings < crossings_limit; ++crossings) {
       ++tests.primitives;
-      const auto crossing = primitives.intersect(id, rest, reach);
+      const auto crossing = primitives.intersect(id, rest, reach, tests);
       if (!crossing) break;
       const typename World<T>::Surface& surface = world.surface(id);
       const SurfacePoint<T> point = primitives.surface_at(id, rest, *crossing);
