@@ -49,18 +49,18 @@ class Accelerator {
 
   /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive or
   /// StopsShadows.
-  template <class AnyRay, class Accept = AnyPrimitive>
+  template <class AnyRay = Ray<T>, class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
   /// Whether any primitive is crossed in (0, t_max). With `last`, the primitive of that id (-1 for none) is
   /// tested first, and replaced by the one that is found: what hid a light from one point often hides it from the next
   /// (E. Haines and D. Greenberg, "The light buffer", 1986). It changes the cost and not the answer.
-  template <class AnyRay>
+  template <class AnyRay = Ray<T>>
   [[nodiscard]] bool any(const AnyRay& ray, T t_max, TestCounts& counts, int* last = nullptr) const;
 
   /// The same, of the primitives whose role it is to stop shadow rays. Where none is crossed, `filters` are the ids,
   /// ascending, of those crossed that filter. `roles`: by primitive.
-  template <class AnyRay>
+  template <class AnyRay = Ray<T>>
   [[nodiscard]] bool any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
                               std::vector<int>& filters, int* last = nullptr) const;
 
