@@ -160,7 +160,7 @@ Outcome Facts::gather(std::string_view function, const std::vector<Expression>& 
     if (const double* term = std::get_if<double>(&*value)) number += *term;
   }
   if (counts || function == "sum") return number;
-  if (function == "most") return any ? Value(number) : Value(Nothing{});
+  if (function == "most" && any) return number;
   return kept;
 }
 
