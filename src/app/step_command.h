@@ -19,8 +19,6 @@ struct StepOptions {
   std::optional<int> depth{};
   std::optional<double> threshold{};
   Precision precision = Precision::double_;
-  std::optional<Numerics> numerics{};
-  std::optional<double> epsilon{};
   StepFormat format = StepFormat::text;
 };
 

@@ -73,9 +73,6 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   chosen = next.single_precision ? 1 : 0;
   if (form.pick(std::string(words::precision), {std::string(words::double_), std::string(words::single)}, chosen))
     next.single_precision = chosen == 1;
-  chosen = index_in(all_numerics, next.numerics.value_or(state.scene().render.numerics));
-  if (form.pick(std::string(words::numerics), names_of(all_numerics, numerics_name), chosen))
-    next.numerics = all_numerics[static_cast<std::size_t>(chosen)];
   chosen = index_in(all_heats, next.heat);
   if (form.pick(std::string(words::heat), names_of(all_heats, heat_name), chosen))
     next.heat = all_heats[static_cast<std::size_t>(chosen)];

@@ -15,7 +15,6 @@ inline constexpr std::string_view integrator = "Integrator";
 inline constexpr std::string_view accelerator = "Accelerator";
 inline constexpr std::string_view samples = "Samples of a pixel";
 inline constexpr std::string_view precision = "Precision";
-inline constexpr std::string_view numerics = "Numerics";
 inline constexpr std::string_view double_ = "double";
 inline constexpr std::string_view single = "float";
 inline constexpr std::string_view heat = "Heat map";

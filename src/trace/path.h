@@ -7,12 +7,11 @@
 //
 // Materials are the tracer's: kd / pi scatters evenly, the highlight is a lobe, mirrors and glass are exact. What
 // differs from SHADE: surfaces light each other, so that `ambient`, which stands for that light, is left out. Russian
-// roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded.
-// Every normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
+// roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded. Every
+// normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
 
 #include "trace/path_lights.h"
 #include "trace/path_lobes.h"
-#include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
 
@@ -35,14 +34,10 @@ struct PathSettings {
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Of the policy (trace/policy.h), `effects` is not heeded.
-template <class Policy>
+/// Fixed when compiled: the scalar type, and who watches (NoObserver or Observer).
+template <class T, class Observer>
 class PathTracer {
  public:
-  using T = typename Policy::Scalar;
-  using Ray = typename Policy::Ray;
-  using Observer = typename Policy::Observer;
-
   PathTracer(const World<T>& world, const PathLights<T>& lights, const PathSettings& settings,
              const RayGenerator<T>& camera, Observer& observer)
       : world_(world), lights_(lights), settings_(settings), camera_(camera), observer_(observer) {}
@@ -67,7 +62,7 @@ class PathTracer {
  private:
   /// A ray on its way.
   struct Traced {
-    Ray ray;
+    Ray<T> ray;
     RayKind kind;
     Rgb<T> share;  ///< of the pixel, that the light along the ray has
     int length;    ///< rays of the path, this one included

@@ -31,7 +31,8 @@ struct Statistics {
   Statistics& operator+=(const Statistics& other) {
     for (std::size_t i = 0; i < rays.size(); ++i) rays[i] += other.rays[i];
     for (std::size_t i = 0; i < ended.size(); ++i) ended[i] += other.ended[i];
-    tests += other.tests;
+    tests.nodes += other.tests.nodes;
+    tests.primitives += other.tests.primitives;
     random_draws += other.random_draws;
     for (std::size_t i = 0; i < draws.size(); ++i) draws[i] += other.draws[i];
     not_finite += other.not_finite;
