@@ -51,7 +51,8 @@ class Preview {
   [[nodiscard]] double done() const;
 
   [[nodiscard]] ImageSize size() const;
-  /// size().width * size().height pixels of four bytes: red, green and blue in the scene's encoding, and 255; top row first. What is not a number is magenta.
+  /// size().width * size().height pixels of four bytes: red, green and blue in the scene's encoding, and 255; top row
+  /// first. What is not a number is magenta.
   [[nodiscard]] const std::vector<std::uint8_t>& rgba() const { return rgba_; }
   /// Another number whenever rgba() has changed.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }

@@ -7,8 +7,8 @@
 //
 // Materials are the tracer's: kd / pi scatters evenly, the highlight is a lobe, mirrors and glass are exact. What
 // differs from SHADE: surfaces light each other, so that `ambient`, which stands for that light, is left out. Russian
-// roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded. Every
-// normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
+// roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded.
+// Every normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
 
 #include "trace/path_lights.h"
 #include "trace/path_lobes.h"

@@ -47,7 +47,9 @@ void add_returned(const State& state, int ray_index, std::vector<StackRow::Retur
   if (ray.shade < 0) return;
   const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
   const bool done = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
-  if (done) returned.push_back({str(returns(ray.kind).name), frame.returned, display_colour(frame.returned, state.scene().encoding)});
+  if (done)
+    returned.push_back(
+        {str(returns(ray.kind).name), frame.returned, display_colour(frame.returned, state.scene().encoding)});
 }
 
 /// The ray that FOLLOW PATH has come by: a shadow ray leaves from where that one ended.

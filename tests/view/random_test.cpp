@@ -68,7 +68,8 @@ class RandomActions {
       case 25:
         return action::HoverRay{whole(-1, 300)};
       case 26:
-        return action::HoverLine{flip() ? std::optional(static_cast<Line>(whole(0, line_count + path_line_count - 1))) : std::nullopt};
+        return action::HoverLine{flip() ? std::optional(static_cast<Line>(whole(0, line_count + path_line_count - 1)))
+                                        : std::nullopt};
       case 27:
         return action::Select{target()};
       case 28:
