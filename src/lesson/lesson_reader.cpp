@@ -1,6 +1,6 @@
 #include "io/file.h"
 #include "io/spelling.h"
-#include "io/toml.h"
+#include "io/toml_table.h"
 #include "io/toml_text.h"
 #include "lesson/lesson.h"
 
@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 namespace raywalk {
 
@@ -20,12 +19,6 @@ constexpr std::size_t most_bytes = std::size_t{1} << 20;
 constexpr std::int64_t most_pixels = 4096, most_samples = 4096;
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
-
-std::string as_toml(const toml::table& table) {
-  std::ostringstream out;
-  out << table;
-  return out.str();
-}
 
 /// Takes keys from one table, and remembers the first thing that is wrong with the file.
 class Reader {
@@ -131,7 +124,7 @@ class Reader {
   std::string changes(const toml::table& table, std::string_view key) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return "";
-    if (node->is_table()) return as_toml(*node->as_table());
+    if (node->is_table()) return text_of(*node->as_table());
     fail(line_of(*node), fmt::format("{}: expected keys of the scene with their values", key),
          "write it as set.limits.depth = 2");
     return "";

@@ -1,12 +1,12 @@
 #include "lesson/staging.h"
 
 #include "io/spelling.h"
-#include "io/toml.h"
+#include "io/toml_table.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <sstream>
+#include <utility>
 
 namespace raywalk {
 
@@ -120,16 +120,15 @@ Result<SceneDocument> changed_scene(const SceneDocument& document, std::string_v
       if (array != nullptr && array->empty()) scene.table().erase(list);
     }
   }
-  std::ostringstream text;
-  text << scene.table() << '\n';
-  auto changed = parse_scene(text.str(), file_name);
+  std::string text = text_of(scene.table());
+  auto changed = parse_scene(text, file_name);
   if (!changed) {
     // The place is one in the changed text, which nobody can look at.
     Error error = changed.error();
     error.line = error.column = 0;
     return tl::unexpected(error);
   }
-  changed->text = text.str();
+  changed->text = std::move(text);
   return changed;
 }
 
