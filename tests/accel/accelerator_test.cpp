@@ -2,10 +2,12 @@
 
 #include "accel/accelerator.h"
 #include "support/catch.h"
+#include "support/effort.h"
 
 #include <random>
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
 
@@ -91,7 +93,7 @@ template <class T>
 void compare(int count, bool mixed) {
   Random<T> random;
   const std::vector<Shape<T>> all = shapes<T>(count, mixed, random);
-  const std::vector<Ray<T>> probes = rays<T>(4000, all, random);
+  const std::vector<Ray<T>> probes = rays<T>(rounds(4000), all, random);
   const Accelerator<T> list(primitives(all), AcceleratorKind::none);
   std::vector<ShadowRole> roles(all.size(), ShadowRole::stops);
   for (std::size_t i = 0; i < roles.size(); i += 3) roles[i] = i % 2 ? ShadowRole::filters : ShadowRole::ignored;
@@ -126,7 +128,7 @@ void compare(int count, bool mixed) {
     }
     INFO(accelerator_name(kind) << ", " << count << " primitives");
     CHECK(differing == 0);
-    CHECK(hits > 400);
+    CHECK(hits > rounds(400));
     if (count >= 1000 && !mixed) CHECK(counts.primitives * 10 < brute.primitives);
   }
 }

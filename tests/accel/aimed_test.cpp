@@ -4,6 +4,7 @@
 #include "accel/accelerator.h"
 #include "shape/numbers.h"
 #include "support/catch.h"
+#include "support/effort.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -64,7 +65,7 @@ TEMPLATE_TEST_CASE("accelerators miss nothing that aimed rays hit", "[accel]", f
   Numbers next(9);
   const std::vector<Shape<T>> all = shapes<T>(next, shift);
   std::vector<Ray<T>> rays;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < rounds(6000); ++i) {
     Vec3<T> eye = Vec3<T>(Vec3d(shift, -shift, 0)) + static_cast<T>(6 * distance) * next.unit<T>();
     if (i % 6 == 0) eye.z = 0;
     const Vec3<T> target = edge_point(all[static_cast<std::size_t>(i) % all.size()], eye, next);
@@ -87,6 +88,6 @@ TEMPLATE_TEST_CASE("accelerators miss nothing that aimed rays hit", "[accel]", f
       differing += !same || structure.any(ray, infinity<T>, counts) != expected.has_value();
     }
     CHECK(differing == 0);
-    CHECK(hits > 2000);
+    CHECK(hits > rounds(2000));
   }
 }

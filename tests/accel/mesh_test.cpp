@@ -4,6 +4,7 @@
 #include "meshes.h"
 #include "shape/numbers.h"
 #include "support/catch.h"
+#include "support/effort.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -46,7 +47,7 @@ TEMPLATE_TEST_CASE("a closed mesh has no leaks at its corners and edges", "[mesh
   std::vector<int> crossed;
   int inside_misses = 0, odd = 0, differing = 0;
   const Vec3<T> centre(map.point(Vec3d(0.0)));
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < rounds(4000); ++i) {
     const Vec3<T> target(edge_point(mesh, map, next, i % 2 == 0));
     // From inside, something is hit; a line from outside crosses the surface an even number of times.
     const Vec3<T> within = centre + static_cast<T>(0.5 * scale) * next.unit<T>();
@@ -76,7 +77,7 @@ TEMPLATE_TEST_CASE("rays that leave from an edge meet neither of its triangles",
   Numbers next(11);
   TestCounts counts;
   int departed = 0, self_hits = 0, lost = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < rounds(6000); ++i) {
     const Vec3<T> target(edge_point(mesh, map, next, i % 5 == 0));
     const Vec3<T> eye = Vec3<T>(map.point(Vec3d(0.0))) + static_cast<T>(3 * scale) * next.unit<T>();
     const Ray<T> ray{eye, target - eye};
@@ -96,7 +97,7 @@ TEMPLATE_TEST_CASE("rays that leave from an edge meet neither of its triangles",
     const auto through = tree.closest({point.position, -direction, departure}, infinity<T>, counts);
     lost += !through || through->t < static_cast<T>(0.1 * scale);
   }
-  CHECK(departed > 1000);
+  CHECK(departed > rounds(1000));
   CHECK(self_hits == 0);
   CHECK(lost == 0);
 }
@@ -130,7 +131,7 @@ TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves
   primitives.move(still, primitives.size(), motion);
   const Accelerator<T> list(primitives, AcceleratorKind::none);
   std::vector<Ray<T>> rays;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < rounds(4000); ++i) {
     const Vec3<T> eye = static_cast<T>(far) * next.unit<T>();
     const Vec3<T> target =
         i % 2 ? Vec3<T>(edge_point(ball, i % 3 ? map : Affine<double>{}, next, i % 4 == 1)) : next.in_box<T>(1.5);
@@ -150,9 +151,9 @@ TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves
       if (expected) ++(expected->primitive < shapes ? on_shapes : expected->primitive < still ? on_meshes : moving);
     }
     CHECK(differing == 0);
-    CHECK(on_shapes > 300);
-    CHECK(on_meshes > 300);
-    CHECK(moving > 100);
+    CHECK(on_shapes > rounds(300));
+    CHECK(on_meshes > rounds(300));
+    CHECK(moving > rounds(100));
   }
 }
 

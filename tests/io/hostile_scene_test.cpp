@@ -7,6 +7,7 @@
 #include "io/toml_layout.h"
 #include "random_scene.h"
 #include "support/catch.h"
+#include "support/effort.h"
 #include "temporary_folder.h"
 
 using namespace raywalk;
@@ -48,7 +49,7 @@ TEST_CASE("damaged scenes are refused with a place, or are scenes that can be sa
   REQUIRE(!classic.empty());
   Random random(11);
   int refused = 0, read = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < rounds(3000); ++round) {
     const std::string text = damaged(random.chance(0.5) ? classic : *format_scene(random_scene(random)), random);
     const auto document = parse_scene(text, "damaged.toml");
     INFO("round " << round << "\n" << text);
@@ -73,7 +74,7 @@ TEST_CASE("damaged scenes are refused with a place, or are scenes that can be sa
     REQUIRE(back);
     REQUIRE(same_bits(back->scene, scene));
   }
-  CHECK(refused > 500);
+  CHECK(refused > rounds(500));
   CHECK(read > 500);
 }
 
@@ -92,7 +93,7 @@ TEST_CASE("every beginning of a scene is read without harm") {
 
 TEST_CASE("texts that are no TOML have no layout, or one that lies within them") {
   Random random(12);
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < rounds(3000); ++round) {
     const std::string text = damaged(*format_scene(random_scene(random)), random);
     const auto layout = detail::scan_toml(text);
     if (!layout) continue;

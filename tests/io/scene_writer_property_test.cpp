@@ -8,6 +8,7 @@
 #include "io/scene_values.h"
 #include "random_scene.h"
 #include "support/catch.h"
+#include "support/effort.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -109,7 +110,7 @@ std::string quoted_name(const std::string& name) {
 
 TEST_CASE("a new file reads back as the same scene, bit for bit") {
   Random random(1);
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < rounds(2000); ++round) {
     const Scene scene = random_scene(random);
     const auto text = format_scene(scene);
     INFO("round " << round << "\n" << (text ? *text : text.error().text()));
@@ -123,7 +124,7 @@ TEST_CASE("a new file reads back as the same scene, bit for bit") {
 
 TEST_CASE("an unchanged scene is written as the very same text") {
   Random random(2);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < rounds(300); ++round) {
     const Scene scene = random_scene(random);
     const Decorated before = decorate(*format_scene(scene), random);
     INFO("round " << round << "\n" << before.text);
@@ -137,7 +138,7 @@ TEST_CASE("an unchanged scene is written as the very same text") {
 
 TEST_CASE("edits keep the comments of everything that is still there") {
   Random random(3);
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < rounds(2000); ++round) {
     Scene scene = random_scene(random);
     const Decorated before = decorate(*format_scene(scene), random);
     for (std::size_t edits = 1 + random.below(4); edits > 0; --edits) change_something(scene, random);
@@ -189,7 +190,7 @@ TEST_CASE("edits keep the comments of everything that is still there") {
 
 TEST_CASE("any number of edits at once reads back as the edited scene") {
   Random random(4);
-  for (int round = 0; round < 1000; ++round) {
+  for (int round = 0; round < rounds(1000); ++round) {
     const Decorated before = decorate(*format_scene(random_scene(random)), random);
     const Scene scene = random_scene(random);  // shares names with the other by chance
     const auto after = format_scene(scene, before.text);

@@ -7,6 +7,7 @@
 #include "shape/numbers.h"
 #include "shape/quad.h"
 #include "support/catch.h"
+#include "support/effort.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -105,7 +106,7 @@ TEMPLATE_TEST_CASE("rays at random spheres are right about hit and t", "", float
   Numbers next(1);
   int wrong = 0, hits = 0;
   double worst = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < rounds(200000); ++i) {
     const Sphere<T> sphere{next.in_box<T>(10), static_cast<T>(std::exp(next.real(-3, 2)))};
     const Vec3<T> origin = next.in_box<T>(20), target = sphere.centre + T(2) * sphere.radius * next.in_box<T>();
     const Ray<T> ray{origin, static_cast<T>(next.real(0.1, 2)) * (target - origin)};
@@ -127,7 +128,7 @@ TEMPLATE_TEST_CASE("rays at random spheres are right about hit and t", "", float
     }
   }
   CHECK(wrong == 0);
-  CHECK(hits > 20000);
+  CHECK(hits > rounds(20000));
   CHECK(worst / std::numeric_limits<T>::epsilon() <= 4);
 }
 
@@ -135,7 +136,7 @@ TEST_CASE("rays near a tangent are right about hit or miss") {
   // Offsets of 2^-k of the radius, k up to 50, on both sides of the tangent; quadruple precision decides.
   Numbers next(2);
   int wrong = 0, hits = 0, misses = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < rounds(200000); ++i) {
     const Vec3d side = next.unit<double>(), along = normalize(cross(side, next.unit<double>()));
     const double radius = std::exp(next.real(-10, 10)), distance = radius * std::exp(next.real(0, 20));
     const double off = radius * (1 + std::ldexp(next.real(), -next.integer(1, 50)));
@@ -148,8 +149,8 @@ TEST_CASE("rays near a tangent are right about hit or miss") {
     wrong += got.has_value() != (expected && expected->second > 0);
   }
   CHECK(wrong == 0);
-  CHECK(hits > 50000);
-  CHECK(misses > 50000);
+  CHECK(hits > rounds(50000));
+  CHECK(misses > rounds(50000));
 }
 
 TEST_CASE("exactly tangent rays hit, one step off they do not") {
@@ -157,7 +158,7 @@ TEST_CASE("exactly tangent rays hit, one step off they do not") {
   // The last gives distances of up to 1e9 radii.
   const auto [step, largest_t] = GENERATE(table<int, int>({{3, 10}, {100, 1000}, {3000, 100000}, {2, 30000000}}));
   int tangent_missed = 0, t_wrong = 0, wrong = 0, decided[3] = {0, 0, 0};
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < rounds(20000); ++i) {
     IntegerRay ray = tangent_ray(next, step, largest_t);
     REQUIRE(exact_sign(ray) == 0);
     const auto tangent = meet(Sphere<double>{Vec3d(0), static_cast<double>(ray.radius)}, ray_of<double>(ray));
@@ -175,14 +176,14 @@ TEST_CASE("exactly tangent rays hit, one step off they do not") {
   CHECK(tangent_missed == 0);
   CHECK(t_wrong == 0);
   CHECK(wrong == 0);
-  CHECK(decided[0] > 1000);
-  CHECK(decided[2] > 1000);
+  CHECK(decided[0] > rounds(1000));
+  CHECK(decided[2] > rounds(1000));
 }
 
 TEST_CASE("exactly tangent rays hit in float too") {
   Numbers next(4);
   int missed = 0, wrong = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < rounds(20000); ++i) {
     IntegerRay ray = tangent_ray(next, 20, 500);  // all below 2^24
     const Sphere<float> sphere{Vec3<float>(0), static_cast<float>(ray.radius)};
     const auto got = meet(sphere, ray_of<float>(ray));
@@ -209,7 +210,7 @@ TEMPLATE_TEST_CASE("scaling by powers of two and mirroring keep every bit", "", 
   using T = TestType;
   Numbers next(5);
   int compared = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < rounds(20000); ++i) {
     const Sphere<T> sphere{next.in_box<T>(3), static_cast<T>(next.real(0.1, 2))};
     const Vec3<T> origin = next.in_box<T>(6);
     const Ray<T> ray{origin, sphere.centre + next.in_box<T>(2) - origin};
@@ -224,7 +225,7 @@ TEMPLATE_TEST_CASE("scaling by powers of two and mirroring keep every bit", "", 
     if (plain.has_value() != mirrored.has_value() || (plain && mirrored->t != plain->t)) FAIL("mirrored, ray " << i);
     compared += plain.has_value();
   }
-  CHECK(compared > 1000);
+  CHECK(compared > rounds(1000));
 }
 
 TEMPLATE_TEST_CASE("a ray that leaves a sphere never meets it where it left", "", float, double) {
@@ -329,7 +330,7 @@ TEST_CASE("the bounds of a sphere hold every hit") {
   const Sphere<double> sphere{Vec3d(-3, 7, 0.5), 2.5};
   const Bounds<double> box = bounds(sphere);
   int hits = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < rounds(20000); ++i) {
     const Vec3d origin = next.in_box<double>(12);
     const Ray<double> ray{origin, sphere.centre + next.in_box<double>(4) - origin};
     const auto hit = meet(sphere, ray);
@@ -339,14 +340,14 @@ TEST_CASE("the bounds of a sphere hold every hit") {
     for (int axis = 0; axis < 3; ++axis)
       if (p[axis] < box.min[axis] - 1e-13 || p[axis] > box.max[axis] + 1e-13) FAIL("outside at " << i);
   }
-  CHECK(hits > 5000);
+  CHECK(hits > rounds(5000));
 }
 
 TEMPLATE_TEST_CASE("the explanation's numbers solve the quadratic and agree with the answer", "", float, double) {
   using T = TestType;
   Numbers next(10);
   int hits = 0, misses = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < rounds(20000); ++i) {
     const Sphere<T> sphere{next.in_box<T>(), static_cast<T>(next.real(0.2, 1.5))};
     const Ray<T> ray{next.in_box<T>(3), next.unit<T>()};
     Explanation numbers;
@@ -370,8 +371,8 @@ TEMPLATE_TEST_CASE("the explanation's numbers solve the quadratic and agree with
       if (std::abs((numbers.a * t + numbers.b) * t + numbers.c) > 1e-6 * size) FAIL("no root: " << t);
     }
   }
-  CHECK(hits > 1000);
-  CHECK(misses > 1000);
+  CHECK(hits > rounds(1000));
+  CHECK(misses > rounds(1000));
 }
 
 TEST_CASE("an exactly tangent ray is explained by a discriminant of 0") {

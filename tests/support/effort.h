@@ -1,0 +1,22 @@
+#pragma once
+// How much a test tries.
+
+namespace raywalk::test {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+/// `count` rounds of the same with other numbers; an eighth of them under sanitizers, which make each ten times slower
+/// and watch the memory, not the odds.
+[[nodiscard]] constexpr int rounds(int count) { return sanitized ? count / 8 : count; }
+
+}  // namespace raywalk::test
