@@ -84,6 +84,8 @@ void walk_menu(const Ui& ui) {
   for (const Command command : {Command::play, Command::slower, Command::faster}) menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::first, Command::last, Command::clear}) menu_item(ui, command);
+  ImGui::Separator();
+  menu_item(ui, Command::lessons);
 }
 
 }  // namespace

@@ -310,6 +310,7 @@ inline constexpr std::array<CommandRow, command_count> command_table{{
      "let the plan and this pane change places",
      {{{GLFW_KEY_X}}}},
     {Command::full_screen, "full-screen", {}, "Full screen", "fill the screen, or no longer", {{{GLFW_KEY_F11}}}},
+    {Command::lessons, "lessons", {}, "Lessons", "learn step by step: predict, then see", {{{GLFW_KEY_F2}}}},
     {Command::menu,
      "menu",
      {},

@@ -165,6 +165,7 @@ bool enabled(Command command, const State& state) {
     case Command::theme:
     case Command::exchange:
     case Command::full_screen:
+    case Command::lessons:
     case Command::menu:
       return true;
   }
@@ -195,6 +196,8 @@ bool chosen(Command command, const State& state) {
       return state.tab == Tab::stack;
     case Command::tab_legend:
       return state.tab == Tab::legend;
+    case Command::lessons:
+      return state.lessons.shown;
     case Command::new_scene:
     case Command::open:
     case Command::save:
@@ -383,6 +386,8 @@ void perform(Command command, const Ui& ui) {
       return ui.wish(WindowWish::exchange);
     case Command::full_screen:
       return ui.wish(WindowWish::full_screen);
+    case Command::lessons:
+      return ui.act(action::ShowLessons{!state.lessons.shown});
     case Command::menu:
       return ui.wish(WindowWish::menu);
   }

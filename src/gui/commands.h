@@ -76,6 +76,7 @@ enum class Command {
   scale_reset,
   exchange,
   full_screen,
+  lessons,
   menu,
 };
 inline constexpr int command_count = static_cast<int>(Command::menu) + 1;

@@ -91,6 +91,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit};
   wishes.code = code_height(with);
   wishes.code_width = code_width(with);
+  if (state.lessons.shown && state.mode != Mode::help) wishes.lesson = with.px(330);
   // The transport's height depends on its width, which does not depend on its height.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
@@ -98,6 +99,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // What is in the corner is small; exchanged it has the plan's room.
   if (exchanged_ && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
 
+  if (!layout_.lesson.empty()) lesson_.draw(with, layout_.lesson);
   shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
   if (state.mode == Mode::help) {
     const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};

@@ -43,6 +43,7 @@ class Interface {
   Layout layout_;
   PropertiesPane properties_;
   TabsPane tabs_;
+  LessonPane lesson_;
   Browser browser_;
   bool full_screen_ = false, focus_properties_ = false, open_settings_ = false;
   int wanted_menu_ = -1, shown_menu_ = -1;  ///< of the bar, by number; -1: none

@@ -22,6 +22,7 @@ const std::vector<KeyGroup>& groups() {
       {"AUTO slower \u00b7 faster", {slower, faster}},
       {"Trace: a step is a line \u00b7 a ray \u00b7 a pixel", {grain_line, grain_ray, grain_pixel}},
       {"Move \u00b7 Trace \u00b7 Help", {mode_move, mode_trace, mode_help}},
+      {"the lessons", {lessons}},
       {"3-D image \u00b7 ray tree \u00b7 stack \u00b7 legend", {tab_image, tab_tree, tab_stack, tab_legend}},
       {"the plan and the pane change places", {exchange}},
       {"fit the whole scene in \u00b7 zoom in \u00b7 out", {fit, zoom_in, zoom_out}},

@@ -1,4 +1,5 @@
 #include "gui/command_table.h"
+#include "view/lesson_panel.h"
 #include "view/panels.h"
 
 #include <algorithm>
@@ -154,6 +155,28 @@ int commands_on(const KeyPress& press, Mode mode) {
                                         [&](const CommandRow& row) { return asks_for(row, press, mode); }));
 }
 
+// A lesson that asks takes digits for its choices, and Enter for its answer and for the next step.
+bool lesson_by_key(const KeyPress& press, const Ui& ui) {
+  const State& state = ui.state;
+  if (!state.lessons.shown || state.mode != Mode::trace || press.ctrl || press.alt || press.shift) return false;
+  const LessonPanel panel = lesson_panel(state);
+  const int digit = press.key - GLFW_KEY_1;
+  if (panel.asks == Asks::choice && !state.lessons.revealed && digit >= 0 &&
+      digit < static_cast<int>(panel.choices.size())) {
+    ui.act(action::GuessChoice{digit});
+    return true;
+  }
+  if (press.key != GLFW_KEY_ENTER && press.key != GLFW_KEY_KP_ENTER) return false;
+  if (panel.can_reveal) {
+    ui.act(action::RevealLesson{});
+  } else if (panel.can_go_on) {
+    ui.act(action::GoToLessonStep{panel.step});
+  } else {
+    return false;
+  }
+  return true;
+}
+
 bool press_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
   if (state.question) return answer_by_key(press, ui);
@@ -188,6 +211,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
     ui.wish(*way);
     return true;
   }
+  if (lesson_by_key(press, ui)) return true;
   const auto command = command_of(press, state);
   if (command) perform(*command, ui);
   return command.has_value();

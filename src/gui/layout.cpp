@@ -29,12 +29,15 @@ Layout lay_out(const LayoutWishes& wishes) {
 
   // The code gets its longest line; the plan, a third of the window at least.
   const float side = take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
-  const float left = std::max(width - side - hairline, 0.0f);
+  const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f, wishes.lesson) : 0.0f;
+  const float edge = lesson > 0 ? lesson + hairline : 0.0f;
+  layout.lesson = {0, top, lesson, lesson > 0 ? height - top : 0.0f};
+  const float left = std::max(width - side - hairline - edge, 0.0f);
   const float transport = take(below * 0.6f, wishes.transport);
-  layout.transport = {0, height - transport, left, transport};
+  layout.transport = {edge, height - transport, left, transport};
   const float strip = take((below - transport) * 0.3f, (low ? 36 : 42) * unit);
-  layout.strip = {0, std::max(layout.transport.y - hairline - strip, top), left, strip};
-  layout.plan = {0, top, left, layout.strip.y - top};
+  layout.strip = {edge, std::max(layout.transport.y - hairline - strip, top), left, strip};
+  layout.plan = {edge, top, left, layout.strip.y - top};
 
   // The tabs need room for a picture; what the code does not need is theirs.
   const float least_tabs = std::clamp(below * 0.36f, 190 * unit, 250 * unit);

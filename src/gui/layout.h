@@ -16,7 +16,8 @@ struct Rect {
 /// Where the panes stand. None overlaps another and none is outside the window, however small that is; a pane may be
 /// empty.
 struct Layout {
-  Rect bar;  ///< menus and modes, along the top
+  Rect bar;     ///< menus and modes, along the top
+  Rect lesson;  ///< left of the plan, while lessons are shown
   Rect plan;
   Rect strip;      ///< below the plan: what can be added to the scene, or the kinds of rays
   Rect transport;  ///< the step's sentence, buttons and scrub bar
@@ -29,6 +30,7 @@ struct LayoutWishes {
   float unit = 1;                    ///< units per unit at scale 1
   float transport = 0;               ///< height that the transport asks for
   float code = 0;                    ///< height that the code asks for
+  float lesson = 0;                  ///< width that the lesson asks for; 0: none is shown
   float code_width = 0;              ///< width that the code asks for
 };
 

@@ -52,6 +52,16 @@ class PropertiesPane {
   bool focus_field_ = false;
 };
 
+/// The lessons: their list, or the step of the one that is open.
+class LessonPane {
+ public:
+  void draw(const Ui& ui, const Rect& where);
+
+ private:
+  std::string number_;     ///< as typed
+  std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
+};
+
 /// The 3-D image as far as it is.
 struct Picture {
   std::uintptr_t texture = 0;  ///< 0: none yet

@@ -78,6 +78,8 @@ Result<State> start(const GuiOptions& options) {
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
   State state = make_state(std::move(*document), path, folder);
+  state.lessons.folder = options.data_dir + "/lessons";
+  state.lessons.scenes_folder = options.data_dir + "/scenes";
   restore_session(state);
   if (!warnings.empty()) state.notice = Notice{Notice::Kind::info, warnings.front()};
 

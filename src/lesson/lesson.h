@@ -37,7 +37,7 @@ struct NumberQuestion {
 struct ChoiceQuestion {
   std::vector<Formula> choices;
 };
-using Question = std::variant<ArrowQuestion, NumberQuestion, ChoiceQuestion>;
+using LessonQuestion = std::variant<ArrowQuestion, NumberQuestion, ChoiceQuestion>;
 
 /// A 3-D picture that is rendered for what a step claims about it.
 struct PictureRequest {
@@ -50,7 +50,7 @@ struct PictureRequest {
 };
 
 /// What lies beside the plan at a step.
-enum class LessonPane { unchanged, picture, tree, stack };
+enum class LessonBeside { unchanged, picture, tree, stack };
 
 /// A pixel of the scene's image, or with row -1 a cell of the strip; both from 0.
 struct LessonPixel {
@@ -66,10 +66,10 @@ struct LessonStep {
   std::optional<LessonPixel> pixel;  ///< where the walk begins anew; without it, it goes on
   std::optional<Formula> run;        ///< the line to run to; with a question, to stop before
   std::optional<Formula> reveal;     ///< the line that answers the question, when it is not the next one
-  std::optional<Question> question;
+  std::optional<LessonQuestion> question;
   std::vector<Formula> checks;  ///< claims about the trace, each of which must hold
   std::vector<PictureRequest> pictures;
-  LessonPane pane = LessonPane::unchanged;
+  LessonBeside pane = LessonBeside::unchanged;
   int line = 0;
 };
 

@@ -147,7 +147,7 @@ class Reader {
     return column && row ? std::optional(LessonPixel{*column, *row}) : std::nullopt;
   }
 
-  std::optional<Question> question(const toml::table& step) {
+  std::optional<LessonQuestion> question(const toml::table& step) {
     const toml::node* node = step.get("predict");
     if (node == nullptr) return std::nullopt;
     const toml::table* table = node->as_table();
@@ -204,14 +204,14 @@ class Reader {
     return request;
   }
 
-  LessonPane pane(const toml::table& table) {
+  LessonBeside pane(const toml::table& table) {
     const auto word = text(table, "show");
-    if (!word) return LessonPane::unchanged;
-    if (*word == "picture") return LessonPane::picture;
-    if (*word == "tree") return LessonPane::tree;
-    if (*word == "stack") return LessonPane::stack;
+    if (!word) return LessonBeside::unchanged;
+    if (*word == "picture") return LessonBeside::picture;
+    if (*word == "tree") return LessonBeside::tree;
+    if (*word == "stack") return LessonBeside::stack;
     fail(line_of(*table.get("show")), "show: \"" + *word + "\" is not known (expected picture, tree or stack)", "");
-    return LessonPane::unchanged;
+    return LessonBeside::unchanged;
   }
 
   LessonStep read_step(const toml::table& table) {

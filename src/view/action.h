@@ -202,6 +202,29 @@ struct SetTab {
 };
 struct DismissNotice {};
 
+// Lessons.
+struct ShowLessons {
+  bool shown;
+};
+struct OpenLesson {
+  std::string name;
+};  ///< at the first step not done yet; asks first where there is unsaved work
+struct LeaveLesson {};  ///< back to the list
+struct GoToLessonStep {
+  int step;
+};  ///< from 0; past the last: done, back to the list. Not past a question without an answer
+struct GuessChoice {
+  int choice;
+};  ///< from 0
+struct GuessNumber {
+  double number;
+};  ///< arrows are dragged
+struct RevealLesson {};  ///< shows the answer to the guess
+struct SetLessonOptions {
+  bool presenter = false, unlocked = false;
+  std::string language;
+};
+
 }  // namespace action
 
 using Action = std::variant<
@@ -214,7 +237,9 @@ using Action = std::variant<
     action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight,
     action::SetCamera, action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo,
     action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt,
-    action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice>;
+    action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice,
+    action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice,
+    action::GuessNumber, action::RevealLesson, action::SetLessonOptions>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

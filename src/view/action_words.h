@@ -162,6 +162,22 @@ template <>
 inline constexpr std::string_view word_of<SetTab> = "tab";
 template <>
 inline constexpr std::string_view word_of<DismissNotice> = "dismiss";
+template <>
+inline constexpr std::string_view word_of<ShowLessons> = "lessons";
+template <>
+inline constexpr std::string_view word_of<OpenLesson> = "open-lesson";
+template <>
+inline constexpr std::string_view word_of<LeaveLesson> = "leave-lesson";
+template <>
+inline constexpr std::string_view word_of<GoToLessonStep> = "lesson-step";
+template <>
+inline constexpr std::string_view word_of<GuessChoice> = "guess-choice";
+template <>
+inline constexpr std::string_view word_of<GuessNumber> = "guess-number";
+template <>
+inline constexpr std::string_view word_of<RevealLesson> = "reveal";
+template <>
+inline constexpr std::string_view word_of<SetLessonOptions> = "lesson-options";
 
 // The arguments of each action, in the order of the line; actions without any need no entry.
 template <class F, class A>
@@ -329,6 +345,32 @@ void arguments(F& f, SaveAs& a) {
 template <class F>
 void arguments(F& f, AnswerQuestion& a) {
   f.choice(a.answer, Words<Answer>(answer_words));
+}
+template <class F>
+void arguments(F& f, ShowLessons& a) {
+  f.choice(a.shown, Words<bool>(shown_words));
+}
+template <class F>
+void arguments(F& f, OpenLesson& a) {
+  f.rest(a.name);
+}
+template <class F>
+void arguments(F& f, GoToLessonStep& a) {
+  f.number(a.step);
+}
+template <class F>
+void arguments(F& f, GuessChoice& a) {
+  f.number(a.choice);
+}
+template <class F>
+void arguments(F& f, GuessNumber& a) {
+  f.number(a.number);
+}
+template <class F>
+void arguments(F& f, SetLessonOptions& a) {
+  f.flag(a.presenter, "presenter");
+  f.flag(a.unlocked, "unlocked");
+  f.rest(a.language);
 }
 template <class F>
 void arguments(F& f, SetTheme& a) {

@@ -29,6 +29,9 @@ void carry_out(State& state, Intent intent, const std::string& path) {
       return;
     case Intent::open:
       return open_file(state, path);
+    case Intent::lesson:
+      forget_autosave(state);
+      return begin_lesson(state, path);
     case Intent::quit:
       forget_autosave(state);
       state.quit = true;

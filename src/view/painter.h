@@ -69,6 +69,9 @@ void draw_rays(Painter& painter);
 // handles_view.cpp
 void draw_handles(Painter& painter);
 
+// lesson_view.cpp
+void draw_guess(Painter& painter);
+
 // labels_view.cpp
 void draw_labels(Painter& painter);
 

@@ -1,3 +1,4 @@
+#include "view/lesson_panel.h"
 #include "view/plan_geometry.h"
 #include "view/plan_view.h"
 #include "view/text.h"
@@ -87,6 +88,11 @@ void pointer_pressed(State& state, const action::PointerPressed& pressed) {
   const Target target = left ? state.hovered : Target{};
   if (left) state.selected = selection_of(target, state.mode);
   const Vec2d place = clamped(to_scene(state.camera, state.viewport, at));
+  if (left && arrow_origin(state)) {
+    state.drag = Drag{{}, false, at, place, state.scene(), state.camera};
+    state.drag->aims = true;
+    return guess_arrow(state, place);
+  }
   if (left && pressed.double_click && state.mode == Mode::move && target.kind == TargetKind::edge)
     return insert_corner(state, {target.index, target.part, place});
   const bool pans = state.mode != Mode::move || !target;
@@ -101,6 +107,7 @@ void pointer_moved(State& state, const action::PointerMoved& moved) {
   if (!drag.moved && length(at - drag.grabbed_px) < click_tremble * state.ui_scale) return;
   drag.moved = true;
   const Vec2d to = clamped(to_scene(state.camera, state.viewport, at));
+  if (drag.aims) return guess_arrow(state, to);
   if (drag.pans) {
     state.camera.centre = clamped(state.camera.centre + drag.grabbed - to);
     state.camera.fitted = false;
@@ -127,6 +134,7 @@ void end_drag(State& state) {
   if (!state.drag) return;
   Drag drag = std::move(*state.drag);
   state.drag.reset();
+  if (drag.aims) return;
   if (drag.pans && !drag.moved) return click(state, drag.target);
   if (drag.pans || drag.scene == state.scene()) return;
   state.last_edit.reset();
@@ -137,7 +145,9 @@ void cancel_drag(State& state) {
   if (!state.drag) return;
   Drag drag = std::move(*state.drag);
   state.drag.reset();
-  if (drag.pans) {
+  if (drag.aims) {
+    state.lessons.guess.arrow.reset();
+  } else if (drag.pans) {
     state.camera = drag.camera;
   } else if (drag.scene != state.scene()) {
     replace_scene(state, std::move(drag.scene));

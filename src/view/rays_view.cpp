@@ -106,8 +106,12 @@ void draw_rays(Painter& painter) {
   const int pixel = timeline.current_pixel(position);
   const int current = timeline.current_ray(position);
 
+  const bool of_lesson = painter.state.lessons.at() != nullptr;
+  const int first_pixel = of_lesson ? std::min(painter.state.lessons.first_pixel, pixel) : 0;
+
   const auto is_drawn = [&](int index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+    if (ray.pixel < first_pixel) return false;
     // A light that cannot reach the surface is no limit that was met: its stub goes with its pixel.
     return ray.pixel == pixel || ray.formed ||
            (ray.ending != Ending::facing_away && ray.ending != Ending::outside_cone);

@@ -6,6 +6,7 @@
 #include "render/heat.h"
 #include "timeline/timeline.h"
 #include "view/display_list.h"
+#include "view/lesson_sitting.h"
 
 #include <cstdint>
 #include <memory>
@@ -69,7 +70,7 @@ struct Notice {
 };
 
 /// What was asked for while there was unsaved work.
-enum class Intent { new_scene, open, quit };
+enum class Intent { new_scene, open, lesson, quit };
 
 struct Question {
   enum class Kind {
@@ -79,7 +80,8 @@ struct Question {
   };
   Kind kind = Kind::unsaved;
   Intent intent = Intent::quit;  ///< goes on with this after save or discard
-  std::string path;  ///< of Intent::open, of the file that the autosave belongs to (may be empty), or to overwrite
+  std::string path;        ///< of Intent::open, the name of a lesson, of the file that the autosave belongs to (may be
+                           ///< empty), or to overwrite
   std::string autosave{};  ///< recover: the autosave
   std::string when{};      ///< recover: the time at which it was written, for people
 };
@@ -96,6 +98,7 @@ struct Drag {
   Vec2d grabbed{0.0};     ///< the same in scene units
   Scene scene;            ///< as it was
   PlanCamera camera;      ///< as it was
+  bool aims = false;      ///< the arrow of a lesson's question
   bool moved = false;     ///< beyond the few pixels that a click trembles
 };
 
@@ -156,6 +159,8 @@ struct State {
   Theme theme = Theme::dark;
   double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
   Tab tab = Tab::image;
+
+  LessonSitting lessons;
 
   // Talk.
   std::optional<Question> question;

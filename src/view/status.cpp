@@ -204,6 +204,7 @@ QuestionPanel question_panel(const State& state) {
         case Intent::new_scene:
           panel.text = fill(TextId::ask_unsaved_new, {file});
           break;
+        case Intent::lesson:
         case Intent::open:
           panel.text = fill(TextId::ask_unsaved_open, {file, question.path});
           break;

@@ -34,6 +34,7 @@ bool is_finite(const Action& action) {
                         [](const InsertCorner& a) { return finite(a.at); },
                         [](const Nudge& a) { return finite(a.direction); },
                         [](const SetUiScale& a) { return finite(a.scale); },
+                        [](const GuessNumber& a) { return finite(a.number); },
                         [](const auto&) { return true; },
                     },
                     action);
@@ -224,6 +225,14 @@ void apply(State& state, const Action& action) {
             if (a.tab == Tab::image) state.turned_last = SpaceView::image;  // what is asked for is what keys turn
           },
           [&](const DismissNotice&) { state.notice.reset(); },
+          [&](const ShowLessons& a) { detail::show_lessons(state, a.shown); },
+          [&](const OpenLesson& a) { detail::open_lesson(state, a.name); },
+          [&](const LeaveLesson&) { detail::leave_lesson(state); },
+          [&](const GoToLessonStep& a) { detail::go_to_lesson_step(state, a.step); },
+          [&](const GuessChoice& a) { detail::guess_choice(state, a.choice); },
+          [&](const GuessNumber& a) { detail::guess_number(state, a.number); },
+          [&](const RevealLesson&) { detail::reveal_lesson(state); },
+          [&](const SetLessonOptions& a) { detail::set_lesson_options(state, a); },
       },
       action);
 }

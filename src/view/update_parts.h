@@ -90,6 +90,20 @@ void discard_autosave(State& state, const std::string& autosave);
 void recover(State& state, const std::string& original, const std::string& autosave);
 void add_recent(State& state, const std::string& path);
 
+// lesson_steps.cpp
+void show_lessons(State& state, bool shown);
+void open_lesson(State& state, const std::string& name);
+/// The same, now that nothing unsaved stands in its way.
+void begin_lesson(State& state, const std::string& name);
+void leave_lesson(State& state);
+void go_to_lesson_step(State& state, int step);
+void guess_choice(State& state, int choice);
+void guess_number(State& state, double number);
+/// The arrow from the ray's origin to `towards`, in scene units.
+void guess_arrow(State& state, const Vec2d& towards);
+void reveal_lesson(State& state);
+void set_lesson_options(State& state, const action::SetLessonOptions& options);
+
 // new_scene.cpp
 [[nodiscard]] Scene new_scene();
 [[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted);

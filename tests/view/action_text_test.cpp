@@ -60,6 +60,14 @@ TEST_CASE("a line that was written reads back as the same action") {
       {SetTheme{Theme::projector}, "theme projector"},
       {SetUiScale{1.25}, "ui-scale 1.25"},
       {SetTab{Tab::legend}, "tab legend"},
+      {ShowLessons{true}, "lessons on"},
+      {OpenLesson{"05-refraction"}, "open-lesson 05-refraction"},
+      {LeaveLesson{}, "leave-lesson"},
+      {GoToLessonStep{3}, "lesson-step 3"},
+      {GuessChoice{1}, "guess-choice 1"},
+      {GuessNumber{41.8}, "guess-number 41.8"},
+      {RevealLesson{}, "reveal"},
+      {SetLessonOptions{true, false, "pt"}, "lesson-options presenter pt"},
       {DismissNotice{}, "dismiss"},
   };
   for (const auto& [action, line] : lines) {

@@ -1,0 +1,243 @@
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/lesson_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace raywalk {
+
+namespace {
+
+std::string word(const Ui& ui, LessonWord of) { return std::string(lesson_word(of, ui.state.lessons.language)); }
+
+// Paragraphs, with lists; Markdown's stars and backquotes are for emphasis that the pane does not have.
+void words(const Ui& ui, Colour colour, const std::string& text) {
+  std::string plain;
+  for (const char c : text)
+    if (c != '*' && c != '`') plain += c;
+  for (std::size_t at = 0; at < plain.size();) {
+    const std::size_t end = std::min(plain.find('\n', at), plain.size());
+    std::string line = plain.substr(at, end - at);
+    at = end + 1;
+    if (line.empty()) {
+      ImGui::Dummy({1, ui.px(2)});
+      continue;
+    }
+    const bool item = line.starts_with("- ");
+    if (item) {
+      line = line.substr(2);
+      const ImVec2 dot = ImGui::GetCursorScreenPos();
+      ImGui::GetWindowDrawList()->AddCircleFilled({dot.x + ui.px(5), dot.y + ImGui::GetFontSize() * 0.55f}, ui.px(2),
+                                                  to_imgui(colour));
+      ImGui::Indent(ui.px(16));
+    }
+    paragraph(colour, line);
+    if (item) ImGui::Unindent(ui.px(16));
+  }
+}
+
+void heading(const Ui& ui, Colour colour, const std::string& text) {
+  ImGui::Dummy({1, ui.px(4)});
+  push_font(ui.fonts.strong);
+  paragraph(colour, text);
+  pop_font();
+}
+
+float button_height(const Ui& ui) { return ImGui::GetFontSize() + ui.px(14); }
+
+// A button over the width of the pane, as high as its words need.
+bool wide_button(const Ui& ui, const std::string& name, const std::string& text, Colour ground, Colour ink,
+                 bool enabled) {
+  const float width = ImGui::GetContentRegionAvail().x, pad = ui.px(10);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = size.y + ui.px(12);
+  const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height}) && enabled;
+  ui.publish(name);
+  const Shades shades(ui.state.theme);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(at, {at.x + width, at.y + height}, to_imgui(ground), ui.px(6));
+  if (enabled && ImGui::IsItemHovered())
+    draw.AddRect(at, {at.x + width, at.y + height}, to_imgui(shades.accent), ui.px(6), 0, ui.px(1.4f));
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + ui.px(6)}, to_imgui(ink), text.c_str(),
+               nullptr, width - 2 * pad);
+  return pressed;
+}
+
+void list(const Ui& ui, const LessonPanel& panel) {
+  const Shades shades(ui.state.theme);
+  int number = 0;
+  for (const LessonRow& row : panel.rows) {
+    std::string title = fmt::format("{}  {}", ++number, row.title);
+    if (row.done > 0) title += row.done == row.steps ? "  \u2713" : fmt::format("  {}/{}", row.done, row.steps);
+    const Colour ink = row.locked ? ui.colours.dim_text.with_alpha(150) : ui.colours.text;
+    if (wide_button(ui, "lesson/" + row.name, title, shades.raised, ink, !row.locked))
+      ui.act(action::OpenLesson{row.name});
+    if (row.locked) tooltip(ui, "lesson/" + row.name, word(ui, LessonWord::locked));
+  }
+}
+
+void choices(const Ui& ui, const LessonPanel& panel) {
+  const Shades shades(ui.state.theme);
+  const bool revealed = ui.state.lessons.revealed;
+  for (std::size_t i = 0; i < panel.choices.size(); ++i) {
+    const LessonChoice& choice = panel.choices[i];
+    const bool filled = choice.guessed;
+    // What is right is told by a sign, and not by its colour alone.
+    const std::string sign = !revealed ? "" : choice.right ? "\u2713 " : choice.guessed ? "\u2717 " : "";
+    const std::string text = fmt::format("{}{}  {}", sign, i + 1, choice.text);
+    if (wide_button(ui, fmt::format("guess/{}", i + 1), text, filled ? shades.accent : shades.raised,
+                    filled ? shades.on_accent : ui.colours.text, !revealed))
+      ui.act(action::GuessChoice{static_cast<int>(i)});
+  }
+}
+
+}  // namespace
+
+void LessonPane::draw(const Ui& ui, const Rect& where) {
+  const LessonPanel panel = lesson_panel(ui.state);
+  const LessonSitting& sitting = ui.state.lessons;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(12)});
+  const bool visible = begin_pane(ui, "lesson", where, ui.colours.panel,
+                                  ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  if (visible) {
+    const std::string shown_for = panel.lesson + "/" + std::to_string(panel.step) + (sitting.revealed ? "!" : "");
+    const bool is_new = shown_for_ != shown_for;
+    if (is_new && !sitting.revealed) number_.clear();
+    shown_for_ = shown_for;
+    const bool open = sitting.at() != nullptr;
+    const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui);
+
+    push_font(ui.fonts.small);
+    label(ui.colours.dim_text,
+          shortened(open ? fmt::format("{} \u00b7 {}/{}", panel.lesson, panel.step, panel.steps) : panel.score,
+                    width - 2 * height));
+    pop_font();
+    ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
+    if (button(ui, "lesson-close", "", "", {height, height},
+               {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
+      ui.act(action::ShowLessons{false});
+    ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + height});
+    push_font(ui.fonts.title);
+    paragraph(ui.colours.text, open ? panel.heading : word(ui, LessonWord::lessons));
+    pop_font();
+
+    const float foot = 2 * height + ui.px(26);
+    const float top = ImGui::GetCursorScreenPos().y;
+    const float room = std::max(where.bottom() - top - foot, 1.0f);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
+    if (ImGui::BeginChild("lesson-words", {width, room}, false)) {
+      if (is_new) ImGui::SetScrollY(0);
+      if (!open) {
+        list(ui, panel);
+      } else {
+        words(ui, ui.colours.text, panel.text);
+        if (panel.asks != Asks::nothing) {
+          heading(ui, Shades(ui.state.theme).accent, word(ui, LessonWord::predict));
+          words(ui, ui.colours.text, panel.question);
+          choices(ui, panel);
+          push_font(ui.fonts.small);
+          if (panel.asks == Asks::arrow && !sitting.revealed)
+            paragraph(ui.colours.dim_text, "\u2192 " + word(ui, LessonWord::drag_arrow));
+          if (panel.asks == Asks::number && !sitting.revealed)
+            paragraph(ui.colours.dim_text, word(ui, LessonWord::type_number));
+          pop_font();
+          if (panel.asks == Asks::number) {
+            if (is_new && !sitting.revealed) ImGui::SetKeyboardFocusHere();
+            char typed[32] = {};
+            number_.copy(typed, sizeof typed - 1);
+            ImGui::SetNextItemWidth(width * 0.5f);
+            const bool entered = ImGui::InputText(
+                "##number", typed, sizeof typed,
+                ImGuiInputTextFlags_EnterReturnsTrue | (sitting.revealed ? ImGuiInputTextFlags_ReadOnly : 0));
+            ui.publish("lesson-number");
+            if (number_ != typed) {
+              number_ = typed;
+              std::string point = number_;
+              std::replace(point.begin(), point.end(), ',', '.');
+              char* end = nullptr;
+              const double value = std::strtod(point.c_str(), &end);
+              if (end != point.c_str()) ui.act(action::GuessNumber{value});
+            }
+            if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
+            if (!panel.unit.empty()) {
+              ImGui::SameLine();
+              label(ui.colours.text, panel.unit);
+            }
+          }
+        }
+        // A new answer is brought into sight, with what leads to it.
+        if (is_new && sitting.revealed) ImGui::SetScrollHereY(0.35f);
+        if (!panel.verdict.empty())
+          heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
+                  (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+        if (!panel.reveal.empty()) words(ui, ui.colours.text, panel.reveal);
+        if (!panel.change.empty()) {
+          heading(ui, ui.colours.text, word(ui, LessonWord::change));
+          words(ui, ui.colours.text, panel.change);
+        }
+        if (!panel.presenter.empty()) {
+          heading(ui, ui.colours.dim_text, word(ui, LessonWord::presenter));
+          words(ui, ui.colours.dim_text, panel.presenter);
+        }
+        if (!panel.teacher.empty()) {
+          heading(ui, ui.colours.dim_text, word(ui, LessonWord::teacher));
+          words(ui, ui.colours.dim_text, panel.teacher);
+        }
+      }
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+
+    // Along the bottom: where to go, and how the lessons are shown.
+    const float y = where.bottom() - foot + ui.px(8), gap = ui.px(8), left = where.x + ui.px(16);
+    if (open) {
+      ImGui::SetCursorScreenPos({left, y});
+      if (button(ui, "lesson-list", word(ui, LessonWord::all_lessons), word(ui, LessonWord::all_lessons),
+                 {height, height}, {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
+        ui.act(action::LeaveLesson{});
+      const float half = (width - height - 2 * gap) / 2;
+      ImGui::SetCursorScreenPos({left + height + gap, y});
+      if (button(ui, "lesson-back", word(ui, LessonWord::back), "", {half, height}, {}, false, panel.can_go_back))
+        ui.act(action::GoToLessonStep{panel.step - 2});
+      ImGui::SetCursorScreenPos({left + height + half + 2 * gap, y});
+      const bool reveals = panel.asks != Asks::nothing && !sitting.revealed;
+      if (reveals) {
+        if (button(ui, "lesson-reveal", word(ui, LessonWord::reveal), "", {half, height}, {.look = Look::primary},
+                   false, panel.can_reveal))
+          ui.act(action::RevealLesson{});
+      } else if (button(ui, "lesson-next", word(ui, panel.is_last ? LessonWord::finish : LessonWord::next), "",
+                        {half, height}, {.look = Look::primary}, false, panel.can_go_on)) {
+        ui.act(action::GoToLessonStep{panel.step});
+      }
+    }
+    ImGui::SetCursorScreenPos({left, y + height + gap});
+    action::SetLessonOptions options{sitting.presenter, sitting.unlocked, sitting.language};
+    const ButtonLook small{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
+    const float language_width = button_width(ui, "PT", small);
+    const float other = (width - language_width - 2 * gap) / 2;
+    if (button(ui, "lesson-presenter", word(ui, LessonWord::presenter), "", {other, height}, small,
+               sitting.presenter)) {
+      options.presenter = !options.presenter;
+      ui.act(options);
+    }
+    ImGui::SetCursorScreenPos({left + other + gap, y + height + gap});
+    if (button(ui, "lesson-unlock", word(ui, LessonWord::unlock), "", {other, height}, small, sitting.unlocked)) {
+      options.unlocked = !options.unlocked;
+      ui.act(options);
+    }
+    ImGui::SetCursorScreenPos({left + 2 * (other + gap), y + height + gap});
+    if (button(ui, "lesson-language", sitting.language == "en" ? "PT" : "EN", "English | Portugu\u00eas",
+               {language_width, height}, small)) {
+      options.language = sitting.language == "en" ? "pt" : "en";
+      ui.act(options);
+    }
+  }
+  end_pane();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,84 @@
+#pragma once
+// What the lesson pane shows, as data.
+
+#include "view/state.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+/// The words of the pane itself.
+enum class LessonWord {
+  lessons,
+  next,
+  back,
+  reveal,
+  all_lessons,
+  finish,
+  presenter,
+  unlock,
+  predict,
+  drag_arrow,
+  type_number,
+  change,
+  teacher,
+  right,
+  wrong,
+  error,
+  of,
+  locked,
+  done,
+  score
+};
+[[nodiscard]] std::string_view lesson_word(LessonWord word, std::string_view language);
+
+struct LessonRow {
+  std::string name, title;
+  int done = 0, steps = 0;
+  bool locked = false;
+};
+struct LessonChoice {
+  std::string text;
+  bool guessed = false;
+  bool right = false;  ///< known only once the answer stands there
+};
+/// Which control asks.
+enum class Asks { nothing, choice, number, arrow };
+
+struct LessonPanel {
+  std::vector<LessonRow> rows;  ///< the list, where no lesson is open
+  std::string lesson, heading;
+  int step = 0, steps = 0;  ///< from 1
+  std::string text;         ///< paragraphs between empty lines; items of lists begin with "- "
+  Asks asks = Asks::nothing;
+  std::string question;
+  std::vector<LessonChoice> choices;
+  std::string unit;
+  std::string verdict;  ///< after the answer: right or not, and the error
+  bool is_right = false;
+  std::string reveal, change;      ///< after the answer, or where nothing was asked
+  std::string presenter, teacher;  ///< where they are shown
+  std::string score;               ///< of this sitting; empty before the first prediction
+  bool can_reveal = false, can_go_on = false, can_go_back = false, is_last = false;
+};
+/// The list: a lesson opens when the one before is done.
+[[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonSitting& sitting);
+[[nodiscard]] LessonPanel lesson_panel(const State& state);
+
+/// Whether the plan takes an arrow from the mouse now, and where it starts.
+[[nodiscard]] std::optional<Vec2d> arrow_origin(const State& state);
+
+/// Where the arrow of a guess starts, as long as the step that asked for it is on the screen.
+[[nodiscard]] std::optional<Vec2d> guess_origin(const State& state);
+
+/// Of a guess, when there is one: whether it counts as right, and by how much it is off: degrees of an arrow, else the
+/// question's own unit; 0 or 1 of a choice.
+struct LessonVerdict {
+  bool right = false;
+  double error = 0;
+};
+[[nodiscard]] std::optional<LessonVerdict> judge(const LessonSitting& sitting);
+
+}  // namespace raywalk

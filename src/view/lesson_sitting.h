@@ -1,0 +1,60 @@
+#pragma once
+// The lessons as a person goes through them: which is open, where in it they are, what they guessed. Part of the state.
+
+#include "lesson/play.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// A lesson of the list.
+struct LessonEntry {
+  std::string name;                                        ///< of its folder
+  std::map<std::string, std::string, std::less<>> titles;  ///< by language
+  int steps = 0;
+};
+
+/// A lesson that is gone through. Never copied: `played` points into `lesson`.
+struct OpenedLesson {
+  explicit OpenedLesson(Lesson of) : lesson(std::move(of)) {}
+  OpenedLesson(const OpenedLesson&) = delete;
+  OpenedLesson& operator=(const OpenedLesson&) = delete;
+  Lesson lesson;
+  PlayedLesson played;
+};
+
+/// What was predicted at this step, by the kind of its question.
+struct LessonGuess {
+  std::optional<int> choice;  ///< from 0
+  std::optional<double> number;
+  std::optional<Vec2d> arrow;  ///< where it points, from the ray's origin; scene units, not of length 0
+  friend bool operator==(const LessonGuess&, const LessonGuess&) = default;
+};
+
+struct LessonSitting {
+  std::string folder, scenes_folder;  ///< where the lessons are, and the scenes that ship; empty: there are none
+  bool shown = false;
+  std::vector<LessonEntry> list;  ///< read when the lessons are first shown
+  std::shared_ptr<const OpenedLesson> open;
+  int step = 0;           ///< of `open`
+  int first_pixel = 0;    ///< of the strip: rays of those before would only stand in the way
+  bool revealed = false;  ///< the answer of this step stands there
+  LessonGuess guess;
+  int right = 0, judged = 0;  ///< predictions of this sitting
+  bool presenter = false;     ///< script and teacher's notes are shown
+  bool unlocked = false;      ///< any lesson may be opened, and no question stands in the way
+  std::string language = "en";
+  std::map<std::string, int, std::less<>> done;  ///< how many steps of each lesson have been finished
+
+  [[nodiscard]] const PlayedStep* at() const {
+    return open && step < static_cast<int>(open->played.steps.size())
+               ? &open->played.steps[static_cast<std::size_t>(step)]
+               : nullptr;
+  }
+};
+
+}  // namespace raywalk

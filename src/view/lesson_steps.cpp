@@ -1,0 +1,197 @@
+// What the lesson actions do.
+
+#include "io/file.h"
+#include "view/lesson_panel.h"
+#include "view/update_parts.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace raywalk::detail {
+
+namespace {
+
+constexpr std::size_t most_progress = 1 << 16;  // bytes
+
+std::string progress_path(const State& state) { return state.state_dir + "/lessons.json"; }
+
+/// Progress is a convenience: what cannot be read or written is left out.
+void read_progress(State& state) {
+  if (state.state_dir.empty()) return;
+  const auto bytes = read_file(progress_path(state), most_progress);
+  if (!bytes) return;
+  const auto json = nlohmann::json::parse(*bytes, nullptr, false);
+  if (!json.is_object()) return;
+  if (const auto done = json.find("done"); done != json.end() && done->is_object())
+    for (const auto& [name, steps] : done->items())
+      if (steps.is_number_integer()) state.lessons.done[name] = std::clamp(steps.get<int>(), 0, 1000);
+  if (const auto unlocked = json.find("unlocked"); unlocked != json.end() && unlocked->is_boolean())
+    state.lessons.unlocked = unlocked->get<bool>();
+  if (const auto language = json.find("language"); language != json.end() && language->is_string())
+    for (const std::string_view known : lesson_languages)
+      if (language->get<std::string>() == known) state.lessons.language = known;
+}
+
+void write_progress(const State& state) {
+  if (state.state_dir.empty()) return;
+  const nlohmann::json json{
+      {"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}, {"language", state.lessons.language}};
+  std::error_code error;
+  std::filesystem::create_directories(state.state_dir, error);
+  static_cast<void>(write_file_atomically(progress_path(state), json.dump(2) + "\n"));
+}
+
+void read_list(State& state) {
+  LessonSitting& sitting = state.lessons;
+  if (!sitting.list.empty() || sitting.folder.empty()) return;
+  read_progress(state);
+  for (const std::string& name : lesson_names(sitting.folder)) {
+    const auto lesson = read_lesson(sitting.folder + "/" + name);
+    if (!lesson) {
+      complain(state, lesson.error().text());
+      continue;
+    }
+    LessonEntry entry{name, {}, static_cast<int>(lesson->steps.size())};
+    for (const auto& [language, words] : lesson->words) entry.titles[language] = words.title;
+    sitting.list.push_back(std::move(entry));
+  }
+}
+
+/// Puts the step's walk on the screen, at the place where it asks.
+void stage(State& state) {
+  const PlayedStep& step = *state.lessons.at();
+  const LessonWalk& walk = *step.walk;
+  std::optional<PixelWalk> pixel;
+  if (walk.pixel) pixel = PixelWalk{walk.document.scene.image, walk.pixel->column, walk.pixel->row, {}};
+  const bool stays = state.scene() == walk.document.scene && state.walk == pixel && !state.image.single_precision &&
+                     !state.image.integrator;
+  if (!stays) {
+    state.image.single_precision = false;
+    state.image.integrator.reset();
+    show_document(state, walk.document, {});
+    state.walk = pixel;
+    if (pixel) record_again(state);
+  }
+  if (step.step->pixel || !stays) state.lessons.first_pixel = 0;
+  if (step.step->pixel && !pixel) state.lessons.first_pixel = step.step->pixel->column;
+  state.lessons.guess = {};
+  state.lessons.revealed = false;
+  switch (step.step->pane) {
+    case LessonBeside::unchanged:
+      break;
+    case LessonBeside::picture:
+      state.tab = Tab::image;
+      break;
+    case LessonBeside::tree:
+      state.tab = Tab::tree;
+      break;
+    case LessonBeside::stack:
+      state.tab = Tab::stack;
+      break;
+  }
+  go_to(state, step.asked);
+}
+
+}  // namespace
+
+void show_lessons(State& state, bool shown) {
+  state.lessons.shown = shown;
+  if (!shown) return;
+  if (state.mode == Mode::help) state.mode = Mode::trace;
+  read_list(state);
+}
+
+void begin_lesson(State& state, const std::string& name) {
+  LessonSitting& sitting = state.lessons;
+  auto lesson = read_lesson(sitting.folder + "/" + name);
+  if (!lesson) return complain(state, lesson.error().text());
+  const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
+  opened->played = play_lesson(opened->lesson, sitting.scenes_folder);
+  if (opened->played.steps.empty())
+    return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
+  sitting.open = opened;
+  const auto done = sitting.done.find(name);
+  const int steps = static_cast<int>(opened->played.steps.size());
+  sitting.step = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
+  sitting.shown = true;
+  stage(state);
+}
+
+void open_lesson(State& state, const std::string& name) {
+  show_lessons(state, true);
+  const std::vector<LessonRow> rows = lesson_rows(state.lessons);
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
+  if (row == rows.end() || row->locked) return;
+  // What is changed during a lesson belongs to the lesson.
+  if (state.lessons.open) state.dirty = false;
+  ask_or_do(state, Intent::lesson, name);
+}
+
+void leave_lesson(State& state) {
+  state.lessons.open.reset();
+  state.lessons.guess = {};
+  state.lessons.revealed = false;
+}
+
+void go_to_lesson_step(State& state, int step) {
+  LessonSitting& sitting = state.lessons;
+  if (!sitting.open || step < 0) return;
+  const LessonPanel panel = lesson_panel(state);
+  if (step > sitting.step && !panel.can_go_on) return;
+  const std::string& name = sitting.open->lesson.name;
+  int& done = sitting.done[name];
+  done = std::max(done, std::min(step, panel.steps));
+  write_progress(state);
+  if (step >= panel.steps) return leave_lesson(state);
+  sitting.step = step;
+  stage(state);
+}
+
+void guess_choice(State& state, int choice) {
+  LessonSitting& sitting = state.lessons;
+  const LessonPanel panel = lesson_panel(state);
+  if (panel.asks != Asks::choice || sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size()))
+    return;
+  sitting.guess.choice = choice;
+}
+
+void guess_number(State& state, double number) {
+  if (lesson_panel(state).asks == Asks::number && !state.lessons.revealed) state.lessons.guess.number = number;
+}
+
+void guess_arrow(State& state, const Vec2d& towards) {
+  const std::optional<Vec2d> origin = arrow_origin(state);
+  if (!origin) return;
+  const Vec2d arrow = towards - *origin;
+  if (length(arrow) > 0) state.lessons.guess.arrow = arrow;
+}
+
+void reveal_lesson(State& state) {
+  LessonSitting& sitting = state.lessons;
+  if (!lesson_panel(state).can_reveal) return;
+  sitting.revealed = true;
+  if (const auto verdict = judge(sitting)) {
+    ++sitting.judged;
+    sitting.right += verdict->right ? 1 : 0;
+  }
+  // A student may have walked elsewhere, or changed the scene.
+  const LessonGuess guess = sitting.guess;
+  if (state.scene() != sitting.at()->walk->document.scene) {
+    stage(state);
+    sitting.guess = guess;
+    sitting.revealed = true;
+  }
+  go_to(state, sitting.at()->shown);
+}
+
+void set_lesson_options(State& state, const action::SetLessonOptions& options) {
+  state.lessons.presenter = options.presenter;
+  state.lessons.unlocked = options.unlocked;
+  for (const std::string_view known : lesson_languages)
+    if (options.language == known) state.lessons.language = known;
+  write_progress(state);
+}
+
+}  // namespace raywalk::detail

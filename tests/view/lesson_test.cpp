@@ -1,0 +1,175 @@
+// Lessons as a student goes through them, without a window.
+#include "view/lesson_panel.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include "support/catch.h"
+#include "view/action.h"
+#include "view/plan_view.h"
+
+using namespace raywalk;
+
+namespace {
+
+const std::string root = RAYWALK_SOURCE_DIR;
+
+State with_lessons(const std::string& state_dir = {}) {
+  State state = make_state(read_scene(root + "/scenes/classic.toml").value(), {}, state_dir);
+  state.lessons.folder = root + "/lessons";
+  state.lessons.scenes_folder = root + "/scenes";
+  update(state, action::ShowLessons{true});
+  return state;
+}
+
+/// Goes to the first step of the open lesson that asks so.
+void go_to_question(State& state, Asks asks) {
+  while (lesson_panel(state).asks != asks) {
+    const int step = lesson_panel(state).step;
+    REQUIRE(step < lesson_panel(state).steps);
+    update(state, action::GoToLessonStep{step});
+    REQUIRE(lesson_panel(state).step == step + 1);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the list holds all lessons, of which the first is open to a student") {
+  const State state = with_lessons();
+  const auto rows = lesson_panel(state).rows;
+  REQUIRE(rows.size() == 13);
+  CHECK(rows[0].title == "Ray casting");
+  CHECK_FALSE(rows[0].locked);
+  for (std::size_t i = 1; i < rows.size(); ++i) CHECK(rows[i].locked);
+}
+
+TEST_CASE("a locked lesson opens when the one before is done, or when a teacher unlocks all") {
+  State state = with_lessons();
+  const std::string first = state.lessons.list[0].name, second = state.lessons.list[1].name;
+  update(state, action::OpenLesson{second});
+  CHECK(state.lessons.at() == nullptr);
+  state.lessons.done[first] = state.lessons.list[0].steps;
+  update(state, action::OpenLesson{second});
+  REQUIRE(state.lessons.at() != nullptr);
+  update(state, action::LeaveLesson{});
+  update(state, action::SetLessonOptions{false, true, "pt"});
+  CHECK(lesson_panel(state).rows[12].title == "De Whitted ao traçado de caminhos");
+  CHECK_FALSE(lesson_panel(state).rows[12].locked);
+}
+
+TEST_CASE("a question holds a student until it is answered, and shows then where its line leads") {
+  State state = with_lessons();
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  const PlayedStep& step = *state.lessons.at();
+  CHECK(state.mode == Mode::trace);
+  CHECK(state.position == step.asked);
+  CHECK_FALSE(lesson_panel(state).can_go_on);
+  CHECK_FALSE(lesson_panel(state).can_reveal);
+  CHECK(lesson_panel(state).reveal.empty());
+  const int number = state.lessons.step;
+  update(state, action::GoToLessonStep{number + 1});
+  CHECK(state.lessons.step == number);
+  update(state, action::GuessChoice{7});
+  CHECK_FALSE(state.lessons.guess.choice);
+  update(state, action::GuessChoice{2});
+  CHECK(lesson_panel(state).can_reveal);
+  update(state, action::RevealLesson{});
+  CHECK(state.position == step.shown);
+  CHECK_FALSE(lesson_panel(state).is_right);
+  CHECK_FALSE(lesson_panel(state).reveal.empty());
+  CHECK(state.lessons.judged == 1);
+  CHECK(state.lessons.right == 0);
+  int right = 0;
+  for (const LessonChoice& choice : lesson_panel(state).choices) right += choice.right ? 1 : 0;
+  CHECK(right == 1);
+  CHECK(lesson_panel(state).can_go_on);
+}
+
+TEST_CASE("an arrow is dragged in the plan, and judged by its angle") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::OpenLesson{"04-reflection"});
+  REQUIRE(lesson_panel(state).asks == Asks::arrow);
+  const auto origin = arrow_origin(state);
+  REQUIRE(origin);
+  const auto& formed =
+      std::get<RayFormed>(state.lessons.at()->walk->timeline.event(state.lessons.at()->shown - 1).detail);
+  const Vec2d truth(formed.direction.x, formed.direction.y);
+  const double tilt = 0.1;  // radians
+  const Vec2d guess(truth.x * std::cos(tilt) - truth.y * std::sin(tilt),
+                    truth.x * std::sin(tilt) + truth.y * std::cos(tilt));
+  const auto pixels = [&](const Vec2d& at) { return to_pixels(state.camera, state.viewport, at); };
+  const PlanCamera camera = state.camera;
+  update(state, action::PointerPressed{pixels(*origin + Vec2d(1, 0))});
+  update(state, action::PointerMoved{pixels(*origin + 2.0 * guess)});
+  update(state, action::PointerReleased{pixels(*origin + 2.0 * guess)});
+  CHECK(state.camera == camera);
+  CHECK_FALSE(state.drag);
+  const auto verdict = judge(state.lessons);
+  REQUIRE(verdict);
+  CHECK(std::abs(verdict->error - tilt * 180 / 3.14159265358979) < 1e-6);
+  CHECK(verdict->right);
+  update(state, action::RevealLesson{});
+  CHECK(lesson_panel(state).is_right);
+  CHECK(state.lessons.right == 1);
+  CHECK_FALSE(arrow_origin(state));
+  CHECK(guess_origin(state));
+  CHECK(is_finite(plan_view(state, state.viewport)));
+}
+
+TEST_CASE("a number counts as right within its tolerance") {
+  for (const bool near : {true, false}) {
+    State state = with_lessons();
+    update(state, action::SetLessonOptions{false, true, "en"});
+    update(state, action::OpenLesson{"02-ray-meets-sphere"});
+    go_to_question(state, Asks::number);
+    const auto& question = std::get<NumberQuestion>(*state.lessons.at()->step->question);
+    const double t = std::get<Found>(state.lessons.at()->walk->timeline.event(state.lessons.at()->shown - 1).detail).t;
+    update(state, action::GuessNumber{t - question.tolerance * (near ? 0.99 : 1.01)});
+    update(state, action::RevealLesson{});
+    CHECK(lesson_panel(state).is_right == near);
+    CHECK(state.lessons.right == (near ? 1 : 0));
+  }
+}
+
+TEST_CASE("every step of every lesson stands on the screen where the lesson was checked") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{true, true, "en"});
+  for (const LessonEntry& entry : state.lessons.list) {
+    update(state, action::OpenLesson{entry.name});
+    INFO(entry.name);
+    REQUIRE(state.lessons.at() != nullptr);
+    for (int step = 0; step < entry.steps; ++step) {
+      INFO(step);
+      const PlayedStep& played = *state.lessons.at();
+      CHECK(state.timeline->steps() == played.walk->timeline.steps());
+      CHECK(state.position == played.asked);
+      CHECK_FALSE(lesson_panel(state).text.empty());
+      CHECK_FALSE(lesson_panel(state).presenter.empty());
+      update(state, action::RevealLesson{});
+      CHECK(state.position == played.shown);
+      update(state, action::GoToLessonStep{step + 1});
+    }
+    CHECK(state.lessons.at() == nullptr);
+    CHECK(state.lessons.done[entry.name] == entry.steps);
+  }
+}
+
+TEST_CASE("progress is kept between sittings") {
+  const auto folder = std::filesystem::temp_directory_path() / "raywalk-lesson-progress";
+  std::filesystem::remove_all(folder);
+  {
+    State state = with_lessons(folder.string());
+    update(state, action::OpenLesson{state.lessons.list[0].name});
+    update(state, action::GoToLessonStep{1});
+    update(state, action::SetLessonOptions{false, true, "pt"});
+  }
+  State state = with_lessons(folder.string());
+  CHECK(state.lessons.unlocked);
+  CHECK(state.lessons.language == "pt");
+  CHECK(lesson_panel(state).rows[0].done == 1);
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  CHECK(state.lessons.step == 1);
+  std::filesystem::remove_all(folder);
+}
