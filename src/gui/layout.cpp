@@ -29,7 +29,7 @@ Layout lay_out(const LayoutWishes& wishes) {
 
   // The code gets its longest line; the plan, a third of the window at least.
   const float side = take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
-  const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f, wishes.lesson) : 0.0f;
+  const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f - hairline, wishes.lesson) : 0.0f;
   const float edge = lesson > 0 ? lesson + hairline : 0.0f;
   layout.lesson = {0, top, lesson, lesson > 0 ? height - top : 0.0f};
   const float left = std::max(width - side - hairline - edge, 0.0f);

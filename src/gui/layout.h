@@ -30,8 +30,8 @@ struct LayoutWishes {
   float unit = 1;                    ///< units per unit at scale 1
   float transport = 0;               ///< height that the transport asks for
   float code = 0;                    ///< height that the code asks for
-  float lesson = 0;                  ///< width that the lesson asks for; 0: none is shown
   float code_width = 0;              ///< width that the code asks for
+  float lesson = 0;                  ///< width that the lesson asks for; 0: none is shown
 };
 
 /// Below this many units at scale 1 buttons that have a key or a menu entry too give way to the plan.

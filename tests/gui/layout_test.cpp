@@ -20,8 +20,9 @@ bool overlap(const Rect& a, const Rect& b) {
 
 // What is wrong with a layout; empty when nothing is.
 std::string faults(const Layout& layout, float width, float height) {
-  const std::array panes{layout.bar, layout.plan, layout.strip, layout.transport, layout.side, layout.tabs};
-  const std::array names{"bar", "plan", "strip", "transport", "side", "tabs"};
+  const std::array panes{layout.bar,       layout.lesson, layout.plan, layout.strip,
+                         layout.transport, layout.side,   layout.tabs};
+  const std::array names{"bar", "lesson", "plan", "strip", "transport", "side", "tabs"};
   std::string text;
   for (std::size_t i = 0; i < panes.size(); ++i) {
     const Rect& pane = panes[i];
@@ -44,11 +45,26 @@ TEST_CASE("no size of the window makes panes overlap or leave it") {
     for (const float height : sizes) {
       for (const float unit : {1.0f, 1.25f, 2.0f, 3.75f, 7.5f}) {
         CAPTURE(width, height, unit);
-        const raywalk::LayoutWishes wishes{width, height, unit, 150 * unit, 420 * unit, 300 * unit};
+        raywalk::LayoutWishes wishes{width, height, unit, 150 * unit, 420 * unit, 300 * unit};
+        CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
+        wishes.lesson = 330 * unit;
         CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
       }
     }
   }
+}
+
+TEST_CASE("a lesson takes its room from the plan alone, which keeps the larger part of it") {
+  raywalk::LayoutWishes wishes{1280, 720, 1, 134, 413, 300};
+  const Layout without = raywalk::lay_out(wishes);
+  wishes.lesson = 330;
+  const Layout with = raywalk::lay_out(wishes);
+  CHECK(without.lesson.empty());
+  CHECK(with.lesson.width == 330);
+  CHECK(with.plan.width == without.plan.width - 331);
+  CHECK(with.plan.width > 450);
+  CHECK(with.side == without.side);
+  CHECK(with.tabs == without.tabs);
 }
 
 TEST_CASE("at 1280 x 720 every pane has room for what it shows") {
