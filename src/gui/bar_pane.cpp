@@ -79,6 +79,12 @@ void walk_menu(const Ui& ui) {
   for (const Command command : {Command::step_back, Command::step_ray_back, Command::step_pixel_back})
     menu_item(ui, command);
   ImGui::Separator();
+  for (const Command command : {Command::step_over, Command::step_out, Command::step_back_over, Command::step_back_out})
+    menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::run_on, Command::run_back, Command::break_here, Command::breakpoints})
+    menu_item(ui, command);
+  ImGui::Separator();
   for (const Command command : {Command::grain_line, Command::grain_ray, Command::grain_pixel}) menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::play, Command::slower, Command::faster}) menu_item(ui, command);

@@ -1,5 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "gui/words.h"
 #include "view/panels.h"
 #include "view/text.h"
 
@@ -30,6 +31,15 @@ float text_width(ImFont* font, const std::string& text) {
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   pop_font();
   return width;
+}
+
+// A disc where the walk comes to rest, and where the pointer could put one.
+void draw_breakpoint(const Ui& ui, const Rect& gutter, bool is_set, bool pointed_at) {
+  if (!is_set && !pointed_at) return;
+  const ImVec2 centre{gutter.x + gutter.width * 0.42f, gutter.y + gutter.height / 2};
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (is_set) draw.AddCircleFilled(centre, ui.px(8), to_imgui(ui.colours.error));
+  if (pointed_at) draw.AddCircle(centre, ui.px(8), to_imgui(ui.colours.text), 0, std::max(ui.px(1.4f), 1.0f));
 }
 
 // The line just run has a pointer at its left and a ground, the next one an outline.
@@ -131,9 +141,16 @@ void code_pane(const Ui& ui, const Rect& where) {
       y += sizes.heading;
       for (const CodeRow& row : box.rows) {
         const Rect place{left + ui.px(box_padding) - ui.px(2), y, width - ui.px(2 * box_padding) + ui.px(2), sizes.row};
-        const std::string name = "line-" + std::to_string(static_cast<int>(row.line));
-        ImGui::SetCursorScreenPos(corner(place));
-        if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width, 1.0f), place.height}))
+        const std::string number = std::to_string(static_cast<int>(row.line)), name = "line-" + number;
+        const Rect gutter{place.x, place.y, ui.px(pointer_column), place.height};
+        ImGui::SetCursorScreenPos(corner(gutter));
+        if (ImGui::InvisibleButton(("break-" + number).c_str(), size(gutter)))
+          ui.act(action::ToggleBreakpoint{row.line});
+        ui.publish("break-" + number);
+        draw_breakpoint(ui, gutter, row.breakpoint, ImGui::IsItemHovered());
+        tooltip(ui, "break-" + number, std::string(words::breakpoint_hint));
+        ImGui::SetCursorScreenPos({gutter.right(), place.y});
+        if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
           ui.act(action::RunToLine{row.line});
         if (ImGui::IsItemHovered()) pointed_at = row.line;
         ui.publish(name);

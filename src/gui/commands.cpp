@@ -75,6 +75,8 @@ std::string short_label(Command command, const State& state) {
                                 std::pair{Command::add_light, TextId::short_light_source}};
   for (const auto& [of, id] : in_short)
     if (of == command) return std::string(text(id));
+  if (command == Command::tab_image) return std::string(words::short_image);
+  if (command == Command::tab_tree) return std::string(words::short_tree);
   return command_label(command, state);
 }
 
@@ -105,6 +107,10 @@ bool enabled(Command command, const State& state) {
     case Command::step:
     case Command::step_ray:
     case Command::step_pixel:
+    case Command::step_over:
+    case Command::step_out:
+    case Command::run_on:
+    case Command::break_here:
     case Command::last:
       return !at_end;
     case Command::play:
@@ -112,6 +118,9 @@ bool enabled(Command command, const State& state) {
     case Command::step_back:
     case Command::step_ray_back:
     case Command::step_pixel_back:
+    case Command::step_back_over:
+    case Command::step_back_out:
+    case Command::run_back:
     case Command::first:
     case Command::clear:
       return !at_start || state.playing;
@@ -139,6 +148,7 @@ bool enabled(Command command, const State& state) {
     case Command::mode_move:
     case Command::mode_trace:
     case Command::mode_help:
+    case Command::breakpoints:
     case Command::grain_line:
     case Command::grain_ray:
     case Command::grain_pixel:
@@ -146,6 +156,7 @@ bool enabled(Command command, const State& state) {
     case Command::tab_tree:
     case Command::tab_stack:
     case Command::tab_legend:
+    case Command::tab_equation:
     case Command::zoom_in:
     case Command::zoom_out:
     case Command::fit:
@@ -196,8 +207,21 @@ bool chosen(Command command, const State& state) {
       return state.tab == Tab::stack;
     case Command::tab_legend:
       return state.tab == Tab::legend;
+    case Command::tab_equation:
+      return state.tab == Tab::equation;
     case Command::lessons:
       return state.lessons.shown;
+    case Command::break_here:
+      return state.timeline->next(state.position) != nullptr &&
+             state.breakpoints.is_before(state.timeline->next(state.position)->line);
+    case Command::breakpoints:
+      return state.breakpoints.any();
+    case Command::step_over:
+    case Command::step_back_over:
+    case Command::step_out:
+    case Command::step_back_out:
+    case Command::run_on:
+    case Command::run_back:
     case Command::new_scene:
     case Command::open:
     case Command::save:
@@ -310,6 +334,22 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::Step{true, Grain::pixel});
     case Command::step_pixel_back:
       return ui.act(action::Step{false, Grain::pixel});
+    case Command::step_over:
+      return ui.act(action::Step{true, Grain::over});
+    case Command::step_back_over:
+      return ui.act(action::Step{false, Grain::over});
+    case Command::step_out:
+      return ui.act(action::Step{true, Grain::out});
+    case Command::step_back_out:
+      return ui.act(action::Step{false, Grain::out});
+    case Command::run_on:
+      return ui.act(action::RunOn{true});
+    case Command::run_back:
+      return ui.act(action::RunOn{false});
+    case Command::break_here:
+      return ui.act(action::ToggleBreakpoint{state.timeline->next(state.position)->line});
+    case Command::breakpoints:
+      return ui.wish(WindowWish::breakpoints);
     case Command::play:
       return ui.act(action::PlayPause{});
     case Command::clear:
@@ -336,6 +376,8 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::SetTab{Tab::stack});
     case Command::tab_legend:
       return ui.act(action::SetTab{Tab::legend});
+    case Command::tab_equation:
+      return ui.act(action::SetTab{Tab::equation});
     case Command::zoom_in:
       return zoom(ui, 1.25);
     case Command::zoom_out:

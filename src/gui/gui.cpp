@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace raywalk {
 
@@ -47,7 +48,8 @@ class Loop {
     while (!state_.quit) {
       if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
       pass_time();
-      for (const KeyPress& key : window_.take_keys()) interface_.press(state_, fonts_, unit(), dpi(), key), apply();
+      for (const KeyPress& key : window_.take_keys()) press(key);
+      if (window_.take_key_release()) let_go();
       if (window_.take_close_request()) act(action::Quit{});
       if (window_.minimised()) continue;
       if (frames_due_ > 0) frame(nullptr);
@@ -72,7 +74,7 @@ class Loop {
   [[nodiscard]] float dpi() const { return shrink() * window_.scale(); }
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
   [[nodiscard]] bool settled() const {
-    return frames_due_ == 0 && image_.rests(state_) && demo_.over() && !state_.playing;
+    return frames_due_ == 0 && image_.rests(state_) && demo_.over() && !state_.playing && !state_.hold;
   }
 
   // Seconds that may pass before something has to be done; negative: for ever.
@@ -82,6 +84,7 @@ class Loop {
     const auto at_most = [&](double seconds) {
       wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
     };
+    if (state_.hold) at_most(shortest_wait);
     if (state_.playing) at_most((1 - state_.owed) / state_.lines_per_second);
     if (!demo_.over()) at_most(0.1);
     if (state_.dirty && state_.autosaved_revision != state_.revision && !state_.state_dir.empty())
@@ -94,6 +97,17 @@ class Loop {
   void act(const Action& action) {
     update(state_, action);
     frames_due_ = frames_to_settle;
+  }
+
+  // One press of a key holds STEP once: where a breakpoint ends that, the key has to be let go first.
+  void press(const KeyPress& key) {
+    if (key.repeated && key_holds_) return;
+    interface_.press(state_, fonts_, unit(), dpi(), key);
+    apply();
+    key_holds_ = key.repeated && state_.hold;
+  }
+  void let_go() {
+    if (std::exchange(key_holds_, false)) act(action::Release{});
   }
 
   void apply() {
@@ -219,6 +233,7 @@ class Loop {
   Theme styled_theme_ = Theme::dark;
   std::uint64_t shown_image_ = 0;
   int frames_due_ = frames_to_settle, frames_drawn_ = 0;
+  bool key_holds_ = false;  ///< STEP or BACK
   double first_frame_ = 0, notice_seen_ = 0, tooltip_in_ = -1;
   std::string title_, seen_notice_;
   Result<void> failure_;

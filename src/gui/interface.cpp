@@ -28,6 +28,9 @@ void Interface::grant(const Ui& ui) {
         ui.act(action::SetTab{Tab::image});
         open_settings_ = true;
         break;
+      case WindowWish::breakpoints:
+        open_breakpoints_ = true;
+        break;
       case WindowWish::properties:
         focus_properties_ = true;
         break;
@@ -126,6 +129,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false));
   ImGui::End();
 
+  breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   notice_bar(with, layout_.plan);
   browser_.draw(with, home_);
   question_dialog(with);

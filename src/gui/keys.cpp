@@ -213,6 +213,11 @@ bool press_key(const KeyPress& press, const Ui& ui) {
   }
   if (lesson_by_key(press, ui)) return true;
   const auto command = command_of(press, state);
+  // A key that is held down steps faster and faster.
+  if (press.repeated && (command == Command::step || command == Command::step_back)) {
+    ui.act(action::Hold{command == Command::step});
+    return true;
+  }
   if (command) perform(*command, ui);
   return command.has_value();
 }

@@ -22,6 +22,10 @@ std::string_view name_of(Grain grain) {
       return "ray";
     case Grain::pixel:
       return "pixel";
+    case Grain::over:
+      return "over";
+    case Grain::out:
+      return "out";
   }
   return "";
 }
@@ -36,6 +40,8 @@ std::string_view name_of(Tab tab) {
       return "stack";
     case Tab::legend:
       return "legend";
+    case Tab::equation:
+      return "equation";
   }
   return "";
 }

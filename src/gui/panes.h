@@ -52,6 +52,15 @@ class PropertiesPane {
   bool focus_field_ = false;
 };
 
+/// Where the walk comes to rest, and a step to go to: a popup beside the code.
+class BreakpointsPopup {
+ public:
+  void draw(const Ui& ui, const Rect& code, bool open);
+
+ private:
+  FormMemory memory_;
+};
+
 /// The lessons: their list, or the step of the one that is open.
 class LessonPane {
  public:
@@ -93,6 +102,8 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest);
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on);
 int stack_tab(const Ui& ui, const Rect& where);
 void legend_tab(const Ui& ui, const Rect& where);
+/// What the line that has just run has computed, with its numbers.
+void equation_tab(const Ui& ui, const Rect& where);
 
 /// Samples of the ray kinds, in one row.
 void legend_pane(const Ui& ui, const Rect& where);

@@ -12,8 +12,8 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
     ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
                                         to_imgui(Shades(ui.state.theme).line));
     ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
-    choice(ui, {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_legend}, height, ui.fonts.small,
-           where.width - 2 * margin - height - ui.px(4));
+    choice(ui, {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_equation, Command::tab_legend},
+           height, ui.fonts.small, where.width - 2 * margin - height - ui.px(4));
     ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
     command_button(ui, Command::exchange, {height, height},
                    {.look = Look::flat, .icon = Icon::exchange, .font = nullptr, .label = false});
@@ -43,6 +43,9 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
             break;
           case Tab::legend:
             legend_tab(ui, inside);
+            break;
+          case Tab::equation:
+            equation_tab(ui, inside);
             break;
         }
       }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raywalk {
 
@@ -87,6 +88,25 @@ std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float
   return std::clamp((ImGui::GetIO().MousePos.x - least.x) / extent.x, 0.0f, 1.0f);
 }
 
+// STEP and BACK go faster and faster while they are held down.
+void hold(const Ui& ui, Command command) {
+  constexpr float patience = 0.4f;  // seconds
+  const ImGuiIO& io = ImGui::GetIO();
+  bool& holding = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(command_name(command).data()), false);
+  if (!io.MouseDown[0]) {
+    if (std::exchange(holding, false)) ui.act(action::Release{});
+    return;
+  }
+  const Rect& where = ui.items.find(command_name(command))->second;
+  if (holding || !where.contains(io.MouseClickedPos[0].x, io.MouseClickedPos[0].y) || !enabled(command, ui.state) ||
+      !where.contains(io.MousePos.x, io.MousePos.y))
+    return;
+  const float left = patience - io.MouseDownDuration[0];
+  if (left > 0) return ui.rest.wake_in(static_cast<double>(left));
+  holding = true;
+  ui.act(action::Hold{command == Command::step});
+}
+
 void speed_control(const Ui& ui, const Rows& rows) {
   const ButtonLook minus{.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false};
   const ButtonLook plus{.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false};
@@ -158,7 +178,13 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   if (!with_status) return;
   ImGui::SetCursorScreenPos({right - widest, at.y + (edge - line_height(ui.fonts, *ui.fonts.small)) / 2});
   push_font(ui.fonts.small);
-  label(ui.colours.dim_text, status);
+  const ImVec2 place = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("status", {widest, line_height(ui.fonts, *ui.fonts.small)}))
+    ui.wish(WindowWish::breakpoints);
+  const bool lit = ImGui::IsItemHovered();
+  ui.publish("status");
+  tooltip(ui, "status", std::string(words::status_hint) + "  (" + command_key(Command::breakpoints) + ")");
+  ImGui::GetWindowDrawList()->AddText(place, to_imgui(lit ? ui.colours.text : ui.colours.dim_text), status.c_str());
   pop_font();
 }
 
@@ -198,6 +224,8 @@ void transport_pane(const Ui& ui, const Rect& where) {
     command_button(ui, Command::step, step,
                    {.look = playing ? Look::plain : Look::primary, .icon = Icon::none, .font = font});
     ImGui::SameLine();
+    hold(ui, Command::step_back);
+    hold(ui, Command::step);
     command_button(ui, Command::play, step,
                    {.look = playing ? Look::primary : Look::plain, .icon = Icon::none, .font = font});
     ImGui::SameLine();

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ enum class WindowWish {
   menu,            ///< opens the first menu, or the one after that which is open
   properties,      ///< puts the keyboard into the first field of the properties
   image_settings,  ///< opens the settings of the 3-D picture
+  breakpoints,     ///< opens the breakpoints and the field for a step to go to
   exchange,        ///< the plan and the tabs take each other's place
   line_up,         ///< these scroll the help text
   line_down,
@@ -41,11 +43,13 @@ class Rest {
     now_ = now;
     return now - since_ >= patience;
   }
+  /// Asks for another frame after so many seconds at most.
+  void wake_in(double seconds) { wake_ = wake_ < 0 ? seconds : std::min(wake_, seconds); }
   /// At the end of a frame. Seconds after which another frame is needed; negative: none.
   double end_frame() {
     if (!asked_) name_.clear();
-    const bool waiting = std::exchange(asked_, false) && now_ - since_ < patience;
-    return waiting ? patience - (now_ - since_) : -1;
+    if (std::exchange(asked_, false) && now_ - since_ < patience) wake_in(patience - (now_ - since_));
+    return std::exchange(wake_, -1);
   }
 
  private:
@@ -53,6 +57,7 @@ class Rest {
   std::string name_;
   double since_ = 0, now_ = 0;
   bool asked_ = false;
+  double wake_ = -1;
 };
 
 struct Ui {

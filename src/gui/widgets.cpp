@@ -214,9 +214,21 @@ void command_button(const Ui& ui, Command command, ImVec2 size, const ButtonLook
 void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font, float most_width) {
   const Shades shades(ui.state.theme);
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
-  float width = 0;
-  for (const Command command : commands) width += button_width(ui, command, look);
-  // Too wide: each gives up the same, from beside its words.
+  bool in_short = false;
+  const auto word = [&](Command command) {
+    return in_short ? short_label(command, ui.state) : command_label(command, ui.state);
+  };
+  const auto widths = [&] {
+    float sum = 0;
+    for (const Command command : commands) sum += button_width(ui, word(command), look);
+    return sum;
+  };
+  float width = widths();
+  if (width > most_width) {
+    in_short = true;
+    width = widths();
+  }
+  // Still too wide: each gives up the same, from beside its words.
   const float less = std::max(width - most_width, 0.0f) / static_cast<float>(commands.size());
   width = std::min(width, most_width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
@@ -224,9 +236,9 @@ void choice(const Ui& ui, std::initializer_list<Command> commands, float height,
                                             ImGui::GetStyle().FrameRounding);
   float x = least.x;
   for (const Command command : commands) {
-    const float own = std::max(button_width(ui, command, look) - less, 1.0f);
+    const float own = std::max(button_width(ui, word(command), look) - less, 1.0f);
     ImGui::SetCursorScreenPos({x, least.y});
-    command_button(ui, command, {own, height}, look);
+    command_button(ui, command, {own, height}, look, word(command));
     x += own;
   }
 }

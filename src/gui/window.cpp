@@ -115,11 +115,13 @@ void Window::listen() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
     Window& self = *window_of(w);
     self.happened_ = true;
+    self.key_released_ |= action == GLFW_RELEASE;
     if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
     self.keys_.push_back({.key = key,
                           .ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
                           .shift = (mods & GLFW_MOD_SHIFT) != 0,
-                          .alt = (mods & GLFW_MOD_ALT) != 0});
+                          .alt = (mods & GLFW_MOD_ALT) != 0,
+                          .repeated = action == GLFW_REPEAT});
     self.fast_keys_.push_back(self.keys_.back());
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { window_of(w)->happened_ = true; });
@@ -186,6 +188,8 @@ bool Window::wait(double seconds) {
 }
 
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
+
+bool Window::take_key_release() { return std::exchange(key_released_, false); }
 
 bool Window::take_close_request() { return std::exchange(close_requested_, false); }
 

@@ -16,6 +16,7 @@ namespace raywalk {
 struct KeyPress {
   int key = 0;
   bool ctrl = false, shift = false, alt = false;
+  bool repeated = false;  ///< it is being held down
   friend bool operator==(const KeyPress&, const KeyPress&) = default;
 };
 
@@ -48,6 +49,8 @@ class Window {
   bool wait(double seconds);
   /// Keys pressed since the last call, in their order.
   [[nodiscard]] std::vector<KeyPress> take_keys();
+  /// Whether a key was let go since the last call.
+  [[nodiscard]] bool take_key_release();
   /// Whether the user asked the window to close since the last call.
   [[nodiscard]] bool take_close_request();
 
@@ -79,7 +82,7 @@ class Window {
   std::vector<Place> button_places_;
   std::vector<KeyPress> fast_keys_;
   std::vector<int> held_keys_;
-  bool happened_ = true, close_requested_ = false, shown_ = false;
+  bool happened_ = true, close_requested_ = false, shown_ = false, key_released_ = false;
   int restore_[4] = {0, 0, 0, 0};  ///< x, y, width, height before full screen
 };
 

@@ -32,6 +32,24 @@ inline constexpr std::string_view folder_up_hint = "Go to the folder that holds 
 inline constexpr std::string_view no_scene_here = "No scene (*.toml, *.nff, *.test) in this folder";
 inline constexpr std::string_view folder_unreadable = "This folder cannot be read";
 inline constexpr std::string_view swatch_hint = "Choose the colour";
+inline constexpr std::string_view breakpoints = "Where to come to rest";
+inline constexpr std::string_view breakpoints_hint =
+    "Before lines of code: click left of a line, or press Ctrl+B. AUTO, Run on and steps longer than a line stop "
+    "there.";
+inline constexpr std::string_view breakpoint_hint = "Come to rest before this line, or no longer";
+inline constexpr std::string_view breakpoints_off = "This step of the lesson passes all breakpoints.";
+inline constexpr std::string_view at_depth = "At DEPTH";
+inline constexpr std::string_view at_pixel = "At pixel";
+inline constexpr std::string_view at_object = "At a hit of";
+inline constexpr std::string_view at_total = "Total reflection";
+inline constexpr std::string_view nowhere = "nowhere";
+inline constexpr std::string_view remove_breakpoints = "Remove all";
+inline constexpr std::string_view go_to_step = "Go to step";
+inline constexpr std::string_view status_hint = "Go to a step by its number";
+inline constexpr std::string_view equation_empty =
+    "Take a step: here stands what the line computes, with the numbers of the ray.";
+inline constexpr std::string_view short_image = "3-D";
+inline constexpr std::string_view short_tree = "Tree";
 inline constexpr std::string_view corners_hint = "Corners are dragged in the plan";
 
 }  // namespace raywalk::words

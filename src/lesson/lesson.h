@@ -70,6 +70,7 @@ struct LessonStep {
   std::vector<Formula> checks;  ///< claims about the trace, each of which must hold
   std::vector<PictureRequest> pictures;
   LessonBeside pane = LessonBeside::unchanged;
+  bool breakpoints = true;  ///< of the student: whether they stop the walk here
   int line = 0;
 };
 

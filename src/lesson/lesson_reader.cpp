@@ -216,7 +216,8 @@ class Reader {
 
   LessonStep read_step(const toml::table& table) {
     known(table, "[[step]]",
-          {"id", "scene", "set", "remove", "pixel", "run", "reveal", "predict", "check", "picture", "show"});
+          {"id", "scene", "set", "remove", "pixel", "run", "reveal", "predict", "check", "picture", "show",
+           "breakpoints"});
     LessonStep step;
     step.line = line_of(table);
     step.id = text(table, "id").value_or("");
@@ -228,6 +229,12 @@ class Reader {
       if (array == nullptr) fail(line_of(*names), "remove: expected a list of names", "");
       for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
         step.removed.push_back(array->get(i)->value_or(std::string()));
+    }
+    if (const toml::node* node = table.get("breakpoints")) {
+      if (const auto on = node->value_exact<bool>())
+        step.breakpoints = *on;
+      else
+        fail(line_of(*node), "breakpoints: expected true or false", "false: those of the student do not stop the walk");
     }
     step.pixel = pixel(table);
     step.run = formula(table, "run");

@@ -32,6 +32,19 @@ struct JumpToCell {
 struct RunToLine {
   Line line;
 };  ///< until this line has run once more, else to the end
+struct RunOn {
+  bool forward = true;
+};  ///< to the next breakpoint or the one before, else to the end or the start
+struct ToggleBreakpoint {
+  Line line;
+};
+struct SetBreakpoints {
+  Breakpoints breakpoints;
+};
+struct Hold {
+  bool forward = true;
+};  ///< STEP or BACK is being held down: time drives it, faster and faster, until Release, a step, or a breakpoint
+struct Release {};
 struct PlayPause {};
 struct SetSpeed {
   double lines_per_second;
@@ -229,17 +242,18 @@ struct SetLessonOptions {
 
 using Action = std::variant<
     action::SetMode, action::Step, action::Jump, action::JumpToRay, action::JumpToCell, action::RunToLine,
-    action::PlayPause, action::SetSpeed, action::SetGrain, action::Clear, action::Tick, action::ResizePlan,
-    action::PointerMoved, action::PointerPressed, action::PointerReleased, action::PointerLeft, action::CancelDrag,
-    action::Zoom, action::Pan, action::FitView, action::WalkPixel, action::WalkStrip, action::Orbit, action::Shift,
-    action::Approach, action::ResetView, action::UseImageCamera, action::ShowLines, action::SetImageSettings,
-    action::HoverRay, action::HoverLine, action::Select, action::AddObject, action::RemoveSelected,
-    action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight,
-    action::SetCamera, action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo,
-    action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt,
-    action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice,
-    action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice,
-    action::GuessNumber, action::RevealLesson, action::SetLessonOptions>;
+    action::RunOn, action::ToggleBreakpoint, action::SetBreakpoints, action::Hold, action::Release, action::PlayPause,
+    action::SetSpeed, action::SetGrain, action::Clear, action::Tick, action::ResizePlan, action::PointerMoved,
+    action::PointerPressed, action::PointerReleased, action::PointerLeft, action::CancelDrag, action::Zoom, action::Pan,
+    action::FitView, action::WalkPixel, action::WalkStrip, action::Orbit, action::Shift, action::Approach,
+    action::ResetView, action::UseImageCamera, action::ShowLines, action::SetImageSettings, action::HoverRay,
+    action::HoverLine, action::Select, action::AddObject, action::RemoveSelected, action::InsertCorner,
+    action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
+    action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo, action::New, action::Open,
+    action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion,
+    action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice, action::ShowLessons,
+    action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice, action::GuessNumber,
+    action::RevealLesson, action::SetLessonOptions>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

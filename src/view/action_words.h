@@ -20,12 +20,15 @@ using Words = std::span<const std::pair<Value, std::string_view>>;
 inline constexpr std::pair<Mode, std::string_view> mode_words[] = {
     {Mode::move, "move"}, {Mode::trace, "trace"}, {Mode::help, "help"}};
 inline constexpr std::pair<Grain, std::string_view> grain_words[] = {
-    {Grain::line, "line"}, {Grain::ray, "ray"}, {Grain::pixel, "pixel"}};
+    {Grain::line, "line"}, {Grain::ray, "ray"}, {Grain::pixel, "pixel"}, {Grain::over, "over"}, {Grain::out, "out"}};
 inline constexpr std::pair<bool, std::string_view> direction_words[] = {{true, "forward"}, {false, "back"}};
 inline constexpr std::pair<Button, std::string_view> button_words[] = {
     {Button::left, "left"}, {Button::middle, "middle"}, {Button::right, "right"}};
-inline constexpr std::pair<Tab, std::string_view> tab_words[] = {
-    {Tab::image, "image"}, {Tab::tree, "tree"}, {Tab::stack, "stack"}, {Tab::legend, "legend"}};
+inline constexpr std::pair<Tab, std::string_view> tab_words[] = {{Tab::image, "image"},
+                                                                 {Tab::tree, "tree"},
+                                                                 {Tab::stack, "stack"},
+                                                                 {Tab::legend, "legend"},
+                                                                 {Tab::equation, "equation"}};
 inline constexpr std::pair<Theme, std::string_view> theme_words[] = {{Theme::dark, "dark"},
                                                                      {Theme::projector, "projector"}};
 inline constexpr std::pair<Answer, std::string_view> answer_words[] = {
@@ -70,6 +73,14 @@ template <>
 inline constexpr std::string_view word_of<JumpToCell> = "jump-to-cell";
 template <>
 inline constexpr std::string_view word_of<RunToLine> = "run-to-line";
+template <>
+inline constexpr std::string_view word_of<RunOn> = "run-on";
+template <>
+inline constexpr std::string_view word_of<ToggleBreakpoint> = "breakpoint";
+template <>
+inline constexpr std::string_view word_of<action::Hold> = "hold";
+template <>
+inline constexpr std::string_view word_of<Release> = "let-go";
 template <>
 inline constexpr std::string_view word_of<PlayPause> = "play-pause";
 template <>
@@ -206,6 +217,18 @@ void arguments(F& f, JumpToCell& a) {
 template <class F>
 void arguments(F& f, RunToLine& a) {
   f.line(a.line);
+}
+template <class F>
+void arguments(F& f, RunOn& a) {
+  f.choice(a.forward, Words<bool>(direction_words));
+}
+template <class F>
+void arguments(F& f, ToggleBreakpoint& a) {
+  f.line(a.line);
+}
+template <class F>
+void arguments(F& f, action::Hold& a) {
+  f.choice(a.forward, Words<bool>(direction_words));
 }
 template <class F>
 void arguments(F& f, SetSpeed& a) {

@@ -13,6 +13,7 @@ CodeRow row_of(const State& state, const PseudocodeLine& line) {
   const Event* next = state.timeline->next(state.position);
   row.just_run = just_run != nullptr && just_run->line == line.line;
   row.next = next != nullptr && next->line == line.line;
+  row.breakpoint = state.breakpoints.is_before(line.line);
   row.hovered = state.hovered_line == line.line;
   if (state.hovered_ray >= 0)
     row.hovered =

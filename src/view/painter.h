@@ -69,6 +69,9 @@ void draw_rays(Painter& painter);
 // handles_view.cpp
 void draw_handles(Painter& painter);
 
+// equation_view.cpp
+void draw_hit_notes(Painter& painter);
+
 // lesson_view.cpp
 void draw_guess(Painter& painter);
 

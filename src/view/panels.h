@@ -16,9 +16,10 @@ struct CodeRow {
   Line line;
   int indent;  ///< levels
   std::string text;
-  bool just_run = false;  ///< highlighted: this line has just run
-  bool next = false;      ///< outlined: this line runs next
-  bool hovered = false;   ///< pointed at here, or the ray pointed at elsewhere was formed or found by it
+  bool just_run = false;    ///< highlighted: this line has just run
+  bool next = false;        ///< outlined: this line runs next
+  bool breakpoint = false;  ///< the walk comes to rest before it
+  bool hovered = false;     ///< pointed at here, or the ray pointed at elsewhere was formed or found by it
 };
 
 struct CodeBox {

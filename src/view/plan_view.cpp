@@ -73,6 +73,7 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
   detail::draw_eye(painter);
   detail::draw_lights(painter);
   if (moving) detail::draw_handles(painter);
+  detail::draw_hit_notes(painter);
   detail::draw_labels(painter);
   detail::draw_guess(painter);
   return std::move(painter.list);

@@ -14,36 +14,109 @@ int stepped(const Timeline& timeline, int position, Grain grain, bool forward) {
       return forward ? timeline.next_ray(position) : timeline.previous_ray(position);
     case Grain::pixel:
       return forward ? timeline.next_pixel(position) : timeline.previous_pixel(position);
+    case Grain::over:
+      return forward ? step_over(timeline, position) : step_back_over(timeline, position);
+    case Grain::out:
+      return forward ? step_out(timeline, position) : step_back_out(timeline, position);
   }
   return position;
 }
 
+namespace {
+
+/// Where a step that would lead forward to `to` comes to rest: at a breakpoint on the way there.
+int stopped(const State& state, int to) {
+  const Breakpoints breakpoints = breakpoints_in_force(state);
+  if (!breakpoints.any() || to <= state.position + 1) return to;
+  return next_stop(breakpoints, state.scene(), *state.timeline, state.position, to);
+}
+
+}  // namespace
+
 void go_to(State& state, int position) {
   state.playing = false;
+  state.hold.reset();
   state.mode = Mode::trace;
   state.position = std::clamp(position, 0, state.timeline->steps());
 }
 
 void walk(State& state, const action::Step& step) {
-  go_to(state, stepped(*state.timeline, state.position, step.grain.value_or(state.grain), step.forward));
+  // The button that has been held and is let go asks for no step more.
+  if (state.hold) return go_to(state, state.position);
+  const int to = stepped(*state.timeline, state.position, step.grain.value_or(state.grain), step.forward);
+  go_to(state, step.forward ? stopped(state, to) : to);
 }
 
 void run_to_line(State& state, Line line) {
   int position = state.position;
   do ++position;
   while (position < state.timeline->steps() && state.timeline->just_run(position)->line != line);
-  go_to(state, position);
+  go_to(state, stopped(state, std::min(position, state.timeline->steps())));
 }
 
+void run_on(State& state, bool forward) {
+  const Breakpoints breakpoints = breakpoints_in_force(state);
+  const Timeline& timeline = *state.timeline;
+  go_to(state, forward ? next_stop(breakpoints, state.scene(), timeline, state.position, timeline.steps())
+                       : previous_stop(breakpoints, state.scene(), timeline, state.position));
+}
+
+void toggle_breakpoint(State& state, Line line) {
+  bool& before = state.breakpoints.before[static_cast<std::size_t>(line)];
+  before = !before;
+}
+
+namespace {
+
+void play_held(State& state, double seconds) {
+  Hold& hold = *state.hold;
+  const Breakpoints breakpoints = breakpoints_in_force(state);
+  hold.seconds += seconds;
+  hold.owed += seconds * hold_rate(hold.seconds);
+  const Timeline& timeline = *state.timeline;
+  const bool forward = hold.forward;
+  const int end = forward ? timeline.steps() : 0;
+  for (; hold.owed >= 1 && state.position != end; hold.owed -= 1) {
+    const int to = stepped(timeline, state.position, state.grain, forward);
+    const int rest = forward ? stopped(state, to) : to;
+    state.position = rest;
+    if (forward && (rest != to || stops_at(breakpoints, state.scene(), timeline, rest))) return state.hold.reset();
+  }
+  if (state.position == end) state.hold.reset();
+}
+
+}  // namespace
+
 void play(State& state, double seconds) {
-  if (!state.playing) return;
   // A window that was held up for long does not make up for all of it.
-  state.owed += std::min(seconds, 1.0) * state.lines_per_second;
+  seconds = std::min(seconds, 1.0);
+  if (state.hold) return play_held(state, seconds);
+  if (!state.playing) return;
+  state.owed += seconds * state.lines_per_second;
+  const Breakpoints breakpoints = breakpoints_in_force(state);
   while (state.owed >= 1 && state.playing) {
     state.owed -= 1;
-    state.position = stepped(*state.timeline, state.position, state.grain, true);
-    if (state.position == state.timeline->steps()) state.playing = false;
+    const int to = stepped(*state.timeline, state.position, state.grain, true);
+    const int rest = stopped(state, to);
+    state.position = rest;
+    const bool stops = rest != to || stops_at(breakpoints, state.scene(), *state.timeline, rest);
+    if (rest == state.timeline->steps() || stops) state.playing = false;
   }
 }
 
 }  // namespace raywalk::detail
+
+namespace raywalk {
+
+double hold_rate(double seconds) {
+  // From as fast as one clicks, doubled every second.
+  constexpr double slowest = 6, fastest = 600;
+  return std::min(slowest * std::exp2(seconds), fastest);
+}
+
+Breakpoints breakpoints_in_force(const State& state) {
+  const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
+  return step != nullptr && !step->step->breakpoints ? Breakpoints{} : state.breakpoints;
+}
+
+}  // namespace raywalk

@@ -4,6 +4,7 @@
 
 #include "io/scene_file.h"
 #include "render/heat.h"
+#include "timeline/stops.h"
 #include "timeline/timeline.h"
 #include "view/display_list.h"
 #include "view/lesson_sitting.h"
@@ -19,9 +20,10 @@ namespace raywalk {
 enum class AcceleratorKind;  // accel/accelerator.h
 
 enum class Mode { move, trace, help };
-/// How far one step goes: a line of pseudocode, to the next ray, to the next pixel.
-enum class Grain { line, ray, pixel };
-enum class Tab { image, tree, stack, legend };
+/// How far one step goes: a line of pseudocode, to the next ray, to the next pixel; over a line with all of the SHADE
+/// that it calls, out of the SHADE under way.
+enum class Grain { line, ray, pixel, over, out };
+enum class Tab { image, tree, stack, legend, equation };
 
 /// The pane that shows the plan, in pixels.
 struct Viewport {
@@ -102,6 +104,13 @@ struct Drag {
   bool moved = false;     ///< beyond the few pixels that a click trembles
 };
 
+/// STEP or BACK is held down: the longer, the faster it goes.
+struct Hold {
+  bool forward = true;
+  double seconds = 0;  ///< so far
+  double owed = 0;     ///< steps due from ticks, below 1 between ticks
+};
+
 /// Which edit an entry of undo came from: edits that continue each other have equal marks.
 struct EditMark {
   std::size_t edit = 0;  ///< index in Action
@@ -134,6 +143,8 @@ struct State {
   double lines_per_second = 4;  ///< of AUTO; in grains ray and pixel: rays or pixels a second
   double owed = 0;              ///< steps due from ticks, below 1 between ticks
   Grain grain = Grain::line;
+  std::optional<Hold> hold;
+  Breakpoints breakpoints;
 
   // Space.
   std::optional<PixelWalk> walk;       ///< absent: the strip is walked
@@ -192,6 +203,11 @@ void restore_session(State& state);
 [[nodiscard]] Scene pictured_scene(const State& state);
 /// Whether the scene is shown as lines in space where the plan stands otherwise.
 [[nodiscard]] bool shows_lines(const State& state);
+
+/// Steps a second after STEP has been held for so long.
+[[nodiscard]] double hold_rate(double seconds);
+/// The breakpoints that stop a walk now: none where the lesson that is open has switched them off.
+[[nodiscard]] Breakpoints breakpoints_in_force(const State& state);
 
 /// The strip's column of the pixel under way (or just put), or -1; -1 also while a pixel of the picture is walked.
 [[nodiscard]] int current_cell(const State& state);

@@ -119,8 +119,17 @@ void apply(State& state, const Action& action) {
               if (pixel.column == a.cell) return detail::go_to(state, pixel.begun_at);
           },
           [&](const RunToLine& a) { detail::run_to_line(state, a.line); },
+          [&](const RunOn& a) { detail::run_on(state, a.forward); },
+          [&](const ToggleBreakpoint& a) { detail::toggle_breakpoint(state, a.line); },
+          [&](const SetBreakpoints& a) { state.breakpoints = a.breakpoints; },
+          [&](const action::Hold& a) {
+            detail::go_to(state, state.position);
+            state.hold = raywalk::Hold{a.forward};
+          },
+          [&](const Release&) { state.hold.reset(); },
           [&](const PlayPause&) {
             state.owed = 0;
+            state.hold.reset();
             state.mode = Mode::trace;
             const bool at_end = state.position == state.timeline->steps();
             state.playing = !state.playing && !at_end;

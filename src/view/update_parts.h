@@ -40,6 +40,8 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 void walk(State& state, const action::Step& step);
 void go_to(State& state, int position);
 void run_to_line(State& state, Line line);
+void run_on(State& state, bool forward);
+void toggle_breakpoint(State& state, Line line);
 void play(State& state, double seconds);
 /// The position that one step of `grain` leads to.
 [[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);

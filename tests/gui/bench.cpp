@@ -139,6 +139,12 @@ void Bench::key(int key, bool ctrl, bool shift, bool alt) {
   frames(settle);
 }
 
+void Bench::repeat(int key) {
+  interface_.press(state, fonts_, unit, dpi, {.key = key, .repeated = true});
+  take_actions();
+  frames(settle);
+}
+
 void Bench::type(const std::string& text) {
   ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
   frames(settle);

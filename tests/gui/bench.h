@@ -42,6 +42,8 @@ class Bench {
   void drag(const std::string& item, float dx, float dy);
   // A key as GLFW numbers it.
   void key(int key, bool ctrl = false, bool shift = false, bool alt = false);
+  // The same key, held down.
+  void repeat(int key);
   // Characters into the field that has the keyboard.
   void type(const std::string& text);
   // Enter or Escape, for ImGui's own fields.

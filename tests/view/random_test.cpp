@@ -159,7 +159,21 @@ class RandomActions {
   }
   SpaceView view() { return flip() ? SpaceView::image : SpaceView::lines; }
   Action other() {
-    switch (whole(0, 18)) {
+    switch (whole(0, 22)) {
+      case 19:
+        return action::RunOn{flip()};
+      case 20:
+        return action::ToggleBreakpoint{static_cast<Line>(whole(0, line_count + path_line_count - 1))};
+      case 21: {
+        Breakpoints breakpoints;
+        if (flip()) breakpoints.depth = whole(-1, 9);
+        if (flip()) breakpoints.pixel = whole(-1, 40);
+        breakpoints.total_internal_reflection = flip();
+        if (flip()) breakpoints.object = "Mirror";
+        return action::SetBreakpoints{breakpoints};
+      }
+      case 22:
+        return flip() ? Action(action::Hold{flip()}) : Action(action::Release{});
       case 10:
         return action::WalkPixel{whole(-1, 70), whole(-1, 50), {63, 47}};
       case 11:

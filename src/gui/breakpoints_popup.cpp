@@ -1,0 +1,75 @@
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "gui/words.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+// The objects to choose from, behind "nowhere".
+std::vector<std::string> object_names(const Scene& scene) {
+  std::vector<std::string> names{std::string(words::nowhere)};
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  return names;
+}
+
+// A number that may be absent: the field shows `none` then.
+void optional_whole(Form& form, std::string_view label, std::optional<int>& value, int none, int most) {
+  int shown = value.value_or(none);
+  if (form.whole(std::string(label), shown, none, most)) value = shown == none ? std::nullopt : std::optional(shown);
+}
+
+}  // namespace
+
+void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
+  if (open) ImGui::OpenPopup("breakpoints-popup");
+  // Beside the code, so that the lines can be seen.
+  ImGui::SetNextWindowPos({std::max(code.x - ui.px(8), 0.0f), code.y + ui.px(8)}, ImGuiCond_Appearing, {1, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
+  const bool is_open = ImGui::BeginPopup("breakpoints-popup");
+  ImGui::PopStyleVar();
+  if (!is_open) return;
+  ui.publish("breakpoints-popup",
+             {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
+  const State& state = ui.state;
+  const float width = ui.px(330);
+  push_font(ui.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
+  Form form(ui, memory_, width);
+  int step = state.position;
+  if (open) form.focus_next();
+  if (form.whole(std::string(words::go_to_step), step, 0, state.timeline->steps())) ui.act(action::Jump{step});
+
+  form.heading(words::breakpoints);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+  label(ui.colours.dim_text, words::breakpoints_hint);
+  if (breakpoints_in_force(state) != state.breakpoints) label(ui.colours.error, words::breakpoints_off);
+  ImGui::PopTextWrapPos();
+  Breakpoints next = state.breakpoints;
+  optional_whole(form, words::at_depth, next.depth, 0, 99);
+  optional_whole(form, words::at_pixel, next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
+  form.flag(std::string(words::at_total), next.total_internal_reflection);
+  const std::vector<std::string> names = object_names(state.scene());
+  const auto at = std::find(names.begin() + 1, names.end(), next.object);
+  int chosen = at == names.end() ? 0 : static_cast<int>(at - names.begin());
+  if (form.pick(std::string(words::at_object), names, chosen))
+    next.object = chosen == 0 ? std::string() : names[static_cast<std::size_t>(chosen)];
+  if (next != state.breakpoints) ui.act(action::SetBreakpoints{next});
+
+  const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+  const ImVec2 extent{(width - ui.px(12)) / 3, ui.px(32)};
+  command_button(ui, Command::run_back, extent, look);
+  ImGui::SameLine();
+  command_button(ui, Command::run_on, extent, look);
+  ImGui::SameLine();
+  if (button(ui, "remove-breakpoints", std::string(words::remove_breakpoints), "", extent, look, false,
+             state.breakpoints.any()))
+    ui.act(action::SetBreakpoints{});
+  ImGui::PopStyleVar();
+  pop_font();
+  ImGui::EndPopup();
+}
+
+}  // namespace raywalk

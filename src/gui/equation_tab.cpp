@@ -1,0 +1,54 @@
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "gui/words.h"
+#include "view/equation.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+// A field of the colour that a term brings, as the picture would show it.
+void swatch(const Ui& ui, const Rgbd& light, float height) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = 1.6f * height;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(at, {at.x + width, at.y + height}, to_imgui(display_colour(light, ui.state.scene().encoding)),
+                     ui.px(3));
+  draw.AddRect(at, {at.x + width, at.y + height}, to_imgui(ui.colours.dim_text), ui.px(3));
+  ImGui::SetCursorScreenPos({at.x + width + ui.px(8), at.y});
+}
+
+}  // namespace
+
+void equation_tab(const Ui& ui, const Rect& where) {
+  const EquationPanel panel = equation_panel(ui.state);
+  if (panel.rows.empty()) return paragraph(ui.colours.dim_text, words::equation_empty);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(5)});
+  push_font(ui.fonts.strong);
+  label(ui.colours.text, panel.title);
+  pop_font();
+  ImGui::PushTextWrapPos(where.width - ui.px(14));
+  int number = 0;
+  for (const EquationRow& row : panel.rows) {
+    using Kind = EquationRow::Kind;
+    const bool total = row.kind == Kind::total;
+    if (total && row.light) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      ImGui::GetWindowDrawList()->AddLine(at, {at.x + where.width - ui.px(14), at.y},
+                                          to_imgui(Shades(ui.state.theme).line));
+      ImGui::Dummy({1, ui.px(1)});
+    }
+    push_font(row.kind == Kind::note ? ui.fonts.small : total ? ui.fonts.code_strong : ui.fonts.code);
+    if (row.light) swatch(ui, *row.light, ImGui::GetFontSize());
+    const bool dim = row.kind == Kind::formula || row.kind == Kind::note;
+    label(dim ? ui.colours.dim_text : ui.colours.text, row.text);
+    ui.publish("equation/" + std::to_string(number++));
+    pop_font();
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,86 @@
+#include "timeline/stops.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+const FrameRecord& frame_of(const Timeline& timeline, int frame) {
+  return timeline.frames()[static_cast<std::size_t>(frame)];
+}
+
+/// The call that has begun last and not returned; null in MAIN ALGORITHM.
+const FrameRecord* innermost(const Timeline& timeline, int position) {
+  const std::vector<int> calls = timeline.stack(position);
+  return calls.empty() ? nullptr : &frame_of(timeline, calls.front());
+}
+
+/// DEPTH of the SHADE that has been called, or else executes; of a path, its rays.
+int reached(const Timeline& timeline, int position) {
+  const Event* event = timeline.just_run(position);
+  if (event == nullptr) return 0;
+  const auto* called = std::get_if<ShadeCalled>(&event->detail);
+  const bool one_more = (called != nullptr && !called->missed) || event->line == Line::form_next_ray;
+  return event->depth + (one_more ? 1 : 0);
+}
+
+bool is_total(const EventDetail& detail) {
+  const auto* decided = std::get_if<Decided>(&detail);
+  return decided != nullptr && decided->why == Ending::total_internal_reflection;
+}
+
+}  // namespace
+
+int step_over(const Timeline& timeline, int position) {
+  if (position >= timeline.steps()) return position;
+  const FrameRecord* called = innermost(timeline, position + 1);
+  return called != nullptr && called->called_at == position + 1 ? called->returned_at : position + 1;
+}
+
+int step_back_over(const Timeline& timeline, int position) {
+  if (position <= 0) return position;
+  const int executed = timeline.current_frame(position);
+  const bool returned = executed >= 0 && frame_of(timeline, executed).returned_at == position;
+  return returned ? frame_of(timeline, executed).called_at - 1 : position - 1;
+}
+
+int step_out(const Timeline& timeline, int position) {
+  const FrameRecord* call = innermost(timeline, position);
+  return call != nullptr ? call->returned_at : timeline.next_pixel(position);
+}
+
+int step_back_out(const Timeline& timeline, int position) {
+  const FrameRecord* call = innermost(timeline, position);
+  return call != nullptr ? call->called_at - 1 : timeline.previous_pixel(position);
+}
+
+bool stops_at(const Breakpoints& breakpoints, const Scene& scene, const Timeline& timeline, int position) {
+  const Event* next = timeline.next(position);
+  if (next != nullptr && breakpoints.is_before(next->line)) return true;
+  const Event* event = timeline.just_run(position);
+  if (event == nullptr) return false;
+  if (breakpoints.total_internal_reflection && is_total(event->detail)) return true;
+  if (breakpoints.depth && reached(timeline, position) >= *breakpoints.depth &&
+      reached(timeline, position - 1) < *breakpoints.depth)
+    return true;
+  if (const auto* begun = std::get_if<PixelBegun>(&event->detail)) return breakpoints.pixel == begun->column;
+  const auto* found = std::get_if<Found>(&event->detail);
+  return found != nullptr && !breakpoints.object.empty() && found->ending == Ending::hit && found->object >= 0 &&
+         scene.objects[static_cast<std::size_t>(found->object)].name == breakpoints.object;
+}
+
+int next_stop(const Breakpoints& breakpoints, const Scene& scene, const Timeline& timeline, int position, int last) {
+  last = std::min(last, timeline.steps());
+  while (++position < last)
+    if (stops_at(breakpoints, scene, timeline, position)) return position;
+  return last;
+}
+
+int previous_stop(const Breakpoints& breakpoints, const Scene& scene, const Timeline& timeline, int position) {
+  while (--position > 0)
+    if (stops_at(breakpoints, scene, timeline, position)) return position;
+  return 0;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,62 @@
+// The numbers of the live equation beside the hit itself: t along the ray, the angle between ray and normal.
+
+#include "view/equation.h"
+#include "view/painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk::detail {
+
+namespace {
+
+void note(Painter& painter, const Vec2d& at, const std::string& text) {
+  const double size = painter.sizes.text;
+  const Vec2d half(0.32 * size * static_cast<double>(text.size()), 0.62 * size);
+  painter.add(PolygonItem{{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}},
+                          painter.colours.plan.with_alpha(215),
+                          std::nullopt});
+  painter.add(TextItem{at, text, size, painter.colours.text, TextAnchor::middle});
+  painter.kept_free.push_back({at - half, at + half});
+}
+
+/// The way from a point in the pane to one that may lie far outside, as far as it is seen.
+Vec2d seen_middle(const Painter& painter, Vec2d from, Vec2d to) {
+  const Vec2d size(painter.viewport.width, painter.viewport.height);
+  const Vec2d least(0.0), most = size;
+  const auto inside = [&](const Vec2d& p) {
+    return Vec2d(std::clamp(p.x, least.x, most.x), std::clamp(p.y, least.y, most.y));
+  };
+  return (inside(from) + inside(to)) / 2.0;
+}
+
+}  // namespace
+
+void draw_hit_notes(Painter& painter) {
+  const State& state = painter.state;
+  if (state.mode != Mode::trace || state.tab != Tab::equation) return;
+  const HitNotes notes = hit_notes(state);
+  if (notes.t.empty()) return;
+  const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(state.timeline->current_ray(state.position))];
+  const Vec2d hit = painter.pixels(plan(ray.end)), from = painter.pixels(plan(ray.origin));
+  const double size = length(hit - from), unit = painter.sizes.unit;
+  if (!(size > 0)) return;
+  const Vec2d back = (from - hit) / size, across(-back.y, back.x);
+  // Beside the middle of the ray, on the side where there is more room above it.
+  const double side = across.y > 0 ? -1 : 1;
+  note(painter, seen_middle(painter, from, hit) + side * 18 * unit * across, notes.t);
+  if (notes.angle.empty()) return;
+  const double facing = dot(ray.normal, ray.direction) > 0 ? -1 : 1;
+  const Vec2d normal = facing * Vec2d(ray.normal.x, -ray.normal.y);
+  if (!(length(normal) > 1e-6)) return;
+  // The arc from the ray to the normal, and its angle beyond.
+  const Vec2d n = normal / length(normal);
+  const double begin = std::atan2(back.y, back.x), turn = std::atan2(back.x * n.y - back.y * n.x, dot(back, n));
+  const double first = turn < 0 ? begin + turn : begin;
+  painter.add(ArcItem{hit, 20 * unit, first, first + std::abs(turn), painter.stroke(painter.colours.normal, 1.4)});
+  Vec2d middle = back + n;
+  middle = length(middle) > 1e-6 ? middle / length(middle) : across;
+  note(painter, hit + 52 * unit * middle, notes.angle);
+}
+
+}  // namespace raywalk::detail

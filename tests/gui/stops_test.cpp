@@ -1,0 +1,102 @@
+// Breakpoints, steps by calls and holding STEP, by mouse and keys.
+
+#include <GLFW/glfw3.h>
+
+#include "gui/bench.h"
+#include "gui/commands.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State tracing(int position = 0) {
+  State state = classic();
+  update(state, action::Jump{position});
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("a click left of a line sets its breakpoint, a click on the line runs to it") {
+  Bench bench(tracing());
+  bench.frames(2);
+  const std::string number = std::to_string(static_cast<int>(Line::form_reflect_ray));
+  bench.click("break-" + number);
+  CHECK(bench.state.breakpoints.is_before(Line::form_reflect_ray));
+  CHECK(bench.state.position == 0);
+  bench.key(GLFW_KEY_W);
+  CHECK(bench.state.timeline->next(bench.state.position)->line == Line::form_reflect_ray);
+  bench.click("break-" + number);
+  CHECK_FALSE(bench.state.breakpoints.any());
+  bench.click("line-" + number);
+  CHECK(bench.state.timeline->just_run(bench.state.position)->line == Line::form_reflect_ray);
+}
+
+TEST_CASE("the arrows up and down step over and out of SHADE") {
+  Bench bench(tracing(5));
+  bench.obedient = false;
+  const auto asked = [&](int key, bool shift) {
+    bench.forget();
+    bench.key(key, false, shift);
+    REQUIRE(bench.last<action::Step>() != nullptr);
+    return *bench.last<action::Step>();
+  };
+  CHECK(asked(GLFW_KEY_DOWN, false).grain == Grain::over);
+  CHECK(asked(GLFW_KEY_DOWN, false).forward);
+  CHECK_FALSE(asked(GLFW_KEY_DOWN, true).forward);
+  CHECK(asked(GLFW_KEY_UP, false).grain == Grain::out);
+  CHECK_FALSE(asked(GLFW_KEY_UP, true).forward);
+}
+
+TEST_CASE("STEP that is held down holds, and is let go") {
+  Bench bench(tracing(20));
+  bench.frames(2);
+  bench.point_at("step");
+  bench.press();
+  bench.frames(40);
+  REQUIRE(bench.state.hold);
+  CHECK(bench.state.hold->forward);
+  update(bench.state, action::Tick{0.5});
+  const int held = bench.state.position;
+  CHECK(held > 20);
+  bench.release();
+  CHECK_FALSE(bench.state.hold);
+  CHECK(bench.state.position == held);
+  // A short click is one step.
+  bench.click("step");
+  CHECK(bench.state.position == held + 1);
+  bench.point_at("step-back");
+  bench.press();
+  bench.frames(40);
+  REQUIRE(bench.state.hold);
+  CHECK_FALSE(bench.state.hold->forward);
+  bench.release();
+}
+
+TEST_CASE("a key that repeats holds STEP") {
+  Bench bench(tracing(20));
+  bench.key(GLFW_KEY_RIGHT);
+  CHECK(bench.state.position == 21);
+  bench.repeat(GLFW_KEY_RIGHT);
+  REQUIRE(bench.state.hold);
+  CHECK(bench.state.hold->forward);
+  CHECK(bench.state.position == 21);
+}
+
+TEST_CASE("the popup goes to a step and sets conditions") {
+  Bench bench(tracing(20));
+  bench.frames(2);
+  bench.click("status");
+  REQUIRE(bench.has("breakpoints-popup"));
+  // It stands beside the code, inside the window.
+  const Rect popup = bench.rect("breakpoints-popup");
+  CHECK(popup.x >= 0);
+  CHECK(popup.right() <= bench.interface().layout().side.x + 1);
+  CHECK(popup.bottom() <= 720);
+  bench.click("property/Total reflection");
+  CHECK(bench.state.breakpoints.total_internal_reflection);
+  bench.click("remove-breakpoints");
+  CHECK_FALSE(bench.state.breakpoints.any());
+}

@@ -1,0 +1,231 @@
+// The live equation, held against the trace: no number that is not the trace's own.
+#include "view/equation.h"
+
+#include "fixtures.h"
+#include "timeline/event_json.h"
+#include "view/plan_view.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// All numbers that stand in an event.
+void gather(const Json& json, std::vector<double>& numbers) {
+  if (json.is_number()) numbers.push_back(json.get<double>());
+  if (json.is_structured())
+    for (const Json& each : json) gather(each, numbers);
+}
+
+double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
+/// What the panel may show at a position: the numbers of the event and of the rays that it speaks of, and the angles,
+/// lengths and products of these that the formulas name.
+std::vector<double> allowed(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  const Scene& scene = state.scene();
+  std::vector<double> numbers{0,
+                              1,
+                              90,
+                              scene.limits.threshold,
+                              static_cast<double>(scene.limits.depth),
+                              static_cast<double>(scene.camera.screen.cells)};
+  for (const Object& object : scene.objects) numbers.push_back(object.material.ior);
+  const auto add_event = [&](int index) { gather(event_json(scene, timeline.event(index)), numbers); };
+  add_event(state.position - 1);
+  const Event& event = *timeline.just_run(state.position);
+  numbers.push_back(event.depth);
+  numbers.push_back(event.depth + 1);
+  std::vector<Vec3d> directions, normals;
+  for (int ray = timeline.current_ray(state.position); ray >= 0;) {
+    const RayRecord& record = timeline.rays()[static_cast<std::size_t>(ray)];
+    add_event(record.formed_at - 1);
+    if (record.found_at <= state.position) add_event(record.found_at - 1);
+    directions.push_back(record.direction);
+    if (record.found_at <= state.position && record.object >= 0) normals.push_back(record.normal);
+    ray = record.parent;
+  }
+  if (const auto* formed = std::get_if<RayFormed>(&event.detail); formed != nullptr && formed->snell)
+    for (const double cosine : {formed->snell->cos_in, formed->snell->cos_out}) numbers.push_back(degrees(cosine));
+  for (const Vec3d& d : directions) numbers.push_back(length(d));
+  for (const Vec3d& n : normals) {
+    for (const double part : {n.x, n.y, n.z}) numbers.push_back(-part);
+    for (const Vec3d& d : directions) {
+      numbers.push_back(-std::abs(dot(n, d)));
+      numbers.push_back(degrees(std::abs(dot(n, d)) / length(d)));
+      numbers.push_back(180 - numbers.back());
+    }
+  }
+  return numbers;
+}
+
+/// Arc cosines of nearly 1 keep half of the digits.
+bool close(double a, double b) {
+  return a == b || std::abs(a - b) <= std::max(1e-9 * std::max(std::abs(a), std::abs(b)), 3e-6);
+}
+
+State walking(const std::string& name) {
+  State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/" + name + ".toml"));
+  update(state, action::SetMode{Mode::trace});
+  return state;
+}
+
+const EquationRow* row_with(const EquationPanel& panel, const std::string& text) {
+  for (const EquationRow& row : panel.rows)
+    if (row.text.find(text) != std::string::npos) return &row;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("a whole walk never shows a number that is not the trace's own") {
+  for (const std::string name : {"classic", "glass"}) {
+    State state = walking(name);
+    int compared = 0;
+    for (int position = 1; position <= state.timeline->steps(); ++position) {
+      state.position = position;
+      const std::vector<double> known = allowed(state);
+      const EquationPanel panel = equation_panel(state);
+      INFO(name << ", position " << position << ", " << panel.title);
+      REQUIRE_FALSE(panel.rows.empty());
+      CHECK(panel.title == pseudocode_of(state.timeline->just_run(position)->line).text);
+      for (const EquationRow& row : panel.rows) {
+        INFO(row.text);
+        std::size_t at = 0;
+        for (const double value : row.values) {
+          REQUIRE(std::any_of(known.begin(), known.end(), [&](double each) { return close(each, value); }));
+          // And the text shows it, in its place.
+          const std::string shown = equation_number(value);
+          at = row.text.find(shown, at);
+          REQUIRE(at != std::string::npos);
+          at += shown.size();
+          REQUIRE(std::abs(std::stod(shown) - value) <= 5.1e-4 * std::abs(value));
+          ++compared;
+        }
+      }
+    }
+    CHECK(compared > 5 * state.timeline->steps());
+  }
+}
+
+TEST_CASE("a quadratic is solved by the root that is taken, and the note says which") {
+  State state = walking("classic");
+  int first = 0, second = 0;
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    const auto* found = std::get_if<Found>(&state.timeline->event(position - 1).detail);
+    const auto* q = found == nullptr ? nullptr : std::get_if<QuadraticNumbers>(&found->numbers);
+    if (q == nullptr || found->object < 0) continue;
+    state.position = position;
+    const EquationPanel panel = equation_panel(state);
+    const EquationRow* roots = row_with(panel, "t₀ = ");
+    REQUIRE(roots != nullptr);
+    for (const double t : roots->values) CHECK(std::abs(q->a * t * t + q->b * t + q->c) < 1e-9);
+    const bool nearer = std::abs(found->t - roots->values[0]) < std::abs(found->t - roots->values[1]);
+    CHECK((row_with(panel, nearer ? "t₀: " : "t₁: ") != nullptr));
+    CHECK((row_with(panel, nearer ? "t₁: " : "t₀: ") == nullptr));
+    (nearer ? first : second) += 1;
+  }
+  CHECK(first > 0);
+  CHECK(second > 0);
+}
+
+TEST_CASE("both sides of Snell's law are equal, and the mirror's angle is the one that it came with") {
+  State state = walking("glass");
+  int bent = 0, mirrored = 0;
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    state.position = position;
+    const EquationPanel panel = equation_panel(state);
+    if (const EquationRow* law = row_with(panel, " · sin "); law != nullptr && law->values.size() == 4) {
+      const auto sine = [&](std::size_t i) { return std::sin(law->values[i] * std::numbers::pi / 180); };
+      CHECK(law->values[0] * sine(1) == Approx(law->values[2] * sine(3)).margin(1e-9));
+      ++bent;
+    }
+    const auto* formed = std::get_if<RayFormed>(&state.timeline->event(position - 1).detail);
+    if (formed == nullptr || formed->kind != RayKind::reflect) continue;
+    const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(state.timeline->current_ray(position))];
+    const RayRecord& parent = state.timeline->rays()[static_cast<std::size_t>(ray.parent)];
+    const EquationRow* angle = row_with(panel, "as far from the normal");
+    REQUIRE(angle != nullptr);
+    CHECK(angle->values[0] == Approx(degrees(std::abs(dot(parent.normal, parent.direction)))).margin(1e-6));
+    ++mirrored;
+  }
+  CHECK(bent > 3);
+  CHECK(mirrored > 3);
+}
+
+TEST_CASE("total internal reflection shows a sine above 1") {
+  State state = walking("glass");
+  int seen = 0;
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    const auto* decided = std::get_if<Decided>(&state.timeline->event(position - 1).detail);
+    if (decided == nullptr || !decided->why) continue;
+    state.position = position;
+    const EquationPanel panel = equation_panel(state);
+    const EquationRow* row = row_with(panel, " · sin ");
+    REQUIRE(row != nullptr);
+    CHECK(row->values[0] * std::sin(row->values[1] * std::numbers::pi / 180) > 1);
+    ++seen;
+  }
+  CHECK(seen > 0);
+}
+
+TEST_CASE("the terms of each SHADE add up to what it returns, and the last of them to the pixel") {
+  State state = walking("classic");
+  int sums = 0;
+  Rgbd last{0.0};
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    state.position = position;
+    const EquationPanel panel = equation_panel(state);
+    const EventDetail& detail = state.timeline->event(position - 1).detail;
+    if (std::holds_alternative<PixelPut>(detail)) {
+      const Rgbd shade = panel.rows.back().light.value();
+      CHECK(shade == state.timeline->pixels()[static_cast<std::size_t>(state.timeline->current_pixel(position))].shade);
+      if (sums > 0) CHECK((shade == last || shade == state.scene().background));
+    }
+    if (!std::holds_alternative<ShadeComputed>(detail)) continue;
+    Rgbd sum{0.0}, passed{1.0};
+    for (const EquationRow& row : panel.rows) {
+      if (row.kind == EquationRow::Kind::term) sum += row.light.value();
+      if (row.kind == EquationRow::Kind::note) passed = row.light.value();
+    }
+    last = panel.rows.back().light.value();
+    REQUIRE(panel.rows.back().kind == EquationRow::Kind::total);
+    for (int channel = 0; channel < 3; ++channel)
+      CHECK(std::abs(sum[channel] * passed[channel] - last[channel]) < 1e-12);
+    ++sums;
+  }
+  CHECK(sums > 20);
+}
+
+TEST_CASE("beside the hit stand its t and its angle while the equation is shown, and only then") {
+  State state = walking("classic");
+  while (hit_notes(state).angle.empty()) update(state, action::Step{});
+  const auto& found = std::get<Found>(state.timeline->event(state.position - 1).detail);
+  const HitNotes notes = hit_notes(state);
+  CHECK(notes.t == "t = " + equation_number(found.t));
+  const auto texts = [&] {
+    std::vector<std::string> all;
+    for (const DisplayItem& item : plan_view(state))
+      if (const auto* text = std::get_if<TextItem>(&item.shape)) all.push_back(text->text);
+    return all;
+  };
+  const auto shows = [&](const std::string& text) {
+    const auto all = texts();
+    return std::find(all.begin(), all.end(), text) != all.end();
+  };
+  CHECK_FALSE(shows(notes.t));
+  update(state, action::SetTab{Tab::equation});
+  CHECK(shows(notes.t));
+  CHECK(shows(notes.angle));
+  CHECK(is_finite(plan_view(state)));
+}

@@ -1,0 +1,135 @@
+// Breakpoints and steps by calls, as a person uses them.
+#include "fixtures.h"
+#include "view/panels.h"
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State at_start() {
+  State state = classic_state();
+  update(state, action::SetMode{Mode::trace});
+  return state;
+}
+
+/// Ticks of a sixtieth of a second, until `seconds` have passed.
+void wait(State& state, double seconds) {
+  for (int tick = 0; tick < static_cast<int>(seconds * 60); ++tick) update(state, action::Tick{1.0 / 60});
+}
+
+}  // namespace
+
+TEST_CASE("over, out and their ways back are steps like the others") {
+  State state = at_start();
+  while (state.timeline->next(state.position)->line != Line::shade_final) update(state, action::Step{});
+  const int before = state.position;
+  update(state, action::Step{true, Grain::over});
+  CHECK(state.timeline->just_run(state.position)->line == Line::compute_rtnshade);
+  CHECK(state.timeline->just_run(state.position)->depth == 1);
+  const int after = state.position;
+  update(state, action::Step{false, Grain::over});
+  CHECK(state.position == before);
+  update(state, action::Step{true, Grain::line});
+  update(state, action::Step{true, Grain::out});
+  CHECK(state.position == after);
+  update(state, action::Jump{before + 3});
+  update(state, action::Step{false, Grain::out});
+  CHECK(state.position == before);
+}
+
+TEST_CASE("AUTO, Run on, long steps and a run to a line come to rest before a line with a breakpoint") {
+  const Line line = Line::form_reflect_ray;
+  const auto rests_there = [&](const State& state) {
+    return state.timeline->next(state.position) != nullptr && state.timeline->next(state.position)->line == line;
+  };
+  State state = at_start();
+  update(state, action::ToggleBreakpoint{line});
+  for (const CodeBox& box : code_panel(state).boxes)
+    for (const CodeRow& row : box.rows) CHECK(row.breakpoint == (row.line == line));
+  update(state, action::RunOn{});
+  REQUIRE(rests_there(state));
+  const int first = state.position;
+  update(state, action::RunOn{});
+  REQUIRE(rests_there(state));
+  CHECK(state.position > first);
+  update(state, action::RunOn{false});
+  CHECK(state.position == first);
+  update(state, action::RunOn{false});
+  CHECK(state.position == 0);
+
+  for (const Grain grain : {Grain::ray, Grain::pixel, Grain::over, Grain::out}) {
+    update(state, action::Jump{first - 1});
+    update(state, action::Step{true, grain});
+    CHECK(state.position == first);
+  }
+  update(state, action::Jump{0});
+  update(state, action::RunToLine{Line::put_final_shade});
+  while (state.position < first) update(state, action::RunToLine{Line::put_final_shade});
+  CHECK(state.position == first);
+
+  update(state, action::Jump{0});
+  update(state, action::SetSpeed{1000});
+  update(state, action::PlayPause{});
+  wait(state, 5);
+  CHECK(state.position == first);
+  CHECK_FALSE(state.playing);
+  // It goes on from there, and the step by hand is not held up.
+  update(state, action::Step{});
+  CHECK(state.position == first + 1);
+
+  update(state, action::ToggleBreakpoint{line});
+  update(state, action::RunOn{});
+  CHECK(state.position == state.timeline->steps());
+}
+
+TEST_CASE("a condition stops a walk after the line that has brought it about") {
+  State state = at_start();
+  Breakpoints breakpoints;
+  breakpoints.depth = 3;
+  update(state, action::SetBreakpoints{breakpoints});
+  update(state, action::RunOn{});
+  const std::vector<int> calls = state.timeline->stack(state.position);
+  REQUIRE_FALSE(calls.empty());
+  CHECK(state.timeline->frames()[static_cast<std::size_t>(calls.front())].depth == 3);
+  CHECK(state.timeline->frames()[static_cast<std::size_t>(calls.front())].called_at == state.position);
+}
+
+TEST_CASE("STEP goes faster the longer it is held, and stops when it is let go") {
+  State state = at_start();
+  update(state, action::Hold{true});
+  wait(state, 1);
+  const int one = state.position;
+  wait(state, 1);
+  const int two = state.position - one;
+  CHECK(one >= 5);
+  CHECK(two > one * 3 / 2);
+  // The click with which the button is let go is no step more.
+  const int held = state.position;
+  update(state, action::Step{});
+  CHECK(state.position == held);
+  CHECK_FALSE(state.hold);
+  update(state, action::Hold{false});
+  wait(state, 0.5);
+  CHECK(state.position < held);
+  update(state, action::Release{});
+  const int released = state.position;
+  wait(state, 1);
+  CHECK(state.position == released);
+  update(state, action::Hold{true});
+  wait(state, 60);
+  CHECK(state.position == state.timeline->steps());
+  CHECK_FALSE(state.hold);
+}
+
+TEST_CASE("a breakpoint ends a hold") {
+  State state = at_start();
+  update(state, action::ToggleBreakpoint{Line::compute_rtnshade});
+  update(state, action::Hold{true});
+  wait(state, 20);
+  REQUIRE(state.timeline->next(state.position) != nullptr);
+  CHECK(state.timeline->next(state.position)->line == Line::compute_rtnshade);
+  CHECK_FALSE(state.hold);
+}
