@@ -13,6 +13,24 @@ namespace {
 
 std::string word(const Ui& ui, LessonWord of) { return std::string(lesson_word(of, ui.state.lessons.language)); }
 
+// Broken between words into lines of at most this width; ImGui would break behind any full stop, in numbers too.
+std::string broken(const std::string& text, float width) {
+  std::string lines, line;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    at = end + 1;
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
+      lines += line + "\n";
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  return lines + line;
+}
+
 // Paragraphs, with lists; Markdown's stars and backquotes are for emphasis that the pane does not have.
 void words(const Ui& ui, Colour colour, const std::string& text) {
   std::string plain;
@@ -34,7 +52,7 @@ void words(const Ui& ui, Colour colour, const std::string& text) {
                                                   to_imgui(colour));
       ImGui::Indent(ui.px(16));
     }
-    paragraph(colour, line);
+    paragraph(colour, broken(line, ImGui::GetContentRegionAvail().x));
     if (item) ImGui::Unindent(ui.px(16));
   }
 }
@@ -114,7 +132,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
 
     push_font(ui.fonts.small);
     label(ui.colours.dim_text,
-          shortened(open ? fmt::format("{} \u00b7 {}/{}", panel.lesson, panel.step, panel.steps) : panel.score,
+          shortened(open ? fmt::format("{}/{} \u00b7 {}", panel.step, panel.steps, panel.lesson) : panel.score,
                     width - 2 * height));
     pop_font();
     ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
@@ -175,6 +193,11 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         if (!panel.verdict.empty())
           heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
                   (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+        if (!panel.verdict.empty()) {
+          push_font(ui.fonts.small);
+          paragraph(ui.colours.dim_text, panel.score);
+          pop_font();
+        }
         if (!panel.reveal.empty()) words(ui, ui.colours.text, panel.reveal);
         if (!panel.change.empty()) {
           heading(ui, ui.colours.text, word(ui, LessonWord::change));

@@ -70,6 +70,14 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"turned", state.image_camera.has_value()},
             {"rays", state.timeline->rays_at(state.position).size()}};
   if (state.walk) json["walk"] = {state.walk->column, state.walk->row};
+  if (const LessonSitting& sitting = state.lessons; sitting.shown)
+    json["lesson"] = {{"open", sitting.open ? sitting.open->lesson.name : ""},
+                      {"step", sitting.step + 1},
+                      {"revealed", sitting.revealed},
+                      {"aimed", sitting.guess.arrow.has_value()},
+                      {"right", sitting.right},
+                      {"judged", sitting.judged},
+                      {"language", sitting.language}};
   json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
   json["window"] = {{"width", window.width},
                     {"height", window.height},

@@ -183,7 +183,10 @@ void reveal_lesson(State& state) {
     sitting.guess = guess;
     sitting.revealed = true;
   }
-  go_to(state, sitting.at()->shown);
+  // An answer that takes several pixels shows the rays of all.
+  const PlayedStep& step = *sitting.at();
+  if (state.timeline->current_pixel(step.shown) != state.timeline->current_pixel(step.asked)) sitting.first_pixel = 0;
+  go_to(state, step.shown);
 }
 
 void set_lesson_options(State& state, const action::SetLessonOptions& options) {

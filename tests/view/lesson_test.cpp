@@ -156,6 +156,18 @@ TEST_CASE("every step of every lesson stands on the screen where the lesson was 
   }
 }
 
+TEST_CASE("a step hides the rays of pixels before its own, unless its answer takes them all") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::OpenLesson{"01-ray-casting"});
+  go_to_question(state, Asks::number);
+  CHECK(state.lessons.first_pixel == 9);
+  update(state, action::GuessNumber{21});
+  update(state, action::RevealLesson{});
+  CHECK(lesson_panel(state).is_right);
+  CHECK(state.lessons.first_pixel == 0);
+}
+
 TEST_CASE("progress is kept between sittings") {
   const auto folder = std::filesystem::temp_directory_path() / "raywalk-lesson-progress";
   std::filesystem::remove_all(folder);

@@ -1,0 +1,156 @@
+// The lessons by mouse and keys: on the bench, and in the real window.
+
+#include <GLFW/glfw3.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "gui/bench.h"
+#include "gui/desktop.h"
+#include "support/catch.h"
+#include "view/lesson_panel.h"
+#include "view/plan_view.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+using Json = nlohmann::json;
+
+namespace {
+
+State with_lessons() {
+  State state = classic();
+  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
+  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") {
+  Bench bench(with_lessons());
+  bench.frames(2);
+  bench.key(GLFW_KEY_F2);
+  REQUIRE(bench.has("lesson/01-ray-casting"));
+  bench.click("lesson/02-ray-meets-sphere");
+  CHECK(bench.state.lessons.at() == nullptr);
+  bench.click("lesson/01-ray-casting");
+  REQUIRE(bench.state.lessons.at() != nullptr);
+  bench.key(GLFW_KEY_ENTER);
+  REQUIRE(bench.state.lessons.step == 1);
+  // Nothing is revealed before something is predicted.
+  bench.key(GLFW_KEY_ENTER);
+  CHECK_FALSE(bench.state.lessons.revealed);
+  const int position = bench.state.position;
+  const Grain grain = bench.state.grain;
+  bench.key(GLFW_KEY_2);
+  CHECK(bench.state.lessons.guess.choice == 1);
+  CHECK(bench.state.grain == grain);
+  bench.key(GLFW_KEY_ENTER);
+  CHECK(bench.state.lessons.revealed);
+  CHECK(bench.state.lessons.right == 1);
+  CHECK(bench.state.position == position + 1);
+  bench.key(GLFW_KEY_ENTER);
+  CHECK(bench.state.lessons.step == 2);
+  bench.click("guess/1");
+  bench.click("lesson-reveal");
+  CHECK(bench.state.lessons.judged == 2);
+  CHECK(bench.state.lessons.right == 1);
+  bench.click("lesson-next");
+  CHECK(bench.state.lessons.step == 3);
+  bench.click("lesson-back");
+  CHECK(bench.state.lessons.step == 2);
+  bench.click("lesson-list");
+  CHECK(bench.state.lessons.at() == nullptr);
+  bench.click("lesson-close");
+  CHECK_FALSE(bench.state.lessons.shown);
+}
+
+TEST_CASE("everything of a lesson fits into its pane, in both languages") {
+  for (const float scale : {1.0f, 1.5f}) {
+    Bench bench(with_lessons());
+    bench.dpi = bench.unit = scale;
+    bench.resize(1280 * scale, 720 * scale);
+    update(bench.state, action::ShowLessons{true});
+    for (const std::string language : {"en", "pt"}) {
+      update(bench.state, action::SetLessonOptions{true, true, language});
+      update(bench.state, action::OpenLesson{"05-refraction"});
+      bench.frames(3);
+      const Rect& pane = bench.interface().layout().lesson;
+      for (const std::string item : {"lesson-list", "lesson-back", "lesson-reveal", "lesson-close", "lesson-presenter",
+                                     "lesson-unlock", "lesson-language"}) {
+        CAPTURE(item, language, scale);
+        const Rect where = bench.rect(item);
+        CHECK(where.x >= pane.x);
+        CHECK(where.right() <= pane.right());
+        CHECK(where.bottom() <= pane.bottom());
+      }
+    }
+  }
+}
+
+TEST_CASE("lesson 1 in the real window: choice, arrow, number, language, and progress at the next start", "[window]") {
+  if (const std::string missing = Desktop::missing(); !missing.empty())
+    RAYWALK_SKIP("the window was not tried: " << missing << " (apt install xvfb xdotool)");
+  const Desktop desktop(1280, 800);
+  const auto lesson = [](const char* member, const Json& value) {
+    return
+        [member, value](const Json& report) { return report.contains("lesson") && report["lesson"][member] == value; };
+  };
+  {
+    Visualiser raywalk(desktop, {std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"});
+    INFO(raywalk.said());
+    REQUIRE(raywalk.until([](const Json& report) { return report["window"]["frames"].get<int>() >= 3; }, 60));
+    raywalk.key("F2");
+    raywalk.click("lesson/01-ray-casting");
+    REQUIRE(raywalk.until(lesson("open", "01-ray-casting")));
+    raywalk.click("lesson-next");
+    REQUIRE(raywalk.until(lesson("step", 2)));
+    raywalk.click("guess/2");
+    raywalk.click("lesson-reveal");
+    REQUIRE(raywalk.until(lesson("revealed", true)));
+    CHECK(raywalk.report()["lesson"]["right"] == 1);
+    raywalk.click("lesson-next");
+    REQUIRE(raywalk.until(lesson("step", 3)));
+    raywalk.key("3");
+    raywalk.key("Return");
+    REQUIRE(raywalk.until(lesson("revealed", true)));
+    raywalk.key("Return");
+    REQUIRE(raywalk.until(lesson("step", 4)));
+
+    // The arrow: from the polygon towards the light.
+    const auto place = [&](const char* kind, const char* name) {
+      const Json& at = raywalk.report()[kind][name]["window"];
+      return std::pair{at[0].get<double>(), at[1].get<double>()};
+    };
+    const auto [from_x, from_y] = place("objects", "Polygon");
+    const auto [to_x, to_y] = place("lights", "Light Source");
+    raywalk.drag(from_x, from_y, to_x, to_y);
+    REQUIRE(raywalk.until(lesson("aimed", true)));
+    CHECK(raywalk.report()["undo"] == 0);
+    raywalk.click("lesson-reveal");
+    REQUIRE(raywalk.until(lesson("right", 3)));
+    const auto pictures = std::filesystem::path(std::getenv("RAYWALK_BIN")).parent_path() / "window-test";
+    desktop.picture(pictures / "e-lesson.png");
+    raywalk.click("lesson-next");
+    REQUIRE(raywalk.until(lesson("step", 5)));
+    raywalk.type("21");
+    raywalk.key("Return");
+    REQUIRE(raywalk.until(lesson("right", 4)));
+    raywalk.click("lesson-language");
+    REQUIRE(raywalk.until(lesson("language", "pt")));
+    desktop.picture(pictures / "e-lesson-pt.png");
+    raywalk.click("lesson-next");
+    REQUIRE(raywalk.until(lesson("open", "")));
+    // What a lesson does to its scene is no work of one's own: nothing is asked.
+    raywalk.key("ctrl+q");
+    CHECK(raywalk.wait() == 0);
+    CHECK(raywalk.said() == "");
+  }
+  Visualiser raywalk(desktop, {std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"});
+  REQUIRE(raywalk.until([](const Json& report) { return report["window"]["frames"].get<int>() >= 3; }, 60));
+  raywalk.key("F2");
+  raywalk.click("lesson/02-ray-meets-sphere");
+  REQUIRE(raywalk.until(lesson("open", "02-ray-meets-sphere")));
+  CHECK(raywalk.report()["lesson"]["language"] == "pt");
+}
