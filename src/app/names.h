@@ -18,13 +18,17 @@ namespace raywalk {
   return "";
 }
 
-enum class StepFormat { text, json };
+enum class StepFormat { text, json, html, svg };
 [[nodiscard]] constexpr std::string_view step_format_name(StepFormat format) {
   switch (format) {
     case StepFormat::text:
       return "text";
     case StepFormat::json:
       return "json";
+    case StepFormat::html:
+      return "html";
+    case StepFormat::svg:
+      return "svg";
   }
   return "";
 }

@@ -119,8 +119,10 @@ void declare_step(CLI::App& program, Run& run) {
   add_parsed(command, "--pixel", to.pixel, parse_pixel, "N|X,Y",
              "a cell of the strip, such as 10, or column and row of the image, such as 220,165",
              "Only cell N of the strip, or only the image's pixel in column X and row Y, all from 0");
-  add_choice(command, "--format", to.format, std::array{StepFormat::text, StepFormat::json}, step_format_name,
-             "One line a step for people (as when left out), or all numbers of each step for programs");
+  add_choice(command, "--format", to.format,
+             std::array{StepFormat::text, StepFormat::json, StepFormat::html, StepFormat::svg}, step_format_name,
+             "One line a step for people (as when left out); all numbers of each step for programs; a page for any "
+             "browser that steps offline; the plan after the last step as a drawing");
   add_size(command, to.size);
   add_integrator(command, to.integrator, to.path_length);
   add_limits(command, to.depth, to.threshold);
@@ -133,6 +135,7 @@ void declare_step(CLI::App& program, Run& run) {
       "  raywalk step classic\n"
       "  raywalk step classic --pixel 10 --depth 2\n"
       "  raywalk step classic --pixel 220,200 --format json\n"
+      "  raywalk step classic --format html > classic.html\n"
       "  raywalk step cornell --pixel 100,100 --integrator path");
   command.callback([options, &run] { run = [options] { return step_command(*options); }; });
 }

@@ -4,6 +4,7 @@
 #include "timeline/event_json.h"
 #include "timeline/message.h"
 #include "timeline/recorder.h"
+#include "view/slides.h"
 #include "view/text.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace raywalk {
 
@@ -114,15 +117,24 @@ ExitCode step_command(const StepOptions& options) {
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
-  const Result<Timeline> recorded = record_within_reason(options, scene, size);
+  Result<Timeline> recorded = record_within_reason(options, scene, size);
   if (!recorded) return fail(recorded.error());
-  const Timeline& timeline = *recorded;
+  const auto kept = std::make_shared<const Timeline>(std::move(*recorded));
+  const Timeline& timeline = *kept;
+  if (options.format == StepFormat::html && timeline.steps() > most_slides)
+    return fail({options.scene, 0, 0,
+                 fmt::format("{} steps are too many for a page (expected at most {})", timeline.steps(), most_slides),
+                 "take one pixel with --pixel, or go less deep with --depth"});
   const auto printed = [&] {
     switch (options.format) {
       case StepFormat::text:
         return print_text(scene, timeline);
       case StepFormat::json:
         return print_json(scene, timeline, options);
+      case StepFormat::html:
+        return print(slides_page(scene, kept));
+      case StepFormat::svg:
+        return print(plan_picture(scene, kept));
     }
     return Result<void>();
   }();

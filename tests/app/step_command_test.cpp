@@ -91,6 +91,17 @@ TEST_CASE("step's JSON holds every step with its numbers and its sentence") {
   CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == timeline.steps() + 2);
 }
 
+TEST_CASE("step writes a page that steps in a browser, and a drawing") {
+  const Folder folder;
+  const Outcome page = folder.run({"step", classic, "--pixel", "10", "--format", "html"});
+  CHECK(page.exit_code == 0);
+  CHECK(page.err == "");
+  CHECK_THAT(page.out, contains("<!DOCTYPE html>") && contains("Pixel 10 is next") && contains("</html>"));
+  const Outcome drawing = folder.run({"step", classic, "--format", "svg"});
+  CHECK(drawing.exit_code == 0);
+  CHECK_THAT(drawing.out, contains("<svg xmlns=") && contains("Solid Sphere") && contains("</svg>"));
+}
+
 TEST_CASE("a walk without end is refused, a deep one with an end is not") {
   const Folder folder;
   // Inside a glass ball in a glass ball every ray goes on as two, for ever.
@@ -128,7 +139,7 @@ TEST_CASE("a pixel that is not there is wrong use") {
   refused({"--pixel", "0,41", "--size", "63x41"}, "rows 0 to 40");
   refused({"--pixel", "-1"}, "a cell of the strip, such as 10");
   refused({"--pixel", "1,2,3"}, "a cell of the strip, such as 10");
-  refused({"--format", "xml"}, "expected text or json");
+  refused({"--format", "xml"}, "expected text, json, html or svg");
   CHECK(folder.run({"step", classic, "--pixel", "20"}).exit_code == 0);
   CHECK(folder.run({"step", classic, "--pixel", "440,330"}).exit_code == 0);
 }

@@ -1,0 +1,168 @@
+#include "view/slides.h"
+
+#include "view/equation.h"
+#include "view/panels.h"
+#include "view/plan_view.h"
+#include "view/svg.h"
+#include "view/text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace raywalk {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr Viewport viewport{960, 640};
+
+State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Theme theme) {
+  SceneDocument document;
+  document.scene = scene;
+  State state = make_state(std::move(document));
+  state.timeline = std::move(timeline);
+  state.mode = Mode::trace;
+  state.theme = theme;
+  state.tab = Tab::equation;
+  state.viewport = viewport;
+  state.camera = fitted(state);
+  return state;
+}
+
+/// Each string once, by number: most of what one step draws stood there before.
+class Dictionary {
+ public:
+  int number_of(std::string text) {
+    const auto [at, is_new] = numbers_.try_emplace(std::move(text), static_cast<int>(texts_.size()));
+    if (is_new) texts_.push_back(at->first);
+    return at->second;
+  }
+  [[nodiscard]] const Json& texts() const { return texts_; }
+
+ private:
+  std::map<std::string, int> numbers_;
+  Json texts_ = Json::array();
+};
+
+Json slide(const State& state, Dictionary& drawn, Dictionary& said) {
+  Json items = Json::array(), equation = Json::array();
+  for (const DisplayItem& item : plan_view(state)) items.push_back(drawn.number_of(svg_element(item.shape)));
+  for (const EquationRow& row : equation_panel(state).rows) {
+    const std::string colour = row.light ? fmt::format("<i style=\"background:{}\"></i>",
+                                                       css_colour(display_colour(*row.light, state.scene().encoding)))
+                                         : std::string();
+    const bool plain = row.kind == EquationRow::Kind::formula || row.kind == EquationRow::Kind::note;
+    equation.push_back(
+        said.number_of(fmt::format("<p{}>{}{}</p>", plain ? " class=\"dim\"" : "", colour, escaped(row.text))));
+  }
+  const Event* ran = state.timeline->just_run(state.position);
+  const Event* next = state.timeline->next(state.position);
+  return {{"d", std::move(items)},
+          {"e", std::move(equation)},
+          {"s", said.number_of(escaped(sentence(state)))},
+          {"r", ran == nullptr ? -1 : static_cast<int>(ran->line)},
+          {"n", next == nullptr ? -1 : static_cast<int>(next->line)},
+          {"l", ran == nullptr ? 0 : ran->depth}};
+}
+
+std::string code_of(const State& state) {
+  std::string text;
+  for (const CodeBox& box : code_panel(state).boxes) {
+    text += fmt::format("<section><h2>{}</h2><ol>", escaped(box.title));
+    for (const CodeRow& row : box.rows)
+      text += fmt::format("<li id=\"l{}\" style=\"padding-left:{}em\">{}</li>", static_cast<int>(row.line),
+                          0.4 + 1.4 * row.indent, escaped(row.text));
+    text += "</ol></section>";
+  }
+  return text;
+}
+
+constexpr std::string_view script = R"(
+const box = id => document.getElementById(id);
+let at = 0;
+function show(step) {
+  at = Math.min(Math.max(step, 0), W.steps.length - 1);
+  const s = W.steps[at];
+  box('plan').innerHTML = s.d.map(i => W.drawn[i]).join('');
+  box('said').innerHTML = W.said[s.s];
+  box('equation').innerHTML = s.e.map(i => W.said[i]).join('');
+  document.querySelectorAll('li').forEach(li => li.className = '');
+  if (s.n >= 0) box('l' + s.n).classList.add('next');
+  if (s.r >= 0) { box('l' + s.r).classList.add('ran'); box('l' + s.r).scrollIntoView({block: 'nearest'}); }
+  box('bar').value = at;
+  box('count').textContent = at + ' / ' + (W.steps.length - 1) + (s.l ? '  DEPTH ' + s.l : '');
+}
+box('first').onclick = () => show(0);
+box('back').onclick = () => show(at - 1);
+box('step').onclick = () => show(at + 1);
+box('last').onclick = () => show(W.steps.length - 1);
+box('bar').oninput = e => show(+e.target.value);
+document.onkeydown = e => {
+  const go = {ArrowRight: at + 1, ' ': at + 1, PageDown: at + 1, ArrowLeft: at - 1, PageUp: at - 1,
+              Home: 0, End: W.steps.length - 1}[e.key];
+  if (go === undefined || e.ctrlKey || e.altKey || e.metaKey) return;
+  e.preventDefault();
+  show(go);
+};
+show(0);
+)";
+
+}  // namespace
+
+std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Theme theme) {
+  State state = walked(scene, std::move(timeline), theme);
+  const Palette& colours = palette(theme);
+  Dictionary drawn, said;
+  Json steps = Json::array();
+  for (state.position = 0; state.position <= state.timeline->steps(); ++state.position)
+    steps.push_back(slide(state, drawn, said));
+  const Json walk{{"drawn", drawn.texts()}, {"said", said.texts()}, {"steps", std::move(steps)}};
+  // In a script "</" would end it.
+  std::string data = walk.dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t i = data.find("</"); i != std::string::npos; i = data.find("</", i + 3)) data.insert(i + 1, "\\");
+  const std::string title = escaped(scene.title.empty() ? "Raywalk" : scene.title);
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>\n",
+      title);
+  page += fmt::format(
+      "body{{margin:1rem;background:{0};color:{1};font:16px Inter,Helvetica,Arial,sans-serif}}"
+      "main{{display:grid;grid-template-columns:minmax(0,2fr) minmax(20rem,1fr);gap:1rem}}"
+      "svg{{width:100%;height:auto;background:{2};border-radius:6px}}"
+      "ol{{list-style:none;margin:0;padding:0;font:14px 'JetBrains Mono',Menlo,Consolas,monospace}}"
+      "li{{padding:.12em .4em;border:2px solid transparent;border-radius:4px;white-space:pre}}"
+      "li.ran{{background:{3};font-weight:bold}}li.next{{border-color:{4}}}"
+      "h1{{font-size:1.3rem}}h2{{font-size:.9rem;margin:.8em 0 .2em}}"
+      "#said{{min-height:3em;font-size:1.1rem}}#equation{{font:14px 'JetBrains Mono',Menlo,Consolas,monospace}}"
+      "#equation p{{margin:.25em 0}}.dim{{color:{5}}}"
+      "i{{display:inline-block;width:1.6em;height:1em;border:1px solid;margin-right:.5em;vertical-align:-.1em}}"
+      "button{{font:inherit;min-width:3.2rem;min-height:2.8rem;margin-right:.4rem}}#bar{{width:100%}}"
+      "@media(max-width:50rem){{main{{grid-template-columns:1fr}}}}\n</style></head>\n",
+      css_colour(colours.window), css_colour(colours.text), css_colour(colours.plan), css_colour(colours.just_run),
+      css_colour(colours.next), css_colour(colours.dim_text));
+  page += fmt::format(
+      "<body><h1>{}</h1>\n<main><div>"
+      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"said\" "
+      "font-family=\"Inter, Helvetica, Arial, sans-serif\"><g id=\"plan\"></g></svg>\n"
+      "<p id=\"said\" aria-live=\"polite\"></p>\n"
+      "<div><button id=\"first\" aria-label=\"To the start\">\u23ee</button><button id=\"back\">BACK</button>"
+      "<button id=\"step\">STEP</button><button id=\"last\" aria-label=\"To the end\">\u23ed</button>"
+      "<span id=\"count\"></span></div>\n"
+      "<input id=\"bar\" type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"Step\"/></div>\n"
+      "<div>{}<div id=\"equation\"></div></div></main>\n",
+      title, viewport.width, viewport.height, state.timeline->steps(), code_of(state));
+  return page + "<script>\nconst W = " + data + ";" + std::string(script) + "</script></body></html>\n";
+}
+
+std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Theme theme) {
+  State state = walked(scene, std::move(timeline), theme);
+  state.position = state.timeline->steps();
+  state.tab = Tab::image;
+  return svg_file(plan_view(state), viewport.width, viewport.height, palette(theme).plan,
+                  scene.title.empty() ? "Raywalk" : scene.title);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,22 @@
+#pragma once
+// A drawing as SVG 1.1, for pages and print.
+
+#include "view/display_list.h"
+
+#include <string>
+#include <string_view>
+
+namespace raywalk {
+
+/// One shape as one element or a few.
+[[nodiscard]] std::string svg_element(const Shape2d& shape);
+/// A whole file, `width` x `height` pixels, on a ground of this colour. `title` is what it is called aloud.
+[[nodiscard]] std::string svg_file(const DisplayList& list, double width, double height, Colour ground,
+                                   std::string_view title);
+
+/// Text with &, <, > and quotes as entities.
+[[nodiscard]] std::string escaped(std::string_view text);
+/// "#1f2e3d"
+[[nodiscard]] std::string css_colour(Colour colour);
+
+}  // namespace raywalk
