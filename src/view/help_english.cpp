@@ -44,10 +44,22 @@ std::vector<HelpSection> help() {
        {{"STEP",
          "Runs one line and draws the ray that it forms. With \"a ray\" or \"a pixel\" chosen it runs up to the "
          "next ray or to the end of the pixel."},
-        {"BACK", "Takes the last step back."},
+        {"BACK", "Takes the last step back. STEP and BACK go faster and faster while they are held down."},
         {"AUTO", "Steps by itself at the chosen speed, until PAUSE or the last pixel."},
         {"CLEAR", "Wipes rays and pixels and starts again with the first line."},
-        {"The bar", "Drag along it to see any moment of the walk."}}},
+        {"The bar", "Drag along it to see any moment of the walk. A click on the numbers beside it goes to a step."},
+        {"Over, out", "The Walk menu steps over the SHADE that a line calls, and out of the one under way."},
+        {"Breakpoints",
+         "A click left of a line of code lets the walk rest before it; the Walk menu has more places to rest: a DEPTH, "
+         "a pixel, a hit of an object, total internal reflection."}}},
+      {"Lessons",
+       {{"",
+         "F2 opens them. Each step shows a place in the walk and asks what comes next: choose by click or digit, type "
+         "a "
+         "number, or drag an arrow from the ring in the plan. Reveal shows the true answer beside yours. A lesson "
+         "opens "
+         "when the one before is done; Unlock all is for teachers, as is Presenter, which adds the script and "
+         "notes."}}},
       {"Panels",
        {{"Code",
          "MAIN ALGORITHM and SHADE. DEPTH counts how many SHADEs are open. Click on a line to run on until it has "
@@ -64,6 +76,9 @@ std::vector<HelpSection> help() {
         {"Ray tree",
          "All rays of the pixel: each stands below the ray at whose hit it was formed. Point at one to see it "
          "in the plan and in the code; click to go to it."},
+        {"Equation",
+         "What the line that has just run has computed, with the numbers of this ray: which root was taken, the angles "
+         "of Snell's law, each term of the shade with its colour."},
         {"Stack", "The SHADEs that wait for others to return, the innermost on top."},
         {"Legend", "What the colours, dashes and signs mean."}}},
       numbers(),
