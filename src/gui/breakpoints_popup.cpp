@@ -25,8 +25,10 @@ void optional_whole(Form& form, std::string_view label, std::optional<int>& valu
 
 void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   if (open) ImGui::OpenPopup("breakpoints-popup");
-  // Beside the code, so that the lines can be seen.
-  ImGui::SetNextWindowPos({std::max(code.x - ui.px(8), 0.0f), code.y + ui.px(8)}, ImGuiCond_Appearing, {1, 0});
+  const float width = ui.px(330);
+  // Beside the code, so that the lines can be seen, but not out of the window.
+  ImGui::SetNextWindowPos({std::max(code.x - ui.px(8), width + ui.px(30)), code.y + ui.px(8)}, ImGuiCond_Appearing,
+                          {1, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
   const bool is_open = ImGui::BeginPopup("breakpoints-popup");
   ImGui::PopStyleVar();
@@ -34,7 +36,6 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   ui.publish("breakpoints-popup",
              {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
   const State& state = ui.state;
-  const float width = ui.px(330);
   push_font(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
   Form form(ui, memory_, width);

@@ -127,9 +127,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     code_pane(with, layout_.side);
   }
   tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false));
+  breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 
-  breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   notice_bar(with, layout_.plan);
   browser_.draw(with, home_);
   question_dialog(with);

@@ -104,7 +104,10 @@ void apply(State& state, const Action& action) {
       Overloaded{
           [&](const SetMode& a) {
             state.mode = a.mode;
-            if (a.mode != Mode::trace) state.playing = false;
+            if (a.mode != Mode::trace) {
+              state.playing = false;
+              state.hold.reset();
+            }
             detail::hover(state);
           },
           [&](const Step& a) { detail::walk(state, a); },

@@ -124,7 +124,7 @@ TEST_CASE("STEP goes faster the longer it is held, and stops when it is let go")
   CHECK_FALSE(state.hold);
 }
 
-TEST_CASE("a breakpoint ends a hold") {
+TEST_CASE("a breakpoint ends a hold, and so does leaving Trace") {
   State state = at_start();
   update(state, action::ToggleBreakpoint{Line::compute_rtnshade});
   update(state, action::Hold{true});
@@ -132,4 +132,9 @@ TEST_CASE("a breakpoint ends a hold") {
   REQUIRE(state.timeline->next(state.position) != nullptr);
   CHECK(state.timeline->next(state.position)->line == Line::compute_rtnshade);
   CHECK_FALSE(state.hold);
+  const int rest = state.position;
+  update(state, action::Hold{true});
+  update(state, action::SetMode{Mode::move});
+  wait(state, 2);
+  CHECK(state.position == rest);
 }
