@@ -10,6 +10,9 @@
 
 namespace raywalk {
 
+/// What keys turn: the lines, where they are shown and were turned last, else the picture.
+[[nodiscard]] SpaceView view_in_hand(const State& state);
+
 /// In which mode a key asks for its command. Digits and arrows mean different things in Move and in Trace.
 enum class When { always, move, not_move, trace };
 

@@ -3,55 +3,13 @@
 #include "gui/command_table.h"
 #include "gui/words.h"
 
-#include <algorithm>
+#include <array>
 
 namespace raywalk {
 
 namespace {
 
 const CommandRow& row_of(Command command) { return command_table[static_cast<std::size_t>(command)]; }
-
-// What Tab goes through, in this order.
-std::vector<Target> selectable(const Scene& scene) {
-  std::vector<Target> targets;
-  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) targets.push_back({TargetKind::object, i});
-  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) targets.push_back({TargetKind::light, i});
-  targets.push_back({TargetKind::eye});
-  return targets;
-}
-
-void select_along(const Ui& ui, int direction) {
-  const std::vector<Target> targets = selectable(ui.state.scene());
-  const auto same = [&](const Target& t) {
-    return t.kind == ui.state.selected.kind && (t.kind == TargetKind::eye || t.index == ui.state.selected.index);
-  };
-  const auto at = std::find_if(targets.begin(), targets.end(), same);
-  const int count = static_cast<int>(targets.size());
-  int next = direction > 0 ? 0 : count - 1;
-  if (at != targets.end()) next = (static_cast<int>(at - targets.begin()) + direction + count) % count;
-  ui.act(action::Select{targets[static_cast<std::size_t>(next)]});
-}
-
-void zoom(const Ui& ui, double factor) {
-  const Viewport& pane = ui.state.viewport;
-  ui.act(action::Zoom{{pane.width / 2, pane.height / 2}, factor});
-}
-
-constexpr double scale_step = 0.25;
-constexpr double turn_step = 3.14159265358979323846 / 24;  // radians
-constexpr double shift_step = 0.05;                        // of the view's width
-
-// What keys turn: the lines, where they are shown and were turned last, else the picture.
-SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.turned_last : SpaceView::image; }
-
-void next_heat(const Ui& ui) {
-  ImageSettings settings = ui.state.image;
-  const auto now =
-      static_cast<std::size_t>(std::find(all_heats.begin(), all_heats.end(), settings.heat) - all_heats.begin());
-  settings.heat = all_heats[(now + 1) % all_heats.size()];
-  ui.act(action::SetImageSettings{settings});
-  ui.act(action::SetTab{Tab::image});
-}
 
 }  // namespace
 
@@ -81,6 +39,8 @@ std::string short_label(Command command, const State& state) {
 }
 
 std::string command_hint(Command command) { return row_of(command).hint; }
+
+SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.turned_last : SpaceView::image; }
 
 bool enabled(Command command, const State& state) {
   const bool at_start = state.position == 0, at_end = state.position >= state.timeline->steps();
@@ -278,161 +238,6 @@ bool chosen(Command command, const State& state) {
       return false;
   }
   return false;
-}
-
-void perform(Command command, const Ui& ui) {
-  const State& state = ui.state;
-  if (!enabled(command, state)) return;
-  switch (command) {
-    case Command::new_scene:
-      return ui.act(action::New{});
-    case Command::open:
-      return ui.act(action::AskOpen{});
-    case Command::save:
-      return ui.act(action::Save{});
-    case Command::save_as:
-      return ui.act(action::AskSaveAs{});
-    case Command::quit:
-      return ui.act(action::Quit{});
-    case Command::undo:
-      return ui.act(action::Undo{});
-    case Command::redo:
-      return ui.act(action::Redo{});
-    case Command::remove:
-      return ui.act(action::RemoveSelected{});
-    case Command::deselect:
-      return ui.act(action::Select{});
-    case Command::select_next:
-      return select_along(ui, 1);
-    case Command::select_previous:
-      return select_along(ui, -1);
-    case Command::edit_properties:
-      return ui.wish(WindowWish::properties);
-    case Command::add_solid_sphere:
-      return ui.act(action::AddObject{action::ObjectKind::solid_sphere});
-    case Command::add_transparent_sphere:
-      return ui.act(action::AddObject{action::ObjectKind::transparent_sphere});
-    case Command::add_polygon:
-      return ui.act(action::AddObject{action::ObjectKind::polygon});
-    case Command::add_light:
-      return ui.act(action::AddObject{action::ObjectKind::light});
-    case Command::mode_move:
-      return ui.act(action::SetMode{Mode::move});
-    case Command::mode_trace:
-      return ui.act(action::SetMode{Mode::trace});
-    case Command::mode_help:
-      return ui.act(action::SetMode{Mode::help});
-    case Command::step:
-      return ui.act(action::Step{true});
-    case Command::step_back:
-      return ui.act(action::Step{false});
-    case Command::step_ray:
-      return ui.act(action::Step{true, Grain::ray});
-    case Command::step_ray_back:
-      return ui.act(action::Step{false, Grain::ray});
-    case Command::step_pixel:
-      return ui.act(action::Step{true, Grain::pixel});
-    case Command::step_pixel_back:
-      return ui.act(action::Step{false, Grain::pixel});
-    case Command::step_over:
-      return ui.act(action::Step{true, Grain::over});
-    case Command::step_back_over:
-      return ui.act(action::Step{false, Grain::over});
-    case Command::step_out:
-      return ui.act(action::Step{true, Grain::out});
-    case Command::step_back_out:
-      return ui.act(action::Step{false, Grain::out});
-    case Command::run_on:
-      return ui.act(action::RunOn{true});
-    case Command::run_back:
-      return ui.act(action::RunOn{false});
-    case Command::break_here:
-      return ui.act(action::ToggleBreakpoint{state.timeline->next(state.position)->line});
-    case Command::breakpoints:
-      return ui.wish(WindowWish::breakpoints);
-    case Command::play:
-      return ui.act(action::PlayPause{});
-    case Command::clear:
-      return ui.act(action::Clear{});
-    case Command::first:
-      return ui.act(action::Jump{0});
-    case Command::last:
-      return ui.act(action::Jump{state.timeline->steps()});
-    case Command::slower:
-      return ui.act(action::SetSpeed{state.lines_per_second / 2});
-    case Command::faster:
-      return ui.act(action::SetSpeed{state.lines_per_second * 2});
-    case Command::grain_line:
-      return ui.act(action::SetGrain{Grain::line});
-    case Command::grain_ray:
-      return ui.act(action::SetGrain{Grain::ray});
-    case Command::grain_pixel:
-      return ui.act(action::SetGrain{Grain::pixel});
-    case Command::tab_image:
-      return ui.act(action::SetTab{Tab::image});
-    case Command::tab_tree:
-      return ui.act(action::SetTab{Tab::tree});
-    case Command::tab_stack:
-      return ui.act(action::SetTab{Tab::stack});
-    case Command::tab_legend:
-      return ui.act(action::SetTab{Tab::legend});
-    case Command::tab_equation:
-      return ui.act(action::SetTab{Tab::equation});
-    case Command::zoom_in:
-      return zoom(ui, 1.25);
-    case Command::zoom_out:
-      return zoom(ui, 1 / 1.25);
-    case Command::fit:
-      return ui.act(action::FitView{});
-    case Command::lines:
-      return ui.act(action::ShowLines{!shows_lines(state)});
-    case Command::walk_strip:
-      return ui.act(action::WalkStrip{});
-    case Command::reset_view:
-      return ui.act(action::ResetView{view_in_hand(state)});
-    case Command::use_camera:
-      return ui.act(action::UseImageCamera{});
-    case Command::image_settings:
-      return ui.wish(WindowWish::image_settings);
-    case Command::heat:
-      return next_heat(ui);
-    case Command::turn_left:
-      return ui.act(action::Orbit{view_in_hand(state), {-turn_step, 0}});
-    case Command::turn_right:
-      return ui.act(action::Orbit{view_in_hand(state), {turn_step, 0}});
-    case Command::turn_up:
-      return ui.act(action::Orbit{view_in_hand(state), {0, -turn_step}});
-    case Command::turn_down:
-      return ui.act(action::Orbit{view_in_hand(state), {0, turn_step}});
-    case Command::shift_left:
-      return ui.act(action::Shift{view_in_hand(state), {-shift_step, 0}});
-    case Command::shift_right:
-      return ui.act(action::Shift{view_in_hand(state), {shift_step, 0}});
-    case Command::shift_up:
-      return ui.act(action::Shift{view_in_hand(state), {0, -shift_step}});
-    case Command::shift_down:
-      return ui.act(action::Shift{view_in_hand(state), {0, shift_step}});
-    case Command::approach:
-      return ui.act(action::Approach{view_in_hand(state), 1.15});
-    case Command::recede:
-      return ui.act(action::Approach{view_in_hand(state), 1 / 1.15});
-    case Command::theme:
-      return ui.act(action::SetTheme{state.theme == Theme::dark ? Theme::projector : Theme::dark});
-    case Command::scale_up:
-      return ui.act(action::SetUiScale{state.ui_scale + scale_step});
-    case Command::scale_down:
-      return ui.act(action::SetUiScale{state.ui_scale - scale_step});
-    case Command::scale_reset:
-      return ui.act(action::SetUiScale{1});
-    case Command::exchange:
-      return ui.wish(WindowWish::exchange);
-    case Command::full_screen:
-      return ui.wish(WindowWish::full_screen);
-    case Command::lessons:
-      return ui.act(action::ShowLessons{!state.lessons.shown});
-    case Command::menu:
-      return ui.wish(WindowWish::menu);
-  }
 }
 
 }  // namespace raywalk

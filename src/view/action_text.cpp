@@ -1,6 +1,6 @@
 #include "view/action_text.h"
 
-#include "view/action_words.h"
+#include "view/action_arguments.h"
 
 #include <fmt/format.h>
 
