@@ -212,6 +212,7 @@ class Writer {
       row(Kind::note, q.t0 < -1e-9 ? "t₁: the other one lies behind" : "t₁: at the other one the ray began");
   }
   void solve(const PlaneNumbers& p, double /*t*/) {
+    if (!std::isfinite(p.numerator)) return;
     row(Kind::formula, "t = N·(A − O) / N·D");
     row(Kind::numbers, "t = ", p.numerator, " / ", p.denominator);
   }
@@ -225,11 +226,10 @@ class Writer {
     const RayRecord& shaded =
         ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.position))].ray);
     const double angle = angle_between(facing(shaded), -shaded.direction);
-    const double inside = dot(shaded.normal, shaded.direction) > 0 && shaded.object >= 0
-                              ? scene().objects[static_cast<std::size_t>(shaded.object)].material.ior
-                              : 1;
+    const bool leaves = dot(shaded.normal, shaded.direction) > 0;
+    const double index = shaded.object >= 0 ? scene().objects[static_cast<std::size_t>(shaded.object)].material.ior : 1;
     row(Kind::formula, "sin θ₂ = n₁ sin θ₁ / n₂");
-    row(Kind::numbers, inside, " · sin ", angle, "° > ", 1.0);
+    row(Kind::numbers, leaves ? index : 1.0, " · sin ", angle, "° / ", leaves ? 1.0 : index, " > ", 1.0);
     row(Kind::note, "no such angle: total internal reflection");
   }
 

@@ -114,7 +114,7 @@ TEST_CASE("a whole walk never shows a number that is not the trace's own") {
         }
       }
     }
-    CHECK(compared > 5 * state.timeline->steps());
+    CHECK(compared > 2 * state.timeline->steps());
   }
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("both sides of Snell's law are equal, and the mirror's angle is the on
   for (int position = 1; position <= state.timeline->steps(); ++position) {
     state.position = position;
     const EquationPanel panel = equation_panel(state);
-    if (const EquationRow* law = row_with(panel, " · sin "); law != nullptr && law->values.size() == 4) {
+    if (const EquationRow* law = row_with(panel, "° = "); law != nullptr) {
       const auto sine = [&](std::size_t i) { return std::sin(law->values[i] * std::numbers::pi / 180); };
       CHECK(law->values[0] * sine(1) == Approx(law->values[2] * sine(3)).margin(1e-9));
       ++bent;
@@ -173,7 +173,7 @@ TEST_CASE("total internal reflection shows a sine above 1") {
     const EquationPanel panel = equation_panel(state);
     const EquationRow* row = row_with(panel, " · sin ");
     REQUIRE(row != nullptr);
-    CHECK(row->values[0] * std::sin(row->values[1] * std::numbers::pi / 180) > 1);
+    CHECK(row->values[0] * std::sin(row->values[1] * std::numbers::pi / 180) / row->values[2] > 1);
     ++seen;
   }
   CHECK(seen > 0);

