@@ -38,8 +38,6 @@ void replace_scene(State& state, Scene next) {
   state.dirty = state.document.scene != state.saved;
   if (!state.dirty) forget_autosave(state);  // nothing to recover any more
   record_again(state);
-  if (!exists(state, state.selected)) state.selected = {};
-  if (!exists(state, state.hovered)) state.hovered = {};
 }
 
 void remember(State& state, Scene before) {

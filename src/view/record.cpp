@@ -78,6 +78,8 @@ void record_again(State& state) {
   state.position = same_place(*state.timeline, state.position, *after);
   state.timeline = after;
   state.hovered_ray = -1;
+  if (!exists(state, state.selected)) state.selected = {};
+  if (!exists(state, state.hovered)) state.hovered = {};
   if (state.hovered.kind == TargetKind::ray) state.hovered = {};
   if (state.position == state.timeline->steps()) state.playing = false;
 }

@@ -119,6 +119,7 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
   Json steps = Json::array();
   for (state.position = 0; state.position <= state.timeline->steps(); ++state.position)
     steps.push_back(slide(state, drawn, said));
+  state.position = 0;
   const Json walk{{"drawn", drawn.texts()}, {"said", said.texts()}, {"steps", std::move(steps)}};
   // In a script "</" would end it.
   std::string data = walk.dump(-1, ' ', false, Json::error_handler_t::replace);

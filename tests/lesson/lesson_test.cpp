@@ -204,7 +204,7 @@ TEST_CASE("a lesson's file is refused with line and hint") {
   CHECK(
       faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
       "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, run, reveal, predict, "
-      "check, picture or show)\n");
+      "check, picture, show or breakpoints)\n");
   CHECK(faults("[[step]]\nid = \"a\"\n") ==
         "lesson.toml:1: the first step has no scene (expected scene = \"classic\" or another)\n");
   CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrun = '1 +'\n"),
