@@ -29,7 +29,7 @@ std::string broken_goal(const Goals& goals, const Row& row) {
 std::vector<Family> all_families() {
   std::vector<Family> all;
   for (auto* make : {round_families, flat_families, quadric_families, mesh_families, spawn_families,
-                     accelerator_families, law_families}) {
+                     accelerator_families, law_families, symmetry_families, normal_families}) {
     std::vector<Family> some = make();
     all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
   }

@@ -47,6 +47,8 @@ inline constexpr std::uint64_t audit_every = 100;
 [[nodiscard]] std::vector<Family> mesh_families();         ///< goal C: closed meshes do not leak
 [[nodiscard]] std::vector<Family> spawn_families();        ///< goal D: rays leave what they were born on
 [[nodiscard]] std::vector<Family> accelerator_families();  ///< goal E: accelerators answer as brute force does
-[[nodiscard]] std::vector<Family> law_families();          ///< goal F: mirrored, scaled, permuted
+[[nodiscard]] std::vector<Family> law_families();          ///< goal F: mirrored, scaled
+[[nodiscard]] std::vector<Family> symmetry_families();     ///< goal F: with the axes exchanged; walked backwards
+[[nodiscard]] std::vector<Family> normal_families();       ///< goal B: normals
 
 }  // namespace raywalk::check

@@ -2,6 +2,7 @@
 
 #include "accel/primitives.h"
 #include "check/judge.h"
+#include "check/normal.h"
 
 namespace raywalk::check {
 
@@ -20,6 +21,27 @@ namespace raywalk::check {
     default:
       return translation(random.magnitude(0, 4) * random.unit());
   }
+}
+
+/// The truth of a ray as stored in the shape's own space, with its origin on the part that it left.
+template <class S, class T>
+[[nodiscard]] Verdict judge_departure(const S& shape, const Ray<T>& own, int part,
+                                      const std::optional<Crossing<T>>& met, Row& row) {
+  try {
+    return judge(truth<Ball>(shape, own, part), met).verdict;
+  } catch (const Undecided&) {
+    ++row.rationals;
+    return judge(truth<Rational>(shape, own, part), met).verdict;
+  }
+}
+/// A prism's faces leave open on which of two neighbours a ray at their edge starts. Sure is that it does not meet the
+/// face that it left, and that inwards it gets out.
+template <class T>
+[[nodiscard]] Verdict judge_departure(const Prism<T>& prism, const Ray<T>& own, int part,
+                                      const std::optional<Crossing<T>>& met, Row& /*row*/) {
+  if (met) return met->part == part ? Verdict::false_hit : Verdict::right;
+  const Vec<Rational> outwards = true_normal<Rational>(prism, own.origin, part).direction;
+  return sign(dot(outwards, exactly<Rational>(own.direction))) < 0 ? Verdict::missed : Verdict::right;
 }
 
 /// A ray is sent at a shape in a chain of transforms; from where it hits, one leaves in a random direction.
@@ -52,17 +74,9 @@ template <class S, class T>
     ++row.rays;
     row.hits += met.has_value();
     row.exact_path += note.taken;
-    // The truth of the ray as stored in the shape's own space, with its origin on the part that it left.
-    const Ray<T> own = into_shape(*place, born);
-    Judgement judgement;
-    try {
-      judgement = judge(truth<Ball>(shape, own, hit->part), met);
-    } catch (const Undecided&) {
-      ++row.rationals;
-      judgement = judge(truth<Rational>(shape, own, hit->part), met);
-    }
-    row.self_hits += judgement.verdict == Verdict::false_hit;
-    row.missed += judgement.verdict == Verdict::missed;
+    const Verdict verdict = judge_departure(shape, into_shape(*place, born), hit->part, met, row);
+    row.self_hits += verdict == Verdict::false_hit;
+    row.missed += verdict == Verdict::missed;
 
     // A sheet 16 ulps away along the normal, on the side that the ray goes to.
     const double ulp =

@@ -29,7 +29,9 @@ std::vector<Family> spawn_families() {
   add<Cylinder>(family);
   add<HyperboloidOneSheet>(family);
   add<HyperboloidTwoSheets>(family);
-  return {family};
+  Family prisms{"spawned_polygon", "", {}};
+  add<Prism>(prisms);
+  return {family, prisms};
 }
 
 }  // namespace raywalk::check
