@@ -71,6 +71,10 @@ void view_menu(const Ui& ui) {
     menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::exchange, Command::full_screen}) menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::tab_cost, Command::cost_next, Command::cost_against, Command::cost_split_left,
+                                Command::cost_split_right})
+    menu_item(ui, command);
 }
 
 void walk_menu(const Ui& ui) {

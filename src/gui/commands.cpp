@@ -1,6 +1,7 @@
 #include "gui/commands.h"
 
 #include "gui/command_table.h"
+#include "gui/cost_commands.h"
 #include "gui/words.h"
 
 #include <array>
@@ -22,6 +23,7 @@ std::string command_label(Command command, const State& state) {
     return std::string(text(TextId::theme)) + ": " + std::string(text(now));
   }
   if (command == Command::lines && shows_lines(state)) return std::string(words::plan);
+  if (const std::string_view now = cost_label(command, state); !now.empty()) return std::string(now);
   const CommandRow& row = row_of(command);
   return row.label ? std::string(text(*row.label)) : row.label_text;
 }
@@ -94,6 +96,14 @@ bool enabled(Command command, const State& state) {
       return state.ui_scale > min_ui_scale;
     case Command::scale_reset:
       return state.ui_scale != 1;
+    case Command::cost_forget:
+    case Command::cost_next:
+    case Command::cost_against:
+    case Command::cost_kind:
+    case Command::cost_axis:
+    case Command::cost_split_left:
+    case Command::cost_split_right:
+      return state.tab == Tab::cost && !state.cost.tried.empty();
     case Command::walk_strip:
       return state.walk.has_value();
     case Command::use_camera:
@@ -116,6 +126,10 @@ bool enabled(Command command, const State& state) {
     case Command::tab_tree:
     case Command::tab_stack:
     case Command::tab_legend:
+    case Command::tab_cost:
+    case Command::cost_knobs:
+    case Command::cost_try:
+    case Command::cost_ladder:
     case Command::tab_equation:
     case Command::zoom_in:
     case Command::zoom_out:
@@ -167,6 +181,8 @@ bool chosen(Command command, const State& state) {
       return state.tab == Tab::stack;
     case Command::tab_legend:
       return state.tab == Tab::legend;
+    case Command::tab_cost:
+      return state.tab == Tab::cost;
     case Command::tab_equation:
       return state.tab == Tab::equation;
     case Command::lessons:
@@ -220,6 +236,16 @@ bool chosen(Command command, const State& state) {
     case Command::use_camera:
     case Command::image_settings:
     case Command::heat:
+    case Command::cost_knobs:
+    case Command::cost_try:
+    case Command::cost_ladder:
+    case Command::cost_forget:
+    case Command::cost_next:
+    case Command::cost_against:
+    case Command::cost_kind:
+    case Command::cost_axis:
+    case Command::cost_split_left:
+    case Command::cost_split_right:
     case Command::turn_left:
     case Command::turn_right:
     case Command::turn_up:

@@ -1,6 +1,7 @@
 #include "gui/gui.h"
 
 #include "gui/interface.h"
+#include "gui/live_costs.h"
 #include "gui/report.h"
 #include "gui/session.h"
 #include "gui/style.h"
@@ -54,6 +55,7 @@ class Loop {
       if (window_.minimised()) continue;
       if (frames_due_ > 0) frame(nullptr);
       work_on_image();
+      work_on_costs();
       if (wants_picture() && settled()) return take_picture();
     }
     const Settings now{state_.theme, state_.ui_scale, state_.tab};
@@ -74,12 +76,13 @@ class Loop {
   [[nodiscard]] float dpi() const { return shrink() * window_.scale(); }
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
   [[nodiscard]] bool settled() const {
-    return frames_due_ == 0 && image_.rests(state_) && demo_.over() && !state_.playing && !state_.hold;
+    return frames_due_ == 0 && image_.rests(state_) && costs_.rests(state_) && demo_.over() && !state_.playing &&
+           !state_.hold;
   }
 
   // Seconds that may pass before something has to be done; negative: for ever.
   [[nodiscard]] double patience() const {
-    if (frames_due_ > 0 || !image_.rests(state_)) return 0;
+    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_)) return 0;
     double wait = -1;
     const auto at_most = [&](double seconds) {
       wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
@@ -156,6 +159,20 @@ class Loop {
     frames_due_ = std::max(frames_due_, 1);
   }
 
+  void work_on_costs() {
+    // The picture that everyone sees comes first.
+    if (frames_drawn_ == 0 || !image_.rests(state_) || costs_.rests(state_)) return;
+    costs_.work(state_, image_slice);
+    const Clock::time_point now = Clock::now();
+    const bool asked = costs_.rests(state_);
+    if (costs_.revision() == shown_costs_ || (!asked && seconds_between(costs_shown_, now) < image_every)) return;
+    const ImageSize size = costs_.size();
+    if (size.width > 0) costs_texture_.upload(size.width, size.height, costs_.rgba().data());
+    shown_costs_ = costs_.revision();
+    costs_shown_ = now;
+    frames_due_ = std::max(frames_due_, 1);
+  }
+
   // Letters and spacing for the scale and theme of now.
   void rescale() {
     const float now = unit(), density = window_.density();
@@ -183,7 +200,9 @@ class Loop {
                         image_.preview().has_every_pixel(),
                         image_.preview().finished(),
                         image_.seconds_left(),
-                        image_.preview().hottest()};
+                        image_.preview().hottest(),
+                        &costs_,
+                        costs_texture_.id()};
     interface_.draw(state_, fonts_, unit(), dpi(), shown);
     const Colour ground = palette(state_.theme).window;
     window_.end_frame(
@@ -225,13 +244,15 @@ class Loop {
   Demo demo_;
   LiveImage image_;
   Texture texture_;
-  Clock::time_point begun_, last_ = Clock::now(), image_shown_{};
+  LiveCosts costs_;
+  Texture costs_texture_;
+  Clock::time_point begun_, last_ = Clock::now(), image_shown_{}, costs_shown_{};
   Settings settings_;  ///< as they were at the start
   FontFiles fonts_found_;
   Fonts fonts_;
   float styled_unit_ = 0;
   Theme styled_theme_ = Theme::dark;
-  std::uint64_t shown_image_ = 0;
+  std::uint64_t shown_image_ = 0, shown_costs_ = 0;
   int frames_due_ = frames_to_settle, frames_drawn_ = 0;
   bool key_holds_ = false;  ///< STEP or BACK
   double first_frame_ = 0, notice_seen_ = 0, tooltip_in_ = -1;

@@ -28,6 +28,10 @@ void Interface::grant(const Ui& ui) {
         ui.act(action::SetTab{Tab::image});
         open_settings_ = true;
         break;
+      case WindowWish::cost_knobs:
+        ui.act(action::SetTab{Tab::cost});
+        open_knobs_ = true;
+        break;
       case WindowWish::breakpoints:
         open_breakpoints_ = true;
         break;
@@ -99,13 +103,16 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
 
-  // What is in the corner is small; exchanged it has the plan's room.
-  if (exchanged_ && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
+  // What is in the corner is small; exchanged it has the plan's room. The Cost panel needs that room from the start,
+  // and that of the walk, which it has no use for.
+  const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
+  const bool costs = state.tab == Tab::cost && !exchanged_ && state.mode != Mode::help;
+  if (exchanged_ != (state.tab == Tab::cost) && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
+  if (costs) layout_.tabs = left;
 
   if (!layout_.lesson.empty()) lesson_.draw(with, layout_.lesson);
   shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
   if (state.mode == Mode::help) {
-    const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
     help_pane(with, left, std::exchange(scroll_help_, 0.0f));
   } else {
     if (shows_lines(state)) {
@@ -114,19 +121,16 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
       plan_pane(with, layout_.plan);
     }
     // One strip for both modes, so that the plan stays where it is.
-    if (state.mode == Mode::move) {
-      palette_pane(with, layout_.strip);
-    } else {
-      legend_pane(with, layout_.strip);
-    }
-    transport_pane(with, layout_.transport);
+    if (!costs && state.mode == Mode::move) palette_pane(with, layout_.strip);
+    if (!costs && state.mode == Mode::trace) legend_pane(with, layout_.strip);
+    if (!costs) transport_pane(with, layout_.transport);
   }
   if (PropertiesPane::shows(state)) {
     properties_.draw(with, layout_.side, std::exchange(focus_properties_, false));
   } else {
     code_pane(with, layout_.side);
   }
-  tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false));
+  tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false), std::exchange(open_knobs_, false));
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 

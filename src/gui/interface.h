@@ -46,7 +46,8 @@ class Interface {
   LessonPane lesson_;
   BreakpointsPopup breakpoints_;
   Browser browser_;
-  bool full_screen_ = false, focus_properties_ = false, open_settings_ = false, open_breakpoints_ = false;
+  bool full_screen_ = false, focus_properties_ = false, open_settings_ = false, open_knobs_ = false,
+       open_breakpoints_ = false;
   int wanted_menu_ = -1, shown_menu_ = -1;  ///< of the bar, by number; -1: none
   bool exchanged_ = false;                  ///< the tabs stand where the plan was, and the plan in their corner
   float scroll_help_ = 0;

@@ -40,6 +40,8 @@ std::string_view name_of(Tab tab) {
       return "stack";
     case Tab::legend:
       return "legend";
+    case Tab::cost:
+      return "cost";
     case Tab::equation:
       return "equation";
   }

@@ -8,6 +8,8 @@
 
 namespace raywalk {
 
+class LiveCosts;  // gui/live_costs.h
+
 inline constexpr int menu_count = 4;
 /// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Which
 /// menu is open; -1: none.
@@ -77,18 +79,21 @@ struct Picture {
   int width = 0, height = 0;   ///< of the image; `texture` has this size
   double done = 0;             ///< 0..1
   bool has_every_pixel = false, finished = false;
-  double seconds_left = 0;  ///< an estimate; 0: none
-  double hottest = 0;       ///< of a heat map: what the last colour stands for
+  double seconds_left = 0;           ///< an estimate; 0: none
+  double hottest = 0;                ///< of a heat map: what the last colour stands for
+  const LiveCosts* costs = nullptr;  ///< of the Cost panel; null: there is none
+  std::uintptr_t cost_texture = 0;   ///< its picture, of costs->size()
 };
 
 /// The tabs' headings and the one that is open.
 class TabsPane {
  public:
-  /// `open_settings`: of the picture.
-  void draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings);
+  /// `open_settings`: of the picture,
+  /// and `open_knobs`: of the Cost panel.
+  void draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings, bool open_knobs);
 
  private:
-  FormMemory settings_;
+  FormMemory settings_, knobs_;
   int hovering_ = -1;    ///< the ray that this pane said is pointed at
   int centred_on_ = -1;  ///< the ray that the tree was last scrolled to
 };
@@ -96,6 +101,9 @@ class TabsPane {
 void image_tab(const Ui& ui, const Rect& where, const Picture& picture);
 /// The popup "image-settings", where it is open.
 void image_settings(const Ui& ui, FormMemory& memory);
+void cost_tab(const Ui& ui, const Rect& where, const Picture& picture);
+/// The popup "cost-knobs", where it is open.
+void cost_knobs_popup(const Ui& ui, FormMemory& memory);
 /// A bar of colours with numbers, as high as two lines of small letters.
 void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest);
 /// Both return the ray that is pointed at, or -1.

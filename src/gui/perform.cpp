@@ -2,6 +2,7 @@
 
 #include "gui/command_table.h"
 #include "gui/commands.h"
+#include "gui/cost_commands.h"
 
 #include <algorithm>
 
@@ -146,6 +147,8 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::SetTab{Tab::stack});
     case Command::tab_legend:
       return ui.act(action::SetTab{Tab::legend});
+    case Command::tab_cost:
+      return ui.act(action::SetTab{Tab::cost});
     case Command::tab_equation:
       return ui.act(action::SetTab{Tab::equation});
     case Command::zoom_in:
@@ -164,6 +167,17 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::UseImageCamera{});
     case Command::image_settings:
       return ui.wish(WindowWish::image_settings);
+    case Command::cost_knobs:
+    case Command::cost_try:
+    case Command::cost_ladder:
+    case Command::cost_forget:
+    case Command::cost_next:
+    case Command::cost_against:
+    case Command::cost_kind:
+    case Command::cost_axis:
+    case Command::cost_split_left:
+    case Command::cost_split_right:
+      return perform_cost(command, ui);
     case Command::heat:
       return next_heat(ui);
     case Command::turn_left:

@@ -3,7 +3,7 @@
 
 namespace raywalk {
 
-void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings) {
+void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings, bool open_knobs) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   const bool visible = begin_pane(ui, "tabs", where, ui.colours.panel, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
@@ -12,7 +12,9 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
     ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
                                         to_imgui(Shades(ui.state.theme).line));
     ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
-    choice(ui, {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_equation, Command::tab_legend},
+    choice(ui,
+           {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_equation, Command::tab_legend,
+            Command::tab_cost},
            height, ui.fonts.small, where.width - 2 * margin - height - ui.px(4));
     ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
     command_button(ui, Command::exchange, {height, height},
@@ -25,7 +27,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
       ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
       ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
       // The picture and the tree scroll by themselves, or not at all.
-      const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree;
+      const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree || ui.state.tab == Tab::cost;
       const bool open = ImGui::BeginChild("tab", size(inside), false,
                                           own ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
       ImGui::PopStyleVar();
@@ -44,6 +46,9 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
           case Tab::legend:
             legend_tab(ui, inside);
             break;
+          case Tab::cost:
+            cost_tab(ui, inside, picture);
+            break;
           case Tab::equation:
             equation_tab(ui, inside);
             break;
@@ -53,6 +58,8 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
     }
     if (open_settings) ImGui::OpenPopup("image-settings");
     image_settings(ui, settings_);
+    if (open_knobs) ImGui::OpenPopup("cost-knobs");
+    cost_knobs_popup(ui, knobs_);
     if (pointed_at != hovering_ && pointed_at != ui.state.hovered_ray) ui.act(action::HoverRay{pointed_at});
     hovering_ = pointed_at;
   }

@@ -22,6 +22,7 @@ enum class WindowWish {
   menu,            ///< opens the first menu, or the one after that which is open
   properties,      ///< puts the keyboard into the first field of the properties
   image_settings,  ///< opens the settings of the 3-D picture
+  cost_knobs,      ///< opens the knobs of the Cost panel
   breakpoints,     ///< opens the breakpoints and the field for a step to go to
   exchange,        ///< the plan and the tabs take each other's place
   line_up,         ///< these scroll the help text

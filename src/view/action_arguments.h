@@ -223,5 +223,31 @@ template <class F>
 void arguments(F& f, SetTab& a) {
   f.choice(a.tab, Words<Tab>(tab_words));
 }
+template <class F>
+void arguments(F& f, SetCostKnobs& a) {
+  f.number(a.knobs.samples);
+  f.choice(a.knobs.sampler, Words<Sampler>(sampler_words));
+  f.number(a.knobs.light_grid);
+  f.number(a.knobs.depth);
+  f.number(a.knobs.threshold);
+  f.choice(a.knobs.single_precision, Words<bool>(precision_words));
+  f.choice(a.knobs.accelerator, Words<AcceleratorKind>(accelerator_words));
+  f.number(a.knobs.tolerance);
+}
+template <class F>
+void arguments(F& f, TryCost& a) {
+  f.flag(a.ladder, "ladder");
+}
+template <class F>
+void arguments(F& f, ChooseCost& a) {
+  f.number(a.index);
+  f.flag(a.against, "against");
+}
+template <class F>
+void arguments(F& f, ShowCosts& a) {
+  f.choice(a.picture, Words<CostPicture>(cost_picture_words));
+  f.choice(a.axis, Words<study::CostAxis>(cost_axis_words));
+  f.number(a.split);
+}
 
 }  // namespace raywalk::action_text

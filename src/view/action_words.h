@@ -23,11 +23,22 @@ inline constexpr std::pair<Grain, std::string_view> grain_words[] = {
 inline constexpr std::pair<bool, std::string_view> direction_words[] = {{true, "forward"}, {false, "back"}};
 inline constexpr std::pair<Button, std::string_view> button_words[] = {
     {Button::left, "left"}, {Button::middle, "middle"}, {Button::right, "right"}};
-inline constexpr std::pair<Tab, std::string_view> tab_words[] = {{Tab::image, "image"},
-                                                                 {Tab::tree, "tree"},
-                                                                 {Tab::stack, "stack"},
-                                                                 {Tab::legend, "legend"},
-                                                                 {Tab::equation, "equation"}};
+inline constexpr std::pair<Tab, std::string_view> tab_words[] = {{Tab::image, "image"}, {Tab::tree, "tree"},
+                                                                 {Tab::stack, "stack"}, {Tab::legend, "legend"},
+                                                                 {Tab::cost, "cost"},   {Tab::equation, "equation"}};
+inline constexpr std::pair<CostPicture, std::string_view> cost_picture_words[] = {
+    {CostPicture::split, "split"}, {CostPicture::difference, "difference"}};
+inline constexpr std::pair<study::CostAxis, std::string_view> cost_axis_words[] = {
+    {study::CostAxis::rays, "rays"}, {study::CostAxis::tests, "tests"}, {study::CostAxis::seconds, "seconds"}};
+inline constexpr std::pair<Sampler, std::string_view> sampler_words[] = {
+    {Sampler::random, "random"}, {Sampler::jittered, "jittered"}, {Sampler::sobol, "sobol"}};
+inline constexpr std::pair<bool, std::string_view> precision_words[] = {{true, "float"}, {false, "double"}};
+inline constexpr std::pair<AcceleratorKind, std::string_view> accelerator_words[] = {
+    {AcceleratorKind::automatic, "automatic"}, {AcceleratorKind::none, "none"},
+    {AcceleratorKind::spheres, "spheres"},     {AcceleratorKind::ellipsoids, "ellipsoids"},
+    {AcceleratorKind::boxes, "boxes"},         {AcceleratorKind::bvh, "bvh"},
+    {AcceleratorKind::grid, "grid"},           {AcceleratorKind::octree, "octree"},
+    {AcceleratorKind::kdtree, "kdtree"}};
 inline constexpr std::pair<Theme, std::string_view> theme_words[] = {{Theme::dark, "dark"},
                                                                      {Theme::projector, "projector"}};
 inline constexpr std::pair<Answer, std::string_view> answer_words[] = {
@@ -172,6 +183,16 @@ template <>
 inline constexpr std::string_view word_of<SetTab> = "tab";
 template <>
 inline constexpr std::string_view word_of<DismissNotice> = "dismiss";
+template <>
+inline constexpr std::string_view word_of<SetCostKnobs> = "cost-knobs";
+template <>
+inline constexpr std::string_view word_of<TryCost> = "cost-try";
+template <>
+inline constexpr std::string_view word_of<ForgetCosts> = "cost-forget";
+template <>
+inline constexpr std::string_view word_of<ChooseCost> = "cost-choose";
+template <>
+inline constexpr std::string_view word_of<ShowCosts> = "cost-show";
 template <>
 inline constexpr std::string_view word_of<ShowLessons> = "lessons";
 template <>

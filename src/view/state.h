@@ -6,6 +6,7 @@
 #include "render/heat.h"
 #include "timeline/stops.h"
 #include "timeline/timeline.h"
+#include "view/cost.h"
 #include "view/display_list.h"
 #include "view/lesson_sitting.h"
 
@@ -23,7 +24,7 @@ enum class Mode { move, trace, help };
 /// How far one step goes: a line of pseudocode, to the next ray, to the next pixel; over a line with all of the SHADE
 /// that it calls, out of the SHADE under way.
 enum class Grain { line, ray, pixel, over, out };
-enum class Tab { image, tree, stack, legend, equation };
+enum class Tab { image, tree, stack, legend, equation, cost };
 
 /// The pane that shows the plan, in pixels.
 struct Viewport {
@@ -170,6 +171,7 @@ struct State {
   Theme theme = Theme::dark;
   double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
   Tab tab = Tab::image;
+  CostState cost;
 
   LessonSitting lessons;
 

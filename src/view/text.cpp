@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/cost.h"
 #include "view/update_parts.h"
 
 namespace raywalk {
@@ -41,6 +42,8 @@ std::string argument_text(const Argument& argument) {
 }  // namespace
 
 std::string fill(TextId id, const std::vector<std::string>& arguments) { return filled(text(id), arguments); }
+
+std::string fill(CostText id, const std::vector<std::string>& arguments) { return filled(text(id), arguments); }
 
 std::string number_text(double value) {
   if (value == 0) return "0";

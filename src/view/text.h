@@ -52,6 +52,7 @@ enum class TextId {
   tab_tree,
   tab_stack,
   tab_legend,
+  tab_cost,
   button_step,
   button_back,
   button_auto,

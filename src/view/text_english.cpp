@@ -72,6 +72,8 @@ std::string_view text(TextId id) {
       return "Ray tree";
     case TextId::tab_stack:
       return "Stack";
+    case TextId::tab_cost:
+      return "Cost";
     case TextId::tab_legend:
       return "Legend";
     case TextId::button_step:

@@ -48,7 +48,11 @@ void Bench::take_actions() {
 
 void Bench::frame() {
   ImGui::NewFrame();
-  interface_.draw(state, fonts_, unit, dpi, Picture{1, 441, 331, 0.5, true, false});
+  costs_.work(state, 20);
+  Picture picture{1, 441, 331, 0.5, true, false};
+  picture.costs = &costs_;
+  picture.cost_texture = 1;
+  interface_.draw(state, fonts_, unit, dpi, picture);
   ImGui::Render();
   take_actions();
 }

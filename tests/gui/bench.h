@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gui/interface.h"
+#include "gui/live_costs.h"
 
 namespace raywalk::test {
 
@@ -74,6 +75,7 @@ class Bench {
   void put_key(bool down);
 
   Interface interface_;
+  LiveCosts costs_;
   Fonts fonts_;
   ImGuiContext* context_ = nullptr;
 };

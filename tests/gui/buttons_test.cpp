@@ -72,6 +72,7 @@ TEST_CASE("the buttons of the modes and tabs") {
   CHECK(asked_by<action::SetTab>(bench, "tab-tree").tab == Tab::tree);
   CHECK(asked_by<action::SetTab>(bench, "tab-stack").tab == Tab::stack);
   CHECK(asked_by<action::SetTab>(bench, "tab-legend").tab == Tab::legend);
+  CHECK(asked_by<action::SetTab>(bench, "tab-cost").tab == Tab::cost);
   CHECK(asked_by<action::SetTab>(bench, "tab-equation").tab == Tab::equation);
 }
 

@@ -229,7 +229,7 @@ TEST_CASE("a question shuts out everything behind it") {
 
 TEST_CASE("no window is too small, no mode or tab fails in it") {
   for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
-    for (const Tab tab : {Tab::image, Tab::tree, Tab::stack, Tab::legend, Tab::equation}) {
+    for (const Tab tab : {Tab::image, Tab::tree, Tab::stack, Tab::legend, Tab::equation, Tab::cost}) {
       Bench bench(at(120, mode));
       update(bench.state, action::Select{{TargetKind::object, 0}});
       update(bench.state, action::SetTab{tab});

@@ -75,6 +75,12 @@ TEST_CASE("a line that was written reads back as the same action") {
       {RevealLesson{}, "reveal"},
       {SetLessonOptions{true, false, "pt"}, "lesson-options presenter pt"},
       {DismissNotice{}, "dismiss"},
+      {SetCostKnobs{{8, Sampler::sobol, 2, 4, 0.25, true, AcceleratorKind::grid, 0.5}},
+       "cost-knobs 8 sobol 2 4 0.25 float grid 0.5"},
+      {TryCost{true}, "cost-try ladder"},
+      {ForgetCosts{}, "cost-forget"},
+      {ChooseCost{2, true}, "cost-choose 2 against"},
+      {ShowCosts{CostPicture::difference, study::CostAxis::seconds, 0.25}, "cost-show difference seconds 0.25"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

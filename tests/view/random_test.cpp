@@ -158,8 +158,29 @@ class RandomActions {
     return action::SetCamera{camera, flip()};
   }
   SpaceView view() { return flip() ? SpaceView::image : SpaceView::lines; }
+  Action cost() {
+    study::Setup setup;
+    setup.samples = whole(-3, 9000);
+    setup.depth = whole(-3, 90);
+    setup.threshold = real(-1, 2);
+    switch (whole(0, 4)) {
+      case 0:
+        return action::SetCostKnobs{setup};
+      case 1:
+        return action::TryCost{flip()};
+      case 2:
+        return action::ChooseCost{whole(-3, 70), flip()};
+      case 3:
+        return action::ShowCosts{flip() ? CostPicture::split : CostPicture::difference, study::CostAxis::tests,
+                                 real(-2, 3)};
+      default:
+        return whole(0, 9) > 0 ? Action(action::SetTab{Tab::cost}) : Action(action::ForgetCosts{});
+    }
+  }
   Action other() {
-    switch (whole(0, 22)) {
+    switch (whole(0, 23)) {
+      case 23:
+        return cost();
       case 19:
         return action::RunOn{flip()};
       case 20:

@@ -1,0 +1,70 @@
+#include "gui/cost_commands.h"
+
+#include "gui/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raywalk {
+
+namespace {
+
+constexpr std::array kinds{CostPicture::split, CostPicture::difference};
+constexpr std::array axes{study::CostAxis::rays, study::CostAxis::tests, study::CostAxis::seconds};
+constexpr double split_step = 0.05;  // of the picture's width
+
+template <class Choices, class Value>
+Value after(const Choices& choices, const Value& now) {
+  const auto at = static_cast<std::size_t>(std::find(choices.begin(), choices.end(), now) - choices.begin());
+  return choices[(at + 1) % choices.size()];
+}
+
+void show(const Ui& ui, const action::ShowCosts& what) { ui.act(what); }
+
+}  // namespace
+
+void perform_cost(Command command, const Ui& ui) {
+  const CostState& cost = ui.state.cost;
+  const int tries = static_cast<int>(cost.tried.size());
+  switch (command) {
+    case Command::cost_knobs:
+      return ui.wish(WindowWish::cost_knobs);
+    case Command::cost_try:
+    case Command::cost_ladder:
+      ui.act(action::SetTab{Tab::cost});
+      return ui.act(action::TryCost{command == Command::cost_ladder});
+    case Command::cost_forget:
+      return ui.act(action::ForgetCosts{});
+    case Command::cost_next:
+      return ui.act(action::ChooseCost{(cost.chosen + 1) % tries});
+    case Command::cost_against:
+      return ui.act(action::ChooseCost{cost.against + 1 < tries ? cost.against + 1 : -1, true});
+    case Command::cost_kind:
+      return show(ui, {after(kinds, cost.picture), cost.axis, cost.split});
+    case Command::cost_axis:
+      return show(ui, {cost.picture, after(axes, cost.axis), cost.split});
+    case Command::cost_split_left:
+      return show(ui, {cost.picture, cost.axis, cost.split - split_step});
+    case Command::cost_split_right:
+      return show(ui, {cost.picture, cost.axis, cost.split + split_step});
+    default:
+      return;
+  }
+}
+
+std::string_view cost_label(Command command, const State& state) {
+  if (command == Command::cost_kind)
+    return state.cost.picture == CostPicture::split ? words::cost_split : words::cost_difference;
+  if (command != Command::cost_axis) return {};
+  switch (state.cost.axis) {
+    case study::CostAxis::rays:
+      return words::cost_rays;
+    case study::CostAxis::tests:
+      return words::cost_tests;
+    case study::CostAxis::seconds:
+      return words::cost_seconds;
+  }
+  return {};
+}
+
+}  // namespace raywalk

@@ -1,0 +1,13 @@
+#pragma once
+// The commands of the Cost panel. Called by gui/commands.h.
+
+#include "gui/commands.h"
+
+namespace raywalk {
+
+/// `command`: one of the Cost panel's, enabled.
+void perform_cost(Command command, const Ui& ui);
+/// What a button that goes on to the next of several shows: where it stands now. Empty for other commands.
+[[nodiscard]] std::string_view cost_label(Command command, const State& state);
+
+}  // namespace raywalk

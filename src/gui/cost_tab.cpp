@@ -1,0 +1,200 @@
+// What accuracy costs in this scene: knobs, error against cost, and two pictures side by side.
+
+#include "accel/accelerator.h"
+#include "gui/live_costs.h"
+#include "gui/painter.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "gui/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
+constexpr std::array accelerators{AcceleratorKind::automatic, AcceleratorKind::none,   AcceleratorKind::bvh,
+                                  AcceleratorKind::grid,      AcceleratorKind::octree, AcceleratorKind::kdtree};
+
+template <class Choices, class NameOf, class Value>
+bool pick(Form& form, const FormLabel& label, const Choices& choices, const NameOf& name, Value& value) {
+  std::vector<std::string> names;
+  for (const auto& choice : choices) names.emplace_back(name(choice));
+  int index = static_cast<int>(std::find(choices.begin(), choices.end(), value) - choices.begin());
+  if (index == static_cast<int>(choices.size())) index = 0;
+  if (!form.pick(label, names, index)) return false;
+  value = choices[static_cast<std::size_t>(index)];
+  return true;
+}
+
+/// Buttons from left to right, on a further line where there is no room left.
+class Row {
+ public:
+  Row(const Ui& ui, const Rect& where, float height) : ui_(ui), where_(where), height_(height), x_(where.x) {}
+  void add(Command command, const std::string& label = {}) {
+    const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui_.fonts.small, .label = true};
+    const std::string words = label.empty() ? command_label(command, ui_.state) : label;
+    const float width = std::min(button_width(ui_, words, look), where_.width);
+    if (x_ > where_.x && x_ + width > where_.right()) x_ = where_.x, y_ += height_ + ui_.px(4);
+    ImGui::SetCursorScreenPos({x_, where_.y + y_});
+    command_button(ui_, command, {width, height_}, look, words);
+    x_ += width + ui_.px(4);
+  }
+  [[nodiscard]] float bottom() const { return where_.y + y_ + height_; }
+
+ private:
+  const Ui& ui_;
+  const Rect& where_;
+  float height_, x_, y_ = 0;
+};
+
+/// What the marks stand for under the pointer; a click chooses, one with Shift or the right button compares.
+void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
+  const float scale = ui.dpi;
+  const CostPlot plot = cost_plot(ui.state, findings, static_cast<double>(where.width / scale),
+                                  static_cast<double>(where.height / scale), static_cast<double>(ui.unit / scale));
+  paint(*ImGui::GetWindowDrawList(), plot.list, where, scale, ui.fonts);
+  ImGui::SetCursorScreenPos(corner(where));
+  ImGui::InvisibleButton("cost-plot", size(where),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  ui.publish("cost-plot", where);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Vec2d at{static_cast<double>((mouse.x - where.x) / scale), static_cast<double>((mouse.y - where.y) / scale)};
+  const double reach = static_cast<double>(ui.px(14) / scale);
+  const CostPlot::Mark* nearest = nullptr;
+  for (const CostPlot::Mark& mark : plot.marks) {
+    ui.publish("cost-mark-" + std::to_string(mark.attempt), {where.x + static_cast<float>(mark.at.x) * scale,
+                                                             where.y + static_cast<float>(mark.at.y) * scale, 0, 0});
+    if (length(mark.at - at) <= reach && (nearest == nullptr || length(mark.at - at) < length(nearest->at - at)))
+      nearest = &mark;
+  }
+  if (nearest == nullptr || !ImGui::IsItemHovered()) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  tooltip(ui, "cost-mark-" + std::to_string(nearest->attempt), attempt_text(ui.state, findings, nearest->attempt));
+  if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1))
+    ui.act(action::ChooseCost{nearest->attempt, ImGui::IsMouseClicked(1) || ImGui::GetIO().KeyShift});
+}
+
+void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
+  const ImageSize extent = picture.costs->size();
+  if (picture.cost_texture == 0 || extent.width == 0) return;
+  const float line = line_height(ui.fonts, *ui.fonts.small);
+  const float legend = line + ui.px(4);
+  const float scale = std::min(room.width / static_cast<float>(extent.width),
+                               (room.height - legend) / static_cast<float>(extent.height));
+  if (scale <= 0) return;
+  const Rect image{std::round(room.x), std::round(room.y), std::round(scale * static_cast<float>(extent.width)),
+                   std::round(scale * static_cast<float>(extent.height))};
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddImage((ImTextureID)picture.cost_texture, corner(image), opposite(image));
+  ui.publish("cost-picture", image);
+  const CostState& cost = ui.state.cost;
+  const std::string right = cost.against < 0 ? std::string(words::cost_reference) : "B";
+  const ImU32 ink = to_imgui(ui.colours.text);
+  const float y = image.bottom() + ui.px(3);
+  if (cost.picture == CostPicture::difference) {
+    const std::string what = fill(CostText::difference, {right, number_text(picture.costs->largest())});
+    draw.AddText({image.x, y}, ink, shortened(what, room.width).c_str());
+  } else {
+    const float border = image.x + static_cast<float>(cost.split) * image.width;
+    draw.AddLine({border, image.y}, {border, image.bottom()}, IM_COL32(0, 0, 0, 255), ui.px(3));
+    draw.AddLine({border, image.y}, {border, image.bottom()}, IM_COL32(255, 255, 255, 255), ui.px(1.5f));
+    draw.AddCircleFilled({border, (image.y + image.bottom()) / 2}, ui.px(7), IM_COL32(0, 0, 0, 255));
+    draw.AddCircleFilled({border, (image.y + image.bottom()) / 2}, ui.px(5.5f), IM_COL32(255, 255, 255, 255));
+    draw.AddText({image.x, y}, ink, "A");
+    draw.AddText({image.right() - ImGui::CalcTextSize(right.c_str()).x, y}, ink, right.c_str());
+  }
+  ImGui::SetCursorScreenPos(corner(image));
+  ImGui::InvisibleButton("cost-picture", size(image));
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActive() && cost.picture == CostPicture::split) {
+    const double at = static_cast<double>((ImGui::GetIO().MousePos.x - image.x) / image.width);
+    if (std::clamp(at, 0.0, 1.0) != cost.split) ui.act(action::ShowCosts{cost.picture, cost.axis, at});
+  }
+}
+
+}  // namespace
+
+void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
+  const bool open = ImGui::BeginPopup("cost-knobs");
+  ImGui::PopStyleVar();
+  if (!open) return;
+  ui.publish("cost-knobs-popup",
+             {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
+  push_font(ui.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
+  Form form(ui, memory, ui.px(390));
+  form.heading(words::cost_knobs);
+  const study::Setup now = cost_knobs(ui.state);
+  study::Setup next = now;
+  form.whole(std::string(words::samples), next.samples, 1, CostState::most_samples);
+  pick(form, std::string(words::sampler), samplers, sampler_name, next.sampler);
+  form.whole(std::string(words::light_grid), next.light_grid, 0, CostState::most_grid);
+  form.whole(TextId::depth_limit, next.depth, 1, CostState::most_depth);
+  form.number(TextId::threshold, next.threshold, 0.0005, 0, 1);
+  form.number(std::string(words::tolerance), next.tolerance, 0.0005, 0, 1);
+  int single = next.single_precision ? 1 : 0;
+  if (form.pick(std::string(words::precision), {std::string(words::double_), std::string(words::single)}, single))
+    next.single_precision = single == 1;
+  pick(form, std::string(words::accelerator), accelerators, accelerator_name, next.accelerator);
+  if (!(next == now)) ui.act(action::SetCostKnobs{next});
+  ImGui::Dummy({1, ui.px(2)});
+  const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+  command_button(ui, Command::cost_try, {ui.px(390), ui.px(30)}, look);
+  ImGui::PopStyleVar();
+  pop_font();
+  ImGui::EndPopup();
+}
+
+void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
+  if (picture.costs == nullptr) return;
+  push_font(ui.fonts.small);
+  const float line = line_height(ui.fonts, *ui.fonts.small);
+  const study::Workbench& bench = picture.costs->bench();
+  const CostFindings findings{bench.attempts(), bench.floor(), bench.reference_samples()};
+
+  Row row(ui, where, ui.px(28));
+  row.add(Command::cost_knobs, setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene())));
+  row.add(Command::cost_try);
+  row.add(Command::cost_ladder);
+  row.add(Command::cost_axis);
+  row.add(Command::cost_kind);
+  row.add(Command::cost_forget);
+
+  const float text_height = 2 * line + ui.px(6), gap = ui.px(8);
+  Rect body{where.x, row.bottom() + gap, where.width, where.bottom() - row.bottom() - text_height - 2 * gap};
+  if (ui.state.cost.tried.empty()) {
+    ImGui::SetCursorScreenPos({where.x, body.y});
+    paragraph(ui.colours.dim_text, text(CostText::empty));
+    return pop_font();
+  }
+  // Side by side, or one above the other where that gives both more room.
+  const bool beside = body.width > 1.2f * body.height;
+  Rect plot = body, image = body;
+  if (beside) {
+    plot.width = std::floor(body.width * 0.54f);
+    image.x = plot.right() + gap;
+    image.width = body.right() - image.x;
+  } else {
+    plot.height = std::floor(body.height * 0.55f);
+    image.y = plot.bottom() + gap;
+    image.height = body.bottom() - image.y;
+  }
+  if (plot.width > 8 && plot.height > 8) draw_plot(ui, plot, findings);
+  if (image.width > 8 && image.height > 8) draw_picture(ui, image, picture);
+
+  const float y = where.bottom() - text_height;
+  ImGui::SetCursorScreenPos({where.x, y});
+  label(ui.colours.text, shortened("A: " + attempt_text(ui.state, findings, ui.state.cost.chosen), where.width));
+  ImGui::SetCursorScreenPos({where.x, y + line});
+  const std::string other = ui.state.cost.against < 0 ? reference_text(findings)
+                                                      : "B: " + attempt_text(ui.state, findings, ui.state.cost.against);
+  label(ui.colours.dim_text, shortened(other, where.width));
+  pop_font();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,42 @@
+#pragma once
+// The Cost panel's tries of the state's scene, worked on in slices of time, and the picture that shows them.
+
+#include "study/workbench.h"
+#include "view/state.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace raywalk {
+
+class LiveCosts {
+ public:
+  /// Takes up what the state wants tried, and works for about `milliseconds` while the panel is open. Whether more is
+  /// to be done.
+  bool work(const State& state, double milliseconds);
+  /// Nothing is to be done for this state.
+  [[nodiscard]] bool rests(const State& state) const;
+
+  [[nodiscard]] const study::Workbench& bench() const { return bench_; }
+  /// The chosen picture and the one it is compared with; 4 bytes a pixel, empty while there is none.
+  [[nodiscard]] const std::vector<std::uint8_t>& rgba() const { return rgba_; }
+  [[nodiscard]] ImageSize size() const { return size_; }
+  /// Of a picture of differences: the largest.
+  [[nodiscard]] double largest() const { return largest_; }
+  /// Another number whenever something of the above has changed.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+ private:
+  [[nodiscard]] bool follows(const State& state) const;
+  void show(const State& state);
+
+  study::Workbench bench_;
+  std::uint64_t scene_revision_ = 0, bench_revision_ = 0, revision_ = 0;
+  CostState shown_;  ///< what bench_ and rgba_ were made for
+  bool begun_ = false;
+  ImageSize size_{0, 0};
+  std::vector<std::uint8_t> rgba_;
+  double largest_ = 0;
+};
+
+}  // namespace raywalk

@@ -1,0 +1,164 @@
+#include "view/cost.h"
+
+#include "io/srgb.h"
+#include "render/heat.h"
+#include "view/state.h"
+#include "view/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+using study::Attempt;
+using study::Setup;
+
+Setup within_limits(Setup setup) {
+  setup.samples = std::clamp(setup.samples, 1, CostState::most_samples);
+  setup.light_grid = std::clamp(setup.light_grid, 0, CostState::most_grid);
+  setup.depth = std::clamp(setup.depth, 1, CostState::most_depth);
+  setup.threshold = std::clamp(setup.threshold, 0.0, 1.0);
+  setup.tolerance = std::clamp(setup.tolerance, 0.0, 1.0);
+  return setup;
+}
+
+bool was_tried(const CostState& cost, int index) { return index >= 0 && index < static_cast<int>(cost.tried.size()); }
+
+/// 1234567 as "1.23 M".
+std::string count_text(double count) {
+  if (count >= 1e9) return fmt::format("{:.3g} G", count / 1e9);
+  if (count >= 1e6) return fmt::format("{:.3g} M", count / 1e6);
+  if (count >= 1e4) return fmt::format("{:.3g} k", count / 1e3);
+  return fmt::format("{:.0f}", count);
+}
+
+}  // namespace
+
+Setup cost_knobs(const State& state) {
+  return within_limits(state.cost.knobs.value_or(study::setup_of(state.scene())));
+}
+
+ImageSize cost_size(ImageSize image) {
+  constexpr double pixels = 12000;
+  const double scale = std::min(1.0, std::sqrt(pixels / (static_cast<double>(image.width) * image.height)));
+  return {std::max(1, static_cast<int>(image.width * scale)), std::max(1, static_cast<int>(image.height * scale))};
+}
+
+void detail::set_cost_knobs(State& state, const Setup& knobs) { state.cost.knobs = within_limits(knobs); }
+
+void detail::try_cost(State& state, bool ladder) {
+  CostState& cost = state.cost;
+  std::vector<Setup> wanted;
+  if (ladder)
+    for (const int samples : {1, 4, 16, 64}) wanted.push_back(cost_knobs(state)), wanted.back().samples = samples;
+  else
+    wanted.push_back(cost_knobs(state));
+  for (const Setup& setup : wanted) {
+    const auto known = std::find(cost.tried.begin(), cost.tried.end(), setup);
+    cost.chosen = static_cast<int>(known - cost.tried.begin());
+    if (known != cost.tried.end()) continue;
+    if (cost.tried.size() >= CostState::most_tries) {
+      cost.chosen = CostState::most_tries - 1;
+      return;
+    }
+    cost.tried.push_back(setup);
+  }
+}
+
+void detail::choose_cost(State& state, const action::ChooseCost& choice) {
+  CostState& cost = state.cost;
+  if (choice.against && (choice.index == -1 || was_tried(cost, choice.index))) cost.against = choice.index;
+  if (!choice.against && was_tried(cost, choice.index)) cost.chosen = choice.index;
+}
+
+void detail::forget_costs(State& state) {
+  state.cost.tried.clear();
+  state.cost.chosen = state.cost.against = -1;
+}
+
+void detail::show_costs(State& state, const action::ShowCosts& what) {
+  state.cost.picture = what.picture;
+  state.cost.axis = what.axis;
+  state.cost.split = std::clamp(what.split, 0.0, 1.0);
+}
+
+std::string setup_text(const Setup& setup, const Setup& usual) {
+  std::string all = setup.samples == 1 ? std::string(text(CostText::sample))
+                                       : fill(CostText::samples, {std::to_string(setup.samples)});
+  const auto add = [&](const std::string& part) { all += ", " + part; };
+  if (setup.samples > 1) add(std::string(sampler_name(setup.sampler)));
+  if (setup.tolerance != usual.tolerance)
+    add(setup.tolerance > 0 ? fill(CostText::tolerance, {number_text(setup.tolerance)})
+                            : std::string(text(CostText::no_tolerance)));
+  if (setup.light_grid != usual.light_grid && setup.light_grid > 0)
+    add(fill(CostText::light_grid, {std::to_string(setup.light_grid)}));
+  if (setup.depth != usual.depth) add(fill(CostText::depth, {std::to_string(setup.depth)}));
+  if (setup.threshold != usual.threshold)
+    add(setup.threshold > 0 ? fill(CostText::threshold, {number_text(setup.threshold)})
+                            : std::string(text(CostText::no_threshold)));
+  if (setup.single_precision != usual.single_precision)
+    add(std::string(text(setup.single_precision ? CostText::single : CostText::double_)));
+  if (setup.accelerator != usual.accelerator) add(std::string(accelerator_name(setup.accelerator)));
+  return all;
+}
+
+std::string attempt_text(const State& state, const CostFindings& findings, int index) {
+  if (index < 0 || index >= static_cast<int>(findings.attempts.size())) return std::string(text(CostText::empty));
+  const Attempt& attempt = findings.attempts[static_cast<std::size_t>(index)];
+  const std::string setup = setup_text(attempt.setup, study::setup_of(state.scene()));
+  if (attempt.done < 1) return setup + ": " + fill(CostText::under_way, {percent_text(attempt.done)});
+  const bool known = attempt.error > 0 || findings.floor > 0;
+  const std::string times =
+      findings.floor > 0
+          ? fill(CostText::times_floor, {fmt::format("{:.0f}", std::max(1.0, attempt.error / findings.floor))})
+          : std::string();
+  return fill(
+      CostText::attempt,
+      {setup, count_text(static_cast<double>(attempt.cost.rays)),
+       count_text(static_cast<double>(attempt.cost.nodes + attempt.cost.tests)), number_text(attempt.cost.seconds),
+       known ? number_text(attempt.error) : std::string(text(CostText::awaits_reference)), times});
+}
+
+std::string reference_text(const CostFindings& findings) {
+  if (findings.reference_samples < 2) return std::string(text(CostText::no_reference));
+  return fill(CostText::reference, {std::to_string(findings.reference_samples), number_text(findings.floor)});
+}
+
+std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right, Encoding encoding,
+                                       double& largest) {
+  const bool both = right.width == left.width && right.height == left.height;
+  const std::size_t count = left.pixels.size();
+  std::vector<std::uint8_t> rgba(count * 4, 255);
+  const auto put = [&](std::size_t i, const Rgb<float>& colour) {
+    for (int channel = 0; channel < 3; ++channel)
+      rgba[4 * i + static_cast<std::size_t>(channel)] =
+          std::isnan(colour[channel]) ? 255 : to_byte(colour[channel], encoding);
+  };
+  largest = 0;
+  if (cost.picture == CostPicture::split || !both) {
+    const int border = static_cast<int>(std::lround(cost.split * left.width));
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool from_right = both && static_cast<int>(i % static_cast<std::size_t>(left.width)) >= border;
+      put(i, from_right ? right.pixels[i] : left.pixels[i]);
+    }
+    return rgba;
+  }
+  std::vector<double> differences(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Rgbd difference = Rgbd(left.pixels[i]) - Rgbd(right.pixels[i]);
+    differences[i] = std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
+    largest = std::max(largest, differences[i]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto colour = heat_colour(largest > 0 ? differences[i] / largest : 0);
+    std::copy(colour.begin(), colour.end(), rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
+  }
+  return rgba;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,129 @@
+#pragma once
+// The Cost panel without a window: the knobs, what was tried, and the drawing of error against cost. What the tries
+// gave is worked out beside the state (study/workbench.h) and handed in.
+
+#include "study/workbench.h"
+#include "view/display_list.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+enum class CostPicture {
+  split,       ///< two pictures side by side, parted by a line that can be moved
+  difference,  ///< how far they are apart, from dark to light
+};
+
+/// All of it is of this sitting only; none is in the scene's file.
+struct CostState {
+  static constexpr int most_tries = 64, most_samples = 4096, most_grid = 16, most_depth = 50;
+
+  std::optional<study::Setup> knobs{};  ///< absent: the scene's own
+  std::vector<study::Setup> tried{};    ///< each once, at most `most_tries`
+  int chosen = -1;                      ///< in `tried`: the picture on the left; -1: none yet
+  int against = -1;                     ///< in `tried`: the picture on the right; -1: the reference
+  CostPicture picture = CostPicture::split;
+  study::CostAxis axis = study::CostAxis::rays;
+  double split = 0.5;  ///< of the picture's width, 0..1
+  friend bool operator==(const CostState&, const CostState&) = default;
+};
+
+struct State;
+
+namespace action {
+struct SetCostKnobs {
+  study::Setup knobs;
+};  ///< brought into their limits
+struct TryCost {
+  bool ladder = false;
+};  ///< the knobs as they stand; a ladder: also with 1, 4, 16, 64 samples. What was tried already is chosen
+struct ForgetCosts {};
+struct ChooseCost {
+  int index;  ///< in CostState::tried
+  bool against = false;
+};  ///< against: -1 is the reference
+struct ShowCosts {
+  CostPicture picture;
+  study::CostAxis axis;
+  double split;  ///< clamped to 0..1
+};
+}  // namespace action
+
+namespace detail {
+void set_cost_knobs(State& state, const study::Setup& knobs);
+void try_cost(State& state, bool ladder);
+void forget_costs(State& state);
+void choose_cost(State& state, const action::ChooseCost& choice);
+void show_costs(State& state, const action::ShowCosts& what);
+}  // namespace detail
+
+/// What TryCost will try.
+[[nodiscard]] study::Setup cost_knobs(const State& state);
+/// The size of the pictures that are tried: small, of the image's shape.
+[[nodiscard]] ImageSize cost_size(ImageSize image);
+
+/// What the workbench has found so far.
+struct CostFindings {
+  const std::vector<study::Attempt>& attempts;
+  double floor = 0;  ///< of the reference
+  int reference_samples = 0;
+};
+
+/// Error against cost, both logarithmic, one mark an attempt, a line along those that none beats, and the floor below
+/// which nothing can be told. In pixels of an area of this size; `unit`: a pixel at scale 1.
+struct CostPlot {
+  DisplayList list;
+  struct Mark {
+    int attempt;
+    Vec2d at;
+  };
+  std::vector<Mark> marks;
+};
+[[nodiscard]] CostPlot cost_plot(const State& state, const CostFindings& findings, double width, double height,
+                                 double unit);
+
+/// "64 samples, sobol, depth 3": what a setup is, by what sets it apart from `usual`.
+[[nodiscard]] std::string setup_text(const study::Setup& setup, const study::Setup& usual);
+/// One line on what an attempt cost and how far it is off.
+[[nodiscard]] std::string attempt_text(const State& state, const CostFindings& findings, int index);
+/// How good the reference is by now.
+[[nodiscard]] std::string reference_text(const CostFindings& findings);
+
+/// The pictures as they are to be shown, width * height pixels of four bytes. `right` of another size (there is none
+/// yet) is left out. `largest`: for a difference, what the last colour stands for.
+[[nodiscard]] std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right,
+                                                     Encoding encoding, double& largest);
+
+/// Words of the panel.
+enum class CostText {
+  empty,      ///< nothing was tried yet
+  under_way,  ///< {0} percent
+  attempt,    ///< {0} setup, {1} rays, {2} tests, {3} seconds, {4} error, {5} times_floor or nothing
+  awaits_reference,
+  times_floor,  ///< {0} how many times the reference's own error
+  reference,    ///< {0} samples, {1} error
+  no_reference,
+  samples,  ///< {0} how many
+  sample,
+  light_grid,  ///< {0} n
+  depth,       ///< {0} N
+  threshold,   ///< {0} share
+  no_threshold,
+  single,
+  double_,
+  tolerance,  ///< {0} tolerance
+  no_tolerance,
+  error_axis,
+  seconds_axis,
+  rays_axis,
+  tests_axis,
+  floor,
+  difference,  ///< {0} what from, {1} the largest
+};
+[[nodiscard]] std::string_view text(CostText id);
+[[nodiscard]] std::string fill(CostText id, const std::vector<std::string>& arguments);
+
+}  // namespace raywalk
