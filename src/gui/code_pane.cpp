@@ -148,7 +148,7 @@ void code_pane(const Ui& ui, const Rect& where) {
           ui.act(action::ToggleBreakpoint{row.line});
         ui.publish("break-" + number);
         draw_breakpoint(ui, gutter, row.breakpoint, ImGui::IsItemHovered());
-        tooltip(ui, "break-" + number, std::string(words::breakpoint_hint));
+        if (!row.breakpoint) tooltip(ui, "break-" + number, std::string(words::breakpoint_hint));
         ImGui::SetCursorScreenPos({gutter.right(), place.y});
         if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
           ui.act(action::RunToLine{row.line});

@@ -1,3 +1,4 @@
+#include "gui/broken_lines.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "gui/words.h"
@@ -29,7 +30,6 @@ void equation_tab(const Ui& ui, const Rect& where) {
   push_font(ui.fonts.strong);
   label(ui.colours.text, panel.title);
   pop_font();
-  ImGui::PushTextWrapPos(where.width - ui.px(14));
   int number = 0;
   for (const EquationRow& row : panel.rows) {
     using Kind = EquationRow::Kind;
@@ -43,11 +43,11 @@ void equation_tab(const Ui& ui, const Rect& where) {
     push_font(row.kind == Kind::note ? ui.fonts.small : total ? ui.fonts.code_strong : ui.fonts.code);
     if (row.light) swatch(ui, *row.light, ImGui::GetFontSize());
     const bool dim = row.kind == Kind::formula || row.kind == Kind::note;
-    label(dim ? ui.colours.dim_text : ui.colours.text, row.text);
+    const float room = where.right() - ui.px(14) - ImGui::GetCursorScreenPos().x;
+    label(dim ? ui.colours.dim_text : ui.colours.text, broken_lines(row.text, room));
     ui.publish("equation/" + std::to_string(number++));
     pop_font();
   }
-  ImGui::PopTextWrapPos();
   ImGui::PopStyleVar();
 }
 

@@ -1,3 +1,4 @@
+#include "gui/broken_lines.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "view/lesson_panel.h"
@@ -12,24 +13,6 @@ namespace raywalk {
 namespace {
 
 std::string word(const Ui& ui, LessonWord of) { return std::string(lesson_word(of, ui.state.lessons.language)); }
-
-// Broken between words into lines of at most this width; ImGui would break behind any full stop, in numbers too.
-std::string broken(const std::string& text, float width) {
-  std::string lines, line;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
-    at = end + 1;
-    const std::string longer = line.empty() ? word : line + " " + word;
-    if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
-      lines += line + "\n";
-      line = word;
-    } else {
-      line = longer;
-    }
-  }
-  return lines + line;
-}
 
 // Paragraphs, with lists; Markdown's stars and backquotes are for emphasis that the pane does not have.
 void words(const Ui& ui, Colour colour, const std::string& text) {
@@ -52,7 +35,7 @@ void words(const Ui& ui, Colour colour, const std::string& text) {
                                                   to_imgui(colour));
       ImGui::Indent(ui.px(16));
     }
-    paragraph(colour, broken(line, ImGui::GetContentRegionAvail().x));
+    paragraph(colour, broken_lines(line, ImGui::GetContentRegionAvail().x));
     if (item) ImGui::Unindent(ui.px(16));
   }
 }

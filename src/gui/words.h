@@ -48,8 +48,8 @@ inline constexpr std::string_view breakpoints_hint =
     "there.";
 inline constexpr std::string_view breakpoint_hint = "Come to rest before this line, or no longer";
 inline constexpr std::string_view breakpoints_off = "This step of the lesson passes all breakpoints.";
-inline constexpr std::string_view at_depth = "At DEPTH";
-inline constexpr std::string_view at_pixel = "At pixel";
+inline constexpr std::string_view at_depth = "At DEPTH (0: none)";
+inline constexpr std::string_view at_pixel = "At pixel (-1: none)";
 inline constexpr std::string_view at_object = "At a hit of";
 inline constexpr std::string_view at_total = "Total reflection";
 inline constexpr std::string_view nowhere = "nowhere";

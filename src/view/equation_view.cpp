@@ -12,7 +12,7 @@ namespace {
 
 void note(Painter& painter, const Vec2d& at, const std::string& text) {
   const double size = painter.sizes.text;
-  const Vec2d half(0.32 * size * static_cast<double>(text.size()), 0.62 * size);
+  const Vec2d half(text_width(text, size) / 2 + 0.2 * size, 0.6 * size);
   painter.add(PolygonItem{{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}},
                           painter.colours.plan.with_alpha(215),
                           std::nullopt});
@@ -54,8 +54,10 @@ void draw_hit_notes(Painter& painter) {
   const double begin = std::atan2(back.y, back.x), turn = std::atan2(back.x * n.y - back.y * n.x, dot(back, n));
   const double first = turn < 0 ? begin + turn : begin;
   painter.add(ArcItem{hit, 20 * unit, first, first + std::abs(turn), painter.stroke(painter.colours.normal, 1.4)});
-  Vec2d middle = back + n;
-  middle = length(middle) > 1e-6 ? middle / length(middle) : across;
+  // Between the two where there is room; else beyond the ray, on the side away from the normal.
+  constexpr double narrow = 0.7, aside = 0.6;  // radians
+  const double towards = std::abs(turn) > narrow ? begin + turn / 2 : begin - (turn < 0 ? -aside : aside);
+  const Vec2d middle(std::cos(towards), std::sin(towards));
   note(painter, hit + 52 * unit * middle, notes.angle);
 }
 
