@@ -1,5 +1,7 @@
 #include "study/plot.h"
 
+#include "io/markup.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -188,23 +190,6 @@ std::string level_line(double level, const std::string& name, const Axis& x, con
 }
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::string svg_of(const Plot& plot) {
   Reach reach_x, reach_y;

@@ -37,7 +37,4 @@ struct Plot {
 /// A whole SVG document.
 [[nodiscard]] std::string svg_of(const Plot& plot);
 
-/// & < > " as entities.
-[[nodiscard]] std::string escaped(const std::string& text);
-
 }  // namespace raywalk::study

@@ -1,5 +1,6 @@
 #include "view/svg.h"
 
+#include "io/markup.h"
 #include "view/update_parts.h"
 
 #include <fmt/format.h>
@@ -106,29 +107,6 @@ std::string svg_file(const DisplayList& list, double width, double height, Colou
       number(width), number(height), escaped(title), fill_of(ground));
   for (const DisplayItem& item : list) text += svg_element(item.shape) + "\n";
   return text + "</svg>\n";
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
 }
 
 std::string css_colour(Colour colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b); }

@@ -14,8 +14,6 @@ namespace raywalk {
 [[nodiscard]] std::string svg_file(const DisplayList& list, double width, double height, Colour ground,
                                    std::string_view title);
 
-/// Text with &, <, > and quotes as entities.
-[[nodiscard]] std::string escaped(std::string_view text);
 /// "#1f2e3d"
 [[nodiscard]] std::string css_colour(Colour colour);
 
