@@ -34,6 +34,16 @@ class Adaptive {
     return active_.empty() || active_[index(column, row)] != 0;
   }
 
+  /// Calls `trace(begin, end)` for each run of active columns of a row, from `begin` up to `end`.
+  template <class Trace>
+  void for_each_run(int row, int begin, int end, Trace trace) const {
+    for (int from = begin, to = begin; from < end; from = to) {
+      const bool active = is_active(from, row);
+      while (to < end && is_active(to, row) == active) ++to;
+      if (active) trace(from, to);
+    }
+  }
+
   /// Takes in a sample of an active pixel, in their order; also into the film. Other pixels may be added to at once.
   void add(Film<T>& film, int column, int row, int sample, const Rgb<T>& shade) {
     if (spread_.empty()) return film.add(column, row, sample, shade);

@@ -102,15 +102,12 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
       for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end && !cancelled(); ++run.row_begin) {
         run.row_end = run.row_begin + 1;
         std::uint64_t pixels = 0;
-        for (int column = tile.column_begin; column < tile.column_end; column = run.column_end) {
-          const bool active = adaptive.is_active(column, run.row_begin);
-          run.column_begin = run.column_end = column;
-          while (run.column_end < tile.column_end && adaptive.is_active(run.column_end, run.row_begin) == active)
-            ++run.column_end;
-          if (!active) continue;
+        adaptive.for_each_run(run.row_begin, tile.column_begin, tile.column_end, [&](int begin, int end) {
+          run.column_begin = begin;
+          run.column_end = end;
           statistics += kernel(camera, run, put);
-          pixels += static_cast<std::uint64_t>(run.column_end - column);
-        }
+          pixels += static_cast<std::uint64_t>(end - begin);
+        });
         const double all = static_cast<double>(adaptive.expected());
         reporter.report(std::min(almost, static_cast<double>(taken += pixels) / all));
       }

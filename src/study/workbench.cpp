@@ -57,15 +57,10 @@ class DevelopmentIn final : public Workbench::Development {
     const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) {
       adaptive_.add(film_, p.column, p.row, p.sample, shade);
     };
-    PixelBlock run{0, 0, row_, row_ + 1, sample_};
-    for (int column = 0; column < size.width; column = run.column_end) {
-      const bool active = adaptive_.is_active(column, row_);
-      run.column_begin = run.column_end = column;
-      while (run.column_end < size.width && adaptive_.is_active(run.column_end, row_) == active) ++run.column_end;
-      if (!active) continue;
-      statistics_ += kernel_(camera_, run, put);
-      taken_ += static_cast<std::uint64_t>(run.column_end - column);
-    }
+    adaptive_.for_each_run(row_, 0, size.width, [&](int begin, int end) {
+      statistics_ += kernel_(camera_, {begin, end, row_, row_ + 1, sample_}, put);
+      taken_ += static_cast<std::uint64_t>(end - begin);
+    });
     if (++row_ < size.height) return true;
     row_ = 0;
     if (++sample_ < adaptive_.to()) return true;
