@@ -135,10 +135,7 @@ std::optional<SceneCost> scene_cost(const Scene& scene, int samples, int repetit
   result.repetitions = repetitions;
   constexpr double fewest = 400;
   const double pixels = std::max(fewest, static_cast<double>(samples) / scene.render.samples);
-  const double whole_pixels = static_cast<double>(scene.image.width) * scene.image.height;
-  const double scale = std::min(1.0, std::sqrt(pixels / whole_pixels));
-  result.size = {std::max(1, static_cast<int>(scene.image.width * scale)),
-                 std::max(1, static_cast<int>(scene.image.height * scale))};
+  result.size = shrunk(scene.image, pixels);
   const Effects used = effects_of(scene, scene.render.samples);
   for (const Light& light : scene.lights)
     result.everything_grid = std::max(result.everything_grid, light_grid_of(scene, light));

@@ -3,6 +3,7 @@
 #include "math/random.h"
 #include "trace/path_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace raywalk::study {
@@ -34,6 +35,11 @@ Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled,
   shot.shadow_rays = statistics.formed(RayKind::shadow);
   shot.cost = cost_of(statistics, thread_seconds() - start);
   return shot;
+}
+
+ImageSize shrunk(ImageSize size, double pixels) {
+  const double scale = std::min(1.0, std::sqrt(pixels / (static_cast<double>(size.width) * size.height)));
+  return {std::max(1, static_cast<int>(size.width * scale)), std::max(1, static_cast<int>(size.height * scale))};
 }
 
 Camera looking_down(double x, double y, double height, double half) {

@@ -20,6 +20,9 @@ struct Shot {
 [[nodiscard]] Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled = false,
                          const std::optional<PathSettings>& paths = std::nullopt);
 
+/// The size of a picture of the same shape with about so many pixels, or its own where it has fewer.
+[[nodiscard]] ImageSize shrunk(ImageSize size, double pixels);
+
 /// A camera that looks straight down from (x, y, height) at z = 0, x to the right and y up. `half`: half the width of
 /// what it sees there.
 [[nodiscard]] Camera looking_down(double x, double y, double height, double half);

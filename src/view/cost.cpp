@@ -2,6 +2,7 @@
 
 #include "io/srgb.h"
 #include "render/heat.h"
+#include "study/shot.h"
 #include "view/state.h"
 #include "view/text.h"
 
@@ -43,11 +44,7 @@ Setup cost_knobs(const State& state) {
   return within_limits(state.cost.knobs.value_or(study::setup_of(state.scene())));
 }
 
-ImageSize cost_size(ImageSize image) {
-  constexpr double pixels = 12000;
-  const double scale = std::min(1.0, std::sqrt(pixels / (static_cast<double>(image.width) * image.height)));
-  return {std::max(1, static_cast<int>(image.width * scale)), std::max(1, static_cast<int>(image.height * scale))};
-}
+ImageSize cost_size(ImageSize image) { return study::shrunk(image, 12000); }
 
 void detail::set_cost_knobs(State& state, const Setup& knobs) { state.cost.knobs = within_limits(knobs); }
 

@@ -118,7 +118,7 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
       {words({right, height - 0.8 * letters}, std::string(text(name)), letters, colours.text, TextAnchor::end)});
   if (!any) return plot;
 
-  if (findings.floor > 0 && up.part(findings.floor) >= 0) {
+  if (known && up.part(findings.floor) >= 0) {
     const double y = y_of(findings.floor);
     list.push_back({LineItem{{left, y}, {right, y}, {colours.dim_text, line, {{6 * unit, 4 * unit}, 2}}}});
     const double beside = bottom - y > 1.2 * letters ? 0.7 : -0.7;
