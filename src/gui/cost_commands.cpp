@@ -1,8 +1,7 @@
 #include "gui/cost_commands.h"
 
-#include "gui/words.h"
+#include "gui/choices.h"
 
-#include <algorithm>
 #include <array>
 
 namespace raywalk {
@@ -12,14 +11,6 @@ namespace {
 constexpr std::array kinds{CostPicture::split, CostPicture::difference};
 constexpr std::array axes{study::CostAxis::rays, study::CostAxis::tests, study::CostAxis::seconds};
 constexpr double split_step = 0.05;  // of the picture's width
-
-template <class Choices, class Value>
-Value after(const Choices& choices, const Value& now) {
-  const auto at = static_cast<std::size_t>(std::find(choices.begin(), choices.end(), now) - choices.begin());
-  return choices[(at + 1) % choices.size()];
-}
-
-void show(const Ui& ui, const action::ShowCosts& what) { ui.act(what); }
 
 }  // namespace
 
@@ -40,13 +31,13 @@ void perform_cost(Command command, const Ui& ui) {
     case Command::cost_against:
       return ui.act(action::ChooseCost{cost.against + 1 < tries ? cost.against + 1 : -1, true});
     case Command::cost_kind:
-      return show(ui, {after(kinds, cost.picture), cost.axis, cost.split});
+      return ui.act(action::ShowCosts{next_among(kinds, cost.picture), cost.axis, cost.split});
     case Command::cost_axis:
-      return show(ui, {cost.picture, after(axes, cost.axis), cost.split});
+      return ui.act(action::ShowCosts{cost.picture, next_among(axes, cost.axis), cost.split});
     case Command::cost_split_left:
-      return show(ui, {cost.picture, cost.axis, cost.split - split_step});
+      return ui.act(action::ShowCosts{cost.picture, cost.axis, cost.split - split_step});
     case Command::cost_split_right:
-      return show(ui, {cost.picture, cost.axis, cost.split + split_step});
+      return ui.act(action::ShowCosts{cost.picture, cost.axis, cost.split + split_step});
     default:
       return;
   }

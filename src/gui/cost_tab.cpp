@@ -1,6 +1,6 @@
 // What accuracy costs in this scene: knobs, error against cost, and two pictures side by side.
 
-#include "accel/accelerator.h"
+#include "gui/choices.h"
 #include "gui/live_costs.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
@@ -16,20 +16,6 @@ namespace raywalk {
 namespace {
 
 constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
-constexpr std::array accelerators{AcceleratorKind::automatic, AcceleratorKind::none,   AcceleratorKind::bvh,
-                                  AcceleratorKind::grid,      AcceleratorKind::octree, AcceleratorKind::kdtree};
-
-template <class Choices, class NameOf, class Value>
-bool pick(Form& form, const FormLabel& label, const Choices& choices, const NameOf& name, Value& value) {
-  std::vector<std::string> names;
-  for (const auto& choice : choices) names.emplace_back(name(choice));
-  int index = static_cast<int>(std::find(choices.begin(), choices.end(), value) - choices.begin());
-  if (index == static_cast<int>(choices.size())) index = 0;
-  if (!form.pick(label, names, index)) return false;
-  value = choices[static_cast<std::size_t>(index)];
-  return true;
-}
-
 /// Buttons from left to right, on a further line where there is no room left.
 class Row {
  public:
@@ -132,15 +118,13 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   const study::Setup now = cost_knobs(ui.state);
   study::Setup next = now;
   form.whole(std::string(words::samples), next.samples, 1, CostState::most_samples);
-  pick(form, std::string(words::sampler), samplers, sampler_name, next.sampler);
+  pick_among(form, std::string(words::sampler), samplers, sampler_name, next.sampler);
   form.whole(std::string(words::light_grid), next.light_grid, 0, CostState::most_grid);
   form.whole(TextId::depth_limit, next.depth, 1, CostState::most_depth);
   form.number(TextId::threshold, next.threshold, 0.0005, 0, 1);
   form.number(std::string(words::tolerance), next.tolerance, 0.0005, 0, 1);
-  int single = next.single_precision ? 1 : 0;
-  if (form.pick(std::string(words::precision), {std::string(words::double_), std::string(words::single)}, single))
-    next.single_precision = single == 1;
-  pick(form, std::string(words::accelerator), accelerators, accelerator_name, next.accelerator);
+  pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
+  pick_among(form, std::string(words::accelerator), pickable_accelerators, accelerator_name, next.accelerator);
   if (!(next == now)) ui.act(action::SetCostKnobs{next});
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};

@@ -1,6 +1,6 @@
 // The settings of the 3-D picture, and the legend of its heat map.
 
-#include "accel/accelerator.h"
+#include "gui/choices.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "gui/words.h"
@@ -14,8 +14,6 @@ namespace raywalk {
 
 namespace {
 
-constexpr std::array accelerators{AcceleratorKind::automatic, AcceleratorKind::none,   AcceleratorKind::bvh,
-                                  AcceleratorKind::grid,      AcceleratorKind::octree, AcceleratorKind::kdtree};
 constexpr std::array integrators{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
                                  Integrator::path};
 
@@ -31,18 +29,6 @@ std::string_view heat_name(Heat heat) {
       return words::heat_time;
   }
   return "";
-}
-
-template <class Choices, class NameOf>
-std::vector<std::string> names_of(const Choices& choices, const NameOf& name) {
-  std::vector<std::string> names;
-  for (const auto& choice : choices) names.emplace_back(name(choice));
-  return names;
-}
-
-template <class Choices, class Value>
-int index_in(const Choices& choices, const Value& value) {
-  return static_cast<int>(std::find(choices.begin(), choices.end(), value) - choices.begin());
 }
 
 }  // namespace
@@ -61,21 +47,13 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   const State& state = ui.state;
   ImageSettings next = state.image;
 
-  const Integrator own = next.integrator.value_or(state.scene().render.integrator);
-  int chosen = index_in(integrators, own);
-  if (chosen == static_cast<int>(integrators.size())) chosen = 0;
-  if (form.pick(std::string(words::integrator), names_of(integrators, integrator_name), chosen))
-    next.integrator = integrators[static_cast<std::size_t>(chosen)];
-  chosen = index_in(accelerators, next.accelerator);
-  if (form.pick(std::string(words::accelerator), names_of(accelerators, accelerator_name), chosen))
-    next.accelerator = accelerators[static_cast<std::size_t>(chosen)];
+  Integrator integrator = next.integrator.value_or(state.scene().render.integrator);
+  if (pick_among(form, std::string(words::integrator), integrators, integrator_name, integrator))
+    next.integrator = integrator;
+  pick_among(form, std::string(words::accelerator), pickable_accelerators, accelerator_name, next.accelerator);
   form.whole(std::string(words::samples), next.samples, 1, most_image_samples);
-  chosen = next.single_precision ? 1 : 0;
-  if (form.pick(std::string(words::precision), {std::string(words::double_), std::string(words::single)}, chosen))
-    next.single_precision = chosen == 1;
-  chosen = index_in(all_heats, next.heat);
-  if (form.pick(std::string(words::heat), names_of(all_heats, heat_name), chosen))
-    next.heat = all_heats[static_cast<std::size_t>(chosen)];
+  pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
+  pick_among(form, std::string(words::heat), all_heats, heat_name, next.heat);
   if (next != state.image) ui.act(action::SetImageSettings{next});
 
   // These belong to the scene: the walk and the file have them too.

@@ -1,5 +1,6 @@
 // What comes of each command.
 
+#include "gui/choices.h"
 #include "gui/command_table.h"
 #include "gui/commands.h"
 #include "gui/cost_commands.h"
@@ -42,9 +43,7 @@ constexpr double shift_step = 0.05;                        // of the view's widt
 
 void next_heat(const Ui& ui) {
   ImageSettings settings = ui.state.image;
-  const auto now =
-      static_cast<std::size_t>(std::find(all_heats.begin(), all_heats.end(), settings.heat) - all_heats.begin());
-  settings.heat = all_heats[(now + 1) % all_heats.size()];
+  settings.heat = next_among(all_heats, settings.heat);
   ui.act(action::SetImageSettings{settings});
   ui.act(action::SetTab{Tab::image});
 }
