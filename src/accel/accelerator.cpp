@@ -72,25 +72,25 @@ Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind) : pr
 }
 
 template <class T>
-template <class Query>
-void Accelerator<T>::search(const Ray<T>& ray, Query& query) const {
+template <class AnyRay, class Query>
+void Accelerator<T>::search(const AnyRay& ray, Query& query) const {
   for (const int id : unbounded_)
     if (query.test(primitives_, id)) return;
   std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_->any);
 }
 
 template <class T>
-template <class Accept>
-std::optional<Hit<T>> Accelerator<T>::closest(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept) const {
-  ClosestQuery<T, Accept> query(primitives_, ray, t_max, accept);
+template <class AnyRay, class Accept>
+std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept) const {
+  ClosestQuery<T, Accept, AnyRay> query(primitives_, ray, t_max, accept);
   search(ray, query);
   counts += query.counts();
   return query.nearest();
 }
 
 template <class T>
-template <class Query>
-bool Accelerator<T>::found(Query& query, const Ray<T>& ray, TestCounts& counts, int* last) const {
+template <class AnyRay, class Query>
+bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const {
   if (last == nullptr || *last < 0 || !query.test(primitives_, *last)) search(ray, query);
   if (last != nullptr) *last = query.found_id();
   counts += query.counts();
@@ -98,16 +98,18 @@ bool Accelerator<T>::found(Query& query, const Ray<T>& ray, TestCounts& counts, 
 }
 
 template <class T>
-bool Accelerator<T>::any(const Ray<T>& ray, T t_max, TestCounts& counts, int* last) const {
-  AnyQuery<T> query(primitives_, ray, t_max);
+template <class AnyRay>
+bool Accelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, int* last) const {
+  AnyQuery<T, AnyRay> query(primitives_, ray, t_max);
   return found(query, ray, counts, last);
 }
 
 template <class T>
-bool Accelerator<T>::any_stop(const Ray<T>& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+template <class AnyRay>
+bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
                               std::vector<int>& filters, int* last) const {
   filters.clear();
-  ShadowQuery<T> query(primitives_, ray, t_max, roles, filters);
+  ShadowQuery<T, AnyRay> query(primitives_, ray, t_max, roles, filters);
   const bool stopped = found(query, ray, counts, last);
   if (filters.size() > 1) {
     std::sort(filters.begin(), filters.end());
@@ -120,13 +122,16 @@ template class Accelerator<float>;
 template class Accelerator<double>;
 
 // Compiled here once, so that the tracer's kernels need not hold a copy of every structure each.
-template std::optional<Hit<float>> Accelerator<float>::closest(const Ray<float>&, float, TestCounts&,
-                                                               AnyPrimitive) const;
-template std::optional<Hit<float>> Accelerator<float>::closest(const Ray<float>&, float, TestCounts&,
-                                                               StopsShadows) const;
-template std::optional<Hit<double>> Accelerator<double>::closest(const Ray<double>&, double, TestCounts&,
-                                                                 AnyPrimitive) const;
-template std::optional<Hit<double>> Accelerator<double>::closest(const Ray<double>&, double, TestCounts&,
-                                                                 StopsShadows) const;
+#define RAYWALK_SEARCHES(T, AnyRay)                                                                             \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, AnyPrimitive) const; \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, StopsShadows) const; \
+  template bool Accelerator<T>::any(const AnyRay<T>&, T, TestCounts&, int*) const;                              \
+  template bool Accelerator<T>::any_stop(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&,      \
+                                         std::vector<int>&, int*) const;
+RAYWALK_SEARCHES(float, Ray)
+RAYWALK_SEARCHES(double, Ray)
+RAYWALK_SEARCHES(float, NaiveRay)
+RAYWALK_SEARCHES(double, NaiveRay)
+#undef RAYWALK_SEARCHES
 
 }  // namespace raywalk

@@ -40,7 +40,8 @@ inline constexpr std::array all_accelerators{
   return "";
 }
 
-/// Primitives ready to be searched by rays. A primitive's id is its place in the list it was built from.
+/// Primitives ready to be searched by rays. A primitive's id is its place in the list it was built from. `AnyRay` is a
+/// Ray, or a NaiveRay, which may find something else in each structure.
 template <class T>
 class Accelerator {
  public:
@@ -48,17 +49,19 @@ class Accelerator {
 
   /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive or
   /// StopsShadows.
-  template <class Accept = AnyPrimitive>
-  [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
+  template <class AnyRay = Ray<T>, class Accept = AnyPrimitive>
+  [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
   /// Whether any primitive is crossed in (0, t_max). With `last`, the primitive of that id (-1 for none) is
   /// tested first, and replaced by the one that is found: what hid a light from one point often hides it from the next
   /// (E. Haines and D. Greenberg, "The light buffer", 1986). It changes the cost and not the answer.
-  [[nodiscard]] bool any(const Ray<T>& ray, T t_max, TestCounts& counts, int* last = nullptr) const;
+  template <class AnyRay = Ray<T>>
+  [[nodiscard]] bool any(const AnyRay& ray, T t_max, TestCounts& counts, int* last = nullptr) const;
 
   /// The same, of the primitives whose role it is to stop shadow rays. Where none is crossed, `filters` are the ids,
   /// ascending, of those crossed that filter. `roles`: by primitive.
-  [[nodiscard]] bool any_stop(const Ray<T>& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+  template <class AnyRay = Ray<T>>
+  [[nodiscard]] bool any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
                               std::vector<int>& filters, int* last = nullptr) const;
 
   [[nodiscard]] const Primitives<T>& primitives() const { return primitives_; }
@@ -68,10 +71,10 @@ class Accelerator {
 
  private:
   struct Structure;
-  template <class Query>
-  bool found(Query& query, const Ray<T>& ray, TestCounts& counts, int* last) const;
-  template <class Query>
-  void search(const Ray<T>& ray, Query& query) const;
+  template <class AnyRay, class Query>
+  bool found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const;
+  template <class AnyRay, class Query>
+  void search(const AnyRay& ray, Query& query) const;
 
   Primitives<T> primitives_;
   std::vector<int> unbounded_;  ///< ids that every ray is tested against

@@ -112,16 +112,17 @@ class LaneRay {
   std::array<Lanes, 3> from_in_, from_out_, inverse_;
 };
 
-/// The same by SlabRay, one box after the other, for rays that float cannot hold.
-template <class T>
+/// The same by slabs in T, one box after the other: for rays that float cannot hold, and naive ones.
+template <class T, class Slabs>
 class WideLaneRay {
  public:
-  WideLaneRay(const Ray<T>& ray, bool mapped) : slabs_(ray, mapped) {}
+  explicit WideLaneRay(const Slabs& slabs) : slabs_(slabs) {}
 
   [[nodiscard]] LanesMet meet(const BoxLanes& boxes, T reach) const {
     LanesMet met{all_lanes(0), 0};
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const Bounds<float> box = boxes.box(lane);
+      if (box.empty()) continue;  // naive slabs would take it for a box turned inside out
       if (clip(slabs_, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, reach}).empty()) continue;
       met.bits |= 1U << lane;
     }
@@ -129,7 +130,7 @@ class WideLaneRay {
   }
 
  private:
-  SlabRay<T> slabs_;
+  Slabs slabs_;
 };
 
 }  // namespace raywalk

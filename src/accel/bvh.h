@@ -35,7 +35,11 @@ class Bvh {
     if (lanes.held())
       search(lanes, primitives, query);
     else
-      search(WideLaneRay<T>(ray, primitives.maps_rays()), primitives, query);
+      search(WideLaneRay<T, SlabRay<T>>(slabs_of(ray, primitives)), primitives, query);
+  }
+  template <class Query>
+  void search(const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    if (!nodes_.empty()) search(WideLaneRay<T, NaiveSlabRay<T>>(slabs_of(ray, primitives)), primitives, query);
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {

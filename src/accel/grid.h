@@ -34,10 +34,10 @@ class Grid {
     fill(boxes);
   }
 
-  template <class Query>
-  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+  template <class AnyRay, class Query>
+  void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (starts_.empty()) return;
-    const Stretch<T> inside = clip(SlabRay<T>(ray, primitives.maps_rays()), box_, {0, query.reach()});
+    const Stretch<T> inside = clip(slabs_of(ray, primitives), box_, {0, query.reach()});
     if (inside.empty()) return;
     const Vec3<T> entry = ray.at(inside.in);
     std::array<int, 3> at{}, step{};
@@ -65,7 +65,7 @@ class Grid {
       if (leave[axis] > static_cast<double>(query.reach())) return;
       at[axis] += step[axis];
       if (at[axis] < 0 || at[axis] >= cells_[static_cast<int>(axis)]) return;
-      leave[axis] = leave_at(ray, static_cast<int>(axis), at[axis]);
+      leave[axis] = leave_next(ray, static_cast<int>(axis), at[axis], leave[axis]);
     }
   }
 
@@ -93,6 +93,15 @@ class Grid {
     const double slope = ray.direction[axis];
     if (slope == 0) return infinity<double>;
     return (plane(axis, slope > 0 ? i + 1 : i) - static_cast<double>(ray.origin[axis])) / slope;
+  }
+  /// The same, of the next column after one that it leaves at `before`.
+  [[nodiscard]] double leave_next(const Ray<T>& ray, int axis, int i, double /*before*/) const {
+    return leave_at(ray, axis, i);
+  }
+  /// Added up, with the scalar type's digits.
+  [[nodiscard]] double leave_next(const NaiveRay<T>& ray, int axis, int /*i*/, double before) const {
+    const T width = (box_.max[axis] - box_.min[axis]) / static_cast<T>(cells_[axis]);
+    return static_cast<double>(static_cast<T>(before) + width / std::abs(ray.direction[axis]));
   }
   [[nodiscard]] std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y) + static_cast<std::size_t>(y)) *

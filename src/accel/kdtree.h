@@ -23,10 +23,10 @@ class KdTree {
     split(0, boxes.bounded, box_, boxes, 0, 0);
   }
 
-  template <class Query>
-  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+  template <class AnyRay, class Query>
+  void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
-    const SlabRay<T> slabs(ray, primitives.maps_rays());
+    const auto slabs = slabs_of(ray, primitives);
     const Stretch<T> inside = clip(slabs, box_, {0, query.reach()});
     if (inside.empty()) return;
     struct Entry {

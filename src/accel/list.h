@@ -10,8 +10,8 @@ class List {
  public:
   explicit List(int count) : count_(count) {}
 
-  template <class Query>
-  [[gnu::flatten]] void search(const Ray<T>& /*ray*/, const Primitives<T>& primitives, Query& query) const {
+  template <class AnyRay, class Query>
+  [[gnu::flatten]] void search(const AnyRay& /*ray*/, const Primitives<T>& primitives, Query& query) const {
     for (int id = 0, end = count_; id < end; ++id)
       if (query.test(primitives, id)) return;
   }

@@ -19,10 +19,10 @@ class Octree {
     split(0, boxes.bounded, boxes, 0);
   }
 
-  template <class Query>
-  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+  template <class AnyRay, class Query>
+  void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
-    const SlabRay<T> slabs(ray, primitives.maps_rays());
+    const auto slabs = slabs_of(ray, primitives);
     Entry waiting[7 * max_depth + 8];
     std::size_t count = 0;
     const Stretch<T> root = clip(slabs, nodes_[0].box, {0, query.reach()});

@@ -2,7 +2,7 @@
 
 #include "accel/triangles.h"
 #include "math/motion.h"
-#include "shape/placed.h"
+#include "shape/naive.h"
 
 #include <cmath>
 #include <cstdint>
@@ -90,8 +90,21 @@ class Primitives {
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
     if (sheared != nullptr && id >= shape_count())
-      return unless_left(id, ray, triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id)));
+      return unless_left(id, ray,
+                         triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain));
     return intersect_any(id, ray, t_max, explain);
+  }
+  /// As books print it (shape/naive.h).
+  template <class Explain = NoExplanation>
+  [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const NaiveRay<T>& ray, T t_max, Explain&& explain = {},
+                                                     const ShearedRay<T>* /*sheared*/ = nullptr) const {
+    if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::intersect(*sphere, ray, t_max, no_part, explain);
+    if (const auto* plane = plain<Plane<T>>(id)) return raywalk::intersect(*plane, ray, t_max, no_part, explain);
+    const Motion* motion = motion_of(id);
+    const NaiveRay<T> rest = motion ? NaiveRay<T>{at_rest(*motion, ray)} : ray;
+    if (id >= shape_count()) return triangles_.intersect(id - shape_count(), rest, t_max, no_part, explain);
+    const Placement<T>* place = place_of(id);
+    return raywalk::intersect(own(id), place ? into_shape(*place, rest) : rest, t_max, no_part, explain);
   }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::surface_at(*sphere, ray, crossing);
@@ -103,6 +116,10 @@ class Primitives {
     SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
     point.position += Vec3<T>(offset_at(*motion, static_cast<double>(ray.time)));
     return point;
+  }
+  /// Where rounding put it: nothing is pulled back onto the surface.
+  [[nodiscard]] SurfacePoint<T> surface_at(int id, const NaiveRay<T>& ray, Crossing<T> crossing) const {
+    return {ray.at(crossing.t), surface_at(id, static_cast<const Ray<T>&>(ray), crossing).normal};
   }
   /// Of a point at `time`.
   [[nodiscard]] Vec2<T> uv_at(int id, SurfacePoint<T> point, int part, T time = 0) const {
@@ -162,11 +179,8 @@ class Primitives {
   [[nodiscard]] std::optional<Crossing<T>> intersect_at_rest(int id, const Ray<T>& ray, T t_max,
                                                              Explain&& explain) const {
     const int departed = departed_part(ray, id);
-    if (id >= shape_count()) {
-      if constexpr (std::decay_t<Explain>::wanted)
-        static_cast<void>(raywalk::intersect(triangles_[id - shape_count()], ray, t_max, departed, explain));
-      return unless_left(id, ray, triangles_.intersect(id - shape_count(), ray, t_max, departed));
-    }
+    if (id >= shape_count())
+      return unless_left(id, ray, triangles_.intersect(id - shape_count(), ray, t_max, departed, explain));
     const Placement<T>* place = place_of(id);
     return place ? raywalk::intersect(own(id), into_shape(*place, ray), t_max, departed, explain)
                  : raywalk::intersect(own(id), ray, t_max, departed, explain);

@@ -5,8 +5,10 @@
 
 #include "accel/primitives.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace raywalk {
@@ -19,14 +21,17 @@ struct Hit {
   int part;
 };
 
-/// What queries cost.
-struct TestCounts {
-  std::uint64_t nodes = 0;       ///< nodes or cells of a structure entered
-  std::uint64_t primitives = 0;  ///< ray-primitive tests made
+/// What queries cost. Handed to `intersect` as an explainer, it hears of the tests that exact arithmetic decided.
+struct TestCounts : NoExplanation {
+  std::uint64_t nodes = 0;            ///< nodes or cells of a structure entered
+  std::uint64_t primitives = 0;       ///< ray-primitive tests made
+  std::uint64_t exactly_decided = 0;  ///< of these, those where rounding left a doubt
 
+  void exact() { ++exactly_decided; }
   TestCounts& operator+=(const TestCounts& other) {
     nodes += other.nodes;
     primitives += other.primitives;
+    exactly_decided += other.exactly_decided;
     return *this;
   }
 };
@@ -49,13 +54,14 @@ struct StopsShadows {
   bool operator()(int primitive) const { return roles[static_cast<std::size_t>(primitive)] == ShadowRole::stops; }
 };
 
-/// What a search asks of each primitive, and what it has cost.
-template <class T, class Accept>
+/// What a search asks of each primitive, and what it has cost. `AnyRay` is a Ray or a NaiveRay.
+template <class T, class Accept, class AnyRay>
 class Query {
  public:
-  Query(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept)
+  Query(const Primitives<T>& primitives, const AnyRay& ray, T t_max, Accept accept)
       : ray_(ray), t_max_(t_max), accept_(accept) {
-    if (primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
+    constexpr bool naive = std::is_same_v<AnyRay, NaiveRay<T>>;
+    if (!naive && primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
   }
   void enter_node() { ++counts_.nodes; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }
@@ -65,10 +71,10 @@ class Query {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     // The full reach, not the nearest t so far: a tie must be seen to be decided.
-    return primitives.intersect(id, ray_, t_max_, NoExplanation{}, sheared_ ? &*sheared_ : nullptr);
+    return primitives.intersect(id, ray_, t_max_, counts_, sheared_ ? &*sheared_ : nullptr);
   }
 
-  const Ray<T>& ray_;
+  const AnyRay& ray_;
   std::optional<ShearedRay<T>> sheared_;
   T t_max_;
   TestCounts counts_;
@@ -76,11 +82,11 @@ class Query {
 };
 
 /// A search for the nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id.
-template <class T, class Accept>
-class ClosestQuery : public Query<T, Accept> {
+template <class T, class Accept, class AnyRay>
+class ClosestQuery : public Query<T, Accept, AnyRay> {
  public:
-  ClosestQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, Accept accept)
-      : Query<T, Accept>(primitives, ray, t_max, accept), reach_(t_max) {}
+  ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, Accept accept)
+      : Query<T, Accept, AnyRay>(primitives, ray, t_max, accept), reach_(t_max) {}
 
   /// Tests one primitive; true when the search is over.
   bool test(const Primitives<T>& primitives, int id) {
@@ -106,11 +112,11 @@ class ClosestQuery : public Query<T, Accept> {
 };
 
 /// A search for any crossing in (0, t_max).
-template <class T>
-class AnyQuery : public Query<T, AnyPrimitive> {
+template <class T, class AnyRay>
+class AnyQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
-  AnyQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max)
-      : Query<T, AnyPrimitive>(primitives, ray, t_max, {}) {}
+  AnyQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max)
+      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, {}) {}
 
   bool test(const Primitives<T>& primitives, int id) {
     if (this->cross(primitives, id)) found_ = id;
@@ -126,12 +132,12 @@ class AnyQuery : public Query<T, AnyPrimitive> {
 
 /// A search for what a shadow ray crosses in (0, t_max): anything that stops it or, if nothing does, all that filters
 /// it, some of it more than once.
-template <class T>
-class ShadowQuery : public Query<T, AnyPrimitive> {
+template <class T, class AnyRay>
+class ShadowQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
-  ShadowQuery(const Primitives<T>& primitives, const Ray<T>& ray, T t_max, const std::vector<ShadowRole>& roles,
+  ShadowQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, const std::vector<ShadowRole>& roles,
               std::vector<int>& filters)
-      : Query<T, AnyPrimitive>(primitives, ray, t_max, {}), roles_(roles), filters_(filters) {}
+      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, {}), roles_(roles), filters_(filters) {}
 
   bool test(const Primitives<T>& primitives, int id) {
     const ShadowRole role = roles_[static_cast<std::size_t>(id)];
@@ -194,6 +200,33 @@ template <class T>
     const T out = ((negative ? box.min : box.max)[axis] - ray.from_out[axis]) * ray.inverse[axis] * pad;
     if (in > within.in) within.in = in;
     if (out < within.out) within.out = out;
+  }
+  return within;
+}
+
+/// The ray as slab tests take it.
+template <class T>
+[[nodiscard]] SlabRay<T> slabs_of(const Ray<T>& ray, const Primitives<T>& primitives) {
+  return SlabRay<T>(ray, primitives.maps_rays());
+}
+
+/// Slabs as books print them: what 0 * infinity and rounding make of them is part of the lesson.
+template <class T>
+struct NaiveSlabRay {
+  Vec3<T> origin, inverse;
+  bool negative[3];
+};
+template <class T>
+[[nodiscard]] NaiveSlabRay<T> slabs_of(const NaiveRay<T>& ray, const Primitives<T>& /*primitives*/) {
+  return {ray.origin, T(1) / ray.direction, {ray.direction.x < 0, ray.direction.y < 0, ray.direction.z < 0}};
+}
+template <class T>
+[[nodiscard]] Stretch<T> clip(const NaiveSlabRay<T>& ray, const Bounds<T>& box, Stretch<T> within) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const T t0 = (box.min[axis] - ray.origin[axis]) * ray.inverse[axis];
+    const T t1 = (box.max[axis] - ray.origin[axis]) * ray.inverse[axis];
+    within.in = std::max(within.in, std::min(t0, t1));
+    within.out = std::min(within.out, std::max(t0, t1));
   }
   return within;
 }

@@ -2,7 +2,7 @@
 
 #include "math/transform.h"
 #include "shape/mesh.h"
-#include "shape/triangle.h"
+#include "shape/naive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +27,12 @@ class Triangles {
     return {position(c[0]), position(c[1]), position(c[2])};
   }
 
-  /// `AnyRay` is a Ray or a ShearedRay.
-  template <class AnyRay>
-  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part) const {
+  /// `AnyRay` is a Ray, a ShearedRay or a NaiveRay.
+  template <class AnyRay, class Explain>
+  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part,
+                                                     Explain&& explain) const {
     const Triangle<T> triangle = (*this)[i];
-    const auto crossing = raywalk::intersect(triangle, ray, t_max, departed_part);
+    const auto crossing = raywalk::intersect(triangle, ray, t_max, departed_part, explain);
     // What has shrunk to a line has no normal; it is told last, of the few that are hit.
     if (crossing && cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0)) return std::nullopt;
     return crossing;

@@ -33,10 +33,10 @@ class Volumes {
     }
   }
 
-  template <class Query>
-  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+  template <class AnyRay, class Query>
+  void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (kind_ == VolumeKind::box) {
-      const SlabRay<T> slabs(ray, primitives.maps_rays());
+      const auto slabs = slabs_of(ray, primitives);
       for (const Volume& volume : volumes_) {
         query.enter_node();
         if (clip(slabs, volume.box, {0, query.reach()}).empty()) continue;

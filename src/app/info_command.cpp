@@ -88,6 +88,7 @@ std::string render_text(const Scene& scene) {
   if (choices.samples > 1)
     text += fmt::format(", {} samples a pixel, {}", choices.samples, sampler_name(choices.sampler));
   if (choices.tolerance > 0) text += fmt::format(", fewer where known to {:g}", choices.tolerance);
+  if (choices.numerics == Numerics::naive) text += fmt::format(", naive numerics with epsilon {:g}", choices.epsilon);
   return text;
 }
 

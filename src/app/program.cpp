@@ -35,6 +35,13 @@ void add_precision(CLI::App& command, Precision& target) {
              "Numbers of 24 or of 53 bits (double when left out)");
 }
 
+void add_numerics(CLI::App& command, std::optional<Numerics>& numerics, std::optional<double>& epsilon) {
+  add_choice(command, "--numerics", numerics, all_numerics, numerics_name,
+             "How crossings are computed: with error bounds and exact arithmetic, or as books print it");
+  add_parsed(command, "--epsilon", epsilon, parse_share, "X", "a number that is 0 or more",
+             "How far off a surface rays start with naive numerics, in scene units");
+}
+
 void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<double>& threshold) {
   constexpr auto range = scene_keys::depth_count;
   add_whole(command, "--depth", depth, range.low, range.high, "The deepest SHADE; the primary ray's is 1");
@@ -99,6 +106,7 @@ void declare_render(CLI::App& program, Run& run) {
   command.add_flag("--shadow-cache", to.shadow_cache,
                    "Shadow rays first try what hid the same light last; the picture is the same");
   add_precision(command, to.precision);
+  add_numerics(command, to.numerics, to.epsilon);
   command.add_option("--stats", to.statistics, "Write what was done and how long it took, as JSON")->type_name("FILE");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
@@ -127,6 +135,7 @@ void declare_step(CLI::App& program, Run& run) {
   add_integrator(command, to.integrator, to.path_length);
   add_limits(command, to.depth, to.threshold);
   add_precision(command, to.precision);
+  add_numerics(command, to.numerics, to.epsilon);
   command.footer(
       "A step is one executed line of the pseudocode: its number, its DEPTH in brackets, the line, and what it did.\n"
       "Paths have a pseudocode of their own; in brackets stand the rays of the path so far.\n"

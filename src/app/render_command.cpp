@@ -100,6 +100,8 @@ ExitCode render_command(const RenderOptions& options) {
   choices.integrator = options.integrator.value_or(choices.integrator);
   choices.samples = options.corner_samples ? 1 : options.samples.value_or(choices.samples);
   choices.sampler = options.sampler.value_or(choices.sampler);
+  choices.numerics = options.numerics.value_or(choices.numerics);
+  choices.epsilon = options.epsilon.value_or(choices.epsilon);
   if (options.light_grid) choices.light_grid = options.light_grid;
   if (options.path_length) choices.path_length = options.path_length;
   choices.tolerance = options.tolerance.value_or(choices.tolerance);

@@ -18,6 +18,8 @@ struct RenderOptions {
   std::optional<Integrator> integrator{};
   std::optional<int> samples{};
   std::optional<Sampler> sampler{};
+  std::optional<Numerics> numerics{};
+  std::optional<double> epsilon{};
   std::optional<int> light_grid{};
   std::optional<int> path_length{};
   std::optional<double> tolerance{};

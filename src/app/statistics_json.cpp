@@ -23,7 +23,8 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
                    {"tolerance", report.choices.tolerance},
                    {"depth", report.limits.depth},
                    {"threshold", report.limits.threshold},
-                   {"precision", precision_name(report.precision)}};
+                   {"precision", precision_name(report.precision)},
+                   {"numerics", numerics_name(report.choices.numerics)}};
   for (int i = 0; i < ray_kind_count; ++i) {
     const auto kind = static_cast<RayKind>(i);
     json["rays"][std::string(ray_kind_name(kind))] = statistics.formed(kind);
@@ -32,7 +33,9 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
     const auto ending = static_cast<Ending>(i);
     json["ended"][std::string(ending_name(ending))] = statistics.ends(ending);
   }
-  json["tests"] = {{"nodes", statistics.tests.nodes}, {"primitives", statistics.tests.primitives}};
+  json["tests"] = {{"nodes", statistics.tests.nodes},
+                   {"primitives", statistics.tests.primitives},
+                   {"exactly_decided", statistics.tests.exactly_decided}};
   json["random_draws"] = statistics.random_draws;
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);

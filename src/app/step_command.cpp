@@ -28,7 +28,8 @@ Result<void> print_json(const Scene& scene, const Timeline& timeline, const Step
                   {"title", scene.title},
                   {"depth", scene.limits.depth},
                   {"threshold", scene.limits.threshold},
-                  {"precision", precision_name(options.precision)}};
+                  {"precision", precision_name(options.precision)},
+                  {"numerics", numerics_name(scene.render.numerics)}};
   std::string text = dump(head);
   text.pop_back();  // its closing brace
   text += ",\"steps\":[";
@@ -114,6 +115,8 @@ ExitCode step_command(const StepOptions& options) {
   if (options.path_length) scene.render.path_length = options.path_length;
   scene.limits.depth = options.depth.value_or(scene.limits.depth);
   scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
+  scene.render.numerics = options.numerics.value_or(scene.render.numerics);
+  scene.render.epsilon = options.epsilon.value_or(scene.render.epsilon);
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 

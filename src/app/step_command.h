@@ -19,6 +19,8 @@ struct StepOptions {
   std::optional<int> depth{};
   std::optional<double> threshold{};
   Precision precision = Precision::double_;
+  std::optional<Numerics> numerics{};
+  std::optional<double> epsilon{};
   StepFormat format = StepFormat::text;
 };
 

@@ -53,6 +53,8 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   pick_among(form, std::string(words::accelerator), pickable_accelerators, accelerator_name, next.accelerator);
   form.whole(std::string(words::samples), next.samples, 1, most_image_samples);
   pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
+  Numerics numerics = next.numerics.value_or(state.scene().render.numerics);
+  if (pick_among(form, std::string(words::numerics), all_numerics, numerics_name, numerics)) next.numerics = numerics;
   pick_among(form, std::string(words::heat), all_heats, heat_name, next.heat);
   if (next != state.image) ui.act(action::SetImageSettings{next});
 

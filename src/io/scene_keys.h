@@ -107,6 +107,11 @@ struct Names<Integrator> {
        {Integrator::path, integrator_name(Integrator::path)}}};
 };
 template <>
+struct Names<Numerics> {
+  static constexpr std::array<std::pair<Numerics, std::string_view>, 2> all{
+      {{Numerics::robust, numerics_name(Numerics::robust)}, {Numerics::naive, numerics_name(Numerics::naive)}}};
+};
+template <>
 struct Names<Sampler> {
   static constexpr std::array<std::pair<Sampler, std::string_view>, sampler_count> all{
       {{Sampler::random, "random"}, {Sampler::jittered, "jittered"}, {Sampler::sobol, "sobol"}}};
@@ -368,6 +373,8 @@ void describe(Fields& f, RenderChoices& render) {
   f.whole_or_nothing("light_grid", render.light_grid, light_grid_count);
   f.number("tolerance", render.tolerance, not_negative, optional);
   f.whole_or_nothing("path_length", render.path_length, path_length_count);
+  f.choice("numerics", render.numerics);
+  f.number("epsilon", render.epsilon, not_negative, optional);
 }
 
 template <class Fields>

@@ -26,6 +26,10 @@ struct Ray {
   [[nodiscard]] Vec3<T> at(T t) const { return origin + t * direction; }
 };
 
+/// A ray whose crossings are computed as books print it (shape/naive.h); what it departs from is not heeded.
+template <class T>
+struct NaiveRay : Ray<T> {};
+
 template <class T>
 inline constexpr T infinity = std::numeric_limits<T>::infinity();
 

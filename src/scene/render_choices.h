@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/numerics.h"
 #include "math/sampler.h"
 
 #include <optional>
@@ -43,6 +44,8 @@ struct RenderChoices {
   std::optional<int> light_grid{};      ///< for the `samples` of every area light
   double tolerance = 0;                 ///< of adaptive sampling (render/adaptive.h); 0: every pixel takes all samples
   std::optional<int> path_length{};  ///< rays of a path from the eye to a light, both ends' included; absent: no limit
+  Numerics numerics = Numerics::robust;
+  double epsilon = usual_epsilon;  ///< of naive numerics: how far from a surface rays leave it, in scene units
   friend bool operator==(const RenderChoices&, const RenderChoices&) = default;
 };
 

@@ -6,6 +6,14 @@
 
 namespace raywalk::detail {
 
+/// All effects together: what is studied need not be fast, and gives the same bits. In a .cpp of its own.
+template <class T>
+Statistics run_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                            const PutPixel<T>& put);
+template <class T>
+Statistics run_watched_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                                    const PutPixel<T>& put, Observer& observer);
+
 template <class T, HitEffects Set>
 Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put) {
@@ -35,6 +43,7 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 template <class T>
 Statistics run_fitting_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put) {
+  if (world.numerics == Numerics::naive) return run_naive_kernel(world, camera, block, put);
   const HitEffects set = hit_effects(world.effects);
   const auto run = [&]<bool Penumbra, bool Shadows>() {
     return set.textures ? run_kernel<T, true, Penumbra, Shadows>(world, camera, block, put)
@@ -47,7 +56,8 @@ Statistics run_fitting_kernel(const World<T>& world, const RayGenerator<T>& came
 template <class T>
 Statistics run_watched_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put, Observer& observer) {
-  Tracer<Policy<T, Observer, all_hit_effects>> tracer(world, camera, observer);
+  if (world.numerics == Numerics::naive) return run_watched_naive_kernel(world, camera, block, put, observer);
+  Tracer<Policy<T, Observer>> tracer(world, camera, observer);
   tracer.main_algorithm(block, put);
   return tracer.statistics();
 }

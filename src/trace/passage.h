@@ -1,7 +1,7 @@
 #pragma once
 // What of a lamp's light passes between a surface and the lamp.
 
-#include "trace/world.h"
+#include "trace/leaving.h"
 
 #include <cmath>
 #include <optional>
@@ -18,18 +18,18 @@ template <class T>
 /// What the objects `filters`, all that a shadow ray crosses, leave of its light: each crossing multiplies by the
 /// transmission. One object after the other, each by itself: where surfaces of two touch, rounding could else hand the
 /// ray to and fro for ever.
-template <class T>
-[[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const Ray<T>& shadow, T t_max, TestCounts& tests,
+template <class T, class AnyRay>
+[[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const AnyRay& shadow, T t_max, TestCounts& tests,
                                     const std::vector<int>& filters) {
   Rgb<T> passed{1};
   const Primitives<T>& primitives = world.accelerator.primitives();
   for (const int id : filters) {
-    Ray<T> rest = shadow;
+    AnyRay rest = shadow;
     T reach = t_max;
     constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
     for (int crossings = 0; crossings < crossings_limit; ++crossings) {
       ++tests.primitives;
-      const auto crossing = primitives.intersect(id, rest, reach);
+      const auto crossing = primitives.intersect(id, rest, reach, tests);
       if (!crossing) break;
       const typename World<T>::Surface& surface = world.surface(id);
       const SurfacePoint<T> point = primitives.surface_at(id, rest, *crossing);
@@ -37,8 +37,7 @@ template <class T>
       // Where it leaves, it was inside since the crossing before.
       if (surface.absorbs && dot(point.normal, rest.direction) > 0)
         passed *= left_after(surface.absorption, length(point.position - rest.origin));
-      rest.origin = point.position;
-      rest.departure = {id, crossing->part};
+      rest = leaving<AnyRay>(world, point.position, point.normal, {id, crossing->part}, rest.direction, rest.time);
       reach -= crossing->t;
     }
   }
@@ -47,8 +46,8 @@ template <class T>
 
 /// The share of light that arrives over a shadow ray's (0, t_max); none when something stops it. `filters` is room for
 /// the search, handed in so that no shadow ray allocates; `last` is what hid the light before (Accelerator::any).
-template <class T>
-[[nodiscard]] std::optional<Rgb<T>> light_through(const World<T>& world, const Ray<T>& shadow, T t_max,
+template <class T, class AnyRay>
+[[nodiscard]] std::optional<Rgb<T>> light_through(const World<T>& world, const AnyRay& shadow, T t_max,
                                                   TestCounts& tests, std::vector<int>& filters, int* last = nullptr) {
   const Accelerator<T>& accelerator = world.accelerator;
   const bool stopped = world.shadow_roles.empty()
@@ -59,8 +58,8 @@ template <class T>
 }
 
 /// What a shadow ray that does not arrive meets first.
-template <class T>
-[[nodiscard]] std::optional<Hit<T>> first_blocker(const World<T>& world, const Ray<T>& shadow, T t_max) {
+template <class T, class AnyRay>
+[[nodiscard]] std::optional<Hit<T>> first_blocker(const World<T>& world, const AnyRay& shadow, T t_max) {
   TestCounts uncounted;
   if (world.shadow_roles.empty()) return world.accelerator.closest(shadow, t_max, uncounted);
   return world.accelerator.closest(shadow, t_max, uncounted, StopsShadows{world.shadow_roles});

@@ -12,6 +12,7 @@
 
 #include "trace/path_lights.h"
 #include "trace/path_lobes.h"
+#include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
 
@@ -34,10 +35,14 @@ struct PathSettings {
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Fixed when compiled: the scalar type, and who watches (NoObserver or Observer).
-template <class T, class Observer>
+/// Of the policy (trace/policy.h), `effects` is not heeded.
+template <class Policy>
 class PathTracer {
  public:
+  using T = typename Policy::Scalar;
+  using Ray = typename Policy::Ray;
+  using Observer = typename Policy::Observer;
+
   PathTracer(const World<T>& world, const PathLights<T>& lights, const PathSettings& settings,
              const RayGenerator<T>& camera, Observer& observer)
       : world_(world), lights_(lights), settings_(settings), camera_(camera), observer_(observer) {}
@@ -62,7 +67,7 @@ class PathTracer {
  private:
   /// A ray on its way.
   struct Traced {
-    Ray<T> ray;
+    Ray ray;
     RayKind kind;
     Rgb<T> share;  ///< of the pixel, that the light along the ray has
     int length;    ///< rays of the path, this one included

@@ -7,9 +7,14 @@ namespace {
 template <class T, class Watcher>
 Statistics run(const World<T>& world, const PathLights<T>& lights, const PathSettings& settings,
                const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put, Watcher& observer) {
-  PathTracer<T, Watcher> tracer(world, lights, settings, camera, observer);
-  tracer.main_algorithm(block, put);
-  return tracer.statistics();
+  const auto run_with = [&](auto tracer) {
+    tracer.main_algorithm(block, put);
+    return tracer.statistics();
+  };
+  using Robust = Policy<T, Watcher>;
+  using Naive = Policy<T, Watcher, all_hit_effects, Numerics::naive>;
+  return world.numerics == Numerics::naive ? run_with(PathTracer<Naive>(world, lights, settings, camera, observer))
+                                           : run_with(PathTracer<Robust>(world, lights, settings, camera, observer));
 }
 
 }  // namespace

@@ -7,17 +7,17 @@
 namespace raywalk {
 
 /// All lamps of the scene, and one point of all the objects that emit.
-template <class T, class Observer>
-int PathTracer<T, Observer>::lights_at(const Vertex& at) const {
+template <class Policy>
+int PathTracer<Policy>::lights_at(const Vertex& at) const {
   const bool objects = !lights_.empty() && settings_.strategy != PathStrategy::directions && !at.lobes.all_sharp();
   return static_cast<int>(world_.lamps.size()) + (objects ? 1 : 0);
 }
 
-template <class T, class Observer>
-auto PathTracer<T, Observer>::form_shadow_ray(const Traced& ray, const Vertex& at, int light) -> std::optional<Way> {
+template <class Policy>
+auto PathTracer<Policy>::form_shadow_ray(const Traced& ray, const Vertex& at, int light) -> std::optional<Way> {
   const bool object = light == static_cast<int>(world_.lamps.size());
   const typename World<T>::Lamp* lamp = object ? nullptr : &world_.lamps[static_cast<std::size_t>(light)];
-  Way way{{at.position, Vec3<T>(0), at.departure, at.time}, 0, lamp, {}, Rgb<T>(0), 0, 0, 1};
+  Way way{Ray{}, 0, lamp, {}, Rgb<T>(0), 0, 0, 1};
   const auto not_formed = [&](Ending why) {
     ++statistics_.ends(why);
     note(Line::path_form_shadow_ray, ray.length, [&] {
@@ -29,13 +29,14 @@ auto PathTracer<T, Observer>::form_shadow_ray(const Traced& ray, const Vertex& a
   if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length) return not_formed(Ending::path_length);
   const std::optional<Ending> why_not = lamp ? aim_at_lamp(way, at) : aim_at_object(way, at);
   if (why_not) return not_formed(*why_not);
+  way.ray = leaving<Ray>(world_, at.position, at.outwards, at.departure, way.ray.direction, at.time);
   way.number = rays_formed_++;
   ++statistics_.formed(RayKind::shadow);
   note(Line::path_form_shadow_ray, ray.length, [&] {
     return RayFormed{way.number,
                      ray.number,
                      RayKind::shadow,
-                     Vec3d(at.position),
+                     Vec3d(way.ray.origin),
                      Vec3d(way.ray.direction),
                      Rgbd(at.share),
                      lamp ? lamp->index : -1,
@@ -45,8 +46,8 @@ auto PathTracer<T, Observer>::form_shadow_ray(const Traced& ray, const Vertex& a
 }
 
 /// A lamp shines as for the tracer: its strength times kd cos and ks (n.h)^s.
-template <class T, class Observer>
-std::optional<Ending> PathTracer<T, Observer>::aim_at_lamp(Way& way, const Vertex& at) {
+template <class Policy>
+std::optional<Ending> PathTracer<Policy>::aim_at_lamp(Way& way, const Vertex& at) {
   const typename World<T>::Lamp& lamp = *way.lamp;
   Vec3<T>& to_light = way.ray.direction;
   if (lamp.directional) {
@@ -77,8 +78,8 @@ std::optional<Ending> PathTracer<T, Observer>::aim_at_lamp(Way& way, const Verte
   return std::nullopt;
 }
 
-template <class T, class Observer>
-std::optional<Ending> PathTracer<T, Observer>::aim_at_object(Way& way, const Vertex& at) {
+template <class Policy>
+std::optional<Ending> PathTracer<Policy>::aim_at_object(Way& way, const Vertex& at) {
   T pick = 0;
   if (lights_.several()) {
     pick = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::pick), camera_.count());
@@ -103,8 +104,8 @@ std::optional<Ending> PathTracer<T, Observer>::aim_at_object(Way& way, const Ver
 
 /// The share of the light that arrives. A lamp is dimmed as for the tracer. An object is seen where it is the first
 /// thing that the ray meets: exactly where a ray that leads there by chance would find it.
-template <class T, class Observer>
-Rgb<T> PathTracer<T, Observer>::find_intersection(const Traced& ray, const Way& way) {
+template <class Policy>
+auto PathTracer<Policy>::find_intersection(const Traced& ray, const Way& way) -> Rgb<T> {
   Rgb<T> visible{0};
   Nearest blocker;
   if (way.lamp) {
@@ -126,8 +127,8 @@ Rgb<T> PathTracer<T, Observer>::find_intersection(const Traced& ray, const Way& 
   return visible;
 }
 
-template <class T, class Observer>
-void PathTracer<T, Observer>::add_light(Rgb<T>& shade, const Traced& ray, const Way& way, const Rgb<T>& visible) {
+template <class Policy>
+void PathTracer<Policy>::add_light(Rgb<T>& shade, const Traced& ray, const Way& way, const Rgb<T>& visible) {
   const Rgb<T> added = way.brings * visible;
   shade += added;
   note(Line::add_light, ray.length, [&] {

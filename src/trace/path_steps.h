@@ -2,6 +2,7 @@
 // What each statement of trace/path.h does, but for those about lights (trace/path_light_steps.h). Included by it
 // alone.
 
+#include "trace/leaving.h"
 #include "trace/path.h"
 #include "trace/tracer.h"
 
@@ -33,8 +34,8 @@ struct PathDimension {
 
 }  // namespace detail
 
-template <class T, class Observer>
-struct PathTracer<T, Observer>::Vertex {
+template <class Policy>
+struct PathTracer<Policy>::Vertex {
   Departure departure;  ///< of the rays that leave from here
   Vec3<T> position;
   Vec3<T> outwards;  ///< unit normal
@@ -49,9 +50,9 @@ struct PathTracer<T, Observer>::Vertex {
   Lobes<T> lobes;
 };
 
-template <class T, class Observer>
-struct PathTracer<T, Observer>::Way {
-  Ray<T> ray;
+template <class Policy>
+struct PathTracer<Policy>::Way {
+  Ray ray;
   int number;
   const typename World<T>::Lamp* lamp;  ///< null: an object that emits
   Departure target;                     ///< of that object, the part to be met
@@ -59,21 +60,21 @@ struct PathTracer<T, Observer>::Way {
   T direction_density, light_density, weight;
 };
 
-template <class T, class Observer>
-auto PathTracer<T, Observer>::call(const Traced& primary) -> std::optional<Traced> {
+template <class Policy>
+auto PathTracer<Policy>::call(const Traced& primary) -> std::optional<Traced> {
   note(Line::follow_path, 0, [&] { return Decided{true, Rgbd(primary.share)}; });
   return primary;
 }
 
-template <class T, class Observer>
-void PathTracer<T, Observer>::begin(const Pixel& pixel) {
+template <class Policy>
+void PathTracer<Policy>::begin(const Pixel& pixel) {
   key_ = camera_.key(pixel, Effect::indirect_light);
   note(Line::path_for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
 }
 
-template <class T, class Observer>
-auto PathTracer<T, Observer>::form_primary_ray(const Pixel& pixel) -> Traced {
-  const Traced primary{camera_.primary_ray(pixel, statistics_), RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
+template <class Policy>
+auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
+  const Traced primary{Ray{camera_.primary_ray(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
   ++statistics_.formed(RayKind::primary);
   note(Line::path_form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -82,15 +83,15 @@ auto PathTracer<T, Observer>::form_primary_ray(const Pixel& pixel) -> Traced {
   return primary;
 }
 
-template <class T, class Observer>
-bool PathTracer<T, Observer>::there_is(const std::optional<Traced>& ray) {
+template <class Policy>
+bool PathTracer<Policy>::there_is(const std::optional<Traced>& ray) {
   note(Line::while_ray, ray ? ray->length : 0,
        [&] { return Decided{ray.has_value(), ray ? Rgbd(ray->share) : Rgbd(0.0)}; });
   return ray.has_value();
 }
 
-template <class T, class Observer>
-auto PathTracer<T, Observer>::find_closest(const Traced& ray) -> Nearest {
+template <class Policy>
+auto PathTracer<Policy>::find_closest(const Traced& ray) -> Nearest {
   const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(Line::path_find_closest_intersection, ray.length, [&] {
@@ -100,21 +101,21 @@ auto PathTracer<T, Observer>::find_closest(const Traced& ray) -> Nearest {
   return nearest;
 }
 
-template <class T, class Observer>
-bool PathTracer<T, Observer>::decide_missed(const Traced& ray, const Nearest& nearest) {
+template <class Policy>
+bool PathTracer<Policy>::decide_missed(const Traced& ray, const Nearest& nearest) {
   note(Line::if_intersect_nothing, ray.length, [&] { return Decided{!nearest}; });
   return !nearest;
 }
 
-template <class T, class Observer>
-Rgb<T> PathTracer<T, Observer>::add_background(const Rgb<T>& shade, const Traced& ray) {
+template <class Policy>
+auto PathTracer<Policy>::add_background(const Rgb<T>& shade, const Traced& ray) -> Rgb<T> {
   const Rgb<T> added = ray.share * world_.background;
   note(Line::add_background, ray.length, [&] { return BackgroundAdded{ray.number, Rgbd(added)}; });
   return shade + added;
 }
 
-template <class T, class Observer>
-auto PathTracer<T, Observer>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex {
+template <class Policy>
+auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex {
   const Primitives<T>& primitives = world_.accelerator.primitives();
   const typename World<T>::Surface& surface = world_.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
@@ -171,8 +172,8 @@ auto PathTracer<T, Observer>::prepare(const Traced& ray, const Hit<T>& hit) -> V
 }
 
 /// A light that a sample from the vertex before could have found too counts by its weight against that one.
-template <class T, class Observer>
-void PathTracer<T, Observer>::add_emission(Rgb<T>& shade, const Traced& ray, const Vertex& at) {
+template <class Policy>
+void PathTracer<Policy>::add_emission(Rgb<T>& shade, const Traced& ray, const Vertex& at) {
   const Rgb<T>& emission = at.surface->emission;
   if (is_black(emission) && !Observer::watches) return;
   T light_density = 0;
@@ -194,8 +195,8 @@ void PathTracer<T, Observer>::add_emission(Rgb<T>& shade, const Traced& ray, con
   });
 }
 
-template <class T, class Observer>
-auto PathTracer<T, Observer>::choose_direction(const Traced& ray, const Vertex& at) -> std::optional<Choice> {
+template <class Policy>
+auto PathTracer<Policy>::choose_direction(const Traced& ray, const Vertex& at) -> std::optional<Choice> {
   const bool last = settings_.max_length > 0 && ray.length + 1 > settings_.max_length;
   std::optional<Choice> choice;
   if (!at.lobes.absorbs() && !last) {
@@ -224,8 +225,9 @@ auto PathTracer<T, Observer>::choose_direction(const Traced& ray, const Vertex& 
 }
 
 /// The probability with which the path goes on, or 0 when it has ended.
-template <class T, class Observer>
-T PathTracer<T, Observer>::decide_survival(const Traced& ray, const Vertex& at, const std::optional<Choice>& choice) {
+template <class Policy>
+auto PathTracer<Policy>::decide_survival(const Traced& ray, const Vertex& at, const std::optional<Choice>& choice)
+    -> T {
   T survival = 0;
   std::optional<Ending> why;
   if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length && !at.lobes.absorbs()) {
@@ -246,10 +248,10 @@ T PathTracer<T, Observer>::decide_survival(const Traced& ray, const Vertex& at, 
   return survival;
 }
 
-template <class T, class Observer>
-auto PathTracer<T, Observer>::form_next_ray(const Vertex& at, const Choice& choice, T survival) -> Traced {
+template <class Policy>
+auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T survival) -> Traced {
   const RayKind kind = choice.lobe == Lobe::transparent ? RayKind::refract : RayKind::reflect;
-  const Traced next{{at.position, choice.direction, at.departure, at.time},
+  const Traced next{leaving<Ray>(world_, at.position, at.outwards, at.departure, choice.direction, at.time),
                     kind,
                     at.share * choice.weight * (1 / survival),
                     at.length + 1,
@@ -257,16 +259,16 @@ auto PathTracer<T, Observer>::form_next_ray(const Vertex& at, const Choice& choi
                     rays_formed_++};
   ++statistics_.formed(kind);
   note(Line::form_next_ray, at.length, [&] {
-    RayFormed event{next.number, at.number, kind, Vec3d(at.position), Vec3d(choice.direction), Rgbd(next.share)};
+    RayFormed event{next.number, at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction), Rgbd(next.share)};
     if (kind == RayKind::refract) event.snell = at.snell;
     return event;
   });
   return next;
 }
 
-template <class T, class Observer>
+template <class Policy>
 template <class Put>
-void PathTracer<T, Observer>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
+void PathTracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
   if (!is_finite(final)) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::path_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });

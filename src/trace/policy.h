@@ -1,7 +1,11 @@
 #pragma once
 
+#include "math/numerics.h"
+#include "math/ray.h"
 #include "scene/effects.h"
 #include "trace/event.h"
+
+#include <type_traits>
 
 namespace raywalk {
 
@@ -48,11 +52,14 @@ inline constexpr HitEffects all_hit_effects{};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.
-template <class ScalarType, class ObserverType = NoObserver, HitEffects Set = all_hit_effects>
+template <class ScalarType, class ObserverType = NoObserver, HitEffects Set = all_hit_effects,
+          Numerics Arithmetic = Numerics::robust>
 struct Policy {
   using Scalar = ScalarType;
   using Observer = ObserverType;
   static constexpr HitEffects effects = compiled(Set);
+  /// What computes its own crossings, robustly or naively.
+  using Ray = std::conditional_t<Arithmetic == Numerics::naive, NaiveRay<Scalar>, raywalk::Ray<Scalar>>;
 };
 
 }  // namespace raywalk

@@ -31,8 +31,7 @@ struct Statistics {
   Statistics& operator+=(const Statistics& other) {
     for (std::size_t i = 0; i < rays.size(); ++i) rays[i] += other.rays[i];
     for (std::size_t i = 0; i < ended.size(); ++i) ended[i] += other.ended[i];
-    tests.nodes += other.tests.nodes;
-    tests.primitives += other.tests.primitives;
+    tests += other.tests;
     random_draws += other.random_draws;
     for (std::size_t i = 0; i < draws.size(); ++i) draws[i] += other.draws[i];
     not_finite += other.not_finite;

@@ -24,6 +24,7 @@ template <class Policy>
 class Tracer {
  public:
   using T = typename Policy::Scalar;
+  using Ray = typename Policy::Ray;
   using Observer = typename Policy::Observer;
 
   Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer)
@@ -69,9 +70,9 @@ class Tracer {
   static constexpr bool draws = Policy::effects.penumbra || Policy::effects.lobes;
   /// A ray on its way: what it is, and the largest part of the pixel it can bring.
   struct Traced {
-    Traced(const Ray<T>& the_ray, RayKind its_kind, const Rgb<T>& its_share, int its_number)
+    Traced(const Ray& the_ray, RayKind its_kind, const Rgb<T>& its_share, int its_number)
         : ray(the_ray), kind(its_kind), share(its_share), number(its_number) {}
-    Ray<T> ray;
+    Ray ray;
     RayKind kind;
     Rgb<T> share;
     int number;  ///< in the recording; 0 when nobody watches
@@ -156,7 +157,7 @@ class Tracer {
   void call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest);
   Shading prepare(const Traced& ray, const Hit<T>& hit);
   void add_unlit(Direct& direct, const Lamp& lamp);
-  void add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp, const Ray<T>& shadow,
+  void add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp, const Ray& shadow,
                  const Rgb<T>& visible);
   Rgb<T> compute_rtnshade(int depth, const Shading& at, const Direct& direct, const Rgb<T>& reflected,
                           const Rgb<T>& refracted);

@@ -25,8 +25,8 @@ struct Explanation {
 struct Nothing {};
 
 /// Describes a hit for an event.
-template <class T>
-Found describe(int ray_number, Ending ending, const World<T>& world, const Ray<T>& ray, const Hit<T>& hit) {
+template <class T, class AnyRay>
+Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRay& ray, const Hit<T>& hit) {
   const Primitives<T>& primitives = world.accelerator.primitives();
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Crossing<T>{hit.t, hit.part});
   Explanation explanation;
@@ -93,7 +93,7 @@ void Tracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  const Traced primary{camera_.primary_ray(pixel, statistics_), RayKind::primary, Rgb<T>(1), rays_formed_++};
+  const Traced primary{Ray{camera_.primary_ray(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), rays_formed_++};
   ++statistics_.formed(RayKind::primary);
   note(Line::form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -206,10 +206,11 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
     });
     return shadow;
   }
-  shadow.emplace(Ray<T>{at.position, to_light, at.departure, ray.ray.time}, RayKind::shadow, ray.share, rays_formed_++);
+  shadow.emplace(leaving<Ray>(world_, at.position, at.side, at.departure, to_light, ray.ray.time), RayKind::shadow,
+                 ray.share, rays_formed_++);
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
-    RayFormed event{shadow->number,  ray.number,      RayKind::shadow, Vec3d(at.position),
+    RayFormed event{shadow->number,  ray.number,      RayKind::shadow, Vec3d(shadow->ray.origin),
                     Vec3d(to_light), Rgbd(ray.share), lamp.index,      !lamp.directional};
     event.light_sample = sample;
     return event;
@@ -242,7 +243,7 @@ void Tracer<Policy>::add_unlit(Direct& direct, const Lamp& lamp) {
 
 template <class Policy>
 void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp,
-                               const Ray<T>& shadow, const Rgb<T>& visible) {
+                               const Ray& shadow, const Rgb<T>& visible) {
   if (is_black(visible)) return add_unlit(direct, lamp);
   const T distance = lamp.directional ? T(1) : length(shadow.direction);
   const T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
@@ -317,7 +318,8 @@ auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at,
     return formed;
   }
   const Vec3<T> direction = draw_direction();
-  formed.emplace(Ray<T>{at.position, direction, at.departure, parent.ray.time}, kind, share, rays_formed_++);
+  formed.emplace(leaving<Ray>(world_, at.position, at.side, at.departure, direction, parent.ray.time), kind, share,
+                 rays_formed_++);
   if constexpr (draws) formed->branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
   if constexpr (Policy::effects.refraction) {
     if (kind == RayKind::refract)
@@ -327,7 +329,7 @@ auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at,
   }
   ++statistics_.formed(kind);
   note(line, depth, [&] {
-    RayFormed event{formed->number, parent.number, kind, Vec3d(at.position), Vec3d(direction), Rgbd(share)};
+    RayFormed event{formed->number, parent.number, kind, Vec3d(formed->ray.origin), Vec3d(direction), Rgbd(share)};
     if (kind == RayKind::refract) {
       const Refraction<T>& r = at.refraction;
       event.snell = SnellNumbers{static_cast<double>(at.n1), static_cast<double>(at.n2), static_cast<double>(r.cos_in),

@@ -217,7 +217,9 @@ World<T>::World(const Scene& scene, AcceleratorKind kind)
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)),
       draws(draws_random(integrator_of(scene))),
-      accelerator(Flattener<T>(scene, *this).take(), kind) {
+      accelerator(Flattener<T>(scene, *this).take(), kind),
+      numerics(scene.render.numerics),
+      epsilon(static_cast<T>(scene.render.epsilon)) {
   for (int id = 0; id < accelerator.primitives().size(); ++id) {
     if (!surface(id).filters_shadows) {
       shadow_roles.push_back(ShadowRole::stops);

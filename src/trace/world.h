@@ -110,6 +110,8 @@ struct World {
   std::vector<Leaf> leaves;
   std::vector<std::string> leaf_names;
   Accelerator<T> accelerator;  ///< made last: what it is built from fills the lists above
+  Numerics numerics;
+  T epsilon;  ///< that naive rays start from a surface
   /// Whether a shadow ray first tries what hid the same light from the point before. Changes what a render costs.
   bool shadow_cache = false;
 

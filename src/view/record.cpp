@@ -38,7 +38,7 @@ Recorded record_within(const State& state) {
   constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
   Scene limited = state.scene();
   const int wanted = limited.limits.depth;
-  limited.render.integrator = state.image.integrator.value_or(limited.render.integrator);
+  choose(state.image, limited.render);
   limited.limits.depth = std::min(wanted, harmless_depth);
   Recorded recorded{record(state, limited), limited.limits.depth};
   double growth = worst_growth;

@@ -6,6 +6,7 @@
 #include "view/update_parts.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace raywalk::detail {
 
@@ -118,8 +119,8 @@ void use_image_camera(State& state) {
 void set_image_settings(State& state, ImageSettings settings) {
   settings.samples = std::clamp(settings.samples, 1, most_image_samples);
   if (settings == state.image) return;
-  const bool other_walk =
-      settings.single_precision != state.image.single_precision || settings.integrator != state.image.integrator;
+  const auto of_walk = [](const ImageSettings& s) { return std::tie(s.single_precision, s.integrator, s.numerics); };
+  const bool other_walk = of_walk(settings) != of_walk(state.image);
   state.image = settings;
   ++state.image_revision;
   if (other_walk) record_again(state);

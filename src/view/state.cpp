@@ -19,10 +19,15 @@ const Camera& image_camera(const State& state) {
   return state.image_camera ? *state.image_camera : state.scene().camera;
 }
 
+void choose(const ImageSettings& settings, RenderChoices& choices) {
+  choices.integrator = settings.integrator.value_or(choices.integrator);
+  choices.numerics = settings.numerics.value_or(choices.numerics);
+}
+
 Scene pictured_scene(const State& state) {
   Scene scene = state.scene();
   scene.camera = image_camera(state);
-  scene.render.integrator = state.image.integrator.value_or(scene.render.integrator);
+  choose(state.image, scene.render);
   return scene;
 }
 

@@ -38,6 +38,7 @@ struct ImageSettings {
   bool single_precision = false;           ///< numbers of 24 bits in place of 53, in the walk too
   int samples = 16;                        ///< of each pixel in the end, 1..most_image_samples
   std::optional<Integrator> integrator{};  ///< absent: the scene's own
+  std::optional<Numerics> numerics{};      ///< absent: the scene's own; of the walk too
   Heat heat = Heat::none;
   friend bool operator==(const ImageSettings&, const ImageSettings&) = default;
 };
@@ -201,6 +202,8 @@ void restore_session(State& state);
 
 /// The camera of the 3-D picture.
 [[nodiscard]] const Camera& image_camera(const State& state);
+/// Puts what was chosen in place of what the scene says.
+void choose(const ImageSettings& settings, RenderChoices& choices);
 /// The scene as the 3-D picture shows it.
 [[nodiscard]] Scene pictured_scene(const State& state);
 /// Whether the scene is shown as lines in space where the plan stands otherwise.

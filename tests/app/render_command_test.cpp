@@ -130,6 +130,8 @@ TEST_CASE("the statistics hold what is promised, and add up") {
   CHECK(ended.size() == 10);
   CHECK(json.at("tests").at("primitives").get<std::uint64_t>() > 0);
   CHECK(json.at("tests").at("nodes").is_number_unsigned());
+  const auto exactly = json.at("tests").at("exactly_decided").get<std::uint64_t>();
+  CHECK(exactly < json.at("tests").at("primitives").get<std::uint64_t>() / 100);
   CHECK(json.at("random_draws") == 2 * 441 * 331 * 4);
   for (const std::string phase : {"load", "build", "trace", "write"})
     CHECK(json.at("seconds").at(phase).get<double>() >= 0);

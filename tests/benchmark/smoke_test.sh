@@ -16,6 +16,11 @@ grep -Eq '^[0-9]{4,} steps recorded in [0-9.]+ ms' <<<"$strip" || { echo "unexpe
 growth=$("$folder/benchmark_growth" 1000) || [ $? -eq 1 ]
 grep -Eq "clusters: kdtree costs more|trees grow no faster" <<<"$growth" || { echo "unexpected: $growth"; exit 1; }
 
+for numerics in robust naive; do
+  "$folder/benchmark_numerics" sphere $numerics 100 | grep -Eq '^[0-9.]+$' || { echo "no sum of $numerics spheres"; exit 1; }
+done
+"$folder/benchmark_numerics" "$scene" ratio 8x6 | grep -Eq '^[0-9.]+$' || { echo "no ratio"; exit 1; }
+
 if "$folder/benchmark_hooks" /nowhere.toml 2>/dev/null; then echo "no scene, but no error"; exit 1; fi
 
 # A mesh of one triangle instead of the room: the mesh and the folder that holds it are not shipped.

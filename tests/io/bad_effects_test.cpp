@@ -75,6 +75,8 @@ TEST_CASE("bad choices of rendering are refused at the place of their fault") {
       {"half a sample", with_render("samples = 1.5"), 6, 11, "a whole number", "decimal point"},
       {"grid of none", with_render("light_grid = 0"), 6, 14, "a whole number from 1 to 256", ""},
       {"negative tolerance", with_render("tolerance = -0.01"), 6, 13, "0 or more", ""},
+      {"numerics of no kind", with_render("numerics = \"exact\""), 6, 12, "\"robust\" or \"naive\"", ""},
+      {"negative epsilon", with_render("epsilon = -1e-4"), 6, 11, "0 or more", ""},
       {"paths of no ray", with_render("path_length = 0"), 6, 15, "a whole number from 1 to 1000", ""},
       {"depth in the wrong table", with_render("depth = 3"), 6, 1, "unknown key \"depth\" in [render]", ""},
   };

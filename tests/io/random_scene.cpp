@@ -140,6 +140,8 @@ RenderChoices random_choices(Random& random) {
   if (random.chance(0.5)) choices.light_grid = 1 + static_cast<int>(random.below(8));
   if (random.chance(0.5)) choices.tolerance = random.unit();
   if (random.chance(0.5)) choices.path_length = 1 + static_cast<int>(random.below(20));
+  if (random.chance(0.5)) choices.numerics = Numerics::naive;
+  if (random.chance(0.5)) choices.epsilon = random.unit();
   return choices;
 }
 

@@ -67,8 +67,8 @@ std::string text_of(const Statistics& statistics) {
   for (const std::uint64_t count : statistics.rays) text << count << ' ';
   text << "| ";
   for (const std::uint64_t count : statistics.ended) text << count << ' ';
-  text << "| " << statistics.tests.nodes << ' ' << statistics.tests.primitives << " | " << statistics.random_draws
-       << ' ' << statistics.not_finite;
+  text << "| " << statistics.tests.nodes << ' ' << statistics.tests.primitives << ' '
+       << statistics.tests.exactly_decided << " | " << statistics.random_draws << ' ' << statistics.not_finite;
   return text.str();
 }
 
