@@ -1,0 +1,81 @@
+#pragma once
+// How the queries of an accelerator search its structure. Compiled once for robust rays (accelerator.cpp) and once for
+// naive ones (accelerator_naive.cpp), so that the tracer's kernels need not hold a copy of every structure each.
+
+#include "accel/accelerator.h"
+#include "accel/bvh.h"
+#include "accel/grid.h"
+#include "accel/kdtree.h"
+#include "accel/list.h"
+#include "accel/octree.h"
+#include "accel/volumes.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace raywalk {
+
+template <class T>
+using AnyStructure = std::variant<List<T>, Volumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
+
+template <class T>
+struct Accelerator<T>::Structure {
+  AnyStructure<T> any;
+};
+
+template <class T>
+template <class AnyRay, class Query>
+void Accelerator<T>::search(const AnyRay& ray, Query& query) const {
+  for (const int id : unbounded_)
+    if (query.test(primitives_, id)) return;
+  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_->any);
+}
+
+template <class T>
+template <class AnyRay, class Accept>
+std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept) const {
+  ClosestQuery<T, Accept, AnyRay> query(primitives_, ray, t_max, accept);
+  search(ray, query);
+  counts += query.counts();
+  return query.nearest();
+}
+
+template <class T>
+template <class AnyRay, class Query>
+bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const {
+  if (last == nullptr || *last < 0 || !query.test(primitives_, *last)) search(ray, query);
+  if (last != nullptr) *last = query.found_id();
+  counts += query.counts();
+  return query.found();
+}
+
+template <class T>
+template <class AnyRay>
+bool Accelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, int* last) const {
+  AnyQuery<T, AnyRay> query(primitives_, ray, t_max);
+  return found(query, ray, counts, last);
+}
+
+template <class T>
+template <class AnyRay>
+bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+                              std::vector<int>& filters, int* last) const {
+  filters.clear();
+  ShadowQuery<T, AnyRay> query(primitives_, ray, t_max, roles, filters);
+  const bool stopped = found(query, ray, counts, last);
+  if (filters.size() > 1) {
+    std::sort(filters.begin(), filters.end());
+    filters.erase(std::unique(filters.begin(), filters.end()), filters.end());
+  }
+  return stopped;
+}
+
+/// Compiles the queries of Accelerator<T> for one kind of ray.
+#define RAYWALK_SEARCHES(T, AnyRay)                                                                             \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, AnyPrimitive) const; \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, StopsShadows) const; \
+  template bool Accelerator<T>::any(const AnyRay<T>&, T, TestCounts&, int*) const;                              \
+  template bool Accelerator<T>::any_stop(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&,      \
+                                         std::vector<int>&, int*) const;
+
+}  // namespace raywalk
