@@ -1,36 +1,13 @@
 #pragma once
 // The commands, one row each: name, label, what it does, and the keys that ask for it.
 
-#include "gui/commands.h"
-#include "view/text.h"
+#include "gui/command_row.h"
 
 #include <GLFW/glfw3.h>
 
 #include <array>
 
 namespace raywalk {
-
-/// What keys turn: the lines, where they are shown and were turned last, else the picture.
-[[nodiscard]] SpaceView view_in_hand(const State& state);
-
-/// In which mode a key asks for its command. Digits and arrows mean different things in Move and in Trace.
-enum class When { always, move, not_move, trace };
-
-struct Key {
-  int key = 0;  ///< GLFW_KEY_*; 0: none
-  bool ctrl = false, shift = false, alt = false;
-  When when = When::always;
-};
-
-struct CommandRow {
-  Command command;
-  const char* name;
-  /// From the catalogue; where a button carries more than one word of it, `label_text` is the whole.
-  std::optional<TextId> label;
-  const char* label_text;
-  const char* hint;
-  std::array<Key, 3> keys{};  ///< the first one stands in menus and tooltips
-};
 
 inline constexpr std::array<CommandRow, command_count> command_table{{
     {Command::new_scene, "new", TextId::menu_new, "", "start a new scene", {{{GLFW_KEY_N, true}}}},

@@ -120,6 +120,9 @@ inline constexpr int command_count = static_cast<int>(Command::menu) + 1;
 /// Asks for it; nothing happens when it is not enabled.
 void perform(Command command, const Ui& ui);
 
+/// What keys turn: the lines, where they are shown and were turned last, else the picture.
+[[nodiscard]] SpaceView view_in_hand(const State& state);
+
 /// What a key press means in this state; nothing when it means nothing.
 [[nodiscard]] std::optional<Command> command_of(const KeyPress& press, const State& state);
 /// How many commands a key press asks for: at most one, if the table is sound.

@@ -1,7 +1,6 @@
 // What comes of each command.
 
 #include "gui/choices.h"
-#include "gui/command_table.h"
 #include "gui/commands.h"
 #include "gui/cost_commands.h"
 
