@@ -124,6 +124,8 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   form.number(TextId::threshold, next.threshold, 0.0005, 0, 1);
   form.number(std::string(words::tolerance), next.tolerance, 0.0005, 0, 1);
   pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
+  pick_among(form, std::string(words::numerics), all_numerics, numerics_name, next.numerics);
+  if (next.numerics == Numerics::naive) form.number(std::string(words::epsilon), next.epsilon, 1e-6, 0, 1);
   pick_among(form, std::string(words::accelerator), pickable_accelerators, accelerator_name, next.accelerator);
   if (!(next == now)) ui.act(action::SetCostKnobs{next});
   ImGui::Dummy({1, ui.px(2)});

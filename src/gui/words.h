@@ -26,6 +26,7 @@ inline constexpr std::string_view tolerance = "Tolerance";
 inline constexpr std::string_view samples = "Samples of a pixel";
 inline constexpr std::string_view precision = "Precision";
 inline constexpr std::string_view numerics = "Numerics";
+inline constexpr std::string_view epsilon = "Epsilon";
 inline constexpr std::string_view double_ = "double";
 inline constexpr std::string_view single = "float";
 inline constexpr std::string_view heat = "Heat map";

@@ -98,7 +98,9 @@ Setup setup_of(const Scene& scene) {
           .light_grid = scene.render.light_grid.value_or(0),
           .depth = scene.limits.depth,
           .threshold = scene.limits.threshold,
-          .tolerance = scene.render.tolerance};
+          .tolerance = scene.render.tolerance,
+          .numerics = scene.render.numerics,
+          .epsilon = scene.render.numerics == Numerics::naive ? scene.render.epsilon : usual_epsilon};
 }
 
 Scene under(const Scene& scene, const Setup& setup) {
@@ -107,6 +109,8 @@ Scene under(const Scene& scene, const Setup& setup) {
   changed.render.sampler = setup.sampler;
   changed.render.light_grid = setup.light_grid > 0 ? std::optional(setup.light_grid) : std::nullopt;
   changed.render.tolerance = setup.tolerance;
+  changed.render.numerics = setup.numerics;
+  changed.render.epsilon = setup.epsilon;
   changed.limits = {setup.depth, setup.threshold};
   return changed;
 }
@@ -205,6 +209,7 @@ void Workbench::begin() {
   right.sampler = Sampler::sobol;
   right.depth = depth_;
   right.threshold = right.tolerance = 0;
+  right.numerics = Numerics::robust;
   // Attempts draw with seed 0.
   under_way_ = develop(*scene_, right, size_, static_cast<std::uint64_t>(passes_) + 1);
 }

@@ -24,6 +24,8 @@ struct Setup {
   bool single_precision = false;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
   double tolerance = 0;  ///< of adaptive sampling; 0: every pixel takes all samples
+  Numerics numerics = Numerics::robust;
+  double epsilon = usual_epsilon;  ///< of naive numerics, in scene units; with robust ones the usual
   friend bool operator==(const Setup&, const Setup&) = default;
 };
 
@@ -54,7 +56,8 @@ enum class CostAxis {
 [[nodiscard]] std::vector<int> frontier(const std::vector<Attempt>& attempts, CostAxis axis);
 
 /// Traces attempts one after the other and, when none waits, the reference: in double precision, deeper by
-/// `deeper` than any attempt, without a threshold, as the mean of pictures that draw independently of each other.
+/// `deeper` than any attempt, without a threshold, with robust
+/// numerics, as the mean of pictures that draw independently of each other.
 /// What is still to come off the reference is known from its two halves: floor().
 class Workbench {
  public:

@@ -233,6 +233,8 @@ void arguments(F& f, SetCostKnobs& a) {
   f.choice(a.knobs.single_precision, Words<bool>(precision_words));
   f.choice(a.knobs.accelerator, Words<AcceleratorKind>(accelerator_words));
   f.number(a.knobs.tolerance);
+  f.choice(a.knobs.numerics, Words<Numerics>(numerics_words));
+  f.number(a.knobs.epsilon);
 }
 template <class F>
 void arguments(F& f, TryCost& a) {

@@ -33,6 +33,8 @@ inline constexpr std::pair<study::CostAxis, std::string_view> cost_axis_words[] 
 inline constexpr std::pair<Sampler, std::string_view> sampler_words[] = {
     {Sampler::random, "random"}, {Sampler::jittered, "jittered"}, {Sampler::sobol, "sobol"}};
 inline constexpr std::pair<bool, std::string_view> precision_words[] = {{true, "float"}, {false, "double"}};
+inline constexpr std::pair<Numerics, std::string_view> numerics_words[] = {
+    {Numerics::robust, numerics_name(Numerics::robust)}, {Numerics::naive, numerics_name(Numerics::naive)}};
 inline constexpr std::pair<AcceleratorKind, std::string_view> accelerator_words[] = {
     {AcceleratorKind::automatic, "automatic"}, {AcceleratorKind::none, "none"},
     {AcceleratorKind::spheres, "spheres"},     {AcceleratorKind::ellipsoids, "ellipsoids"},

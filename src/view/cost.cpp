@@ -25,6 +25,7 @@ Setup within_limits(Setup setup) {
   setup.depth = std::clamp(setup.depth, 1, CostState::most_depth);
   setup.threshold = std::clamp(setup.threshold, 0.0, 1.0);
   setup.tolerance = std::clamp(setup.tolerance, 0.0, 1.0);
+  setup.epsilon = setup.numerics == Numerics::naive ? std::clamp(setup.epsilon, 0.0, 1.0) : usual_epsilon;
   return setup;
 }
 
@@ -101,6 +102,10 @@ std::string setup_text(const Setup& setup, const Setup& usual) {
   if (setup.single_precision != usual.single_precision)
     add(std::string(text(setup.single_precision ? CostText::single : CostText::double_)));
   if (setup.accelerator != usual.accelerator) add(std::string(accelerator_name(setup.accelerator)));
+  if (setup.numerics == Numerics::naive)
+    add(fill(CostText::naive, {number_text(setup.epsilon)}));
+  else if (setup.numerics != usual.numerics)
+    add(std::string(text(CostText::robust)));
   return all;
 }
 

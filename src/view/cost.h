@@ -116,6 +116,8 @@ enum class CostText {
   double_,
   tolerance,  ///< {0} tolerance
   no_tolerance,
+  naive,  ///< {0} epsilon
+  robust,
   error_axis,
   seconds_axis,
   rays_axis,

@@ -39,6 +39,10 @@ std::string_view text(CostText id) {
       return "tolerance {0}";
     case CostText::no_tolerance:
       return "not adaptive";
+    case CostText::naive:
+      return "naive, epsilon {0}";
+    case CostText::robust:
+      return "robust";
     case CostText::error_axis:
       return "error (RMS)";
     case CostText::seconds_axis:

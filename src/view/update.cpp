@@ -34,7 +34,9 @@ bool is_finite(const Action& action) {
                         [](const InsertCorner& a) { return finite(a.at); },
                         [](const Nudge& a) { return finite(a.direction); },
                         [](const SetUiScale& a) { return finite(a.scale); },
-                        [](const SetCostKnobs& a) { return finite(a.knobs.threshold) && finite(a.knobs.tolerance); },
+                        [](const SetCostKnobs& a) {
+                          return finite(a.knobs.threshold) && finite(a.knobs.tolerance) && finite(a.knobs.epsilon);
+                        },
                         [](const ShowCosts& a) { return finite(a.split); },
                         [](const GuessNumber& a) { return finite(a.number); },
                         [](const auto&) { return true; },

@@ -106,6 +106,20 @@ TEST_CASE("the error falls with the samples, down to what is left of the referen
   CHECK(std::sqrt(squares / static_cast<double>(image.pixels.size())) < 2 * bench.floor());
 }
 
+TEST_CASE("naive numerics err against a reference that is robust, also where the scene itself is naive") {
+  Scene scene = shipped("hard/mirror_corner");
+  scene.render.numerics = GENERATE(Numerics::robust, Numerics::naive);
+  Setup robust = setup_of(scene), naive = robust;
+  robust.numerics = Numerics::robust;
+  naive.numerics = Numerics::naive;
+  naive.epsilon = 0;
+  naive.single_precision = robust.single_precision = true;
+  Workbench bench;
+  bench.reset(scene, small, {robust, naive});
+  while (bench.reference_samples() < 4 * Workbench::samples_a_pass) bench.work(0);
+  CHECK(bench.attempts()[1].error > 2 * bench.attempts()[0].error);
+}
+
 TEST_CASE("what was tried is not traced again, and a deeper setup wants a deeper reference") {
   const Scene scene = shipped("mirrors");
   Workbench bench;

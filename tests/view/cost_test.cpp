@@ -41,6 +41,7 @@ TEST_CASE("knobs start as the scene has them and stay within their limits") {
   CHECK(tame.depth == 1);
   CHECK(tame.threshold == 1);
   CHECK(tame.tolerance == 0);
+  CHECK(tame.epsilon == usual_epsilon);  // of robust numerics there is none to choose
   wild.threshold = std::nan("");
   update(state, action::SetCostKnobs{wild});
   CHECK(cost_knobs(state) == tame);
@@ -132,6 +133,10 @@ TEST_CASE("a setup is named by what sets it apart") {
   other = usual;
   other.sampler = Sampler::sobol, other.tolerance = 0.02, other.light_grid = 3, other.threshold = 0.1;
   CHECK(setup_text(other, usual) == "16 samples, sobol, tolerance 0.02, 3 x 3 per light, threshold 0.1");
+  other = usual;
+  other.numerics = Numerics::naive, other.epsilon = 0.01;
+  CHECK(setup_text(other, usual) == "16 samples, jittered, naive, epsilon 0.01");
+  CHECK(setup_text(usual, other) == "16 samples, jittered, robust");
 }
 
 TEST_CASE("what an attempt cost is told in one line") {
