@@ -27,6 +27,8 @@ std::string_view heat_name(Heat heat) {
       return words::heat_tests;
     case Heat::time:
       return words::heat_time;
+    case Heat::noise:
+      return words::heat_noise;
   }
   return "";
 }
@@ -86,6 +88,8 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
         return TextId::heat_tests;
       case Heat::time:
         return TextId::heat_time;
+      case Heat::noise:
+        return TextId::heat_noise;
     }
     return TextId::heat_rays;
   }();

@@ -10,7 +10,7 @@ inline constexpr std::string_view plan = "Plan";
 inline constexpr std::string_view keys = "Keys";
 inline constexpr std::string_view image_settings = "The 3-D picture";
 inline constexpr std::string_view settings = "Settings";
-inline constexpr std::string_view settings_hint = "How the picture is made, and heat maps of what it costs";
+inline constexpr std::string_view settings_hint = "How the picture is made; heat maps of what it costs and how noisy it is";
 inline constexpr std::string_view integrator = "Integrator";
 inline constexpr std::string_view accelerator = "Accelerator";
 inline constexpr std::string_view cost_knobs = "What to try";
@@ -34,6 +34,7 @@ inline constexpr std::string_view heat_none = "none";
 inline constexpr std::string_view heat_rays = "rays of each pixel";
 inline constexpr std::string_view heat_tests = "nodes and shapes tested";
 inline constexpr std::string_view heat_time = "time";
+inline constexpr std::string_view heat_noise = "noise of its samples";
 inline constexpr std::string_view image_hint =
     "Drag to turn, with Shift or the right button to move, wheel to zoom; click a pixel to walk its rays";
 inline constexpr std::string_view scrub_hint = "Where the walk stands; drag to go anywhere";

@@ -8,14 +8,15 @@
 
 namespace raywalk {
 
-/// What a heat map counts for each pixel, at one sample.
+/// What a heat map shows for each pixel: the first three at one sample.
 enum class Heat {
   none,   ///< no heat map: the picture
   rays,   ///< rays formed
   tests,  ///< nodes of the accelerator and shapes that rays were tested against
   time,   ///< microseconds
+  noise,  ///< how far its samples scatter: the standard deviation of their grey (the mean of red, green and blue)
 };
-inline constexpr std::array all_heats{Heat::none, Heat::rays, Heat::tests, Heat::time};
+inline constexpr std::array all_heats{Heat::none, Heat::rays, Heat::tests, Heat::time, Heat::noise};
 
 /// From dark blue to yellow, evenly growing lighter and told apart whatever the eye: "cividis" (J. Nunez, C. Anderton
 /// and R. Renslow, PLoS ONE 13(7), 2018). `part` in 0..1.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <numeric>
 
@@ -30,9 +31,16 @@ Rgba rgba_of(const Rgb<T>& colour, Encoding encoding) {
 
 namespace {
 
+/// Samples of each pixel that are taken after its centre. One sample a pixel is the centre itself.
+int samples_to_take(const PreviewSettings& settings) {
+  if (settings.heat == Heat::noise) return std::max(settings.samples, PreviewSettings::fewest_for_noise);
+  return settings.samples > 1 && settings.heat == Heat::none ? settings.samples : 0;
+}
+
 double cost_of(Heat heat, const Statistics& own, double microseconds) {
   switch (heat) {
     case Heat::none:
+    case Heat::noise:
       return 0;
     case Heat::rays:
       return static_cast<double>(std::accumulate(own.rays.begin(), own.rays.end(), std::uint64_t{0}));
@@ -78,21 +86,18 @@ class Preview::Work {
   [[nodiscard]] double hottest() const { return hottest_; }
 
  protected:
-  /// What the pixel cost, in the unit of the heat map.
-  void note_cost(int column, int row, double cost) {
-    costs_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size().width) + static_cast<std::size_t>(column)] =
-        static_cast<float>(cost);
+  [[nodiscard]] std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size().width) + static_cast<std::size_t>(column);
   }
+  /// What the pixel cost, in the unit of the heat map.
+  void note_cost(int column, int row, double cost) { costs_[index_of(column, row)] = static_cast<float>(cost); }
   /// Traces what is new in row `row` of the grid of this stride.
   virtual Statistics trace_centres(int row, int stride) = 0;
   virtual Statistics trace_sample(int row, int sample) = 0;
   [[nodiscard]] virtual Rgba shown(int column, int row, int samples_taken) const = 0;
 
   [[nodiscard]] const ImageSize& size() const { return settings_.size; }
-  /// After the centres. One sample a pixel is the centre itself.
-  [[nodiscard]] int samples_to_take() const {
-    return settings_.samples > 1 && settings_.heat == Heat::none ? settings_.samples : 0;
-  }
+  [[nodiscard]] int samples_to_take() const { return raywalk::samples_to_take(settings_); }
   void begin_pass();
 
  private:
@@ -120,10 +125,12 @@ class Preview::WorkIn final : public Preview::Work {
         world_(scene, settings.accelerator),
         kernel_(scene, world_),
         centres_(scene, settings.size, settings.size),
-        spread_(scene, settings.size, settings.size, Sampling{settings.samples}),
+        spread_(scene, settings.size, settings.size,
+                Sampling{samples_to_take() > 0 ? samples_to_take() : settings.samples}),
         encoding_(scene.encoding),
         first_(settings.size),
-        mean_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}) {
+        mean_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}),
+        squares_(settings.heat == Heat::noise ? first_.pixels().size() : 0) {
     begin_pass();
   }
 
@@ -135,7 +142,7 @@ class Preview::WorkIn final : public Preview::Work {
     const bool old_row = stride < coarsest && row % (2 * stride) == 0;
     const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride};
     const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); };
-    if (settings().heat == Heat::none) return kernel_(centres_, block, put);
+    if (settings().heat == Heat::none || settings().heat == Heat::noise) return kernel_(centres_, block, put);
     Statistics sum;
     for (const Pixel& pixel : block) {
       const auto begun = Clock::now();
@@ -148,8 +155,19 @@ class Preview::WorkIn final : public Preview::Work {
   }
 
   Statistics trace_sample(int row, int sample) override {
-    return kernel_(spread_, {0, size().width, row, row + 1, sample},
-                   [this](const Pixel& p, const Rgb<T>& shade) { mean_.add(p.column, p.row, p.sample, shade); });
+    return kernel_(spread_, {0, size().width, row, row + 1, sample}, [this](const Pixel& p, const Rgb<T>& shade) {
+      const Rgb<T> before = p.sample > 0 ? mean_.at(p.column, p.row) : shade;
+      mean_.add(p.column, p.row, p.sample, shade);
+      if (settings().heat == Heat::noise) note_scatter(p, shade, before);
+    });
+  }
+
+  /// Sums the squares of the distances from the mean as the mean moves (B. Welford, Technometrics 4(3), 1962).
+  void note_scatter(const Pixel& p, const Rgb<T>& shade, const Rgb<T>& before) {
+    const auto grey = [](const Rgb<T>& c) { return (Rgbd(c).x + Rgbd(c).y + Rgbd(c).z) / 3; };
+    double& squares = squares_[index_of(p.column, p.row)];
+    squares += grey(shade - before) * grey(shade - mean_.at(p.column, p.row));
+    if (p.sample > 0) note_cost(p.column, p.row, std::sqrt(std::max(squares, 0.0) / p.sample));
   }
 
   /// While samples are missing, the centre counts as one more: the first samples alone lie in one corner of the pixel.
@@ -166,6 +184,7 @@ class Preview::WorkIn final : public Preview::Work {
   RayGenerator<T> centres_, spread_;
   Encoding encoding_;
   Film<T> first_, mean_;
+  std::vector<double> squares_;  ///< of a map of noise, each pixel's
 };
 
 void Preview::Work::begin_pass() {
@@ -216,7 +235,8 @@ void Preview::Work::show_heat(std::vector<std::uint8_t>& rgba) {
     if (cost >= 0) known.push_back(cost);
   if (known.empty()) return;
   // A pixel in which the machine did something else must not leave all others in the dark.
-  const double part = settings_.heat == Heat::time ? 0.995 : 1;
+  // Nor one that happened to draw a light that the others missed.
+  const double part = settings_.heat == Heat::time || settings_.heat == Heat::noise ? 0.995 : 1;
   const auto last = known.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(known.size() - 1));
   std::nth_element(known.begin(), last, known.end());
   hottest_ = static_cast<double>(*last);

@@ -17,9 +17,10 @@ struct PreviewSettings {
   Precision precision = Precision::double_;
   int samples = 16;  ///< of each pixel in the end, >= 1
   AcceleratorKind accelerator = AcceleratorKind::automatic;
-  /// What the pixels show in place of their colours: what the ray through each one's centre cost. Samples are then not
-  /// taken.
+  /// What the pixels show in place of their colours: what the ray through each one's centre cost, and no samples are
+  /// taken; or how far its samples scatter, of which there are then `fewest_for_noise` or more.
   Heat heat = Heat::none;
+  static constexpr int fewest_for_noise = 16;
   friend bool operator==(const PreviewSettings&, const PreviewSettings&) = default;
 };
 

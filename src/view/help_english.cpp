@@ -68,7 +68,7 @@ std::vector<HelpSection> help() {
          "The same scene as a picture. The marked row is SCREEN; the marked pixel is being traced. Click any pixel to "
          "walk its rays. Drag to turn the picture, with Shift or the right button to move it, turn the wheel to come "
          "nearer; O goes back, U puts the scene's camera there. Settings: how it is made, and heat maps of what each "
-         "pixel costs."},
+         "pixel costs and how noisy it is."},
         {"Lines in space",
          "In the plan's place, for pixels off SCREEN and for scenes that are not flat: the outlines of all bodies, the "
          "pyramid that EYE sees, and the rays. Turn it as the picture; V changes to the plan and back, S goes back to "

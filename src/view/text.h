@@ -170,6 +170,7 @@ enum class TextId {
   heat_rays,       ///< {0} the number that the last colour stands for
   heat_tests,
   heat_time,
+  heat_noise,
   short_primary,  ///< rays, where there is little room
   short_shadow,
   short_reflect,

@@ -309,6 +309,8 @@ std::string_view text(TextId id) {
       return "{0} nodes and shapes tested";
     case TextId::heat_time:
       return "{0} \u00b5s";
+    case TextId::heat_noise:
+      return "{0} standard deviation";
     case TextId::legend_primary:
       return "from EYE through a pixel of SCREEN";
     case TextId::legend_shadow:

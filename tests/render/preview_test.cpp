@@ -6,6 +6,11 @@
 
 #include "support/catch.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
 using namespace raywalk;
 using namespace raywalk::test;
 
@@ -229,6 +234,43 @@ TEST_CASE("a heat map of rays is what each pixel's own trace forms, in colours u
   while (plain.refine(10)) {
   }
   CHECK(preview.film<double>().at(16, 10) == plain.film<double>().at(16, 10));
+}
+
+TEST_CASE("a heat map of noise is the standard deviation of each pixel's own samples") {
+  const Scene scene = busy_scene();
+  const ImageSize size{17, 11};
+  PreviewSettings settings{size, Precision::double_, GENERATE(1, 20)};
+  settings.heat = Heat::noise;
+  Preview preview(scene, settings);
+  while (preview.refine(1)) {
+  }
+  const int samples = std::max(settings.samples, PreviewSettings::fewest_for_noise);
+  const World<double> world(scene);
+  const RayGenerator<double> camera(scene, size, size, Sampling{samples});
+  std::vector<std::vector<double>> greys(preview.film<double>().pixels().size());
+  for (int sample = 0; sample < samples; ++sample)
+    trace(world, camera, {0, size.width, 0, size.height, sample}, [&](const Pixel& p, const Rgb<double>& shade) {
+      greys[static_cast<std::size_t>(p.row * size.width + p.column)].push_back((shade.x + shade.y + shade.z) / 3);
+    });
+  std::vector<double> deviations;
+  for (const std::vector<double>& all : greys) {
+    REQUIRE(all.size() == static_cast<std::size_t>(samples));
+    const double mean = std::accumulate(all.begin(), all.end(), 0.0) / samples;
+    double squares = 0;
+    for (const double grey : all) squares += (grey - mean) * (grey - mean);
+    deviations.push_back(std::sqrt(squares / (samples - 1)));
+  }
+  // All but a few of the noisiest, which have the last colour.
+  std::vector<double> sorted = deviations;
+  std::sort(sorted.begin(), sorted.end());
+  const double hottest = sorted[static_cast<std::size_t>(0.995 * static_cast<double>(sorted.size() - 1))];
+  CHECK(preview.hottest() == Approx(hottest));
+  CHECK(hottest > 0);
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const auto colour = heat_colour(deviations[i] / preview.hottest());
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      REQUIRE(std::abs(preview.rgba()[4 * i + channel] - colour[channel]) <= 1);
+  }
 }
 
 TEST_CASE("the colours of heat grow lighter all the way") {
