@@ -73,7 +73,7 @@ void view_menu(const Ui& ui) {
   for (const Command command : {Command::exchange, Command::full_screen}) menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::tab_cost, Command::cost_next, Command::cost_against, Command::cost_split_left,
-                                Command::cost_split_right})
+                                Command::cost_split_right, Command::cost_page})
     menu_item(ui, command);
 }
 

@@ -274,6 +274,7 @@ inline constexpr std::array<CommandRow, command_count> command_table{{
     {Command::cost_axis, "cost-axis", {}, "Rays", "error against rays, tests or time", {{{GLFW_KEY_F7}}}},
     {Command::cost_split_left, "cost-split-left", {}, "Split left", "move it left", {{{GLFW_KEY_F8, false, true}}}},
     {Command::cost_split_right, "cost-split-right", {}, "Split right", "move it right", {{{GLFW_KEY_F8}}}},
+    {Command::cost_page, "cost-page", {}, "Effects", "what each effect adds, or the tries again", {{{GLFW_KEY_F9}}}},
     {Command::turn_left,
      "turn-left",
      {},

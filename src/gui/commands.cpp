@@ -103,7 +103,7 @@ bool enabled(Command command, const State& state) {
     case Command::cost_axis:
     case Command::cost_split_left:
     case Command::cost_split_right:
-      return state.tab == Tab::cost && !state.cost.tried.empty();
+      return state.tab == Tab::cost && state.cost.page == CostPage::tries && !state.cost.tried.empty();
     case Command::walk_strip:
       return state.walk.has_value();
     case Command::use_camera:
@@ -130,6 +130,7 @@ bool enabled(Command command, const State& state) {
     case Command::cost_knobs:
     case Command::cost_try:
     case Command::cost_ladder:
+    case Command::cost_page:
     case Command::tab_equation:
     case Command::zoom_in:
     case Command::zoom_out:
@@ -246,6 +247,7 @@ bool chosen(Command command, const State& state) {
     case Command::cost_axis:
     case Command::cost_split_left:
     case Command::cost_split_right:
+    case Command::cost_page:
     case Command::turn_left:
     case Command::turn_right:
     case Command::turn_up:

@@ -80,6 +80,7 @@ enum class Command {
   cost_axis,
   cost_split_left,
   cost_split_right,
+  cost_page,
   turn_left,
   turn_right,
   turn_up,

@@ -23,6 +23,7 @@ void perform_cost(Command command, const Ui& ui) {
     case Command::cost_try:
     case Command::cost_ladder:
       ui.act(action::SetTab{Tab::cost});
+      ui.act(action::ShowCostPage{CostPage::tries});
       return ui.act(action::TryCost{command == Command::cost_ladder});
     case Command::cost_forget:
       return ui.act(action::ForgetCosts{});
@@ -38,6 +39,12 @@ void perform_cost(Command command, const Ui& ui) {
       return ui.act(action::ShowCosts{cost.picture, cost.axis, cost.split - split_step});
     case Command::cost_split_right:
       return ui.act(action::ShowCosts{cost.picture, cost.axis, cost.split + split_step});
+    case Command::cost_page:
+      if (ui.state.tab != Tab::cost) {
+        ui.act(action::SetTab{Tab::cost});
+        return ui.act(action::ShowCostPage{CostPage::effects});
+      }
+      return ui.act(action::ShowCostPage{cost.page == CostPage::tries ? CostPage::effects : CostPage::tries});
     default:
       return;
   }
@@ -46,6 +53,8 @@ void perform_cost(Command command, const Ui& ui) {
 std::string_view cost_label(Command command, const State& state) {
   if (command == Command::cost_kind)
     return state.cost.picture == CostPicture::split ? words::cost_split : words::cost_difference;
+  if (command == Command::cost_page)
+    return state.tab == Tab::cost && state.cost.page == CostPage::effects ? words::cost_tries : words::cost_effects;
   if (command != Command::cost_axis) return {};
   switch (state.cost.axis) {
     case study::CostAxis::rays:

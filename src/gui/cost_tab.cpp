@@ -102,6 +102,24 @@ void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
   }
 }
 
+void draw_effects(const Ui& ui, const Rect& where, float top, const LiveCosts& costs) {
+  const float line = line_height(ui.fonts, *ui.fonts.small), scale = ui.dpi;
+  const std::string whole = survey_text(costs.survey(), costs.surveyed());
+  ImGui::PushTextWrapPos(0);
+  const float text_height = ImGui::CalcTextSize(whole.c_str(), nullptr, false, where.width).y + ui.px(6);
+  ImGui::PopTextWrapPos();
+  const Rect bars{where.x, top, where.width, where.bottom() - top - std::max(text_height, line)};
+  if (bars.height > 8) {
+    const DisplayList list =
+        effect_bars(ui.state, costs.survey(), static_cast<double>(bars.width / scale),
+                    static_cast<double>(bars.height / scale), static_cast<double>(ui.unit / scale));
+    paint(*ImGui::GetWindowDrawList(), list, bars, scale, ui.fonts);
+    ui.publish("cost-effects", bars);
+  }
+  ImGui::SetCursorScreenPos({where.x, bars.bottom() + ui.px(6)});
+  paragraph(ui.colours.dim_text, whole);
+}
+
 }  // namespace
 
 void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
@@ -144,6 +162,11 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   const CostFindings findings{bench.attempts(), bench.floor(), bench.reference_samples()};
 
   Row row(ui, where, ui.px(28));
+  row.add(Command::cost_page);
+  if (ui.state.cost.page == CostPage::effects) {
+    draw_effects(ui, where, row.bottom() + ui.px(8), *picture.costs);
+    return pop_font();
+  }
   row.add(Command::cost_knobs, setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene())));
   row.add(Command::cost_try);
   row.add(Command::cost_ladder);

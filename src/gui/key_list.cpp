@@ -33,6 +33,7 @@ const std::vector<KeyGroup>& groups() {
        {tab_cost, cost_knobs, cost_try, cost_ladder, cost_forget}},
       {"Cost: next as A \u00b7 as B \u00b7 split or difference \u00b7 against what \u00b7 the split left \u00b7 right",
        {cost_next, cost_against, cost_kind, cost_axis, cost_split_left, cost_split_right}},
+      {"Cost: what each effect adds, or the tries", {cost_page}},
       {"the plan and the pane change places", {exchange}},
       {"fit the whole scene in \u00b7 zoom in \u00b7 out", {fit, zoom_in, zoom_out}},
       {"lines in space, and the plan \u00b7 from a pixel of the picture back to SCREEN", {lines, walk_strip}},

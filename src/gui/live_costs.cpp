@@ -1,6 +1,7 @@
 #include "gui/live_costs.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace raywalk {
 
@@ -11,11 +12,16 @@ bool LiveCosts::follows(const State& state) const {
 
 bool LiveCosts::rests(const State& state) const {
   if (state.tab != Tab::cost || state.drag) return true;
+  if (state.cost.page == CostPage::effects) return surveyed(state);
   return follows(state) && bench_.finished();
 }
 
 bool LiveCosts::work(const State& state, double milliseconds) {
   if (rests(state)) return false;
+  if (state.cost.page == CostPage::effects) {
+    take_survey(state, milliseconds);
+    return !rests(state);
+  }
   const std::vector<study::Setup>& wanted = state.cost.tried;
   const bool forgotten = wanted.size() < shown_.tried.size();
   if (!begun_ || scene_revision_ != state.revision || forgotten) {
@@ -27,6 +33,25 @@ bool LiveCosts::work(const State& state, double milliseconds) {
   bench_.work(milliseconds);
   if (!follows(state)) show(state);
   return !rests(state);
+}
+
+bool LiveCosts::surveyed(const State& state) const {
+  return survey_ && survey_revision_ == state.revision && survey_->done() >= 1;
+}
+
+void LiveCosts::take_survey(const State& state, double milliseconds) {
+  // Small pictures, so that the window stays awake between them.
+  constexpr int samples = 2000, repetitions = 7;
+  if (!survey_ || survey_revision_ != state.revision) {
+    survey_.emplace(state.scene(), samples, repetitions);
+    survey_result_.reset();
+    survey_revision_ = state.revision;
+  }
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
+  while (survey_->work() && std::chrono::steady_clock::now() < deadline) {
+  }
+  survey_result_ = survey_->result();
+  ++revision_;
 }
 
 void LiveCosts::show(const State& state) {

@@ -1,10 +1,12 @@
 #pragma once
 // The Cost panel's tries of the state's scene, worked on in slices of time, and the picture that shows them.
 
+#include "study/effect_costs.h"
 #include "study/workbench.h"
 #include "view/state.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace raywalk {
@@ -18,6 +20,9 @@ class LiveCosts {
   [[nodiscard]] bool rests(const State& state) const;
 
   [[nodiscard]] const study::Workbench& bench() const { return bench_; }
+  /// What each effect adds, as far as it is measured: survey_done() of it.
+  [[nodiscard]] const std::optional<study::SceneCost>& survey() const { return survey_result_; }
+  [[nodiscard]] double surveyed() const { return survey_ ? survey_->done() : 0; }
   /// The chosen picture and the one it is compared with; 4 bytes a pixel, empty while there is none.
   [[nodiscard]] const std::vector<std::uint8_t>& rgba() const { return rgba_; }
   [[nodiscard]] ImageSize size() const { return size_; }
@@ -29,8 +34,13 @@ class LiveCosts {
  private:
   [[nodiscard]] bool follows(const State& state) const;
   void show(const State& state);
+  [[nodiscard]] bool surveyed(const State& state) const;
+  void take_survey(const State& state, double milliseconds);
 
   study::Workbench bench_;
+  std::optional<study::CostSurvey> survey_;
+  std::optional<study::SceneCost> survey_result_;
+  std::uint64_t survey_revision_ = 0;
   std::uint64_t scene_revision_ = 0, bench_revision_ = 0, revision_ = 0;
   CostState shown_;  ///< what bench_ and rgba_ were made for
   bool begun_ = false;

@@ -175,6 +175,7 @@ void perform(Command command, const Ui& ui) {
     case Command::cost_axis:
     case Command::cost_split_left:
     case Command::cost_split_right:
+    case Command::cost_page:
       return perform_cost(command, ui);
     case Command::heat:
       return next_heat(ui);

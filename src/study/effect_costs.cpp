@@ -129,50 +129,63 @@ Scene with_everything(const Scene& scene, int grid) {
   return changed;
 }
 
-std::optional<SceneCost> scene_cost(const Scene& scene, int samples, int repetitions,
-                                    const std::function<void(double done)>& progress, const std::atomic<bool>* cancel) {
-  SceneCost result;
-  result.repetitions = repetitions;
+CostSurvey::CostSurvey(const Scene& scene, int samples, int repetitions) {
+  blank_.repetitions = repetitions;
   constexpr double fewest = 400;
-  const double pixels = std::max(fewest, static_cast<double>(samples) / scene.render.samples);
-  result.size = shrunk(scene.image, pixels);
+  blank_.size = shrunk(scene.image, std::max(fewest, static_cast<double>(samples) / scene.render.samples));
   const Effects used = effects_of(scene, scene.render.samples);
   for (const Light& light : scene.lights)
-    result.everything_grid = std::max(result.everything_grid, light_grid_of(scene, light));
-
-  std::vector<Scene> scenes{scene, with_everything(scene, result.everything_grid)};
+    blank_.everything_grid = std::max(blank_.everything_grid, light_grid_of(scene, light));
+  scenes_ = {scene, with_everything(scene, blank_.everything_grid)};
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     if (!used.used(effect)) continue;
     if (auto changed = without(scene, effect)) {
-      result.effects.push_back({effect, {}});
-      scenes.push_back(std::move(*changed));
+      blank_.effects.push_back({effect, {}});
+      scenes_.push_back(std::move(*changed));
     }
   }
-  std::vector<std::vector<Cost>> costs(scenes.size());
-  for (int repetition = 0; repetition <= repetitions; ++repetition)
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-      if (cancel != nullptr && *cancel) return std::nullopt;
-      const Shot shot = shoot(scenes[i], result.size, {scenes[i].render.samples, 0});
-      if (i == 0) result.shadow_rays = shot.shadow_rays;
-      if (repetition > 0) costs[i].push_back(shot.cost);  // the first one warms up
-      if (progress)
-        progress(static_cast<double>(static_cast<std::size_t>(repetition) * scenes.size() + i + 1) /
-                 static_cast<double>((static_cast<std::size_t>(repetitions) + 1) * scenes.size()));
-    }
-  result.whole = median_of(costs[0]);
-  result.everything = median_of(costs[1]);
+  costs_.resize(scenes_.size());
+}
+
+double CostSurvey::done() const {
+  const std::size_t all = (static_cast<std::size_t>(blank_.repetitions) + 1) * scenes_.size();
+  return static_cast<double>(next_) / static_cast<double>(all);
+}
+
+bool CostSurvey::work() {
+  if (done() >= 1) return false;
+  const std::size_t i = next_ % scenes_.size();
+  const bool warms_up = next_ < scenes_.size();
+  const Shot shot = shoot(scenes_[i], blank_.size, {scenes_[i].render.samples, 0});
+  if (i == 0) blank_.shadow_rays = shot.shadow_rays;
+  if (!warms_up) costs_[i].push_back(shot.cost);
+  ++next_;
+  return done() < 1;
+}
+
+std::optional<SceneCost> CostSurvey::result() const {
+  const std::size_t repetitions = costs_.back().size();
+  if (repetitions == 0) return std::nullopt;
+  SceneCost result = blank_;
+  result.repetitions = static_cast<int>(repetitions);
+  const auto first = [&](std::size_t i) {
+    return std::vector<Cost>(costs_[i].begin(), costs_[i].begin() + static_cast<std::ptrdiff_t>(repetitions));
+  };
+  const std::vector<Cost> wholes = first(0);
+  result.whole = median_of(wholes);
+  result.everything = median_of(first(1));
   for (std::size_t i = 0; i < result.effects.size(); ++i) {
     EffectCost& effect = result.effects[i];
-    const Cost rest = median_of(costs[i + 2]), &whole = result.whole;
+    const std::vector<Cost> rests = first(i + 2);
+    const Cost rest = median_of(rests), &whole = result.whole;
     const auto saved = [](std::uint64_t all, std::uint64_t some) { return all > some ? all - some : 0; };
     effect.saved = {saved(whole.rays, rest.rays), saved(whole.nodes, rest.nodes), saved(whole.tests, rest.tests),
                     saved(whole.draws, rest.draws), whole.seconds - rest.seconds};
     effect.rays_share =
         static_cast<double>(effect.saved.rays) / static_cast<double>(std::max<std::uint64_t>(whole.rays, 1));
     std::vector<double> shares;  // of pairs that ran one after the other
-    for (std::size_t k = 0; k < costs[0].size(); ++k)
-      shares.push_back(1 - costs[i + 2][k].seconds / costs[0][k].seconds);
+    for (std::size_t k = 0; k < repetitions; ++k) shares.push_back(1 - rests[k].seconds / wholes[k].seconds);
     effect.seconds_share = median(shares);
     const Interval reach = median_interval(shares);
     effect.seconds_low = reach.low, effect.seconds_high = reach.high;
@@ -181,6 +194,17 @@ std::optional<SceneCost> scene_cost(const Scene& scene, int samples, int repetit
     return a.saved.rays != b.saved.rays ? a.saved.rays > b.saved.rays : a.seconds_share > b.seconds_share;
   });
   return result;
+}
+
+std::optional<SceneCost> scene_cost(const Scene& scene, int samples, int repetitions,
+                                    const std::function<void(double done)>& progress, const std::atomic<bool>* cancel) {
+  CostSurvey survey(scene, samples, repetitions);
+  do {
+    if (cancel != nullptr && *cancel) return std::nullopt;
+    if (progress) progress(survey.done());
+  } while (survey.work());
+  if (progress) progress(1);
+  return survey.result();
 }
 
 }  // namespace raywalk::study

@@ -38,8 +38,29 @@ struct SceneCost {
   int everything_grid = 4;
 };
 
-/// Measured by rendering a small picture of about `samples` samples with and without each effect, in turns; every pixel
-/// takes all its samples. Empty when cancelled.
+/// Measures picture by picture, so that a person can look on: each repetition renders a small picture of the scene, of
+/// it with everything, and of it without each effect, in turns.
+class CostSurvey {
+ public:
+  /// Pictures of about `samples` samples; every pixel takes all its samples. repetitions >= 1, the one that warms up
+  /// not counted.
+  CostSurvey(const Scene& scene, int samples, int repetitions);
+
+  /// Renders the next picture. Whether any is left.
+  bool work();
+  /// Share of the pictures that are rendered, 0..1.
+  [[nodiscard]] double done() const;
+  /// What the repetitions so far tell; empty before the first one is complete.
+  [[nodiscard]] std::optional<SceneCost> result() const;
+
+ private:
+  SceneCost blank_;            ///< what does not depend on the measurements
+  std::vector<Scene> scenes_;  ///< the whole, everything, without each of blank_.effects
+  std::vector<std::vector<Cost>> costs_;
+  std::size_t next_ = 0;  ///< picture, counted over all repetitions
+};
+
+/// A survey to its end. Empty when cancelled.
 [[nodiscard]] std::optional<SceneCost> scene_cost(const Scene& scene, int samples = 8000, int repetitions = 7,
                                                   const std::function<void(double done)>& progress = {},
                                                   const std::atomic<bool>* cancel = nullptr);

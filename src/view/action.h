@@ -254,7 +254,7 @@ using Action = std::variant<
     action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice, action::ShowLessons,
     action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice, action::GuessNumber,
     action::RevealLesson, action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts,
-    action::ChooseCost, action::ShowCosts>;
+    action::ChooseCost, action::ShowCosts, action::ShowCostPage>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

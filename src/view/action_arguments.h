@@ -251,5 +251,9 @@ void arguments(F& f, ShowCosts& a) {
   f.choice(a.axis, Words<study::CostAxis>(cost_axis_words));
   f.number(a.split);
 }
+template <class F>
+void arguments(F& f, ShowCostPage& a) {
+  f.choice(a.page, Words<CostPage>(cost_page_words));
+}
 
 }  // namespace raywalk::action_text

@@ -28,6 +28,8 @@ inline constexpr std::pair<Tab, std::string_view> tab_words[] = {{Tab::image, "i
                                                                  {Tab::cost, "cost"},   {Tab::equation, "equation"}};
 inline constexpr std::pair<CostPicture, std::string_view> cost_picture_words[] = {
     {CostPicture::split, "split"}, {CostPicture::difference, "difference"}};
+inline constexpr std::pair<CostPage, std::string_view> cost_page_words[] = {{CostPage::tries, "tries"},
+                                                                            {CostPage::effects, "effects"}};
 inline constexpr std::pair<study::CostAxis, std::string_view> cost_axis_words[] = {
     {study::CostAxis::rays, "rays"}, {study::CostAxis::tests, "tests"}, {study::CostAxis::seconds, "seconds"}};
 inline constexpr std::pair<Sampler, std::string_view> sampler_words[] = {
@@ -195,6 +197,8 @@ template <>
 inline constexpr std::string_view word_of<ChooseCost> = "cost-choose";
 template <>
 inline constexpr std::string_view word_of<ShowCosts> = "cost-show";
+template <>
+inline constexpr std::string_view word_of<ShowCostPage> = "cost-page";
 template <>
 inline constexpr std::string_view word_of<ShowLessons> = "lessons";
 template <>

@@ -79,6 +79,8 @@ void detail::forget_costs(State& state) {
   state.cost.chosen = state.cost.against = -1;
 }
 
+void detail::show_cost_page(State& state, CostPage page) { state.cost.page = page; }
+
 void detail::show_costs(State& state, const action::ShowCosts& what) {
   state.cost.picture = what.picture;
   state.cost.axis = what.axis;
@@ -129,6 +131,21 @@ std::string attempt_text(const State& state, const CostFindings& findings, int i
 std::string reference_text(const CostFindings& findings) {
   if (findings.reference_samples < 2) return std::string(text(CostText::no_reference));
   return fill(CostText::reference, {std::to_string(findings.reference_samples), number_text(findings.floor)});
+}
+
+std::string survey_text(const std::optional<study::SceneCost>& survey, double done) {
+  std::string all;
+  if (survey) {
+    const double rays = static_cast<double>(survey->whole.rays), seconds = survey->whole.seconds;
+    const auto times = [](double everything, double whole) {
+      return fmt::format("{:.3g}", whole > 0 ? everything / whole : 1);
+    };
+    all = fill(CostText::whole,
+               {count_text(rays), fmt::format("{:.3g}", seconds),
+                times(static_cast<double>(survey->everything.rays), rays), times(survey->everything.seconds, seconds)});
+  }
+  if (done < 1) all += (all.empty() ? "" : "  ") + fill(CostText::surveying, {percent_text(done)});
+  return all;
 }
 
 std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right, Encoding encoding,

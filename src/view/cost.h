@@ -2,6 +2,7 @@
 // The Cost panel without a window: the knobs, what was tried, and the drawing of error against cost. What the tries
 // gave is worked out beside the state (study/workbench.h) and handed in.
 
+#include "study/effect_costs.h"
 #include "study/workbench.h"
 #include "view/display_list.h"
 
@@ -17,10 +18,16 @@ enum class CostPicture {
   difference,  ///< how far they are apart, from dark to light
 };
 
+enum class CostPage {
+  tries,    ///< settings tried against each other
+  effects,  ///< what each effect that the scene calls for adds
+};
+
 /// All of it is of this sitting only; none is in the scene's file.
 struct CostState {
   static constexpr int most_tries = 64, most_samples = 4096, most_grid = 16, most_depth = 50;
 
+  CostPage page = CostPage::tries;
   std::optional<study::Setup> knobs{};  ///< absent: the scene's own
   std::vector<study::Setup> tried{};    ///< each once, at most `most_tries`
   int chosen = -1;                      ///< in `tried`: the picture on the left; -1: none yet
@@ -50,6 +57,9 @@ struct ShowCosts {
   study::CostAxis axis;
   double split;  ///< clamped to 0..1
 };
+struct ShowCostPage {
+  CostPage page;
+};
 }  // namespace action
 
 namespace detail {
@@ -58,6 +68,7 @@ void try_cost(State& state, bool ladder);
 void forget_costs(State& state);
 void choose_cost(State& state, const action::ChooseCost& choice);
 void show_costs(State& state, const action::ShowCosts& what);
+void show_cost_page(State& state, CostPage page);
 }  // namespace detail
 
 /// What TryCost will try.
@@ -84,6 +95,14 @@ struct CostPlot {
 };
 [[nodiscard]] CostPlot cost_plot(const State& state, const CostFindings& findings, double width, double height,
                                  double unit);
+
+/// Each effect's share of the rays and of the time as two bars, the interval of the time as a whisker, and below them
+/// what the whole costs and what it would cost if every effect were traced regardless. As cost_plot. `survey`: empty
+/// while the first round is under way.
+[[nodiscard]] DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width,
+                                      double height, double unit);
+/// "12.3 k rays in 0.05 s; every effect regardless: 9.1 times the rays, 7.5 times the time".
+[[nodiscard]] std::string survey_text(const std::optional<study::SceneCost>& survey, double done);
 
 /// "64 samples, sobol, depth 3": what a setup is, by what sets it apart from `usual`.
 [[nodiscard]] std::string setup_text(const study::Setup& setup, const study::Setup& usual);
@@ -124,6 +143,13 @@ enum class CostText {
   tests_axis,
   floor,
   difference,  ///< {0} what from, {1} the largest
+  effects_title,
+  no_effects,
+  of_rays,    ///< {0} percent
+  of_time,    ///< {0} percent, {1} and {2} its interval
+  all_rays,   ///< the name of the last bar: shadow rays, which cannot be left out
+  whole,      ///< {0} rays, {1} seconds, {2} times the rays and {3} times the time of a tracer that does everything
+  surveying,  ///< {0} percent
 };
 [[nodiscard]] std::string_view text(CostText id);
 [[nodiscard]] std::string fill(CostText id, const std::vector<std::string>& arguments);

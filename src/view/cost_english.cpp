@@ -55,6 +55,21 @@ std::string_view text(CostText id) {
       return "the reference's own error";
     case CostText::difference:
       return "A to {0}, largest difference {1}";
+    case CostText::effects_title:
+      return "What each effect adds to this scene: the picture with it, less the picture without it";
+    case CostText::no_effects:
+      return "This scene calls for no effect that could be left out.";
+    case CostText::of_rays:
+      return "{0} of the rays";
+    case CostText::of_time:
+      return "{0} of the time ({1} to {2})";
+    case CostText::all_rays:
+      return "all shadow rays";
+    case CostText::whole:
+      return "All together: {0} rays in {1} s. Every effect, called for or not: {2} times the rays, {3} times the "
+             "time.";
+    case CostText::surveying:
+      return "measuring: {0}";
   }
   return "";
 }

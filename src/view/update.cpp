@@ -246,6 +246,7 @@ void apply(State& state, const Action& action) {
           [&](const ForgetCosts&) { detail::forget_costs(state); },
           [&](const ChooseCost& a) { detail::choose_cost(state, a); },
           [&](const ShowCosts& a) { detail::show_costs(state, a); },
+          [&](const ShowCostPage& a) { detail::show_cost_page(state, a.page); },
           [&](const ShowLessons& a) { detail::show_lessons(state, a.shown); },
           [&](const OpenLesson& a) { detail::open_lesson(state, a.name); },
           [&](const LeaveLesson&) { detail::leave_lesson(state); },

@@ -130,6 +130,30 @@ TEST_CASE("everything regardless shows the same picture") {
   CHECK(different < 12);  // of 1200: where a ray passes an edge by a hair
 }
 
+TEST_CASE("a survey tells what it knows after each round, and ends where all at once ends") {
+  CostSurvey survey(scene_of_all(), 1200, 2);
+  CHECK_FALSE(survey.result());
+  double done = 0;
+  int pictures = 1;
+  for (; survey.work(); ++pictures) {
+    CHECK(survey.done() > done);
+    done = survey.done();
+    // The whole, everything, and four effects; the first round warms up.
+    CHECK(survey.result().has_value() == (pictures >= 12));
+    if (const auto known = survey.result()) CHECK(known->repetitions == 1);
+  }
+  CHECK(pictures == 18);
+  CHECK(survey.done() == 1);
+  CHECK_FALSE(survey.work());
+  const auto end = survey.result(), at_once = scene_cost(scene_of_all(), 1200, 2);
+  REQUIRE(end);
+  CHECK(end->repetitions == 2);
+  CHECK(end->whole.rays == at_once->whole.rays);
+  REQUIRE(end->effects.size() == at_once->effects.size());
+  for (std::size_t i = 0; i < end->effects.size(); ++i)
+    CHECK(end->effects[i].saved.rays == at_once->effects[i].saved.rays);
+}
+
 TEST_CASE("a measurement can be stopped") {
   const std::atomic<bool> stop{true};
   CHECK_FALSE(scene_cost(scene_of_all(), 1200, 3, {}, &stop));

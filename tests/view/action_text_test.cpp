@@ -81,6 +81,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ForgetCosts{}, "cost-forget"},
       {ChooseCost{2, true}, "cost-choose 2 against"},
       {ShowCosts{CostPicture::difference, study::CostAxis::seconds, 0.25}, "cost-show difference seconds 0.25"},
+      {ShowCostPage{CostPage::effects}, "cost-page effects"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

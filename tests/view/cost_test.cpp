@@ -4,6 +4,7 @@
 #include "fixtures.h"
 #include "support/catch.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace raywalk;
@@ -123,6 +124,41 @@ TEST_CASE("nothing is drawn where there is no room, and axes alone before the fi
   CHECK_FALSE(plot.list.empty());
   const std::vector<study::Attempt> same(3, attempt(1, 1000, 0.5));
   CHECK(is_finite(cost_plot(state, {same, 0, 0}, 400, 300, 1).list));
+}
+
+TEST_CASE("each effect has a bar as long as its share of the rays, and one of the time with its interval") {
+  State state = busy_state();
+  study::SceneCost survey;
+  survey.whole.rays = 1000, survey.whole.seconds = 0.5, survey.shadow_rays = 250;
+  survey.everything.rays = 9000, survey.everything.seconds = 2;
+  survey.effects = {{Effect::penumbra, {}, 0.5, 0.25, 0.2, 0.3}, {Effect::textures, {}, 0, -0.01, -0.02, 0.01}};
+  const DisplayList list = effect_bars(state, survey, 800, 300, 1);
+  CHECK(is_finite(list));
+  std::vector<double> widths;
+  std::vector<std::string> texts;
+  for (const DisplayItem& item : list) {
+    if (const auto* bar = std::get_if<PolygonItem>(&item.shape)) widths.push_back(bar->points[1].x - bar->points[0].x);
+    if (const auto* words = std::get_if<TextItem>(&item.shape)) {
+      texts.push_back(words->text);
+      CHECK(words->at.y < 300);
+    }
+  }
+  REQUIRE(widths.size() == 5);  // rays and time of both, and the shadow rays
+  CHECK(widths[1] == Approx(widths[0] / 2));
+  CHECK(widths[2] == 0);
+  CHECK(widths[3] == 0);
+  CHECK(widths[4] == Approx(widths[0] / 2));
+  for (const char* expected : {"penumbra", "50% of the rays", "25% of the time (20% to 30%)", "textures",
+                               "0% of the rays", "-1% of the time (-2% to 1%)", "25% of the rays"})
+    CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
+  CHECK(survey_text(survey, 1) ==
+        "All together: 1000 rays in 0.5 s. Every effect, called for or not: 9 times the rays, 4 times the time.");
+  CHECK(survey_text({}, 0.25) == "measuring: 25%");
+  CHECK(effect_bars(state, {}, 800, 300, 1).empty());
+  // However small.
+  CHECK(is_finite(effect_bars(state, survey, 10, 5, 2)));
+  update(state, action::ShowCostPage{CostPage::effects});
+  CHECK(state.cost.page == CostPage::effects);
 }
 
 TEST_CASE("a setup is named by what sets it apart") {

@@ -174,6 +174,7 @@ class RandomActions {
         return action::ShowCosts{flip() ? CostPicture::split : CostPicture::difference, study::CostAxis::tests,
                                  real(-2, 3)};
       default:
+        if (flip()) return action::ShowCostPage{flip() ? CostPage::tries : CostPage::effects};
         return whole(0, 9) > 0 ? Action(action::SetTab{Tab::cost}) : Action(action::ForgetCosts{});
     }
   }
