@@ -2,6 +2,8 @@
 
 namespace raywalk {
 
+void Ui::act(Action action) const { actions.push_back(std::move(action)); }
+
 void Ui::publish(std::string_view name) const {
   const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
   publish(name, {least.x, least.y, most.x - least.x, most.y - least.y});

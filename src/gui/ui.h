@@ -73,7 +73,8 @@ struct Ui {
   std::map<std::string, Rect, std::less<>>& items;
   Rest& rest;
 
-  void act(Action action) const { actions.push_back(std::move(action)); }
+  /// In a file of its own: what moves an action about takes two seconds to compile.
+  void act(Action action) const;
   void wish(WindowWish what) const { wishes.push_back(what); }
   [[nodiscard]] float px(float units) const { return units * unit; }
   /// Notes the rectangle of ImGui's last item.

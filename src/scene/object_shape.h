@@ -50,8 +50,7 @@ struct ObjectShape : detail::Extended<Shape<double>, MeshShape, Instance>::type 
   using Kinds::variant;
   using Kinds::operator=;
   ObjectShape() = default;
-  ObjectShape(const Shape<double>& shape)  // NOLINT: a shape is an object's shape
-      : Kinds(std::visit([](const auto& s) { return Kinds(s); }, shape)) {}
+  ObjectShape(const Shape<double>& shape);  // NOLINT: a shape is an object's shape
   friend bool operator==(const ObjectShape&, const ObjectShape&) = default;
 };
 

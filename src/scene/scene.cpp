@@ -5,6 +5,9 @@
 
 namespace raywalk {
 
+ObjectShape::ObjectShape(const Shape<double>& shape)
+    : Kinds(std::visit([](const auto& s) { return Kinds(s); }, shape)) {}
+
 std::string_view shape_name(const ObjectShape& shape) {
   return std::visit([](const auto& s) { return shape_name(s); }, shape);
 }

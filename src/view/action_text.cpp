@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -158,23 +159,25 @@ tl::unexpected<Error> wrong(std::string message, std::string hint) {
   return tl::unexpected(Error{{}, 0, 0, std::move(message), std::move(hint)});
 }
 
-template <std::size_t... Is>
-Result<Action> read_as(std::string_view word, std::string_view text, std::index_sequence<Is...>) {
-  std::optional<Action> action;
-  std::string error;
-  const auto attempt = [&]<class A>(A value) {
-    if (word_of<A>.empty() || word != word_of<A>) return false;
-    Reader reader(text);
-    arguments(reader, value);
-    error = reader.error();
-    action = std::move(value);
-    return true;
-  };
-  static_cast<void>((attempt(std::variant_alternative_t<Is, Action>{}) || ...));
-  if (!action) return wrong("'" + std::string(word) + "' is no action", "such as: step forward, press 120 80 left");
-  if (!error.empty()) return wrong(std::string(word) + ": " + error, {});
-  return *action;
+template <class A>
+Action read_arguments(Reader& reader) {
+  A value{};
+  arguments(reader, value);
+  return value;
 }
+
+/// How an action is read, by its word.
+struct Row {
+  std::string_view word;  ///< "": it cannot be written
+  Action (*read)(Reader& reader);
+};
+template <class Actions = std::make_index_sequence<std::variant_size_v<Action>>>
+struct Table;
+template <std::size_t... Is>
+struct Table<std::index_sequence<Is...>> {
+  static constexpr std::array rows{
+      Row{word_of<std::variant_alternative_t<Is, Action>>, &read_arguments<std::variant_alternative_t<Is, Action>>}...};
+};
 
 }  // namespace
 
@@ -192,7 +195,14 @@ std::string write_action(const Action& action) {
 Result<Action> parse_action(std::string_view line) {
   const std::string_view whole = trimmed(line);
   const std::string_view word = whole.substr(0, whole.find_first_of(" \t"));
-  return read_as(word, whole.substr(word.size()), std::make_index_sequence<std::variant_size_v<Action>>());
+  const auto& rows = Table<>::rows;
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.word == word; });
+  if (word.empty() || row == rows.end())
+    return wrong("'" + std::string(word) + "' is no action", "such as: step forward, press 120 80 left");
+  Reader reader(whole.substr(word.size()));
+  Action action = row->read(reader);
+  if (const std::string error = reader.error(); !error.empty()) return wrong(std::string(word) + ": " + error, {});
+  return action;
 }
 
 Result<std::vector<Action>> parse_demo(std::string_view text, const std::string& file_name) {
