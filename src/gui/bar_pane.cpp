@@ -63,7 +63,7 @@ void edit_menu(const Ui& ui) {
 void view_menu(const Ui& ui) {
   for (const Command command : {Command::fit, Command::zoom_in, Command::zoom_out}) menu_item(ui, command);
   ImGui::Separator();
-  for (const Command command : {Command::lines, Command::walk_strip, Command::reset_view, Command::use_camera,
+  for (const Command command : {Command::lines, Command::ghosts, Command::walk_strip, Command::reset_view, Command::use_camera,
                                 Command::image_settings, Command::heat})
     menu_item(ui, command);
   ImGui::Separator();

@@ -229,6 +229,7 @@ inline constexpr std::array<CommandRow, command_count> command_table{{
      "Lines in space",
      "show the scene as lines in space, or the plan again",
      {{{GLFW_KEY_V}}}},
+    {Command::ghosts, "ghosts", {}, "What was cut off", "rays that depth and threshold forbade", {{{GLFW_KEY_N}}}},
     {Command::walk_strip,
      "walk-strip",
      {},

@@ -136,6 +136,7 @@ bool enabled(Command command, const State& state) {
     case Command::zoom_out:
     case Command::fit:
     case Command::lines:
+    case Command::ghosts:
     case Command::image_settings:
     case Command::heat:
     case Command::turn_left:
@@ -168,6 +169,8 @@ bool chosen(Command command, const State& state) {
       return state.mode == Mode::help;
     case Command::play:
       return state.playing;
+    case Command::ghosts:
+      return state.shows_ghosts;
     case Command::grain_line:
       return state.grain == Grain::line;
     case Command::grain_ray:

@@ -65,6 +65,7 @@ enum class Command {
   zoom_out,
   fit,
   lines,
+  ghosts,
   walk_strip,
   reset_view,
   use_camera,

@@ -37,6 +37,7 @@ const std::vector<KeyGroup>& groups() {
       {"the plan and the pane change places", {exchange}},
       {"fit the whole scene in \u00b7 zoom in \u00b7 out", {fit, zoom_in, zoom_out}},
       {"lines in space, and the plan \u00b7 from a pixel of the picture back to SCREEN", {lines, walk_strip}},
+      {"the rays that depth and threshold cut off", {ghosts}},
       {"the 3-D picture or the lines: turn left \u00b7 right \u00b7 up \u00b7 down",
        {turn_left, turn_right, turn_up, turn_down}},
       {"the same: move left \u00b7 right \u00b7 up \u00b7 down", {shift_left, shift_right, shift_up, shift_down}},

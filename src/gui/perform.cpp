@@ -157,6 +157,8 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::FitView{});
     case Command::lines:
       return ui.act(action::ShowLines{!shows_lines(state)});
+    case Command::ghosts:
+      return ui.act(action::ShowGhosts{!state.shows_ghosts});
     case Command::walk_strip:
       return ui.act(action::WalkStrip{});
     case Command::reset_view:

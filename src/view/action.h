@@ -115,6 +115,9 @@ struct UseImageCamera {};  ///< the picture's camera becomes the scene's; one en
 struct ShowLines {
   bool shown;
 };
+struct ShowGhosts {
+  bool shown;
+};  ///< the rays that depth and threshold cut off
 struct SetImageSettings {
   ImageSettings settings;
 };
@@ -246,15 +249,15 @@ using Action = std::variant<
     action::SetSpeed, action::SetGrain, action::Clear, action::Tick, action::ResizePlan, action::PointerMoved,
     action::PointerPressed, action::PointerReleased, action::PointerLeft, action::CancelDrag, action::Zoom, action::Pan,
     action::FitView, action::WalkPixel, action::WalkStrip, action::Orbit, action::Shift, action::Approach,
-    action::ResetView, action::UseImageCamera, action::ShowLines, action::SetImageSettings, action::HoverRay,
-    action::HoverLine, action::Select, action::AddObject, action::RemoveSelected, action::InsertCorner,
-    action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
-    action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo, action::New, action::Open,
-    action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion,
-    action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice, action::ShowLessons,
-    action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice, action::GuessNumber,
-    action::RevealLesson, action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts,
-    action::ChooseCost, action::ShowCosts, action::ShowCostPage>;
+    action::ResetView, action::UseImageCamera, action::ShowLines, action::ShowGhosts, action::SetImageSettings,
+    action::HoverRay, action::HoverLine, action::Select, action::AddObject, action::RemoveSelected,
+    action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight,
+    action::SetCamera, action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo,
+    action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt,
+    action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice,
+    action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice,
+    action::GuessNumber, action::RevealLesson, action::SetLessonOptions, action::SetCostKnobs, action::TryCost,
+    action::ForgetCosts, action::ChooseCost, action::ShowCosts, action::ShowCostPage>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

@@ -131,6 +131,10 @@ void arguments(F& f, ShowLines& a) {
   f.choice(a.shown, Words<bool>(shown_words));
 }
 template <class F>
+void arguments(F& f, ShowGhosts& a) {
+  f.choice(a.shown, Words<bool>(shown_words));
+}
+template <class F>
 void arguments(F& f, HoverRay& a) {
   f.number(a.ray);
 }

@@ -140,6 +140,8 @@ inline constexpr std::string_view word_of<UseImageCamera> = "use-camera";
 template <>
 inline constexpr std::string_view word_of<ShowLines> = "lines";
 template <>
+inline constexpr std::string_view word_of<ShowGhosts> = "ghosts";
+template <>
 inline constexpr std::string_view word_of<HoverRay> = "hover-ray";
 template <>
 inline constexpr std::string_view word_of<HoverLine> = "hover-line";

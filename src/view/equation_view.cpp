@@ -8,30 +8,6 @@
 
 namespace raywalk::detail {
 
-namespace {
-
-void note(Painter& painter, const Vec2d& at, const std::string& text) {
-  const double size = painter.sizes.text;
-  const Vec2d half(text_width(text, size) / 2 + 0.2 * size, 0.6 * size);
-  painter.add(PolygonItem{{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}},
-                          painter.colours.plan.with_alpha(215),
-                          std::nullopt});
-  painter.add(TextItem{at, text, size, painter.colours.text, TextAnchor::middle});
-  painter.kept_free.push_back({at - half, at + half});
-}
-
-/// The way from a point in the pane to one that may lie far outside, as far as it is seen.
-Vec2d seen_middle(const Painter& painter, Vec2d from, Vec2d to) {
-  const Vec2d size(painter.viewport.width, painter.viewport.height);
-  const Vec2d least(0.0), most = size;
-  const auto inside = [&](const Vec2d& p) {
-    return Vec2d(std::clamp(p.x, least.x, most.x), std::clamp(p.y, least.y, most.y));
-  };
-  return (inside(from) + inside(to)) / 2.0;
-}
-
-}  // namespace
-
 void draw_hit_notes(Painter& painter) {
   const State& state = painter.state;
   if (state.mode != Mode::trace || state.tab != Tab::equation) return;
@@ -44,7 +20,7 @@ void draw_hit_notes(Painter& painter) {
   const Vec2d back = (from - hit) / size, across(-back.y, back.x);
   // Beside the middle of the ray, on the side where there is more room above it.
   const double side = across.y > 0 ? -1 : 1;
-  note(painter, seen_middle(painter, from, hit) + side * 18 * unit * across, notes.t);
+  painter.note(painter.seen_middle(from, hit) + side * 18 * unit * across, notes.t);
   if (notes.angle.empty()) return;
   const double facing = dot(ray.normal, ray.direction) > 0 ? -1 : 1;
   const Vec2d normal = facing * Vec2d(ray.normal.x, -ray.normal.y);
@@ -58,7 +34,7 @@ void draw_hit_notes(Painter& painter) {
   constexpr double narrow = 0.7, aside = 0.6;  // radians
   const double towards = std::abs(turn) > narrow ? begin + turn / 2 : begin - (turn < 0 ? -aside : aside);
   const Vec2d middle(std::cos(towards), std::sin(towards));
-  note(painter, hit + 52 * unit * middle, notes.angle);
+  painter.note(hit + 52 * unit * middle, notes.angle);
 }
 
 }  // namespace raywalk::detail

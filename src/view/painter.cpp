@@ -48,4 +48,21 @@ void Painter::add_clipped(LineItem line, const Target& target) {
   add(clipped, target);
 }
 
+void Painter::note(const Vec2d& at, const std::string& text) {
+  const double size = sizes.text;
+  const Vec2d half(text_width(text, size) / 2 + 0.2 * size, 0.6 * size);
+  add(PolygonItem{{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}},
+                  colours.plan.with_alpha(215),
+                  std::nullopt});
+  add(TextItem{at, text, size, colours.text, TextAnchor::middle});
+  kept_free.push_back({at - half, at + half});
+}
+
+Vec2d Painter::seen_middle(Vec2d from, Vec2d to) const {
+  const auto inside = [&](const Vec2d& p) {
+    return Vec2d(std::clamp(p.x, 0.0, viewport.width), std::clamp(p.y, 0.0, viewport.height));
+  };
+  return (inside(from) + inside(to)) / 2.0;
+}
+
 }  // namespace raywalk::detail

@@ -37,6 +37,10 @@ class Painter {
   /// A line that keeps its dashes in place when what lies outside the pane is cut off, with its arrowhead on what is
   /// left; nothing if nothing is.
   void add_clipped(LineItem line, const Target& target = {});
+  /// A text on a ground of its own that labels keep free; `at`: its middle.
+  void note(const Vec2d& at, const std::string& text);
+  /// The middle of what is seen of the way between two points, of which each may lie far outside.
+  [[nodiscard]] Vec2d seen_middle(Vec2d from, Vec2d to) const;
   void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
 };
 
@@ -65,6 +69,11 @@ void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const S
 /// A ray that was not formed: a short piece of it, ended by a bar.
 void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target);
 void draw_rays(Painter& painter);
+/// A point outside of the pane, for a ray that goes on for ever; pixels, `along` of unit length.
+[[nodiscard]] Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along);
+
+// ghosts_view.cpp
+void draw_ghosts(Painter& painter);
 
 // handles_view.cpp
 void draw_handles(Painter& painter);

@@ -30,10 +30,7 @@ void draw_ray(Painter& painter, int index, const RayLook& look) {
   if (!ray.formed) return draw_stub(painter, from, along, stroke, target);
 
   const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
-  // Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
-  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
-  const double beyond = painter.viewport.width + painter.viewport.height + length(middle - from);
-  const Vec2d to = end ? painter.pixels(*end) : from + beyond * along;
+  const Vec2d to = end ? painter.pixels(*end) : beyond_pane(painter, from, along);
   if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
   LineItem line{from, to, stroke, ray_arrow(painter, look), 0.55};
   const double visible = length(to - from);
@@ -52,6 +49,12 @@ void draw_normal(Painter& painter, const RayRecord& ray) {
 }
 
 }  // namespace
+
+/// Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
+Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along) {
+  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
+  return from + (painter.viewport.width + painter.viewport.height + length(middle - from)) * along;
+}
 
 Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look) {
   const RayStyle& style = ray_style(painter.state.theme, ray.kind);

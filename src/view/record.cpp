@@ -9,9 +9,6 @@ namespace raywalk::detail {
 
 namespace {
 
-/// A recording of this length takes some tens of milliseconds and less than 200 MB.
-constexpr double most_events = 400'000;
-
 struct Recorded {
   Timeline timeline;
   int depth;  ///< of the recording; below the scene's where that would have been too long
@@ -22,10 +19,10 @@ bool ended_by_depth(const Timeline& timeline) {
                      [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
 }
 
-/// What is walked, in this scene.
-Timeline record(const State& state, const Scene& scene) {
+/// What is walked, in this scene; of the strip all cells or one.
+Timeline record(const State& state, const Scene& scene, std::optional<int> cell = {}) {
   const Recording how{state.image.single_precision ? Precision::float_ : Precision::double_};
-  if (!state.walk) return record_strip(scene, how);
+  if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
   Scene seen = scene;
   if (state.walk->camera) seen.camera = *state.walk->camera;
   return record_pixel(seen, state.walk->size, state.walk->column, state.walk->row, how);
@@ -68,6 +65,13 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
 }
 
 }  // namespace
+
+Timeline record_under(const State& state, int column, const TraceLimits& limits) {
+  Scene limited = state.scene();
+  choose(state.image, limited.render);
+  limited.limits = limits;
+  return record(state, limited, column);
+}
 
 void record_again(State& state) {
   state.planar = is_planar(state.scene());

@@ -8,6 +8,7 @@
 #include "timeline/timeline.h"
 #include "view/cost.h"
 #include "view/display_list.h"
+#include "view/ghosts.h"
 #include "view/lesson_sitting.h"
 
 #include <cstdint>
@@ -147,6 +148,8 @@ struct State {
   Grain grain = Grain::line;
   std::optional<Hold> hold;
   Breakpoints breakpoints;
+  bool shows_ghosts = false;             ///< in Trace: what the limits cut off of the pixel under way
+  std::shared_ptr<const Ghosts> ghosts;  ///< these; null while they are not shown
 
   // Space.
   std::optional<PixelWalk> walk;       ///< absent: the strip is walked

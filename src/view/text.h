@@ -167,7 +167,9 @@ enum class TextId {
   image_click,     ///< what a click does, in a picture without a marked row
   image_turned,    ///< the picture is not as the scene's camera sees it
   image_progress,  ///< {0} percent, {1} time left
-  heat_rays,       ///< {0} the number that the last colour stands for
+  ghosts_total,    ///< {0} percent
+  ghosts_none,
+  heat_rays,  ///< {0} the number that the last colour stands for
   heat_tests,
   heat_time,
   heat_noise,

@@ -303,6 +303,10 @@ std::string_view text(TextId id) {
       return "Turned: O goes back to the scene's camera.";
     case TextId::image_progress:
       return "{0}, {1} left";
+    case TextId::ghosts_total:
+      return "Dotted: what the limits cut off, so far {0} of this pixel";
+    case TextId::ghosts_none:
+      return "Neither depth nor threshold cut anything off this pixel";
     case TextId::heat_rays:
       return "{0} rays";
     case TextId::heat_tests:

@@ -176,6 +176,10 @@ void apply(State& state, const Action& action) {
             state.lines_wanted = a.shown;
             state.mode = a.shown ? Mode::trace : state.mode;
           },
+          [&](const ShowGhosts& a) {
+            state.shows_ghosts = a.shown;
+            state.mode = a.shown ? Mode::trace : state.mode;
+          },
           [&](const SetImageSettings& a) { detail::set_image_settings(state, a.settings); },
           [&](const HoverRay& a) { state.hovered_ray = exists(state, {TargetKind::ray, a.ray}) ? a.ray : -1; },
           [&](const HoverLine& a) { state.hovered_line = a.line; },
@@ -265,6 +269,7 @@ void update(State& state, const Action& action) {
   if (!is_finite(action) || !goes_through(state, action)) return;
   if (state.drag && !leaves_drag(action)) detail::end_drag(state);
   apply(state, action);
+  detail::follow_with_ghosts(state);
 }
 
 bool exists(const State& state, const Target& target) {

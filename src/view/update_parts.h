@@ -21,6 +21,14 @@ inline void complain(State& state, std::string text) { state.notice = Notice{Not
 // record.cpp
 /// Records the strip of the scene, and keeps the place: the same line of the same pixel as far as it still exists.
 void record_again(State& state);
+/// One pixel of what is walked, `column` of the strip or the picture's pixel, with other limits than the scene's.
+[[nodiscard]] Timeline record_under(const State& state, int column, const TraceLimits& limits);
+/// A recording of this length takes some tens of milliseconds and less than 200 MB.
+inline constexpr double most_events = 400'000;
+
+// ghosts.cpp
+/// Keeps State::ghosts those of the pixel under way.
+void follow_with_ghosts(State& state);
 
 // history.cpp
 /// Puts `next` in place of the scene without an entry of undo; records again, and lets go of what no longer exists.

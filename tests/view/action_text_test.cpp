@@ -42,6 +42,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ResetView{SpaceView::lines}, "reset-view lines"},
       {UseImageCamera{}, "use-camera"},
       {ShowLines{true}, "lines on"},
+      {ShowGhosts{true}, "ghosts on"},
       {HoverRay{-1}, "hover-ray -1"},
       {HoverLine{std::nullopt}, "hover-line none"},
       {HoverLine{Line::for_each_pixel}, "hover-line 1"},

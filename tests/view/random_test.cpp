@@ -211,7 +211,7 @@ class RandomActions {
       case 16:
         return action::UseImageCamera{};
       case 17:
-        return action::ShowLines{flip()};
+        return flip() ? Action(action::ShowLines{flip()}) : Action(action::ShowGhosts{flip()});
       case 18: {
         ImageSettings settings;
         settings.samples = whole(-3, 2000);

@@ -1,0 +1,46 @@
+// The rays that depth and threshold cut off, as they would have gone.
+
+#include "view/ghosts.h"
+#include "view/painter.h"
+#include "view/text.h"
+
+#include <algorithm>
+
+namespace raywalk::detail {
+
+void draw_ghosts(Painter& painter) {
+  const State& state = painter.state;
+  if (!state.ghosts) return;
+  const double unit = painter.sizes.unit;
+  const auto& rays = state.timeline->rays();
+  Rgbd cut_off{0.0};
+  for (const GhostRay& ghost : state.ghosts->rays) {
+    // A ghost stands where its stub stands, from then on.
+    if (ghost.stub >= static_cast<int>(rays.size()) ||
+        rays[static_cast<std::size_t>(ghost.stub)].formed_at > state.position || !ghost.record.formed)
+      continue;
+    const RayRecord& ray = ghost.record;
+    const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
+    const double size = length(towards);
+    if (!(size > 0)) continue;
+    const Vec2d from = painter.pixels(plan(ray.origin));
+    const Vec2d to = ray.endless ? beyond_pane(painter, from, towards / size) : painter.pixels(plan(ray.end));
+    // Dots of the kind's colour: no ray that was formed is dotted.
+    const bool light = ray.kind == RayKind::shadow;
+    const DashPattern dots{{1.5 * unit, 5 * unit}, 2};
+    Stroke stroke{ray_style(state.theme, ray.kind).colour.with_alpha(light ? 110 : 235), (light ? 1.2 : 2.2) * unit,
+                  dots};
+    painter.add_clipped({from, to, stroke, light ? 0 : 8 * unit, 0.55});
+    if (ghost.record.parent >= 0 || light) continue;
+    cut_off += ghost.brings;
+    const Vec2d across(-towards.y / size, towards.x / size);
+    painter.note(painter.seen_middle(from, to) + 14 * unit * across,
+                 percent_text(share_of(ghost.brings, *state.ghosts)));
+  }
+  if (state.ghosts->pixel < 0) return;
+  const std::string total = fill(TextId::ghosts_total, {percent_text(share_of(cut_off, *state.ghosts))});
+  painter.note({painter.viewport.width / 2, painter.viewport.height - 1.2 * painter.sizes.text},
+               state.ghosts->rays.empty() ? std::string(text(TextId::ghosts_none)) : total);
+}
+
+}  // namespace raywalk::detail

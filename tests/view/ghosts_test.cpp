@@ -1,0 +1,95 @@
+// What the limits cut off: drawn where it was forbidden, and worth what a deeper trace adds.
+#include "view/ghosts.h"
+
+#include "fixtures.h"
+#include "support/catch.h"
+#include "timeline/recorder.h"
+#include "view/action.h"
+#include "view/plan_view.h"
+
+#include <cmath>
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State limited(int depth, double threshold) {
+  State state = busy_state();
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::SetLimits{{depth, threshold}});
+  update(state, action::ShowGhosts{true});
+  return state;
+}
+
+void to_end_of_pixel(State& state, int pixel) {
+  update(state, action::Jump{state.timeline->pixels()[static_cast<std::size_t>(pixel)].done_at});
+}
+
+std::size_t dotted_lines(const State& state) {
+  std::size_t count = 0;
+  for (const DisplayItem& item : plan_view(state, state.viewport))
+    if (const auto* line = std::get_if<LineItem>(&item.shape))
+      count += line->stroke.dash.count == 2 && line->stroke.dash.lengths[0] < line->stroke.dash.lengths[1] / 3;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a pixel and its ghosts add up to what a deeper trace without a threshold makes of it") {
+  const int depth = GENERATE(1, 2, 3);
+  const double threshold = GENERATE(0.0, 0.2);
+  State state = limited(depth, threshold);
+  int with_ghosts = 0;
+  for (int pixel = 0; pixel < static_cast<int>(state.timeline->pixels().size()); ++pixel) {
+    to_end_of_pixel(state, pixel);
+    REQUIRE(state.ghosts);
+    CHECK(state.ghosts->pixel == pixel);
+    const PixelRecord& record = state.timeline->pixels()[static_cast<std::size_t>(pixel)];
+    CHECK(state.ghosts->shade == record.shade);
+    if (state.ghosts->rays.empty()) {
+      CHECK(state.ghosts->lost == Rgbd(0.0));
+      continue;
+    }
+    ++with_ghosts;
+    int deepest = 0;
+    for (const GhostRay& ghost : state.ghosts->rays) {
+      const RayRecord& stub = state.timeline->rays()[static_cast<std::size_t>(ghost.stub)];
+      CHECK_FALSE(stub.formed);
+      CHECK(stub.pixel == pixel);
+      CHECK((stub.ending == Ending::depth || stub.ending == Ending::threshold));
+      if (ghost.record.parent < 0) {
+        CHECK(ghost.record.origin == stub.origin);
+        CHECK(ghost.record.kind == stub.kind);
+        CHECK(ghost.record.share == stub.share);
+      }
+      deepest = std::max(deepest, ghost.record.depth + (ghost.record.formed ? 1 : 0));
+    }
+    Scene scene = state.scene();
+    scene.limits = {deepest, 0};
+    const Timeline deep = record_cell(scene, record.column);
+    const Rgbd all = state.ghosts->shade + state.ghosts->lost, expected = deep.pixels().front().shade;
+    for (int channel = 0; channel < 3; ++channel) CHECK(all[channel] == Approx(expected[channel]).margin(1e-12));
+    CHECK(share_of(state.ghosts->lost, *state.ghosts) <= 1);
+  }
+  CHECK(with_ghosts > 0);
+}
+
+TEST_CASE("ghosts are drawn once their stub stands, and only when asked for") {
+  State state = limited(1, 0);
+  int pixel = -1;
+  do to_end_of_pixel(state, ++pixel);
+  while (state.ghosts->rays.empty());
+  CHECK(dotted_lines(state) > 0);
+  const int stub = state.ghosts->rays.front().stub;
+  update(state, action::Jump{state.timeline->rays()[static_cast<std::size_t>(stub)].formed_at - 1});
+  CHECK(dotted_lines(state) == 0);
+  CHECK(state.ghosts != nullptr);
+  to_end_of_pixel(state, pixel);
+  update(state, action::ShowGhosts{false});
+  CHECK(state.ghosts == nullptr);
+  CHECK(dotted_lines(state) == 0);
+  update(state, action::ShowGhosts{true});
+  update(state, action::SetMode{Mode::move});
+  CHECK(state.ghosts == nullptr);
+}
