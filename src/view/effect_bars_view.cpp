@@ -16,6 +16,13 @@ namespace {
 /// "61%"; time may be negative by chance, 0 has no sign.
 std::string whole_percent(double share) { return fmt::format("{:.0f}%", std::round(100 * share) + 0.0); }
 
+/// "depth of field".
+std::string words_of(Effect effect) {
+  std::string words(effect_name(effect));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
 /// A name to the left; to the right of it, one above the other, what it adds of the rays and of the time.
 struct BarRow {
   std::string name;
@@ -37,7 +44,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
 
   std::vector<BarRow> rows;
   for (const study::EffectCost& effect : survey->effects)
-    rows.push_back({std::string(effect_name(effect.effect)), effect.rays_share, &effect});
+    rows.push_back({words_of(effect.effect), effect.rays_share, &effect});
   if (survey->whole.rays > 0)
     rows.push_back({std::string(text(CostText::all_rays)),
                     static_cast<double>(survey->shadow_rays) / static_cast<double>(survey->whole.rays)});
@@ -60,7 +67,10 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
   const double row_height = std::min(needed, (height - y) / std::max<double>(1, static_cast<double>(rows.size())));
   const double thick = std::min(0.8 * letters, row_height * (beside ? 0.32 : 0.2));
 
+  const double first = y;
+  double last = y;
   const auto bar = [&](double top, double share, bool filled) {
+    last = top + thick;
     const double right = left + std::clamp(share, 0.0, 1.0) * full;
     const std::vector<Vec2d> corners{{left, top}, {right, top}, {right, top + thick}, {left, top + thick}};
     // Rays are a full bar, time an open one: told apart without colour.
@@ -99,8 +109,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     }
     y += row_height;
   }
-  const double bottom = std::min(y - row_height + std::max(row_height * 0.45 + thick, thick), height);
-  list.push_back({LineItem{{left, 1.6 * letters}, {left, std::max(bottom, 1.6 * letters)}, {colours.dim_text, line}}});
+  list.push_back({LineItem{{left, first}, {left, std::max(last, first)}, {colours.dim_text, line}}});
   return list;
 }
 

@@ -249,9 +249,10 @@ TEST_CASE("a heat map of noise is the standard deviation of each pixel's own sam
   const RayGenerator<double> camera(scene, size, size, Sampling{samples});
   std::vector<std::vector<double>> greys(preview.film<double>().pixels().size());
   for (int sample = 0; sample < samples; ++sample)
-    trace(world, camera, {0, size.width, 0, size.height, sample}, [&](const Pixel& p, const Rgb<double>& shade) {
-      greys[static_cast<std::size_t>(p.row * size.width + p.column)].push_back((shade.x + shade.y + shade.z) / 3);
-    });
+    static_cast<void>(
+        trace(world, camera, {0, size.width, 0, size.height, sample}, [&](const Pixel& p, const Rgb<double>& shade) {
+          greys[static_cast<std::size_t>(p.row * size.width + p.column)].push_back((shade.x + shade.y + shade.z) / 3);
+        }));
   std::vector<double> deviations;
   for (const std::vector<double>& all : greys) {
     REQUIRE(all.size() == static_cast<std::size_t>(samples));
