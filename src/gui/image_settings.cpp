@@ -54,6 +54,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
     next.integrator = integrator;
   pick_among(form, std::string(words::accelerator), pickable_accelerators, accelerator_name, next.accelerator);
   form.whole(std::string(words::samples), next.samples, 1, most_image_samples);
+  form.whole(std::string(words::walk_samples), next.walk_samples, 1, most_walk_samples);
   pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
   Numerics numerics = next.numerics.value_or(state.scene().render.numerics);
   if (pick_among(form, std::string(words::numerics), all_numerics, numerics_name, numerics)) next.numerics = numerics;

@@ -10,7 +10,8 @@ inline constexpr std::string_view plan = "Plan";
 inline constexpr std::string_view keys = "Keys";
 inline constexpr std::string_view image_settings = "The 3-D picture";
 inline constexpr std::string_view settings = "Settings";
-inline constexpr std::string_view settings_hint = "How the picture is made; heat maps of what it costs and how noisy it is";
+inline constexpr std::string_view settings_hint =
+    "How the picture is made; heat maps of what it costs and how noisy it is";
 inline constexpr std::string_view integrator = "Integrator";
 inline constexpr std::string_view accelerator = "Accelerator";
 inline constexpr std::string_view cost_knobs = "What to try";
@@ -32,6 +33,7 @@ inline constexpr std::string_view cost_tries = "Tries";
 inline constexpr std::string_view double_ = "double";
 inline constexpr std::string_view single = "float";
 inline constexpr std::string_view heat = "Heat map";
+inline constexpr std::string_view walk_samples = "Samples walked";
 inline constexpr std::string_view heat_none = "none";
 inline constexpr std::string_view heat_rays = "rays of each pixel";
 inline constexpr std::string_view heat_tests = "nodes and shapes tested";

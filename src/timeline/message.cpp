@@ -56,6 +56,7 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
+    if (begun.sample > 0) return {MessageId::sample_begun, {begun.sample + 1}};
     if (!timeline_.of_strip()) return {MessageId::image_pixel_begun, {begun.column, begun.row}};
     return {MessageId::pixel_begun, {begun.column, scene_.camera.screen.cells - 1}};
   }
@@ -217,6 +218,10 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelPut& put) const {
+    if (put.sample > 0) {
+      const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
+      return {MessageId::sample_put, {put.sample + 1, put.shade, pixel.mean}};
+    }
     if (!timeline_.of_strip()) return {MessageId::image_pixel_put, {put.column, put.row, put.shade}};
     return {MessageId::pixel_put, {put.column, put.shade}};
   }

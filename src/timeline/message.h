@@ -14,6 +14,7 @@ namespace raywalk {
 enum class MessageId {
   start,                    ///< position 0
   pixel_begun,              ///< [cell from 1, cells]
+  sample_begun,             ///< of the same pixel: [sample from 1]
   primary_formed,           ///< [cell from 1]
   found_hit,                ///< [ray kind, object, distance]
   found_missed,             ///< [ray kind]
@@ -46,6 +47,7 @@ enum class MessageId {
   rtnshade_to_main,         ///< [object, colour]
   rtnshade_to_caller,       ///< [object, colour, ray kind that waited, depth of the caller]
   pixel_put,                ///< [cell from 1, colour]
+  sample_put,               ///< [sample from 1, its colour, the mean]
   // The same three for a pixel of the 3-D image, which is named as --pixel names it.
   image_pixel_begun,     ///< [column from 0, row from 0]
   image_primary_formed,  ///< [column from 0, row from 0]

@@ -7,12 +7,17 @@ namespace raywalk {
 namespace {
 
 template <class T>
-Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, PixelBlock block, const Sampling& sampling) {
+Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block,
+                   const Sampling& sampling) {
   const World<T> world(scene);
   const RayGenerator<T> camera(scene, size, whole, sampling);
   Recorder recorder;
   const SceneKernel<T> kernel(scene, world);
-  for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample) kernel.watched(camera, block, recorder);
+  // Pixel by pixel, and there sample by sample: so a person watches them come together.
+  for (int row = block.row_begin; row < block.row_end; ++row)
+    for (int column = block.column_begin; column < block.column_end; ++column)
+      for (int sample = 0; sample < sampling.per_pixel; ++sample)
+        kernel.watched(camera, {column, column + 1, row, row + 1, sample}, recorder);
   return recorder.take(size);
 }
 

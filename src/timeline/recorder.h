@@ -16,6 +16,7 @@ class Recorder : public Observer {
   std::vector<Event> events_;
 };
 
+/// Pixels are recorded one after the other, each with all its samples.
 struct Recording {
   Precision precision = Precision::double_;
   Sampling sampling{};

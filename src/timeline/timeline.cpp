@@ -52,7 +52,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
         Overloaded{
             [&](const PixelBegun& begun) {
               pixel = static_cast<int>(pixels_.size());
-              pixels_.push_back({begun.column, begun.row, begun.sample, after, after, Rgbd(0.0)});
+              pixels_.push_back({begun.column, begun.row, begun.sample, after, after});
               ray = -1;
             },
             [&](const RayFormed& formed) {
@@ -169,6 +169,13 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
             },
             [&](const PixelPut& put) {
               pixels_.back().shade = put.shade;
+              pixels_.back().mean = put.shade;
+              // As the film takes it in; the samples of a pixel are recorded one after the other.
+              if (pixels_.size() > 1 && put.sample > 0) {
+                const PixelRecord& before = pixels_[pixels_.size() - 2];
+                if (before.column == put.column && before.row == put.row)
+                  pixels_.back().mean = before.mean + (put.shade - before.mean) / static_cast<double>(put.sample + 1);
+              }
               pixels_.back().done_at = after;
             },
         },

@@ -51,6 +51,7 @@ struct PixelRecord {
   int column = 0, row = 0, sample = 0;
   int begun_at = 0, done_at = 0;  ///< positions after "For each pixel" and after "Put final shade in pixel"
   Rgbd shade{0.0};
+  Rgbd mean{0.0};  ///< of this and the samples of the pixel before it: what stands in the pixel
 };
 
 class Timeline {

@@ -135,6 +135,16 @@ void arguments(F& f, ShowGhosts& a) {
   f.choice(a.shown, Words<bool>(shown_words));
 }
 template <class F>
+void arguments(F& f, SetImageSettings& a) {
+  f.choice(a.settings.accelerator, Words<AcceleratorKind>(accelerator_words));
+  f.choice(a.settings.single_precision, Words<bool>(precision_words));
+  f.number(a.settings.samples);
+  f.number(a.settings.walk_samples);
+  f.choice(a.settings.heat, Words<Heat>(heat_words));
+  f.maybe_choice(a.settings.integrator, Words<Integrator>(integrator_words));
+  f.maybe_choice(a.settings.numerics, Words<Numerics>(numerics_words));
+}
+template <class F>
 void arguments(F& f, HoverRay& a) {
   f.number(a.ray);
 }

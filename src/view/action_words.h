@@ -28,6 +28,17 @@ inline constexpr std::pair<Tab, std::string_view> tab_words[] = {{Tab::image, "i
                                                                  {Tab::cost, "cost"},   {Tab::equation, "equation"}};
 inline constexpr std::pair<CostPicture, std::string_view> cost_picture_words[] = {
     {CostPicture::split, "split"}, {CostPicture::difference, "difference"}};
+inline constexpr std::pair<Heat, std::string_view> heat_words[] = {{Heat::none, "picture"},
+                                                                   {Heat::rays, "rays"},
+                                                                   {Heat::tests, "tests"},
+                                                                   {Heat::time, "time"},
+                                                                   {Heat::noise, "noise"}};
+inline constexpr std::pair<Integrator, std::string_view> integrator_words[] = {
+    {Integrator::automatic, integrator_name(Integrator::automatic)},
+    {Integrator::cast, integrator_name(Integrator::cast)},
+    {Integrator::whitted, integrator_name(Integrator::whitted)},
+    {Integrator::distributed, integrator_name(Integrator::distributed)},
+    {Integrator::path, integrator_name(Integrator::path)}};
 inline constexpr std::pair<CostPage, std::string_view> cost_page_words[] = {{CostPage::tries, "tries"},
                                                                             {CostPage::effects, "effects"}};
 inline constexpr std::pair<study::CostAxis, std::string_view> cost_axis_words[] = {
@@ -141,6 +152,8 @@ template <>
 inline constexpr std::string_view word_of<ShowLines> = "lines";
 template <>
 inline constexpr std::string_view word_of<ShowGhosts> = "ghosts";
+template <>
+inline constexpr std::string_view word_of<SetImageSettings> = "image-settings";
 template <>
 inline constexpr std::string_view word_of<HoverRay> = "hover-ray";
 template <>

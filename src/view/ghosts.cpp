@@ -45,15 +45,19 @@ Ghosts ghosts_of(const State& state) {
 
   // Two rays, their shadow rays and the lines between for each ray before.
   constexpr double worst_growth = 4;
-  for (double events = record.done_at - record.begun_at; ghosts.levels < Ghosts::most_levels; ++ghosts.levels)
+  const int samples = detail::samples_of_pixel(timeline, pixel);
+  for (double events = static_cast<double>(record.done_at - record.begun_at) * samples;
+       ghosts.levels < Ghosts::most_levels; ++ghosts.levels)
     if ((events *= worst_growth) > detail::most_events) break;
-  const Timeline deep = detail::record_under(state, record.column, {std::max(deepest, deepest_cut + ghosts.levels), 0});
+  const Timeline deep =
+      detail::record_under(state, record.column, samples, {std::max(deepest, deepest_cut + ghosts.levels), 0});
   // The two trees are the same down to the stubs, in the same order: what a stub stands for is its parent's ray of its
   // kind.
   std::map<int, int> same;  // from the deep walk's rays to the state's
   std::map<int, int> ghost_of;
   int next = first;
-  for (int i = 0; i < static_cast<int>(deep.rays().size()); ++i) {
+  const Timeline::Range of_sample = deep.rays_of_pixel(record.sample);
+  for (int i = of_sample.first; i < of_sample.last; ++i) {
     const RayRecord& ray = ray_at(deep, i);
     const auto parent = ghost_of.find(ray.parent);
     if (parent == ghost_of.end()) {

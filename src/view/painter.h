@@ -75,6 +75,9 @@ void draw_rays(Painter& painter);
 // ghosts_view.cpp
 void draw_ghosts(Painter& painter);
 
+// samples_view.cpp
+void draw_samples(Painter& painter);
+
 // handles_view.cpp
 void draw_handles(Painter& painter);
 

@@ -71,6 +71,7 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
   detail::draw_screen(painter);
   if (!moving) detail::draw_rays(painter);
   if (!moving) detail::draw_ghosts(painter);
+  if (!moving) detail::draw_samples(painter);
   detail::draw_eye(painter);
   detail::draw_lights(painter);
   if (moving) detail::draw_handles(painter);

@@ -11,7 +11,8 @@ namespace {
 
 struct Recorded {
   Timeline timeline;
-  int depth;  ///< of the recording; below the scene's where that would have been too long
+  int depth;        ///< of the recording; below the scene's where that would have been too long
+  int samples = 1;  ///< of each pixel; fewer than wanted for the same reason
 };
 
 bool ended_by_depth(const Timeline& timeline) {
@@ -20,8 +21,9 @@ bool ended_by_depth(const Timeline& timeline) {
 }
 
 /// What is walked, in this scene; of the strip all cells or one.
-Timeline record(const State& state, const Scene& scene, std::optional<int> cell = {}) {
-  const Recording how{state.image.single_precision ? Precision::float_ : Precision::double_};
+Timeline record(const State& state, const Scene& scene, int samples, std::optional<int> cell = {}) {
+  Recording how{state.image.single_precision ? Precision::float_ : Precision::double_};
+  how.sampling.per_pixel = samples;
   if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
   Scene seen = scene;
   if (state.walk->camera) seen.camera = *state.walk->camera;
@@ -30,14 +32,14 @@ Timeline record(const State& state, const Scene& scene, std::optional<int> cell 
 
 /// The strip or the pixel to the scene's depth, or to the deepest that is not too long. A tree can double with every
 /// level, so a deep limit is approached in steps that the growth seen so far allows.
-Recorded record_within(const State& state) {
+Recorded record_to_depth(const State& state) {
   constexpr int harmless_depth = 6;
   constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
   Scene limited = state.scene();
   const int wanted = limited.limits.depth;
   choose(state.image, limited.render);
   limited.limits.depth = std::min(wanted, harmless_depth);
-  Recorded recorded{record(state, limited), limited.limits.depth};
+  Recorded recorded{record(state, limited, 1), limited.limits.depth};
   double growth = worst_growth;
   while (recorded.depth < wanted) {
     if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
@@ -46,9 +48,22 @@ Recorded record_within(const State& state) {
     if (!(room >= 1)) return recorded;
     const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
     limited.limits.depth = recorded.depth + levels;
-    recorded = {record(state, limited), limited.limits.depth};
+    recorded = {record(state, limited, 1), limited.limits.depth};
     growth = std::max(1.0, std::pow(recorded.timeline.steps() / events, 1.0 / levels));
   }
+  return recorded;
+}
+
+/// The same with as many samples as were asked for, or as are not too long.
+Recorded record_within(const State& state) {
+  Recorded recorded = record_to_depth(state);
+  const double room = most_events / std::max(1, recorded.timeline.steps());
+  recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.image.walk_samples)));
+  if (recorded.samples == 1) return recorded;
+  Scene limited = state.scene();
+  choose(state.image, limited.render);
+  limited.limits.depth = recorded.depth;
+  recorded.timeline = record(state, limited, recorded.samples);
   return recorded;
 }
 
@@ -66,11 +81,11 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
 
 }  // namespace
 
-Timeline record_under(const State& state, int column, const TraceLimits& limits) {
+Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits) {
   Scene limited = state.scene();
   choose(state.image, limited.render);
   limited.limits = limits;
-  return record(state, limited, column);
+  return record(state, limited, samples, column);
 }
 
 void record_again(State& state) {
@@ -78,6 +93,8 @@ void record_again(State& state) {
   Recorded recorded = record_within(state);
   if (recorded.depth < state.scene().limits.depth)
     inform(state, fill(TextId::too_many_steps, {std::to_string(recorded.depth)}));
+  if (recorded.samples < state.image.walk_samples)
+    inform(state, fill(TextId::too_many_samples, {std::to_string(recorded.samples)}));
   const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
   state.position = same_place(*state.timeline, state.position, *after);
   state.timeline = after;

@@ -77,6 +77,8 @@ std::string_view template_of(MessageId id) {
       return "Nothing has run yet.";
     case MessageId::pixel_begun:
       return "Pixel {0} is next; SCREEN has pixels 0 to {1}.";
+    case MessageId::sample_begun:
+      return "Sample {0} of the same pixel is next: its rays are drawn anew.";
     case MessageId::primary_formed:
       return "A primary ray leaves EYE through pixel {0} of SCREEN.";
     case MessageId::found_hit:
@@ -141,6 +143,8 @@ std::string_view template_of(MessageId id) {
       return "All parts are added up: SHADE returns {1} for {0} to the SHADE of DEPTH {3}, which waited for its {2}.";
     case MessageId::pixel_put:
       return "Pixel {0} of SCREEN gets its final shade {1}.";
+    case MessageId::sample_put:
+      return "Sample {0} brings {1}; the mean of all samples so far, {2}, stands in the pixel.";
     case MessageId::image_pixel_begun:
       return "The image's pixel in column {0}, row {1} is next.";
     case MessageId::image_primary_formed:

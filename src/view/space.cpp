@@ -118,8 +118,11 @@ void use_image_camera(State& state) {
 
 void set_image_settings(State& state, ImageSettings settings) {
   settings.samples = std::clamp(settings.samples, 1, most_image_samples);
+  settings.walk_samples = std::clamp(settings.walk_samples, 1, most_walk_samples);
   if (settings == state.image) return;
-  const auto of_walk = [](const ImageSettings& s) { return std::tie(s.single_precision, s.integrator, s.numerics); };
+  const auto of_walk = [](const ImageSettings& s) {
+    return std::tie(s.single_precision, s.integrator, s.numerics, s.walk_samples);
+  };
   const bool other_walk = of_walk(settings) != of_walk(state.image);
   state.image = settings;
   ++state.image_revision;

@@ -40,10 +40,11 @@ struct ImageSettings {
   int samples = 16;                        ///< of each pixel in the end, 1..most_image_samples
   std::optional<Integrator> integrator{};  ///< absent: the scene's own
   std::optional<Numerics> numerics{};      ///< absent: the scene's own; of the walk too
+  int walk_samples = 1;                    ///< of each pixel that is walked, 1..most_walk_samples
   Heat heat = Heat::none;
   friend bool operator==(const ImageSettings&, const ImageSettings&) = default;
 };
-inline constexpr int most_image_samples = 1024;
+inline constexpr int most_image_samples = 1024, most_walk_samples = 256;
 
 /// A pixel of the 3-D picture that is walked in place of the strip.
 struct PixelWalk {

@@ -44,11 +44,12 @@ std::string short_name(const State& state, const Target& target) {
 
 std::string cell_text(const State& state, int cell) {
   const Timeline& timeline = *state.timeline;
+  std::optional<Rgbd> shade;
   for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
     const PixelRecord& pixel = timeline.pixels()[i];
-    if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.position))
-      return fill(TextId::cell_with_shade, {std::to_string(cell), colour_text(pixel.shade)});
+    if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.position)) shade = pixel.mean;
   }
+  if (shade) return fill(TextId::cell_with_shade, {std::to_string(cell), colour_text(*shade)});
   return fill(TextId::cell_number, {std::to_string(cell)});
 }
 

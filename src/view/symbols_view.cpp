@@ -45,7 +45,7 @@ void draw_screen(Painter& painter) {
     const PixelRecord& pixel = timeline.pixels()[i];
     if (!timeline.pixel_done(static_cast<int>(i), painter.state.position)) continue;
     if (pixel.column >= 0 && pixel.column < cells)
-      shades[static_cast<std::size_t>(pixel.column)] = display_colour(pixel.shade, painter.state.scene().encoding);
+      shades[static_cast<std::size_t>(pixel.column)] = display_colour(pixel.mean, painter.state.scene().encoding);
   }
   const bool room_for_lines = cell >= 3 * painter.sizes.unit;
   for (int i = 0; i < cells; ++i) {

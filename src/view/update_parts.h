@@ -22,9 +22,13 @@ inline void complain(State& state, std::string text) { state.notice = Notice{Not
 /// Records the strip of the scene, and keeps the place: the same line of the same pixel as far as it still exists.
 void record_again(State& state);
 /// One pixel of what is walked, `column` of the strip or the picture's pixel, with other limits than the scene's.
-[[nodiscard]] Timeline record_under(const State& state, int column, const TraceLimits& limits);
+[[nodiscard]] Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits);
 /// A recording of this length takes some tens of milliseconds and less than 200 MB.
 inline constexpr double most_events = 400'000;
+
+// samples_view.cpp
+/// How many samples of that pixel (an index in Timeline::pixels()) were recorded.
+[[nodiscard]] int samples_of_pixel(const Timeline& timeline, int pixel);
 
 // ghosts.cpp
 /// Keeps State::ghosts those of the pixel under way.

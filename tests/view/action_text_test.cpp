@@ -43,6 +43,8 @@ TEST_CASE("a line that was written reads back as the same action") {
       {UseImageCamera{}, "use-camera"},
       {ShowLines{true}, "lines on"},
       {ShowGhosts{true}, "ghosts on"},
+      {SetImageSettings{{AcceleratorKind::grid, true, 64, {}, Numerics::naive, 8, Heat::noise}},
+       "image-settings grid float 64 8 noise naive"},
       {HoverRay{-1}, "hover-ray -1"},
       {HoverLine{std::nullopt}, "hover-line none"},
       {HoverLine{Line::for_each_pixel}, "hover-line 1"},

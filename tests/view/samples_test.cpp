@@ -1,0 +1,123 @@
+// A walk through several samples of each pixel.
+#include "fixtures.h"
+#include "render/render.h"
+#include "support/catch.h"
+#include "timeline/recorder.h"
+#include "view/action.h"
+#include "view/plan_view.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State walked(int samples) {
+  State state = busy_state();
+  update(state, action::SetMode{Mode::trace});
+  ImageSettings settings = state.image;
+  settings.walk_samples = samples;
+  update(state, action::SetImageSettings{settings});
+  return state;
+}
+
+std::vector<std::string> texts_in(const DisplayList& list) {
+  std::vector<std::string> texts;
+  for (const DisplayItem& item : list)
+    if (const auto* words = std::get_if<TextItem>(&item.shape)) texts.push_back(words->text);
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("the samples of a pixel are walked one after the other, and their mean is what a render of them gives") {
+  const int samples = 5;
+  const State state = walked(samples);
+  const auto& pixels = state.timeline->pixels();
+  const int cells = state.scene().camera.screen.cells;
+  REQUIRE(static_cast<int>(pixels.size()) == cells * samples);
+  for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
+    CHECK(pixels[static_cast<std::size_t>(i)].column == i / samples);
+    CHECK(pixels[static_cast<std::size_t>(i)].sample == i % samples);
+    if (i % samples == 0) CHECK(pixels[static_cast<std::size_t>(i)].mean == pixels[static_cast<std::size_t>(i)].shade);
+  }
+  RenderSettings settings;
+  settings.sampling.per_pixel = samples;
+  const auto strip = render_strip(state.scene(), settings);
+  REQUIRE(strip);
+  for (int cell = 0; cell < cells; ++cell)
+    CHECK(pixels[static_cast<std::size_t>((cell + 1) * samples - 1)].mean == strip->film_of<double>().at(cell, 0));
+}
+
+TEST_CASE("one sample is the walk as it always was") {
+  const State one = walked(1);
+  const Timeline plain = record_strip(one.scene());
+  REQUIRE(one.timeline->steps() == plain.steps());
+  for (std::size_t i = 0; i < plain.pixels().size(); ++i) {
+    CHECK(one.timeline->pixels()[i].shade == plain.pixels()[i].shade);
+    CHECK(one.timeline->pixels()[i].mean == plain.pixels()[i].shade);
+  }
+}
+
+TEST_CASE("a small plot shows the samples so far, their mean and how sure it is") {
+  State state = walked(4);
+  const auto& pixels = state.timeline->pixels();
+  // The third sample of some pixel whose samples differ.
+  std::size_t first = 0;
+  while (pixels[first].shade == pixels[first + 1].shade) first += 4;
+  update(state, action::Jump{pixels[first + 2].done_at});
+  double mean = 0, squares = 0;
+  const auto grey = [&](std::size_t i) { return (pixels[i].shade.x + pixels[i].shade.y + pixels[i].shade.z) / 3; };
+  for (std::size_t i = first; i < first + 3; ++i) mean += grey(i) / 3;
+  for (std::size_t i = first; i < first + 3; ++i) squares += (grey(i) - mean) * (grey(i) - mean);
+  const double half = 4.303 * std::sqrt(squares / 2 / 3);
+  const auto texts = texts_in(plan_view(state, state.viewport));
+  const std::string expected = fill(TextId::samples_mean, {"3", number_text(mean), number_text(half)});
+  CAPTURE(expected);
+  CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
+  CHECK(is_finite(plan_view(state, state.viewport)));
+  // Not for one sample, and not in Move.
+  update(state, action::SetMode{Mode::move});
+  const auto moving = texts_in(plan_view(state, state.viewport));
+  CHECK(std::find(moving.begin(), moving.end(), expected) == moving.end());
+}
+
+TEST_CASE("no more samples are walked than a recording holds, and that is said") {
+  State state = walked(1);
+  TraceLimits limits = state.scene().limits;
+  limits.depth = 50;
+  limits.threshold = 0;
+  update(state, action::SetLimits{limits});
+  ImageSettings settings = state.image;
+  settings.walk_samples = 1 << 20;
+  update(state, action::SetImageSettings{settings});
+  CHECK(state.image.walk_samples == most_walk_samples);
+  CHECK(state.timeline->steps() <= 500'000);
+  const int walked_samples = state.timeline->pixels().back().sample + 1;
+  if (walked_samples < most_walk_samples) {
+    REQUIRE(state.notice);
+    CHECK(state.notice->text == fill(TextId::too_many_samples, {std::to_string(walked_samples)}));
+  }
+}
+
+TEST_CASE("ghosts are those of the sample under way") {
+  State state = walked(3);
+  update(state, action::SetLimits{{1, 0}});
+  update(state, action::ShowGhosts{true});
+  int with_ghosts = 0;
+  for (const PixelRecord& pixel : state.timeline->pixels()) {
+    update(state, action::Jump{pixel.done_at});
+    REQUIRE(state.ghosts);
+    for (const GhostRay& ghost : state.ghosts->rays) {
+      if (ghost.record.parent >= 0) continue;
+      ++with_ghosts;
+      const RayRecord& stub = state.timeline->rays()[static_cast<std::size_t>(ghost.stub)];
+      CHECK(ghost.record.origin == stub.origin);
+      CHECK(ghost.record.direction == stub.direction);
+    }
+  }
+  CHECK(with_ghosts > 0);
+}
