@@ -104,10 +104,9 @@ void draw_samples(Painter& painter) {
   PolylineItem line{{}, {painter.colours.next, 2.2 * painter.sizes.line}};
   for (std::size_t i = 0; i < means.size(); ++i) line.points.push_back({x_of(i), y_of(means[i].value)});
   if (line.points.size() > 1) painter.add(line);
-  const std::string said =
-      means.size() < 2 ? std::string(text(TextId::samples_first))
-                       : fill(TextId::samples_mean, {std::to_string(means.size()), number_text(means.back().value),
-                                                     number_text(means.back().half)});
+  if (means.size() < 2) return;
+  const std::string said = fill(TextId::samples_mean, {std::to_string(means.size()), number_text(means.back().value),
+                                                       number_text(means.back().half)});
   painter.add(
       TextItem{{corner.x, corner.y + size.y + 0.85 * letters}, said, letters, painter.colours.text, TextAnchor::start});
 }

@@ -169,8 +169,7 @@ enum class TextId {
   image_progress,    ///< {0} percent, {1} time left
   too_many_samples,  ///< {0} how many are walked
   samples_mean,      ///< {0} samples, {1} the mean of their grey, {2} half the 95% interval
-  samples_first,
-  ghosts_total,  ///< {0} percent
+  ghosts_total,      ///< {0} percent
   ghosts_none,
   heat_rays,  ///< {0} the number that the last colour stands for
   heat_tests,

@@ -307,8 +307,6 @@ std::string_view text(TextId id) {
       return "Only {0} samples of each pixel are walked: more would be too many steps.";
     case TextId::samples_mean:
       return "mean of {0} samples: {1} \u00b1 {2}";
-    case TextId::samples_first:
-      return "samples of this pixel";
     case TextId::ghosts_total:
       return "Dotted: what the limits cut off, so far {0} of this pixel";
     case TextId::ghosts_none:

@@ -53,7 +53,7 @@ TEST_CASE("one scene reaches every message but that of the path tracer") {
   for (const TraceLimits& limits : {TraceLimits{2, 0}, TraceLimits{4, 0.02}, TraceLimits{9, 0.7}}) {
     Scene scene = scene_of_all_messages();
     scene.limits = limits;
-    const Timeline timeline = record_strip(scene);
+    const Timeline timeline = record_strip(scene, {Precision::double_, {2}});
     for (int position = 0; position <= timeline.steps(); ++position)
       found.insert(describe(scene, timeline, position).id);
   }
