@@ -63,17 +63,28 @@ void edit_menu(const Ui& ui) {
 void view_menu(const Ui& ui) {
   for (const Command command : {Command::fit, Command::zoom_in, Command::zoom_out}) menu_item(ui, command);
   ImGui::Separator();
-  for (const Command command : {Command::lines, Command::ghosts, Command::walk_strip, Command::reset_view, Command::use_camera,
-                                Command::image_settings, Command::heat})
+  for (const Command command : {Command::lines, Command::ghosts, Command::walk_strip, Command::reset_view,
+                                Command::use_camera, Command::image_settings, Command::heat})
     menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::theme, Command::scale_up, Command::scale_down, Command::scale_reset})
     menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::exchange, Command::full_screen}) menu_item(ui, command);
+}
+
+void panels_menu(const Ui& ui) {
+  for (const Command command :
+       {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_equation, Command::tab_legend})
+    menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::tab_cost, Command::cost_next, Command::cost_against, Command::cost_split_left,
                                 Command::cost_split_right, Command::cost_page})
+    menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command :
+       {Command::tab_microscope, Command::magnify, Command::diminish, Command::to_numbers, Command::to_scene,
+        Command::numerics_robust, Command::numerics_naive, Command::precision_double, Command::precision_float})
     menu_item(ui, command);
 }
 
@@ -117,6 +128,7 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
     if (menu(ui, text(TextId::menu_edit), "menu-edit", open_menu == 1, [&] { edit_menu(ui); })) is_open = 1;
     if (menu(ui, text(TextId::menu_view), "menu-view", open_menu == 2, [&] { view_menu(ui); })) is_open = 2;
     if (menu(ui, words::menu_walk, "menu-walk", open_menu == 3, [&] { walk_menu(ui); })) is_open = 3;
+    if (menu(ui, words::menu_panels, "menu-panels", open_menu == 4, [&] { panels_menu(ui); })) is_open = 4;
     ImGui::PopStyleVar(2);
 
     const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);

@@ -37,6 +37,7 @@ std::string short_label(Command command, const State& state) {
     if (of == command) return std::string(text(id));
   if (command == Command::tab_image) return std::string(words::short_image);
   if (command == Command::tab_tree) return std::string(words::short_tree);
+  if (command == Command::tab_microscope) return std::string(words::short_microscope);
   return command_label(command, state);
 }
 
@@ -104,6 +105,12 @@ bool enabled(Command command, const State& state) {
     case Command::cost_split_left:
     case Command::cost_split_right:
       return state.tab == Tab::cost && state.cost.page == CostPage::tries && !state.cost.tried.empty();
+    case Command::magnify:
+    case Command::to_numbers:
+      return state.tab == Tab::microscope && state.magnified < 1;
+    case Command::diminish:
+    case Command::to_scene:
+      return state.tab == Tab::microscope && state.magnified > 0;
     case Command::walk_strip:
       return state.walk.has_value();
     case Command::use_camera:
@@ -132,6 +139,11 @@ bool enabled(Command command, const State& state) {
     case Command::cost_ladder:
     case Command::cost_page:
     case Command::tab_equation:
+    case Command::tab_microscope:
+    case Command::numerics_robust:
+    case Command::numerics_naive:
+    case Command::precision_double:
+    case Command::precision_float:
     case Command::zoom_in:
     case Command::zoom_out:
     case Command::fit:
@@ -189,6 +201,16 @@ bool chosen(Command command, const State& state) {
       return state.tab == Tab::cost;
     case Command::tab_equation:
       return state.tab == Tab::equation;
+    case Command::tab_microscope:
+      return state.tab == Tab::microscope;
+    case Command::numerics_robust:
+      return state.scene().render.numerics == Numerics::robust;
+    case Command::numerics_naive:
+      return state.scene().render.numerics == Numerics::naive;
+    case Command::precision_double:
+      return !state.image.single_precision;
+    case Command::precision_float:
+      return state.image.single_precision;
     case Command::lessons:
       return state.lessons.shown;
     case Command::break_here:
@@ -251,6 +273,10 @@ bool chosen(Command command, const State& state) {
     case Command::cost_split_left:
     case Command::cost_split_right:
     case Command::cost_page:
+    case Command::magnify:
+    case Command::diminish:
+    case Command::to_numbers:
+    case Command::to_scene:
     case Command::turn_left:
     case Command::turn_right:
     case Command::turn_up:

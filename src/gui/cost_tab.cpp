@@ -16,27 +16,6 @@ namespace raywalk {
 namespace {
 
 constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
-/// Buttons from left to right, on a further line where there is no room left.
-class Row {
- public:
-  Row(const Ui& ui, const Rect& where, float height) : ui_(ui), where_(where), height_(height), x_(where.x) {}
-  void add(Command command, const std::string& label = {}) {
-    const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui_.fonts.small, .label = true};
-    const std::string words = label.empty() ? command_label(command, ui_.state) : label;
-    const float width = std::min(button_width(ui_, words, look), where_.width);
-    if (x_ > where_.x && x_ + width > where_.right()) x_ = where_.x, y_ += height_ + ui_.px(4);
-    ImGui::SetCursorScreenPos({x_, where_.y + y_});
-    command_button(ui_, command, {width, height_}, look, words);
-    x_ += width + ui_.px(4);
-  }
-  [[nodiscard]] float bottom() const { return where_.y + y_ + height_; }
-
- private:
-  const Ui& ui_;
-  const Rect& where_;
-  float height_, x_, y_ = 0;
-};
-
 /// What the marks stand for under the pointer; a click chooses, one with Shift or the right button compares.
 void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
   const float scale = ui.dpi;
@@ -161,7 +140,7 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   const study::Workbench& bench = picture.costs->bench();
   const CostFindings findings{bench.attempts(), bench.floor(), bench.reference_samples()};
 
-  Row row(ui, where, ui.px(28));
+  ButtonRow row(ui, where, ui.px(28));
   row.add(Command::cost_page);
   if (ui.state.cost.page == CostPage::effects) {
     draw_effects(ui, where, row.bottom() + ui.px(8), *picture.costs);

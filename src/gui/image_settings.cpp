@@ -35,6 +35,13 @@ std::string_view heat_name(Heat heat) {
 
 }  // namespace
 
+void epsilon_row(const Ui& ui, Form& form) {
+  const RenderChoices& now = ui.state.scene().render;
+  double epsilon = now.epsilon;
+  if (form.number(std::string(words::epsilon), epsilon, 1e-5, 0, 1e6))
+    ui.act(action::SetNumerics{now.numerics, epsilon, form.continues()});
+}
+
 void image_settings(const Ui& ui, FormMemory& memory) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
   const bool open = ImGui::BeginPopup("image-settings");
@@ -56,8 +63,6 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   form.whole(std::string(words::samples), next.samples, 1, most_image_samples);
   form.whole(std::string(words::walk_samples), next.walk_samples, 1, most_walk_samples);
   pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
-  Numerics numerics = next.numerics.value_or(state.scene().render.numerics);
-  if (pick_among(form, std::string(words::numerics), all_numerics, numerics_name, numerics)) next.numerics = numerics;
   pick_among(form, std::string(words::heat), all_heats, heat_name, next.heat);
   if (next != state.image) ui.act(action::SetImageSettings{next});
 
@@ -66,6 +71,10 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   bool now = form.whole(TextId::depth_limit, limits.depth, 1, 50);
   now |= form.number(TextId::threshold, limits.threshold, 0.0005, 0, 1);
   if (now) ui.act(action::SetLimits{limits, form.continues()});
+  Numerics numerics = state.scene().render.numerics;
+  if (pick_among(form, std::string(words::numerics), all_numerics, numerics_name, numerics))
+    ui.act(action::SetNumerics{numerics, state.scene().render.epsilon});
+  epsilon_row(ui, form);
 
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};

@@ -103,11 +103,12 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
 
-  // What is in the corner is small; exchanged it has the plan's room. The Cost panel needs that room from the start,
-  // and that of the walk, which it has no use for.
+  // What is in the corner is small; exchanged it has the plan's room. The Cost panel and the microscope need that
+  // room from the start; the former that of the walk too, which it has no use for.
   const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
   const bool costs = state.tab == Tab::cost && !exchanged_ && state.mode != Mode::help;
-  if (exchanged_ != (state.tab == Tab::cost) && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
+  const bool wide = state.tab == Tab::cost || state.tab == Tab::microscope;
+  if (exchanged_ != wide && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
   if (costs) layout_.tabs = left;
 
   if (!layout_.lesson.empty()) lesson_.draw(with, layout_.lesson);

@@ -44,6 +44,8 @@ std::string_view name_of(Tab tab) {
       return "cost";
     case Tab::equation:
       return "equation";
+    case Tab::microscope:
+      return "microscope";
   }
   return "";
 }

@@ -3,6 +3,7 @@
 
 #include "gui/form.h"
 #include "gui/ui.h"
+#include "view/microscope.h"
 
 #include <cstdint>
 
@@ -10,7 +11,7 @@ namespace raywalk {
 
 class LiveCosts;  // gui/live_costs.h
 
-inline constexpr int menu_count = 4;
+inline constexpr int menu_count = 5;
 /// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Which
 /// menu is open; -1: none.
 int bar_pane(const Ui& ui, const Rect& where, int open_menu);
@@ -93,7 +94,8 @@ class TabsPane {
   void draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings, bool open_knobs);
 
  private:
-  FormMemory settings_, knobs_;
+  FormMemory settings_, knobs_, numerics_;
+  Microscope microscope_;
   int hovering_ = -1;    ///< the ray that this pane said is pointed at
   int centred_on_ = -1;  ///< the ray that the tree was last scrolled to
 };
@@ -112,6 +114,11 @@ int stack_tab(const Ui& ui, const Rect& where);
 void legend_tab(const Ui& ui, const Rect& where);
 /// What the line that has just run has computed, with its numbers.
 void equation_tab(const Ui& ui, const Rect& where);
+
+/// The hit in hand, magnified. `microscope`: what it remembers of the recording.
+void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, FormMemory& memory);
+/// A field for how far naive rays of the scene start from a surface.
+void epsilon_row(const Ui& ui, Form& form);
 
 /// Samples of the ray kinds, in one row.
 void legend_pane(const Ui& ui, const Rect& where);

@@ -36,7 +36,14 @@ void zoom(const Ui& ui, double factor) {
   ui.act(action::Zoom{{pane.width / 2, pane.height / 2}, factor});
 }
 
+void set_precision(const Ui& ui, bool single) {
+  ImageSettings settings = ui.state.image;
+  settings.single_precision = single;
+  ui.act(action::SetImageSettings{settings});
+}
+
 constexpr double scale_step = 0.25;
+constexpr double magnify_step = 0.05;
 constexpr double turn_step = 3.14159265358979323846 / 24;  // radians
 constexpr double shift_step = 0.05;                        // of the view's width
 
@@ -179,6 +186,24 @@ void perform(Command command, const Ui& ui) {
     case Command::cost_split_right:
     case Command::cost_page:
       return perform_cost(command, ui);
+    case Command::tab_microscope:
+      return ui.act(action::SetTab{Tab::microscope});
+    case Command::magnify:
+      return ui.act(action::Magnify{state.magnified + magnify_step});
+    case Command::diminish:
+      return ui.act(action::Magnify{state.magnified - magnify_step});
+    case Command::to_numbers:
+      return ui.act(action::Magnify{1});
+    case Command::to_scene:
+      return ui.act(action::Magnify{0});
+    case Command::numerics_robust:
+      return ui.act(action::SetNumerics{Numerics::robust, state.scene().render.epsilon});
+    case Command::numerics_naive:
+      return ui.act(action::SetNumerics{Numerics::naive, state.scene().render.epsilon});
+    case Command::precision_double:
+      return set_precision(ui, false);
+    case Command::precision_float:
+      return set_precision(ui, true);
     case Command::heat:
       return next_heat(ui);
     case Command::turn_left:

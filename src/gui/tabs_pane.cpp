@@ -14,7 +14,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
     ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
     choice(ui,
            {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_equation, Command::tab_legend,
-            Command::tab_cost},
+            Command::tab_cost, Command::tab_microscope},
            height, ui.fonts.small, where.width - 2 * margin - height - ui.px(4));
     ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
     command_button(ui, Command::exchange, {height, height},
@@ -27,7 +27,8 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
       ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
       ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
       // The picture and the tree scroll by themselves, or not at all.
-      const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree || ui.state.tab == Tab::cost;
+      const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree || ui.state.tab == Tab::cost ||
+                       ui.state.tab == Tab::microscope;
       const bool open = ImGui::BeginChild("tab", size(inside), false,
                                           own ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
       ImGui::PopStyleVar();
@@ -51,6 +52,9 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
             break;
           case Tab::equation:
             equation_tab(ui, inside);
+            break;
+          case Tab::microscope:
+            microscope_tab(ui, inside, microscope_, numerics_);
             break;
         }
       }

@@ -243,6 +243,47 @@ void choice(const Ui& ui, std::initializer_list<Command> commands, float height,
   }
 }
 
+std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float fraction, const std::string& inside) {
+  const Shades shades(ui.state.theme);
+  const ImVec2 least = ImGui::GetCursorScreenPos(), most{least.x + extent.x, least.y + extent.y};
+  ImGui::InvisibleButton(name, {std::max(extent.x, 1.0f), std::max(extent.y, 1.0f)});
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  ui.publish(name);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float x = least.x + std::clamp(fraction, 0.0f, 1.0f) * extent.x;
+  if (inside.empty()) {
+    const float y = (least.y + most.y) / 2, thick = ui.px(3), knob = std::min(ui.px(lit ? 9 : 8), extent.y / 2);
+    draw.AddRectFilled({least.x, y - thick}, {most.x, y + thick}, to_imgui(shades.raised_hovered), thick);
+    draw.AddRectFilled({least.x, y - thick}, {x, y + thick}, to_imgui(shades.accent), thick);
+    draw.AddCircleFilled({x, y}, knob, to_imgui(lit ? shades.accent_hovered : shades.accent));
+  } else {
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    draw.AddRectFilled(least, most, to_imgui(lit ? shades.raised_hovered : shades.raised), rounding);
+    draw.PushClipRect(least, {x, most.y}, true);
+    draw.AddRectFilled(least, most, to_imgui(shades.accent.with_alpha(130)), rounding);
+    draw.PopClipRect();
+    const ImVec2 text = ImGui::CalcTextSize(inside.c_str());
+    draw.AddText({std::round((least.x + most.x - text.x) / 2), std::round((least.y + most.y - text.y) / 2)},
+                 to_imgui(ui.colours.text), inside.c_str());
+  }
+  if (!ImGui::IsItemActive() || extent.x < 1) return std::nullopt;
+  return std::clamp((ImGui::GetIO().MousePos.x - least.x) / extent.x, 0.0f, 1.0f);
+}
+
+void ButtonRow::add(Command command, const std::string& label) {
+  const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui_.fonts.small, .label = true};
+  const std::string words = label.empty() ? command_label(command, ui_.state) : label;
+  const float width = std::min(button_width(ui_, words, look), where_.width);
+  place(width);
+  command_button(ui_, command, {width, height_}, look, words);
+}
+
+void ButtonRow::place(float width) {
+  if (x_ > where_.x && x_ + width > where_.right()) x_ = where_.x, y_ += height_ + ui_.px(4);
+  ImGui::SetCursorScreenPos({x_, where_.y + y_});
+  x_ += width + ui_.px(4);
+}
+
 void menu_item(const Ui& ui, Command command) {
   const std::string key = command_key(command);
   if (ImGui::MenuItem(command_label(command, ui.state).c_str(), key.c_str(), chosen(command, ui.state),

@@ -4,6 +4,7 @@
 #include "gui/style.h"
 #include "gui/ui.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -41,6 +42,24 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
 /// They are as wide as their words, but together no wider than `most_width`.
 void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font = nullptr,
             float most_width = 1e6f);
+
+/// Buttons from left to right, on a further line where there is no room left.
+class ButtonRow {
+ public:
+  ButtonRow(const Ui& ui, const Rect& where, float height) : ui_(ui), where_(where), height_(height), x_(where.x) {}
+  void add(Command command, const std::string& label = {});
+  /// Puts ImGui's cursor where something so wide has room.
+  void place(float width);
+  [[nodiscard]] float bottom() const { return where_.y + y_ + height_; }
+
+ private:
+  const Ui& ui_;
+  Rect where_;
+  float height_, x_, y_ = 0;
+};
+
+/// A bar to drag along, `fraction` of it filled; where it was dragged to, if it was.
+std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float fraction, const std::string& inside);
 
 /// A line of a menu.
 void menu_item(const Ui& ui, Command command);

@@ -6,6 +6,7 @@
 namespace raywalk::words {
 
 inline constexpr std::string_view menu_walk = "Walk";
+inline constexpr std::string_view menu_panels = "Panels";
 inline constexpr std::string_view plan = "Plan";
 inline constexpr std::string_view keys = "Keys";
 inline constexpr std::string_view image_settings = "The 3-D picture";
@@ -30,6 +31,7 @@ inline constexpr std::string_view numerics = "Numerics";
 inline constexpr std::string_view epsilon = "Epsilon";
 inline constexpr std::string_view cost_effects = "Effects";
 inline constexpr std::string_view cost_tries = "Tries";
+inline constexpr std::string_view magnification_hint = "How close; the wheel over the drawing does the same";
 inline constexpr std::string_view double_ = "double";
 inline constexpr std::string_view single = "float";
 inline constexpr std::string_view heat = "Heat map";
@@ -67,6 +69,7 @@ inline constexpr std::string_view equation_empty =
     "Take a step: here stands what the line computes, with the numbers of the ray.";
 inline constexpr std::string_view short_image = "3-D";
 inline constexpr std::string_view short_tree = "Tree";
+inline constexpr std::string_view short_microscope = "Scope";
 inline constexpr std::string_view corners_hint = "Corners are dragged in the plan";
 
 }  // namespace raywalk::words

@@ -1,6 +1,7 @@
 #pragma once
 // What a person can do. A window turns clicks and keys into actions; a demo file and the tests hand them over directly.
 
+#include "view/microscope.h"
 #include "view/state.h"
 
 #include <optional>
@@ -177,6 +178,11 @@ struct SetLimits {
   TraceLimits limits;
   bool continues = false;
 };
+struct SetNumerics {
+  Numerics numerics;
+  double epsilon;
+  bool continues = false;
+};  ///< of the scene: walk, picture and file have it
 struct SetSurroundings {
   Rgbd background, ambient;
   bool continues = false;
@@ -252,12 +258,12 @@ using Action = std::variant<
     action::ResetView, action::UseImageCamera, action::ShowLines, action::ShowGhosts, action::SetImageSettings,
     action::HoverRay, action::HoverLine, action::Select, action::AddObject, action::RemoveSelected,
     action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight,
-    action::SetCamera, action::SetLimits, action::SetSurroundings, action::Nudge, action::Undo, action::Redo,
-    action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt,
-    action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab, action::DismissNotice,
-    action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice,
-    action::GuessNumber, action::RevealLesson, action::SetLessonOptions, action::SetCostKnobs, action::TryCost,
-    action::ForgetCosts, action::ChooseCost, action::ShowCosts, action::ShowCostPage>;
+    action::SetCamera, action::SetLimits, action::SetNumerics, action::SetSurroundings, action::Nudge, action::Undo,
+    action::Redo, action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs,
+    action::CancelPrompt, action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab,
+    action::DismissNotice, action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep,
+    action::GuessChoice, action::GuessNumber, action::RevealLesson, action::SetLessonOptions, action::SetCostKnobs,
+    action::TryCost, action::ForgetCosts, action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::Magnify>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

@@ -142,7 +142,6 @@ void arguments(F& f, SetImageSettings& a) {
   f.number(a.settings.walk_samples);
   f.choice(a.settings.heat, Words<Heat>(heat_words));
   f.maybe_choice(a.settings.integrator, Words<Integrator>(integrator_words));
-  f.maybe_choice(a.settings.numerics, Words<Numerics>(numerics_words));
 }
 template <class F>
 void arguments(F& f, HoverRay& a) {
@@ -236,6 +235,15 @@ void arguments(F& f, SetUiScale& a) {
 template <class F>
 void arguments(F& f, SetTab& a) {
   f.choice(a.tab, Words<Tab>(tab_words));
+}
+template <class F>
+void arguments(F& f, SetNumerics& a) {
+  f.choice(a.numerics, Words<Numerics>(numerics_words));
+  f.number(a.epsilon);
+}
+template <class F>
+void arguments(F& f, Magnify& a) {
+  f.number(a.part);
 }
 template <class F>
 void arguments(F& f, SetCostKnobs& a) {

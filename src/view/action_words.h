@@ -23,9 +23,9 @@ inline constexpr std::pair<Grain, std::string_view> grain_words[] = {
 inline constexpr std::pair<bool, std::string_view> direction_words[] = {{true, "forward"}, {false, "back"}};
 inline constexpr std::pair<Button, std::string_view> button_words[] = {
     {Button::left, "left"}, {Button::middle, "middle"}, {Button::right, "right"}};
-inline constexpr std::pair<Tab, std::string_view> tab_words[] = {{Tab::image, "image"}, {Tab::tree, "tree"},
-                                                                 {Tab::stack, "stack"}, {Tab::legend, "legend"},
-                                                                 {Tab::cost, "cost"},   {Tab::equation, "equation"}};
+inline constexpr std::pair<Tab, std::string_view> tab_words[] = {
+    {Tab::image, "image"}, {Tab::tree, "tree"},         {Tab::stack, "stack"},          {Tab::legend, "legend"},
+    {Tab::cost, "cost"},   {Tab::equation, "equation"}, {Tab::microscope, "microscope"}};
 inline constexpr std::pair<CostPicture, std::string_view> cost_picture_words[] = {
     {CostPicture::split, "split"}, {CostPicture::difference, "difference"}};
 inline constexpr std::pair<Heat, std::string_view> heat_words[] = {{Heat::none, "picture"},
@@ -214,6 +214,10 @@ template <>
 inline constexpr std::string_view word_of<ShowCosts> = "cost-show";
 template <>
 inline constexpr std::string_view word_of<ShowCostPage> = "cost-page";
+template <>
+inline constexpr std::string_view word_of<SetNumerics> = "numerics";
+template <>
+inline constexpr std::string_view word_of<Magnify> = "magnify";
 template <>
 inline constexpr std::string_view word_of<ShowLessons> = "lessons";
 template <>

@@ -79,6 +79,11 @@ std::vector<HelpSection> help() {
         {"Equation",
          "What the line that has just run has computed, with the numbers of this ray: which root was taken, the angles "
          "of Snell's law, each term of the shade with its colour."},
+        {"Microscope",
+         "The hit of the ray in hand, from the whole scene down to single numbers of the computer: the true surface, "
+         "the points that naive and robust numerics find, and where each lets the next rays start. Robust and Naive "
+         "choose what the scene is traced with, Double and Float how many digits there are. Try naive with epsilon 0 "
+         "in float, and look at the picture too."},
         {"Stack", "The SHADEs that wait for others to return, the innermost on top."},
         {"Legend", "What the colours, dashes and signs mean."}}},
       numbers(),

@@ -25,9 +25,7 @@ Timeline record(const State& state, const Scene& scene, int samples, std::option
   Recording how{state.image.single_precision ? Precision::float_ : Precision::double_};
   how.sampling.per_pixel = samples;
   if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
-  Scene seen = scene;
-  if (state.walk->camera) seen.camera = *state.walk->camera;
-  return record_pixel(seen, state.walk->size, state.walk->column, state.walk->row, how);
+  return record_pixel(scene, state.walk->size, state.walk->column, state.walk->row, how);
 }
 
 /// The strip or the pixel to the scene's depth, or to the deepest that is not too long. A tree can double with every
@@ -35,9 +33,8 @@ Timeline record(const State& state, const Scene& scene, int samples, std::option
 Recorded record_to_depth(const State& state) {
   constexpr int harmless_depth = 6;
   constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
-  Scene limited = state.scene();
+  Scene limited = walked_scene(state);
   const int wanted = limited.limits.depth;
-  choose(state.image, limited.render);
   limited.limits.depth = std::min(wanted, harmless_depth);
   Recorded recorded{record(state, limited, 1), limited.limits.depth};
   double growth = worst_growth;
@@ -60,8 +57,7 @@ Recorded record_within(const State& state) {
   const double room = most_events / std::max(1, recorded.timeline.steps());
   recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.image.walk_samples)));
   if (recorded.samples == 1) return recorded;
-  Scene limited = state.scene();
-  choose(state.image, limited.render);
+  Scene limited = walked_scene(state);
   limited.limits.depth = recorded.depth;
   recorded.timeline = record(state, limited, recorded.samples);
   return recorded;
@@ -82,8 +78,7 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
 }  // namespace
 
 Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits) {
-  Scene limited = state.scene();
-  choose(state.image, limited.render);
+  Scene limited = walked_scene(state);
   limited.limits = limits;
   return record(state, limited, samples, column);
 }

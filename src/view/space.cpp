@@ -121,7 +121,7 @@ void set_image_settings(State& state, ImageSettings settings) {
   settings.walk_samples = std::clamp(settings.walk_samples, 1, most_walk_samples);
   if (settings == state.image) return;
   const auto of_walk = [](const ImageSettings& s) {
-    return std::tie(s.single_precision, s.integrator, s.numerics, s.walk_samples);
+    return std::tie(s.single_precision, s.integrator, s.walk_samples);
   };
   const bool other_walk = of_walk(settings) != of_walk(state.image);
   state.image = settings;

@@ -21,12 +21,18 @@ const Camera& image_camera(const State& state) {
 
 void choose(const ImageSettings& settings, RenderChoices& choices) {
   choices.integrator = settings.integrator.value_or(choices.integrator);
-  choices.numerics = settings.numerics.value_or(choices.numerics);
 }
 
 Scene pictured_scene(const State& state) {
   Scene scene = state.scene();
   scene.camera = image_camera(state);
+  choose(state.image, scene.render);
+  return scene;
+}
+
+Scene walked_scene(const State& state) {
+  Scene scene = state.scene();
+  if (state.walk && state.walk->camera) scene.camera = *state.walk->camera;
   choose(state.image, scene.render);
   return scene;
 }

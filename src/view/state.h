@@ -25,7 +25,7 @@ enum class Mode { move, trace, help };
 /// How far one step goes: a line of pseudocode, to the next ray, to the next pixel; over a line with all of the SHADE
 /// that it calls, out of the SHADE under way.
 enum class Grain { line, ray, pixel, over, out };
-enum class Tab { image, tree, stack, legend, equation, cost };
+enum class Tab { image, tree, stack, legend, equation, cost, microscope };
 
 /// The pane that shows the plan, in pixels.
 struct Viewport {
@@ -39,7 +39,6 @@ struct ImageSettings {
   bool single_precision = false;           ///< numbers of 24 bits in place of 53, in the walk too
   int samples = 16;                        ///< of each pixel in the end, 1..most_image_samples
   std::optional<Integrator> integrator{};  ///< absent: the scene's own
-  std::optional<Numerics> numerics{};      ///< absent: the scene's own; of the walk too
   int walk_samples = 1;                    ///< of each pixel that is walked, 1..most_walk_samples
   Heat heat = Heat::none;
   friend bool operator==(const ImageSettings&, const ImageSettings&) = default;
@@ -177,6 +176,7 @@ struct State {
   double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
   Tab tab = Tab::image;
   CostState cost;
+  double magnified = 0;  ///< of the microscope: see action::Magnify
 
   LessonSitting lessons;
 
@@ -210,6 +210,8 @@ void restore_session(State& state);
 void choose(const ImageSettings& settings, RenderChoices& choices);
 /// The scene as the 3-D picture shows it.
 [[nodiscard]] Scene pictured_scene(const State& state);
+/// The scene as it is walked.
+[[nodiscard]] Scene walked_scene(const State& state);
 /// Whether the scene is shown as lines in space where the plan stands otherwise.
 [[nodiscard]] bool shows_lines(const State& state);
 

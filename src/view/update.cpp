@@ -38,6 +38,7 @@ bool is_finite(const Action& action) {
                           return finite(a.knobs.threshold) && finite(a.knobs.tolerance) && finite(a.knobs.epsilon);
                         },
                         [](const ShowCosts& a) { return finite(a.split); },
+                        [](const Magnify& a) { return finite(a.part); },
                         [](const GuessNumber& a) { return finite(a.number); },
                         [](const auto&) { return true; },
                     },
@@ -67,7 +68,7 @@ bool leaves_drag(const Action& action) {
   return std::visit(
       []<class T>(const T&) {
         return one_of<T, Tick, ResizePlan, SetTheme, SetUiScale, PointerMoved, PointerReleased, PointerLeft, CancelDrag,
-                      Zoom, HoverRay, HoverLine, SetTab, DismissNotice, SetSpeed, SetGrain, SetImageSettings>;
+                      Zoom, HoverRay, HoverLine, SetTab, DismissNotice, SetSpeed, SetGrain, SetImageSettings, Magnify>;
       },
       action);
 }
@@ -204,6 +205,12 @@ void apply(State& state, const Action& action) {
             next.limits = a.limits;
             detail::commit_if_valid(state, std::move(next), -1, -1, {action.index(), -1}, a.continues);
           },
+          [&](const SetNumerics& a) {
+            Scene next = state.scene();
+            next.render.numerics = a.numerics;
+            next.render.epsilon = a.epsilon;
+            detail::commit_if_valid(state, std::move(next), -1, -1, {action.index(), -1}, a.continues);
+          },
           [&](const SetSurroundings& a) {
             Scene next = state.scene();
             next.background = a.background;
@@ -251,6 +258,7 @@ void apply(State& state, const Action& action) {
           [&](const ChooseCost& a) { detail::choose_cost(state, a); },
           [&](const ShowCosts& a) { detail::show_costs(state, a); },
           [&](const ShowCostPage& a) { detail::show_cost_page(state, a.page); },
+          [&](const Magnify& a) { state.magnified = std::clamp(a.part, 0.0, 1.0); },
           [&](const ShowLessons& a) { detail::show_lessons(state, a.shown); },
           [&](const OpenLesson& a) { detail::open_lesson(state, a.name); },
           [&](const LeaveLesson&) { detail::leave_lesson(state); },

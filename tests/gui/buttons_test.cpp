@@ -132,7 +132,7 @@ TEST_CASE("the entries of the menus") {
 TEST_CASE("F10 opens one menu after the other") {
   Bench bench(at(0, Mode::move));
   bench.frames(2);
-  for (const std::string entry : {"menu/open", "menu/undo", "menu/fit", "menu/step", "menu/open"}) {
+  for (const std::string entry : {"menu/open", "menu/undo", "menu/fit", "menu/step", "menu/magnify", "menu/open"}) {
     bench.key(GLFW_KEY_F10);
     CAPTURE(entry);
     CHECK(bench.has(entry));

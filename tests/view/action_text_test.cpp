@@ -43,8 +43,8 @@ TEST_CASE("a line that was written reads back as the same action") {
       {UseImageCamera{}, "use-camera"},
       {ShowLines{true}, "lines on"},
       {ShowGhosts{true}, "ghosts on"},
-      {SetImageSettings{{AcceleratorKind::grid, true, 64, {}, Numerics::naive, 8, Heat::noise}},
-       "image-settings grid float 64 8 noise naive"},
+      {SetImageSettings{{AcceleratorKind::grid, true, 64, Integrator::path, 8, Heat::noise}},
+       "image-settings grid float 64 8 noise path"},
       {HoverRay{-1}, "hover-ray -1"},
       {HoverLine{std::nullopt}, "hover-line none"},
       {HoverLine{Line::for_each_pixel}, "hover-line 1"},
@@ -85,6 +85,8 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ChooseCost{2, true}, "cost-choose 2 against"},
       {ShowCosts{CostPicture::difference, study::CostAxis::seconds, 0.25}, "cost-show difference seconds 0.25"},
       {ShowCostPage{CostPage::effects}, "cost-page effects"},
+      {SetNumerics{Numerics::naive, 0.001}, "numerics naive 0.001"},
+      {Magnify{0.5}, "magnify 0.5"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

@@ -179,7 +179,7 @@ class RandomActions {
     }
   }
   Action other() {
-    switch (whole(0, 23)) {
+    switch (whole(0, 26)) {
       case 23:
         return cost();
       case 19:
@@ -219,6 +219,10 @@ class RandomActions {
         settings.heat = static_cast<Heat>(whole(0, 3));
         return action::SetImageSettings{settings};
       }
+      case 24:
+        return action::SetNumerics{flip() ? Numerics::naive : Numerics::robust, real(-0.01, 0.1), flip()};
+      case 25:
+        return action::Magnify{real(-0.5, 1.5)};
       case 0:
         return action::New{};
       case 1:
@@ -238,7 +242,7 @@ class RandomActions {
       case 8:
         return action::SetSurroundings{Rgbd(real(-0.1, 1)), Rgbd(real(-0.1, 1)), flip()};
       default:
-        return action::SetTab{static_cast<Tab>(whole(0, 3))};
+        return action::SetTab{static_cast<Tab>(whole(0, 6))};
     }
   }
 

@@ -1,0 +1,150 @@
+// The numerical microscope: a hit at any magnification, and what robust and naive numerics make of it.
+
+#include "gui/painter.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "gui/words.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+// How it is looked at: closer and back; in which numerics and precision the scene is walked.
+void draw_controls(const Ui& ui, ButtonRow& row, float height) {
+  const float edge = height, bar = ui.px(120), gap = ui.px(4);
+  const ButtonLook minus{.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false};
+  ButtonLook plus = minus;
+  plus.icon = Icon::plus;
+  row.place(2 * edge + bar + 2 * gap);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  command_button(ui, Command::diminish, {edge, height}, minus);
+  ImGui::SetCursorScreenPos({at.x + edge + gap, at.y});
+  const auto to = slider(ui, "magnification", {bar, height}, static_cast<float>(ui.state.magnified), {});
+  if (to && static_cast<double>(*to) != ui.state.magnified) ui.act(action::Magnify{static_cast<double>(*to)});
+  tooltip(ui, "magnification", std::string(words::magnification_hint));
+  ImGui::SetCursorScreenPos({at.x + edge + bar + 2 * gap, at.y});
+  command_button(ui, Command::magnify, {edge, height}, plus);
+  row.add(Command::to_numbers);
+  row.add(Command::to_scene);
+  for (const auto& pair : {std::array{Command::numerics_robust, Command::numerics_naive},
+                           std::array{Command::precision_double, Command::precision_float}}) {
+    const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+    row.place(button_width(ui, pair[0], look) + button_width(ui, pair[1], look));
+    choice(ui, {pair[0], pair[1]}, height, ui.fonts.small);
+  }
+}
+
+void draw_slide(const Ui& ui, const Rect& where, const Specimen& specimen) {
+  const Viewport pane{static_cast<double>(where.width / ui.dpi), static_cast<double>(where.height / ui.dpi)};
+  paint(*ImGui::GetWindowDrawList(), microscope_view(ui.state, specimen, pane), where, ui.dpi, ui.fonts);
+  ImGui::SetCursorScreenPos(corner(where));
+  ImGui::InvisibleButton("microscope", size(where));
+  ui.publish("microscope", where);
+  constexpr double notch = 0.025;
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (ImGui::IsItemHovered() && wheel != 0)
+    ui.act(action::Magnify{ui.state.magnified + notch * static_cast<double>(wheel)});
+}
+
+// Words wrapped within a column; where the column's next cell may begin.
+float cell(Colour colour, const std::string& words, float x, float y, float width) {
+  ImGui::SetCursorScreenPos({x, y});
+  ImGui::PushTextWrapPos(x + width - ImGui::GetWindowPos().x);
+  label(colour, words);
+  ImGui::PopTextWrapPos();
+  return ImGui::GetItemRectMax().y;
+}
+
+// A disc and a triangle, as in the drawing.
+void draw_heads(const Ui& ui, float robust, float naive, float y) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float r = ui.px(5), middle = y + ImGui::GetFontSize() / 2;
+  draw.AddCircleFilled({robust + r, middle}, r, to_imgui(ui.colours.hovered));
+  draw.AddTriangle({naive + r, middle - 1.2f * r}, {naive - 0.2f * r, middle + r}, {naive + 2.2f * r, middle + r},
+                   to_imgui(ui.colours.error), ui.px(2));
+  const float words = 3 * r;
+  cell(ui.colours.text, std::string(text(ScopeText::robust)), robust + words, y, ui.px(200));
+  cell(ui.colours.text, std::string(text(ScopeText::naive)), naive + words, y, ui.px(200));
+}
+
+void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
+  const float first = where.width * 0.24f, second = (where.width - first) / 2;
+  const float gap = ui.px(6), robust = where.x + first, naive = robust + second;
+  const ImU32 line = to_imgui(Shades(ui.state.theme).line);
+  ImFont* font = where.width >= ui.px(420) ? ui.fonts.text : ui.fonts.small;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  push_font(ui.fonts.strong);
+  float y = cell(ui.colours.text, table.title, where.x, where.y, where.width) + gap;
+  ui.publish("microscope/title");
+  pop_font();
+  push_font(font);
+  y = cell(ui.colours.text, table.sentence, where.x, y, where.width) + 1.5f * gap;
+  ui.publish("microscope/sentence");
+  pop_font();
+  push_font(ui.fonts.strong);
+  draw_heads(ui, robust, naive, y);
+  y += ImGui::GetFontSize() + gap;
+  pop_font();
+  push_font(font);
+  int number = 0;
+  for (const MicroscopeTable::Row& row : table.rows) {
+    draw.AddLine({where.x, y}, {where.right(), y}, line);
+    y += gap / 2;
+    float bottom = cell(ui.colours.dim_text, row.what, where.x, y, first - gap);
+    bottom = std::max(bottom, cell(ui.colours.text, row.robust, robust, y, second - gap));
+    push_font(row.wrong ? ui.fonts.strong : font);
+    bottom = std::max(bottom, cell(row.wrong ? ui.colours.error : ui.colours.text, row.naive, naive, y, second));
+    pop_font();
+    ui.publish("microscope/row-" + std::to_string(number++));
+    y = bottom + gap / 2;
+  }
+  draw.AddLine({where.x, y}, {where.right(), y}, line);
+  pop_font();
+}
+
+}  // namespace
+
+void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, FormMemory& memory) {
+  push_font(ui.fonts.small);
+  const auto specimen = specimen_of(microscope, ui.state);
+  const float height = ui.px(28), gap = ui.px(8);
+  const bool wide = where.width > 1.15f * where.height;
+  ButtonRow row(ui, where, height);
+  draw_controls(ui, row, height);
+  const float top = row.bottom() + gap;
+  Rect slide{where.x, top, where.width, where.bottom() - top}, table = slide;
+  if (wide) {
+    slide.width = std::floor(where.width * 0.54f);
+    table.x = slide.right() + ui.px(14);
+    table.width = where.right() - table.x;
+  } else {
+    slide.height = std::floor(slide.height * 0.5f);
+    table.y = slide.bottom() + gap;
+    table.height = where.bottom() - table.y;
+  }
+  if (!specimen) {
+    ImGui::SetCursorScreenPos({where.x, top});
+    paragraph(ui.colours.dim_text, text(ScopeText::empty));
+    return pop_font();
+  }
+  if (slide.width > 8 && slide.height > 8) draw_slide(ui, slide, *specimen);
+  ImGui::SetCursorScreenPos(corner(table));
+  if (ImGui::BeginChild("microscope-table", size(table))) {
+    const Rect inside{table.x, ImGui::GetCursorScreenPos().y, table.width - ui.px(4), table.height};
+    draw_table(ui, inside, microscope_table(ui.state, *specimen));
+    ImGui::SetCursorScreenPos({inside.x, ImGui::GetItemRectMax().y + 2 * gap});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
+    Form form(ui, memory, inside.width);
+    epsilon_row(ui, form);
+    ImGui::PopStyleVar();
+  }
+  ImGui::EndChild();
+  pop_font();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,151 @@
+// What robust and naive numerics make of a hit, in words.
+
+#include "view/microscope.h"
+#include "view/state.h"
+#include "view/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+/// "2.3e11"
+std::string in_powers(double large) {
+  const int power = static_cast<int>(std::floor(std::log10(large)));
+  return fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power);
+}
+
+std::string off_text(const Specimen& specimen, const std::optional<double>& off) {
+  if (!off) return std::string(text(ScopeText::none));
+  const double ulps = specimen.in_ulps(*off);
+  if (ulps == 0) return std::string(text(ScopeText::on_surface));
+  return fill(ulps > 0 ? ScopeText::outside : ScopeText::inside, {ulps_text(std::abs(ulps))});
+}
+
+/// All digits that tell it from its neighbours; of many the first and the last.
+std::string number_of(double t, Precision precision) {
+  const bool single = precision == Precision::float_;
+  const std::string digits = single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t);
+  constexpr std::size_t most = 13, first = 7, last = 5;
+  if (digits.size() <= most) return digits;
+  return digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
+}
+
+std::string leaving_text(const LeavingRays& rays) {
+  if (rays.hit_own == 0 && rays.astray == 0) return std::string(text(ScopeText::leaves));
+  if (rays.count == 1) return std::string(text(rays.hit_own > 0 ? ScopeText::hits_own : ScopeText::goes_astray));
+  const bool own = rays.hit_own > 0;
+  return fill(own ? ScopeText::some_hit_own : ScopeText::some_astray,
+              {std::to_string(own ? rays.hit_own : rays.astray), std::to_string(rays.count)});
+}
+
+const LeavingRays* of_kind(const std::optional<Reading>& reading, RayKind kind) {
+  if (!reading) return nullptr;
+  const auto found = std::find_if(reading->leaving.begin(), reading->leaving.end(),
+                                  [kind](const LeavingRays& rays) { return rays.kind == kind; });
+  return found == reading->leaving.end() ? nullptr : &*found;
+}
+
+std::string_view short_name(RayKind kind) {
+  switch (kind) {
+    case RayKind::primary:
+      return text(TextId::short_primary);
+    case RayKind::shadow:
+      return text(TextId::short_shadow);
+    case RayKind::reflect:
+      return text(TextId::short_reflect);
+    case RayKind::refract:
+      return text(TextId::short_refract);
+  }
+  return {};
+}
+
+bool goes_wrong(const LeavingRays& rays) { return rays.hit_own > 0 || rays.astray > 0; }
+
+std::string sentence_on(const Specimen& specimen) {
+  const std::optional<Reading>&robust = specimen.robust, &naive = specimen.naive;
+  if (!naive) return std::string(text(ScopeText::says_missed));
+  if (!robust) return std::string(text(ScopeText::says_invented));
+  const Start& start = naive->starts.front();
+  const std::string starts = off_text(specimen, start.off);
+  for (const LeavingRays& rays : naive->leaving)
+    if (rays.hit_own > 0) return fill(ScopeText::says_acne, {starts, std::string(text(rays.kind))});
+  if (std::any_of(naive->leaving.begin(), naive->leaving.end(), goes_wrong))
+    return fill(ScopeText::says_astray, {starts});
+  if (!start.right_side()) return fill(ScopeText::says_wrong_side, {starts});
+  const double apart = specimen.in_ulps(length(naive->point - robust->point));
+  constexpr double far_apart = 8;  // ulps
+  if (apart > far_apart) return fill(ScopeText::says_apart, {ulps_text(apart), starts});
+  if (!start.off || specimen.in_ulps(*start.off) == 0) return std::string(text(ScopeText::says_alike_at_surface));
+  return fill(ScopeText::says_alike, {starts});
+}
+
+}  // namespace
+
+std::string ulps_text(double ulps) {
+  if (ulps < 0.05) return fmt::format("{:.1g}", ulps);
+  if (ulps < 9.95) return fmt::format("{:.1f}", ulps);
+  if (ulps < 99999.5) return fmt::format("{:.0f}", ulps);
+  return in_powers(ulps);
+}
+
+std::string magnification_text(double factor) {
+  return "\u00d7 " + (factor < 9999.5 ? fmt::format("{:.3g}", factor) : in_powers(factor));
+}
+
+MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
+  const auto name_of = [&](const std::optional<Reading>& reading) {
+    return reading ? state.scene().objects[static_cast<std::size_t>(reading->object)].name
+                   : std::string(text(ScopeText::nothing));
+  };
+  MicroscopeTable table;
+  std::string ray(text(specimen.kind));
+  if (!ray.empty()) ray[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(ray[0])));
+  table.title = fill(ScopeText::title, {ray, name_of(specimen.robust ? specimen.robust : specimen.naive)});
+  table.sentence = sentence_on(specimen);
+  const auto add = [&](std::string what, const auto& of, bool wrong) {
+    const auto said = [&](const std::optional<Reading>& reading) {
+      return reading ? of(*reading) : std::string(text(ScopeText::none));
+    };
+    table.rows.push_back({std::move(what), said(specimen.robust), said(specimen.naive), wrong});
+  };
+  // Where both meet the same the title says it.
+  const bool alike = specimen.robust && specimen.naive && specimen.robust->object == specimen.naive->object;
+  if (!alike)
+    table.rows.push_back(
+        {std::string(text(ScopeText::row_hit)), name_of(specimen.robust), name_of(specimen.naive), true});
+  add(std::string(text(ScopeText::row_t)), [&](const Reading& r) { return number_of(r.t, specimen.precision); }, false);
+  add(
+      std::string(text(ScopeText::row_t_error)),
+      [](const Reading& r) {
+        return r.t_error ? fill(ScopeText::ulp, {ulps_text(std::abs(*r.t_error))}) : std::string(text(ScopeText::none));
+      },
+      false);
+  add(std::string(text(ScopeText::row_point)), [&](const Reading& r) { return off_text(specimen, r.off); }, false);
+  add(
+      std::string(text(ScopeText::row_start)),
+      [&](const Reading& r) {
+        const Start& start = r.starts.front();
+        // A robust ray knows the surface that it starts on, whichever side rounding put the point.
+        const bool knows = specimen.robust && &r == &*specimen.robust;
+        return start.place == r.point && (knows || start.right_side()) ? std::string(text(ScopeText::at_point))
+                                                                       : off_text(specimen, start.off);
+      },
+      specimen.naive && !specimen.naive->starts.front().right_side());
+  for (const RayKind kind : {RayKind::shadow, RayKind::reflect, RayKind::refract}) {
+    const LeavingRays *robust = of_kind(specimen.robust, kind), *naive = of_kind(specimen.naive, kind);
+    if (robust == nullptr && naive == nullptr) continue;
+    const auto said = [](const LeavingRays* rays) {
+      return rays != nullptr ? leaving_text(*rays) : std::string(text(ScopeText::none));
+    };
+    table.rows.push_back(
+        {std::string(short_name(kind)), said(robust), said(naive), naive != nullptr && goes_wrong(*naive)});
+  }
+  return table;
+}
+
+}  // namespace raywalk

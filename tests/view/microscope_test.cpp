@@ -1,0 +1,199 @@
+// The Microscope panel without a window: its drawing, its table, and the scene's numerics.
+#include "view/microscope.h"
+
+#include "fixtures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+constexpr Viewport pane{480, 400};
+
+void set_precision(State& state, bool single) {
+  ImageSettings settings = state.image;
+  settings.single_precision = single;
+  update(state, action::SetImageSettings{settings});
+}
+
+State walking(const std::string& name, bool single = true) {
+  State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/" + name + ".toml"));
+  update(state, action::SetMode{Mode::trace});
+  set_precision(state, single);
+  return state;
+}
+
+/// Goes to the first hit at which `fits` of the specimen holds.
+template <class Fits>
+std::shared_ptr<const Specimen> find(State& state, Fits fits) {
+  Microscope microscope;
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    update(state, action::Jump{position});
+    const auto seen = specimen_of(microscope, state);
+    if (seen && fits(*seen)) return seen;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> texts_of(const DisplayList& list) {
+  std::vector<std::string> texts;
+  for (const DisplayItem& item : list)
+    if (const auto* words = std::get_if<TextItem>(&item.shape)) texts.push_back(words->text);
+  return texts;
+}
+bool says(const DisplayList& list, const std::string& words) {
+  const auto texts = texts_of(list);
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& each) { return each.find(words) != std::string::npos; });
+}
+
+bool acne(const Specimen& seen) {
+  return seen.naive && std::any_of(seen.naive->leaving.begin(), seen.naive->leaving.end(),
+                                   [](const LeavingRays& rays) { return rays.hit_own > 0; });
+}
+
+}  // namespace
+
+TEST_CASE("numerics are an edit of the scene: the walk has them, and undo takes them back") {
+  State state = walking("classic");
+  const auto robust = state.timeline;
+  const std::uint64_t revision = state.revision;
+  update(state, action::SetNumerics{Numerics::naive, 0});
+  CHECK(state.scene().render.numerics == Numerics::naive);
+  CHECK(state.scene().render.epsilon == 0);
+  CHECK(state.dirty);
+  CHECK(state.revision != revision);
+  CHECK(pictured_scene(state).render.numerics == Numerics::naive);
+  // Rays that meet the surface they leave: this walk is another one.
+  CHECK(state.timeline->steps() != robust->steps());
+  update(state, action::Undo{});
+  CHECK(state.scene().render.numerics == Numerics::robust);
+  CHECK(state.timeline->steps() == robust->steps());
+  update(state, action::Redo{});
+  CHECK(state.scene().render.numerics == Numerics::naive);
+
+  const std::size_t entries = state.undo.size();
+  for (const double epsilon : {1e-4, 1e-3, 1e-2})
+    update(state, action::SetNumerics{Numerics::naive, epsilon, epsilon > 1e-4});
+  CHECK(state.undo.size() == entries + 1);
+  for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) update(state, action::SetNumerics{Numerics::naive, bad});
+  CHECK(state.scene().render.epsilon == 1e-2);
+}
+
+TEST_CASE("magnification stays between the whole scene and single numbers") {
+  State state = walking("classic");
+  update(state, action::Magnify{7});
+  CHECK(state.magnified == 1);
+  update(state, action::Magnify{std::nan("")});
+  CHECK(state.magnified == 1);
+  update(state, action::Magnify{-1});
+  CHECK(state.magnified == 0);
+}
+
+TEST_CASE("the drawing is finite and within reason at every magnification, in every scene") {
+  for (const std::string& path : shipped_scenes()) {
+    CAPTURE(path);
+    State state = make_state(read_document(path));
+    update(state, action::SetMode{Mode::trace});
+    for (const bool single : {false, true}) {
+      set_precision(state, single);
+      Microscope microscope;
+      const int steps = state.timeline->steps();
+      for (int i = 1; i <= 6; ++i) {
+        update(state, action::Jump{steps * i / 6});
+        const auto seen = specimen_of(microscope, state);
+        if (!seen) continue;
+        for (const double part : {0.0, 0.5, 1.0}) {
+          update(state, action::Magnify{part});
+          const DisplayList list = microscope_view(state, *seen, pane);
+          CHECK(is_finite(list));
+          CHECK(list.size() < 8000);
+        }
+        const MicroscopeTable table = microscope_table(state, *seen);
+        CHECK(table.rows.size() >= 4);
+        CHECK_FALSE(table.sentence.empty());
+        CHECK(table.sentence.find('{') == std::string::npos);
+        for (const MicroscopeTable::Row& row : table.rows) {
+          CHECK_FALSE(row.robust.empty());
+          CHECK_FALSE(row.naive.empty());
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("fully magnified a cell is an ulp, and says so; at the whole scene nothing is magnified") {
+  for (const bool single : {false, true}) {
+    State state = walking("classic", single);
+    const auto seen = find(state, [](const Specimen& s) { return s.spacing.x == s.spacing.y; });
+    REQUIRE(seen);
+    update(state, action::Magnify{0});
+    CHECK(magnification(state, *seen, pane) == 1);
+    update(state, action::Magnify{1});
+    const DisplayList list = microscope_view(state, *seen, pane);
+    CHECK(says(list, "1 cell = 1 ulp = " + std::string(single ? "2.38e-07" : "4.44e-16")));
+    // Upright lines of the grid stand one spacing apart.
+    std::set<double> upright;
+    for (const DisplayItem& item : list)
+      if (const auto* line = std::get_if<LineItem>(&item.shape);
+          line != nullptr && line->from.x == line->to.x && line->from.y == 0 && line->to.y == pane.height)
+        upright.insert(line->from.x);
+    REQUIRE(upright.size() > 5);
+    const double scale =
+        magnification(state, *seen, pane) * fit(state.scene(), pane, Sizes(state).unit).pixels_per_unit;
+    for (auto next = std::next(upright.begin()); next != upright.end(); ++next)
+      CHECK(std::abs(*next - *std::prev(next) - scale * seen->spacing.x) < 1e-6);
+  }
+}
+
+TEST_CASE("naive and robust marks differ in shape, and what is out of sight is pointed at") {
+  State state = walking("classic");
+  update(state, action::Magnify{1});
+  const auto seen = find(state, [](const Specimen& s) {
+    return s.robust && s.naive && s.in_ulps(length(s.naive->point - s.robust->point)) < 3;
+  });
+  REQUIRE(seen);
+  const DisplayList list = microscope_view(state, *seen, pane);
+  CHECK(says(list, "robust"));
+  CHECK(says(list, "naive"));
+  // Epsilon is hundreds of ulps.
+  CHECK(says(list, "naive starts here: "));
+  const auto discs = std::count_if(list.begin(), list.end(), [](const DisplayItem& item) {
+    const auto* circle = std::get_if<CircleItem>(&item.shape);
+    return circle != nullptr && circle->radius > 5;
+  });
+  const auto triangles = std::count_if(list.begin(), list.end(), [](const DisplayItem& item) {
+    const auto* polygon = std::get_if<PolygonItem>(&item.shape);
+    return polygon != nullptr && polygon->points.size() == 3 && polygon->stroke && !polygon->fill;
+  });
+  CHECK(discs == 1);
+  CHECK(triangles == 1);
+}
+
+TEST_CASE("acne is called acne, and robust numerics are said to leave") {
+  State state = walking("classic");
+  update(state, action::SetNumerics{Numerics::robust, 0});
+  const auto seen = find(state, acne);
+  REQUIRE(seen);
+  const MicroscopeTable table = microscope_table(state, *seen);
+  CHECK(table.sentence.find("acne") != std::string::npos);
+  const auto row = std::find_if(table.rows.begin(), table.rows.end(), [](const MicroscopeTable::Row& each) {
+    return each.naive.find("itself") != std::string::npos;
+  });
+  REQUIRE(row != table.rows.end());
+  CHECK(row->wrong);
+  CHECK(row->robust == "leaves");
+}
+
+TEST_CASE("numbers of ulps are short") {
+  CHECK(ulps_text(0.25) == "0.2");
+  CHECK(ulps_text(3) == "3.0");
+  CHECK(ulps_text(1678.2) == "1678");
+  CHECK(ulps_text(4.5e11) == "4.5e11");
+}
