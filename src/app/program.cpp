@@ -136,6 +136,8 @@ void declare_step(CLI::App& program, Run& run) {
   add_limits(command, to.depth, to.threshold);
   add_precision(command, to.precision);
   add_numerics(command, to.numerics, to.epsilon);
+  add_choice(command, "--fault", to.fault, all_faults, fault_name,
+             "Breaks one line of the tracer on purpose, over naive numerics: lessons/README.md tells which");
   command.footer(
       "A step is one executed line of the pseudocode: its number, its DEPTH in brackets, the line, and what it did.\n"
       "Paths have a pseudocode of their own; in brackets stand the rays of the path so far.\n"

@@ -118,7 +118,8 @@ ExitCode render_command(const RenderOptions& options) {
   Result<Rendering> rendering;
   {
     ProgressBar bar;
-    RenderSettings settings{size, sampling, options.precision, options.accelerator, options.threads};
+    RenderSettings settings{size, sampling, options.precision, options.accelerator};
+    settings.threads = options.threads;
     settings.tolerance = choices.tolerance;
     settings.shadow_cache = options.shadow_cache;
     if (!options.quiet) settings.progress = [&bar](const Progress& progress) { bar.show(progress); };

@@ -23,13 +23,14 @@ namespace {
 Result<void> print_json(const Scene& scene, const Timeline& timeline, const StepOptions& options) {
   using Json = nlohmann::ordered_json;
   const auto dump = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
-  const Json head{{"version", RAYWALK_VERSION},
-                  {"scene", scene_path(options.scene)},
-                  {"title", scene.title},
-                  {"depth", scene.limits.depth},
-                  {"threshold", scene.limits.threshold},
-                  {"precision", precision_name(options.precision)},
-                  {"numerics", numerics_name(scene.render.numerics)}};
+  Json head{{"version", RAYWALK_VERSION},
+            {"scene", scene_path(options.scene)},
+            {"title", scene.title},
+            {"depth", scene.limits.depth},
+            {"threshold", scene.limits.threshold},
+            {"precision", precision_name(options.precision)},
+            {"numerics", numerics_name(scene.render.numerics)}};
+  if (options.fault) head["fault"] = fault_name(*options.fault);
   std::string text = dump(head);
   text.pop_back();  // its closing brace
   text += ",\"steps\":[";
@@ -71,7 +72,7 @@ std::optional<Error> why_no_pixel(const StepOptions& options, const Scene& scene
 }
 
 Timeline record(const StepOptions& options, const Scene& scene, ImageSize size) {
-  const Recording how{options.precision};
+  const Recording how{options.precision, {}, options.fault};
   if (!options.pixel) return record_strip(scene, how);
   if (const auto* cell = std::get_if<Cell>(&*options.pixel)) return record_cell(scene, cell->index, how);
   const auto& pixel = std::get<ImagePixel>(*options.pixel);
@@ -117,6 +118,7 @@ ExitCode step_command(const StepOptions& options) {
   scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
   scene.render.numerics = options.numerics.value_or(scene.render.numerics);
   scene.render.epsilon = options.epsilon.value_or(scene.render.epsilon);
+  if (options.fault) scene.render.numerics = Numerics::naive;  // which it breaks
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 

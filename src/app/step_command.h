@@ -21,6 +21,7 @@ struct StepOptions {
   Precision precision = Precision::double_;
   std::optional<Numerics> numerics{};
   std::optional<double> epsilon{};
+  std::optional<Fault> fault{};  ///< breaks the tracer on purpose
   StepFormat format = StepFormat::text;
 };
 

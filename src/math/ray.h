@@ -28,7 +28,9 @@ struct Ray {
 
 /// A ray whose crossings are computed as books print it (shape/naive.h); what it departs from is not heeded.
 template <class T>
-struct NaiveRay : Ray<T> {};
+struct NaiveRay : Ray<T> {
+  bool near_root_only = false;  ///< a mistake made on purpose: what it starts in is left unseen
+};
 
 template <class T>
 inline constexpr T infinity = std::numeric_limits<T>::infinity();

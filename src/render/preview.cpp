@@ -122,7 +122,7 @@ class Preview::WorkIn final : public Preview::Work {
  public:
   WorkIn(const Scene& scene, const PreviewSettings& settings)
       : Work(settings),
-        world_(scene, settings.accelerator),
+        world_(scene, settings.accelerator, settings.fault),
         kernel_(scene, world_),
         centres_(scene, settings.size, settings.size),
         spread_(scene, settings.size, settings.size,

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace raywalk {
@@ -21,6 +22,7 @@ struct PreviewSettings {
   /// taken; or how far its samples scatter, of which there are then `fewest_for_noise` or more.
   Heat heat = Heat::none;
   static constexpr int fewest_for_noise = 16;
+  std::optional<Fault> fault{};  ///< breaks the tracer on purpose
   friend bool operator==(const PreviewSettings&, const PreviewSettings&) = default;
 };
 

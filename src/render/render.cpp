@@ -65,7 +65,7 @@ template <class T>
 Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
   Film<T> film(size);
   const auto build_start = Clock::now();
-  World<T> world(scene, settings.accelerator);
+  World<T> world(scene, settings.accelerator, settings.fault);
   world.shadow_cache = settings.shadow_cache;
   const SceneKernel<T> kernel(scene, world);
   const RayGenerator<T> camera(scene, size, whole, settings.sampling);

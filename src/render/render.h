@@ -19,7 +19,7 @@ struct Progress {
   double seconds_left = 0;  ///< an estimate from the above; 0 while there is none
 };
 
-/// How to render. Nothing here but `size`, `sampling`, `precision` and `tolerance` can change a bit of the picture.
+/// How to render. Nothing here but `size`, `sampling`, `precision`, `tolerance` and `fault` can change a bit of the picture.
 /// What the scene chooses (Scene::render) is its integrator, sampler and light grid; samples and tolerance are stated
 /// here.
 struct RenderSettings {
@@ -27,6 +27,7 @@ struct RenderSettings {
   Sampling sampling{};
   Precision precision = Precision::double_;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
+  std::optional<Fault> fault{};  ///< breaks the tracer on purpose
   int threads = 0;  ///< 0: as many as the machine runs at once
 
   bool shadow_cache = false;  ///< shadow rays first try what hid the same light last

@@ -40,7 +40,7 @@ template <class T, class Explain = NoExplanation>
   const Vec3<T> o = ray.origin - sphere.centre;
   const T a = dot(ray.direction, ray.direction), b = 2 * dot(ray.direction, o);
   const auto roots = textbook_roots(a, b, dot(o, o) - sphere.radius * sphere.radius, explain);
-  const T t = roots.near > 0 ? roots.near : roots.far;
+  const T t = roots.near > 0 || ray.near_root_only ? roots.near : roots.far;
   if (!(t > 0 && t < t_max)) return std::nullopt;
   return Crossing<T>{t};
 }
@@ -137,7 +137,7 @@ template <class T, QuadricKind Kind, class Explain = NoExplanation>
   } else {
     const auto roots = textbook_roots(a, b, c, explain);
     meet_wall(roots.near);
-    meet_wall(roots.far);
+    if (!ray.near_root_only) meet_wall(roots.far);
   }
   const auto meet_cap = [&](T z, int part) {
     const T t = (z - o.z) / d.z, x = o.x + t * d.x, y = o.y + t * d.y;
@@ -212,7 +212,7 @@ template <class T, class Explain = NoExplanation>
 
 template <class T>
 [[nodiscard]] NaiveRay<T> into_shape(const Placement<T>& place, const NaiveRay<T>& ray) {
-  return {into_shape(place, static_cast<const Ray<T>&>(ray))};
+  return {into_shape(place, static_cast<const Ray<T>&>(ray)), ray.near_root_only};
 }
 
 }  // namespace raywalk

@@ -69,6 +69,7 @@ class Writer {
     to_["what"] = "shade_called";
     to_["ray"] = called.ray;
     to_["missed"] = called.missed;
+    to_["called_depth"] = called.depth;
     if (called.missed) to_["background"] = triple(called.background);
   }
 
@@ -177,6 +178,17 @@ Json event_json(const Scene& scene, const Event& event) {
   Json json{{"line", line.text}, {"procedure", procedure_title(line.procedure)}, {"depth", event.depth}};
   std::visit(Writer(scene, json), event.detail);
   return json;
+}
+
+std::optional<int> first_difference(const Scene& scene, const Timeline& one, const Timeline& other) {
+  // As text, in which numbers are told to the last bit and one NaN is like another.
+  const auto told = [&](const Timeline& of, int i) {
+    return event_json(scene, of.event(i)).dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  const int both = std::min(one.steps(), other.steps());
+  for (int i = 0; i < both; ++i)
+    if (told(one, i) != told(other, i)) return i;
+  return one.steps() == other.steps() ? std::nullopt : std::optional(both);
 }
 
 }  // namespace raywalk

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "scene/scene.h"
-#include "trace/event.h"
+#include "timeline/timeline.h"
 
 #include <nlohmann/json_fwd.hpp>
+
+#include <optional>
 
 namespace raywalk {
 
@@ -11,5 +12,9 @@ namespace raywalk {
 /// and that kind's own members. Points and colours are arrays of three; what there is none of is left out; objects and
 /// lights stand by index and by name.
 [[nodiscard]] nlohmann::ordered_json event_json(const Scene& scene, const Event& event);
+
+/// The index of the first event in which two walks of one scene differ in any bit that they tell; none where they are
+/// the same.
+[[nodiscard]] std::optional<int> first_difference(const Scene& scene, const Timeline& one, const Timeline& other);
 
 }  // namespace raywalk

@@ -205,10 +205,10 @@ class Describer {
     return {};
   }
 
-  [[nodiscard]] Message describe(const Event& event, const ShadeCalled& called) const {
+  [[nodiscard]] Message describe(const Event& /*event*/, const ShadeCalled& called) const {
     const RayRecord& record = current();
     if (called.missed) return {MessageId::shade_missed, {record.kind, called.background}};
-    return {MessageId::shade_called, {event.depth + 1, object(record.object), record.kind}};
+    return {MessageId::shade_called, {called.depth, object(record.object), record.kind}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const ShadeComputed& computed) const {

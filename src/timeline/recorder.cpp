@@ -7,16 +7,15 @@ namespace raywalk {
 namespace {
 
 template <class T>
-Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block,
-                   const Sampling& sampling) {
-  const World<T> world(scene);
-  const RayGenerator<T> camera(scene, size, whole, sampling);
+Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
+  const World<T> world(scene, AcceleratorKind::automatic, how.fault);
+  const RayGenerator<T> camera(scene, size, whole, how.sampling);
   Recorder recorder;
   const SceneKernel<T> kernel(scene, world);
   // Pixel by pixel, and there sample by sample: so a person watches them come together.
   for (int row = block.row_begin; row < block.row_end; ++row)
     for (int column = block.column_begin; column < block.column_end; ++column)
-      for (int sample = 0; sample < sampling.per_pixel; ++sample)
+      for (int sample = 0; sample < how.sampling.per_pixel; ++sample)
         kernel.watched(camera, {column, column + 1, row, row + 1, sample}, recorder);
   return recorder.take(size);
 }
@@ -24,9 +23,9 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
 Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
   switch (how.precision) {
     case Precision::float_:
-      return record_in<float>(scene, size, whole, block, how.sampling);
+      return record_in<float>(scene, size, whole, block, how);
     case Precision::double_:
-      return record_in<double>(scene, size, whole, block, how.sampling);
+      return record_in<double>(scene, size, whole, block, how);
   }
   return {};
 }

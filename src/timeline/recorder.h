@@ -20,6 +20,7 @@ class Recorder : public Observer {
 struct Recording {
   Precision precision = Precision::double_;
   Sampling sampling{};
+  std::optional<Fault> fault{};  ///< breaks the tracer on purpose
 };
 
 /// The whole strip, from its first cell to its last: row 0 of an image cells x 1, which is the middle row of every

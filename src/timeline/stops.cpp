@@ -21,8 +21,8 @@ int reached(const Timeline& timeline, int position) {
   const Event* event = timeline.just_run(position);
   if (event == nullptr) return 0;
   const auto* called = std::get_if<ShadeCalled>(&event->detail);
-  const bool one_more = (called != nullptr && !called->missed) || event->line == Line::form_next_ray;
-  return event->depth + (one_more ? 1 : 0);
+  if (called != nullptr && !called->missed) return called->depth;
+  return event->depth + (event->line == Line::form_next_ray ? 1 : 0);
 }
 
 bool is_total(const EventDetail& detail) {

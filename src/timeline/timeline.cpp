@@ -130,7 +130,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               ray = index_of(called.ray);
               if (called.missed) return;
               const int frame = static_cast<int>(frames_.size());
-              frames_.push_back({innermost, event.depth + 1, ray, after, after, Rgbd(0.0)});
+              frames_.push_back({innermost, called.depth, ray, after, after, Rgbd(0.0)});
               rays_[static_cast<std::size_t>(ray)].shade = frame;
               innermost = frame;
             },

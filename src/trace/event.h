@@ -105,6 +105,7 @@ struct Decided {
 struct ShadeCalled {
   int ray;
   bool missed;
+  int depth;  ///< DEPTH of the SHADE that is called
   Rgbd background{0.0};
 };
 

@@ -2,29 +2,19 @@
 
 namespace raywalk::detail {
 
-namespace {
-
-template <class T, class Watcher>
-Statistics run(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put,
-               Watcher& observer) {
-  Tracer<Policy<T, Watcher, all_hit_effects, Numerics::naive>> tracer(world, camera, observer);
-  tracer.main_algorithm(block, put);
-  return tracer.statistics();
-}
-
-}  // namespace
-
 template <class T>
 Statistics run_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                             const PutPixel<T>& put) {
+  if (world.fault) return run_faulty_kernel(world, camera, block, put);
   NoObserver nobody;
-  return run(world, camera, block, put, nobody);
+  return run_tracer<Policy<T, NoObserver, all_hit_effects, Numerics::naive>>(world, camera, block, put, nobody);
 }
 
 template <class T>
 Statistics run_watched_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                                     const PutPixel<T>& put, Observer& observer) {
-  return run(world, camera, block, put, observer);
+  if (world.fault) return run_watched_faulty_kernel(world, camera, block, put, observer);
+  return run_tracer<Policy<T, Observer, all_hit_effects, Numerics::naive>>(world, camera, block, put, observer);
 }
 
 #define RAYWALK_NAIVE_KERNELS(T)                                                                           \

@@ -6,21 +6,34 @@
 
 namespace raywalk::detail {
 
-/// All effects together: what is studied need not be fast, and gives the same bits. In a .cpp of its own.
+template <class Policy, class T>
+Statistics run_tracer(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                      const PutPixel<T>& put, typename Policy::Observer& observer) {
+  Tracer<Policy> tracer(world, camera, observer);
+  tracer.main_algorithm(block, put);
+  return tracer.statistics();
+}
+
+/// All effects together: what is studied need not be fast, and gives the same bits. In a .cpp of its own, as is what is
+/// broken on purpose.
 template <class T>
 Statistics run_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                             const PutPixel<T>& put);
 template <class T>
 Statistics run_watched_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                                     const PutPixel<T>& put, Observer& observer);
+template <class T>
+Statistics run_faulty_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                             const PutPixel<T>& put);
+template <class T>
+Statistics run_watched_faulty_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                                     const PutPixel<T>& put, Observer& observer);
 
 template <class T, HitEffects Set>
 Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put) {
   NoObserver nobody;
-  Tracer<Policy<T, NoObserver, Set>> tracer(world, camera, nobody);
-  tracer.main_algorithm(block, put);
-  return tracer.statistics();
+  return run_tracer<Policy<T, NoObserver, Set>>(world, camera, block, put, nobody);
 }
 
 /// Refraction never comes without reflection (total internal reflection), nor do lobes: five sets.
@@ -57,9 +70,7 @@ template <class T>
 Statistics run_watched_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put, Observer& observer) {
   if (world.numerics == Numerics::naive) return run_watched_naive_kernel(world, camera, block, put, observer);
-  Tracer<Policy<T, Observer>> tracer(world, camera, observer);
-  tracer.main_algorithm(block, put);
-  return tracer.statistics();
+  return run_tracer<Policy<T, Observer>>(world, camera, block, put, observer);
 }
 
 }  // namespace raywalk::detail

@@ -25,13 +25,15 @@ Statistics trace_paths_watched(const World<double>& world, const PathLights<doub
 /// How far the paths of a scene go.
 [[nodiscard]] PathSettings path_settings_of(const Scene& scene);
 
-/// What traces a scene's pixels: the tracer, or the path tracer where that is the scene's integrator.
+/// What traces a scene's pixels: the tracer, or the path tracer where that is the scene's integrator. What is broken on
+/// purpose is always the tracer.
 template <class T>
 class SceneKernel {
  public:
   /// `world` is the scene's, and outlives this.
   SceneKernel(const Scene& scene, const World<T>& world) : world_(world) {
-    if (scene.render.integrator == Integrator::path) lights_.emplace(world), settings_ = path_settings_of(scene);
+    if (scene.render.integrator == Integrator::path && !world.fault)
+      lights_.emplace(world), settings_ = path_settings_of(scene);
   }
   [[nodiscard]] Statistics operator()(const RayGenerator<T>& camera, const PixelBlock& block,
                                       const PutPixel<T>& put) const {

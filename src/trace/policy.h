@@ -53,13 +53,16 @@ inline constexpr HitEffects all_hit_effects{};
 
 /// Everything about the tracer that is fixed when it is compiled.
 template <class ScalarType, class ObserverType = NoObserver, HitEffects Set = all_hit_effects,
-          Numerics Arithmetic = Numerics::robust>
+          Numerics Arithmetic = Numerics::robust, bool Faulty = false>
 struct Policy {
   using Scalar = ScalarType;
   using Observer = ObserverType;
   static constexpr HitEffects effects = compiled(Set);
   /// What computes its own crossings, robustly or naively.
   using Ray = std::conditional_t<Arithmetic == Numerics::naive, NaiveRay<Scalar>, raywalk::Ray<Scalar>>;
+  /// Whether there are hooks by which the fault that a world names breaks the tracer on purpose (trace/fault.h). A
+  /// kernel without them holds none of their code.
+  static constexpr bool faulty = Faulty;
 };
 
 }  // namespace raywalk

@@ -44,8 +44,8 @@ class Tracer {
       // If intersect something
       if (decide_intersected(nearest)) {
         // Shade (DEPTH+1, final)
-        call_shade(Line::shade_final, 0, primary, nearest);
-        final = shade(1, primary, *nearest);
+        const int depth = call_shade(Line::shade_final, 0, primary, nearest);
+        final = shade(depth, primary, *nearest);
       }
       // Put final shade in pixel
       put_in_pixel(pixel, final, put);
@@ -63,6 +63,10 @@ class Tracer {
   struct Medium {
     const typename World<T>::Surface* surface = nullptr;
   };
+  /// How many rays a ray descends from; only kernels that may forget to count DEPTH carry it along.
+  struct Generation {
+    int number = 0;
+  };
   template <class Member>
   struct Without {};
   template <bool Has, class Member>
@@ -78,6 +82,7 @@ class Tracer {
     int number;  ///< in the recording; 0 when nobody watches
     [[no_unique_address]] Only<draws, Branch> branch{};
     [[no_unique_address]] Only<Policy::effects.refraction, Medium> medium{};
+    [[no_unique_address]] Only<Policy::faulty, Generation> generation{};
   };
   using Nearest = std::optional<Hit<T>>;
   /// The hit, made ready for SHADE: place, normal and the weights that "If reflective" and "If transparent" test.
@@ -113,8 +118,8 @@ class Tracer {
           // Find closest intersect
           const Nearest nearest = find_closest(Line::find_reflect_intersect, depth, *reflect_ray);
           // Shade (DEPTH+1, REFLSHADE)
-          call_shade(Line::shade_reflect, depth, *reflect_ray, nearest);
-          reflected = at.reflection * (nearest ? shade(depth + 1, *reflect_ray, *nearest) : world_.background);
+          const int deeper = call_shade(Line::shade_reflect, depth, *reflect_ray, nearest);
+          reflected = at.reflection * (nearest ? shade(deeper, *reflect_ray, *nearest) : world_.background);
         }
       }
     }
@@ -126,8 +131,8 @@ class Tracer {
           // Find closest intersect
           const Nearest nearest = find_closest(Line::find_refract_intersect, depth, *refract_ray);
           // Shade (DEPTH+1, REFRSHADE)
-          call_shade(Line::shade_refract, depth, *refract_ray, nearest);
-          refracted = at.transmission * (nearest ? shade(depth + 1, *refract_ray, *nearest) : world_.background);
+          const int deeper = call_shade(Line::shade_refract, depth, *refract_ray, nearest);
+          refracted = at.transmission * (nearest ? shade(deeper, *refract_ray, *nearest) : world_.background);
         }
       }
     }
@@ -154,7 +159,8 @@ class Tracer {
   bool decide_intersected(const Nearest& nearest);
   bool decide_reflective(int depth, const Shading& at);
   bool decide_transparent(int depth, const Shading& at);
-  void call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest);
+  /// The DEPTH of the SHADE that is called.
+  int call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest);
   Shading prepare(const Traced& ray, const Hit<T>& hit);
   void add_unlit(Direct& direct, const Lamp& lamp);
   void add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp, const Ray& shadow,
@@ -174,14 +180,28 @@ class Tracer {
 #endif
   }
 
+  /// The policy's hook for faults: lets the one that the world names spoil what a statement has computed. Where there
+  /// are no faults, `spoil` is not even compiled into the kernel.
+  template <class Spoil>
+  void break_by(Fault fault, Spoil&& spoil) const {
+    if constexpr (Policy::faulty) {
+      if (world_.fault == fault) spoil();
+    }
+  }
+  /// What a fault may spoil: a copy of it; where there are no faults, the thing itself.
+  template <class Value>
+  using Spoilable = std::conditional_t<Policy::faulty, Value, const Value&>;
+  [[nodiscard]] bool runs_away(const Traced& parent) const;
+
   const World<T>& world_;
   const RayGenerator<T>& camera_;
   Observer& observer_;
   Statistics statistics_;
-  [[no_unique_address]] Only<draws, RandomKey> key_{};  ///< of the sample under way
-  int rays_formed_ = 0;                                 ///< numbers the rays of a recording
-  std::vector<int> filters_met_;                        ///< kept so that no shadow ray allocates
-  std::vector<int> last_blockers_;                      ///< by lamp: what the shadow cache holds
+  [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the sample under way
+  int rays_formed_ = 0;                                                  ///< numbers the rays of a recording
+  [[no_unique_address]] Only<Policy::faulty, Generation> generation_{};  ///< rays formed before the pixel under way
+  std::vector<int> filters_met_;                                         ///< kept so that no shadow ray allocates
+  std::vector<int> last_blockers_;                                       ///< by lamp: what the shadow cache holds
 };
 
 }  // namespace raywalk

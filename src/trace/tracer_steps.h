@@ -88,6 +88,7 @@ struct Tracer<Policy>::Direct {
 template <class Policy>
 void Tracer<Policy>::begin(const Pixel& pixel) {
   if constexpr (draws) key_ = camera_.key(pixel, Effect::penumbra);
+  if constexpr (Policy::faulty) generation_.number = rays_formed_;
   note(Line::for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
 }
 
@@ -104,7 +105,10 @@ auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
 
 template <class Policy>
 auto Tracer<Policy>::find_closest(Line line, int depth, const Traced& ray) -> Nearest {
-  const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
+  Spoilable<Ray> sought = ray.ray;
+  if constexpr (Policy::faulty)
+    sought.near_root_only = world_.fault == Fault::second_root_dropped && line == Line::find_refract_intersect;
+  const Nearest nearest = world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(line, depth, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
@@ -120,8 +124,24 @@ bool Tracer<Policy>::decide_intersected(const Nearest& nearest) {
 }
 
 template <class Policy>
-void Tracer<Policy>::call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest) {
-  note(line, depth, [&] { return ShadeCalled{ray.number, !nearest, Rgbd(world_.background)}; });
+int Tracer<Policy>::call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest) {
+  int called = depth + 1;
+  break_by(Fault::depth_not_counted, [&] {
+    if (line == Line::shade_reflect) called = depth;
+  });
+  note(line, depth, [&] { return ShadeCalled{ray.number, !nearest, called, Rgbd(world_.background)}; });
+  return called;
+}
+
+/// Whether rays whose DEPTH is not counted have to be stopped for the program's sake.
+template <class Policy>
+bool Tracer<Policy>::runs_away(const Traced& parent) const {
+  if constexpr (Policy::faulty) {
+    constexpr int most_generations = 40, most_rays = 500;  // of a pixel
+    if (world_.fault == Fault::depth_not_counted)
+      return parent.generation.number >= most_generations || rays_formed_ - generation_.number >= most_rays;
+  }
+  return false;
 }
 
 template <class Policy>
@@ -194,7 +214,10 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
     -> std::optional<Traced> {
   std::optional<Traced> shadow;
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
-  const Vec3<T> to_light = lamp.directional ? lamp.place : light_point(ray, lamp, sample) - at.position;
+  Vec3<T> to_light = lamp.directional ? lamp.place : light_point(ray, lamp, sample) - at.position;
+  break_by(Fault::shadow_ray_misaimed, [&] {
+    if (!lamp.directional) to_light += at.position;
+  });
   const bool before = dot(at.normal, to_light) > 0 && (!at.smoothed || dot(at.side, to_light) > 0);
   const bool faces = before || at.surface->lit_from_behind;
   if (!faces || (lamp.spot && !lamp.shines_along(to_light))) {
@@ -208,6 +231,7 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
   }
   shadow.emplace(leaving<Ray>(world_, at.position, at.side, at.departure, to_light, ray.ray.time), RayKind::shadow,
                  ray.share, rays_formed_++);
+  break_by(Fault::epsilon_too_small, [&] { shadow->ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
     RayFormed event{shadow->number,  ray.number,      RayKind::shadow, Vec3d(shadow->ray.origin),
@@ -246,7 +270,8 @@ void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& 
                                const Ray& shadow, const Rgb<T>& visible) {
   if (is_black(visible)) return add_unlit(direct, lamp);
   const T distance = lamp.directional ? T(1) : length(shadow.direction);
-  const T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
+  T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
+  break_by(Fault::attenuation_forgotten, [&] { attenuation = 1; });
   Rgb<T> light = visible * lamp.strength * (1 / attenuation);
   const Vec3<T> l = shadow.direction * (1 / distance);
   if (lamp.spot) light *= spot_falloff(-dot(l, lamp.axis), lamp.cos_inner, lamp.cos_outer);
@@ -283,13 +308,26 @@ bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
 
 template <class Policy>
 auto Tracer<Policy>::form_reflect_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
-  const Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.normal));
+  Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.normal));
+  break_by(Fault::reflection_flipped, [&] {
+    const Vec3<T>& incident = ray.ray.direction;
+    direction = normalize(incident + 2 * dot(incident, at.normal) * at.normal);
+  });
   return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection,
                             [&] { return spread(ray, direction, at.surface->gloss, at.side, Effect::gloss); });
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_refract_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
+auto Tracer<Policy>::form_refract_ray(int depth, const Shading& seen, const Traced& ray) -> std::optional<Traced> {
+  Spoilable<Shading> at = seen;
+  if constexpr (Policy::faulty) {
+    if (world_.fault == Fault::refraction_inverted) {
+      std::swap(at.n1, at.n2);
+      at.refraction = refraction_at(ray.ray.direction, at.normal, at.n1, at.n2);
+      // Where the inverted law has no answer, the ray goes straight on.
+      if (at.refraction.total()) at.refraction = refraction_at(ray.ray.direction, at.normal, T(1), T(1));
+    }
+  }
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
   Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
   if (at.smoothed && !(dot(direction, at.side) < 0))  // a smoothed normal would send it back out
@@ -309,7 +347,7 @@ auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at,
     -> std::optional<Traced> {
   std::optional<Traced> formed;
   const Rgb<T> share = parent.share * at.passed * weight;
-  const bool too_deep = depth + 1 > world_.depth;
+  const bool too_deep = depth + 1 > world_.depth || runs_away(parent);
   if (too_deep || max_component(share) < world_.threshold) {
     const Ending why = too_deep ? Ending::depth : Ending::threshold;
     ++statistics_.ends(why);
@@ -320,7 +358,11 @@ auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at,
   const Vec3<T> direction = draw_direction();
   formed.emplace(leaving<Ray>(world_, at.position, at.side, at.departure, direction, parent.ray.time), kind, share,
                  rays_formed_++);
+  break_by(Fault::epsilon_wrong_side, [&] {
+    if (kind == RayKind::reflect) formed->ray.origin = at.position - (formed->ray.origin - at.position);
+  });
   if constexpr (draws) formed->branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
+  if constexpr (Policy::faulty) formed->generation.number = parent.generation.number + 1;
   if constexpr (Policy::effects.refraction) {
     if (kind == RayKind::refract)
       formed->medium.surface = at.entering ? at.surface : nullptr;

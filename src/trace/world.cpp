@@ -210,7 +210,7 @@ class Flattener {
 }  // namespace
 
 template <class T>
-World<T>::World(const Scene& scene, AcceleratorKind kind)
+World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault)
     : background(scene.background),
       ambient(scene.ambient),
       depth(scene.limits.depth),
@@ -218,7 +218,8 @@ World<T>::World(const Scene& scene, AcceleratorKind kind)
       effects(effects_of(scene)),
       draws(draws_random(integrator_of(scene))),
       accelerator(Flattener<T>(scene, *this).take(), kind),
-      numerics(scene.render.numerics),
+      fault(its_fault),
+      numerics(fault ? Numerics::naive : scene.render.numerics),
       epsilon(static_cast<T>(scene.render.epsilon)) {
   for (int id = 0; id < accelerator.primitives().size(); ++id) {
     if (!surface(id).filters_shadows) {

@@ -3,11 +3,13 @@
 #include "accel/accelerator.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
+#include "trace/fault.h"
 #include "trace/sampling.h"
 #include "trace/texture.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,7 +90,9 @@ struct World {
     }
   };
 
-  explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic);
+  /// `fault`: breaks the tracer on purpose; numerics are naive then, whatever the scene says.
+  explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic,
+                 std::optional<Fault> fault = std::nullopt);
 
   std::vector<Surface> surfaces;
   std::vector<Lamp> lamps;
@@ -110,6 +114,7 @@ struct World {
   std::vector<Leaf> leaves;
   std::vector<std::string> leaf_names;
   Accelerator<T> accelerator;  ///< made last: what it is built from fills the lists above
+  std::optional<Fault> fault;
   Numerics numerics;
   T epsilon;  ///< that naive rays start from a surface
   /// Whether a shadow ray first tries what hid the same light from the point before. Changes what a render costs.

@@ -235,7 +235,7 @@ class Writer {
 
   void write(const ShadeCalled& called) {
     if (called.missed) return light(Kind::total, "background =", called.background);
-    row(Kind::numbers, "DEPTH = ", static_cast<double>(event_->depth + 1));
+    row(Kind::numbers, "DEPTH = ", static_cast<double>(called.depth));
   }
 
   void write(const ShadeComputed& sum) {

@@ -47,6 +47,22 @@ TEST_CASE("a cell is the part of the strip that it is, number by number") {
   CHECK(cell.pixels().front().column == 13);
 }
 
+TEST_CASE("a walk can be broken on purpose, and says so to programs") {
+  const Folder folder;
+  const Scene scene = classic_scene();
+  const Outcome broken = folder.run({"step", classic, "--pixel", "9", "--fault", "reflection_flipped"});
+  CHECK(broken.exit_code == 0);
+  CHECK(broken.out == transcript(scene, record_cell(scene, 9, {Precision::double_, {}, Fault::reflection_flipped})));
+  CHECK(broken.out != folder.run({"step", classic, "--pixel", "9", "--numerics", "naive"}).out);
+  const auto json = nlohmann::json::parse(
+      folder.run({"step", classic, "--pixel", "9", "--fault", "depth_not_counted", "--format", "json"}).out);
+  CHECK(json["fault"] == "depth_not_counted");
+  CHECK(json["numerics"] == "naive");
+  const Outcome unknown = folder.run({"step", classic, "--fault", "reflection_fliped"});
+  CHECK(unknown.exit_code == 2);
+  CHECK_THAT(unknown.err, contains("did you mean reflection_flipped?"));
+}
+
 TEST_CASE("a path is walked by a pseudocode of its own") {
   const Folder folder;
   const std::string path = folder.run({"step", classic, "--pixel", "10", "--integrator", "path"}).out;

@@ -122,7 +122,8 @@ int main(int argc, char** argv) {
               samples);
   for (const Precision precision : {Precision::float_, Precision::double_}) {
     const char* scalar = precision == Precision::float_ ? "float " : "double";
-    RenderSettings settings{size, {samples, 1}, precision, AcceleratorKind::automatic, threads};
+    RenderSettings settings{size, {samples, 1}, precision};
+    settings.threads = threads;
     for (const bool paths : {false, true}) {
       scene.render.path_length = paths ? std::nullopt : std::optional<int>(1);
       const Figures figures = measure(scene, settings, repetitions);
