@@ -7,6 +7,7 @@
 #include "lesson/expression.h"
 #include "lesson/words.h"
 #include "scene/scene.h"
+#include "trace/fault.h"
 
 #include <map>
 #include <optional>
@@ -37,7 +38,11 @@ struct NumberQuestion {
 struct ChoiceQuestion {
   std::vector<Formula> choices;
 };
-using LessonQuestion = std::variant<ArrowQuestion, NumberQuestion, ChoiceQuestion>;
+/// The student clicks the line of code that is at fault; the step has put a fault into the tracer.
+struct LineQuestion {
+  std::string answer;  ///< its text
+};
+using LessonQuestion = std::variant<ArrowQuestion, NumberQuestion, ChoiceQuestion, LineQuestion>;
 
 /// A 3-D picture that is rendered for what a step claims about it.
 struct PictureRequest {
@@ -64,7 +69,8 @@ struct LessonStep {
   std::string changes;               ///< to values of the scene, as TOML; they hold until the next `scene`
   std::vector<std::string> removed;  ///< names of objects and lights that are taken out
   std::optional<LessonPixel> pixel;  ///< where the walk begins anew; without it, it goes on
-  std::optional<Formula> run;        ///< the line to run to; with a question, to stop before
+  std::optional<Fault> fault;        ///< breaks the tracer on purpose, in this step alone
+  std::optional<Formula> run;        ///< the line to run to; with a question, unless it is for a line, to stop before
   std::optional<Formula> reveal;     ///< the line that answers the question, when it is not the next one
   std::optional<LessonQuestion> question;
   std::vector<Formula> checks;  ///< claims about the trace, each of which must hold

@@ -147,16 +147,33 @@ class Reader {
     return column && row ? std::optional(LessonPixel{*column, *row}) : std::nullopt;
   }
 
+  std::optional<Fault> fault(const toml::table& table) {
+    const auto word = text(table, "fault");
+    if (!word) return std::nullopt;
+    std::vector<std::string_view> names;
+    for (const Fault each : all_faults) {
+      if (fault_name(each) == *word) return each;
+      names.push_back(fault_name(each));
+    }
+    const std::string meant = nearest_word(*word, names);
+    fail(line_of(*table.get("fault")), fmt::format("fault: \"{}\" is not known (expected {})", *word, one_of(names)),
+         meant.empty() ? "lessons/README.md says what each of them breaks" : "did you mean \"" + meant + "\"?");
+    return std::nullopt;
+  }
+
   std::optional<LessonQuestion> question(const toml::table& step) {
     const toml::node* node = step.get("predict");
     if (node == nullptr) return std::nullopt;
     const toml::table* table = node->as_table();
     const int line = line_of(*node);
-    if (table == nullptr || table->contains("arrow") + table->contains("number") + table->contains("choices") != 1) {
-      fail(line, "predict: expected one of arrow = DEGREES, number = FORMULA and choices = [FORMULAS]", "");
+    const auto has = [&](std::string_view key) { return table->contains(key) ? 1 : 0; };
+    if (table == nullptr || has("arrow") + has("number") + has("choices") + has("line") != 1) {
+      fail(line, "predict: expected one of arrow = DEGREES, number = FORMULA, choices = [FORMULAS] and line = TEXT",
+           "");
       return std::nullopt;
     }
-    known(*table, "predict", {"arrow", "number", "tolerance", "unit", "choices"});
+    known(*table, "predict", {"arrow", "number", "tolerance", "unit", "choices", "line"});
+    if (auto answer = text(*table, "line")) return LineQuestion{std::move(*answer)};
     if (const auto degrees = number(*table, "arrow")) {
       if (!(*degrees > 0 && *degrees <= 90)) fail(line, "arrow: expected degrees above 0, at most 90", "");
       return ArrowQuestion{*degrees};
@@ -216,7 +233,7 @@ class Reader {
 
   LessonStep read_step(const toml::table& table) {
     known(table, "[[step]]",
-          {"id", "scene", "set", "remove", "pixel", "run", "reveal", "predict", "check", "picture", "show",
+          {"id", "scene", "set", "remove", "pixel", "fault", "run", "reveal", "predict", "check", "picture", "show",
            "breakpoints"});
     LessonStep step;
     step.line = line_of(table);
@@ -237,6 +254,7 @@ class Reader {
         fail(line_of(*node), "breakpoints: expected true or false", "false: those of the student do not stop the walk");
     }
     step.pixel = pixel(table);
+    step.fault = fault(table);
     step.run = formula(table, "run");
     step.reveal = formula(table, "reveal");
     step.question = question(table);

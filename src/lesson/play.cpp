@@ -2,6 +2,7 @@
 
 #include "lesson/facts.h"
 #include "lesson/staging.h"
+#include "timeline/event_json.h"
 #include "timeline/recorder.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ class Player {
         return;
       }
       for (const Formula& check : step.checks) verify(check);
+      if (step.fault) verify_fault(step);
       if (step.question) verify_question(step);
       position_ = to_.steps.back().shown;
     }
@@ -56,7 +58,7 @@ class Player {
     }
     const std::optional<LessonPixel> wanted = step.pixel && step.pixel->row >= 0 ? step.pixel : std::nullopt;
     const bool same_scene = !step.scene && step.changes.empty() && step.removed.empty() && walk_ != nullptr;
-    if (!same_scene || (step.pixel && walk_->pixel != wanted)) {
+    if (!same_scene || (step.pixel && walk_->pixel != wanted) || walk_->fault != step.fault) {
       const Scene& scene = document_.scene;
       const ImageSize size = scene.image;
       if (wanted && (wanted->column >= size.width || wanted->row >= size.height)) {
@@ -64,8 +66,11 @@ class Player {
                                     wanted->row, size.width, size.height));
         return false;
       }
-      walk_ = std::make_shared<const LessonWalk>(LessonWalk{
-          document_, wanted, wanted ? record_pixel(scene, size, wanted->column, wanted->row) : record_strip(scene)});
+      Recording how;
+      how.fault = step.fault;
+      walk_ = std::make_shared<const LessonWalk>(
+          LessonWalk{document_, wanted, step.fault,
+                     wanted ? record_pixel(scene, size, wanted->column, wanted->row, how) : record_strip(scene, how)});
       position_ = 0;
     }
     if (!step.pixel || wanted) {
@@ -127,7 +132,8 @@ class Player {
       const auto found = find(*step.run, position_);
       if (!found) return false;
       shown = *found;
-      asked = step.question ? shown - 1 : shown;
+      const bool for_line = step.question && std::holds_alternative<LineQuestion>(*step.question);
+      asked = step.question && !for_line ? shown - 1 : shown;
     }
     if (step.reveal) {
       const auto found = find(*step.reveal, asked);
@@ -151,6 +157,31 @@ class Player {
          fmt::format("step \"{}\" stands at step {} of the walk", to_.steps.back().step->id, position));
   }
 
+  /// The fault has to change something in the pixel under way, first by the line that it breaks.
+  void verify_fault(const LessonStep& step) {
+    const Timeline& timeline = walk_->timeline;
+    const int pixel = timeline.current_pixel(to_.steps.back().shown);
+    if (pixel < 0) return fail(step.line, "fault: the walk stands in no pixel (expected pixel, or run)");
+    const PixelRecord& at = timeline.pixels()[static_cast<std::size_t>(pixel)];
+    Scene scene = document_.scene;
+    scene.render.numerics = Numerics::naive;  // as beside the fault
+    const auto walked = [&](const Recording& how) {
+      return walk_->pixel ? record_pixel(scene, scene.image, at.column, at.row, how)
+                          : record_cell(scene, at.column, how);
+    };
+    Recording broken;
+    broken.fault = step.fault;
+    const Timeline with = walked(broken), without = walked({});
+    const std::optional<int> first = first_difference(scene, with, without);
+    if (!first)
+      return fail(step.line, fmt::format("fault: {} changes nothing in pixel {}", fault_name(*step.fault), at.column),
+                  "take another pixel, or another scene");
+    const Line line = with.event(std::min(*first, with.steps() - 1)).line, expected = faulty_line(*step.fault);
+    if (line != expected)
+      fail(step.line, fmt::format("fault: the walk first changes at \"{}\" (expected \"{}\")", pseudocode_of(line).text,
+                                  pseudocode_of(expected).text));
+  }
+
   void verify_question(const LessonStep& step) {
     const PlayedStep& played = to_.steps.back();
     const std::size_t index = to_.steps.size() - 1;
@@ -164,6 +195,12 @@ class Player {
         fail(number->answer.line, number->answer.text + ": " + value.error());
       else if (!std::holds_alternative<double>(*value))
         fail(number->answer.line, "predict: " + number->answer.text + " is no number here");
+    } else if (const auto* line = std::get_if<LineQuestion>(&*step.question)) {
+      if (!step.fault)
+        fail(step.line, "predict: a line is asked for, and no line is at fault (expected fault = \"...\")");
+      else if (const auto right = pseudocode_of(faulty_line(*step.fault)).text; line->answer != right)
+        fail(step.line, fmt::format("predict: \"{}\" is not the line that {} breaks (expected \"{}\")", line->answer,
+                                    fault_name(*step.fault), right));
     } else if (const auto* choice = std::get_if<ChoiceQuestion>(&*step.question)) {
       int right = 0;
       for (const Formula& each : choice->choices) {

@@ -18,6 +18,7 @@ namespace raywalk {
 struct LessonWalk {
   SceneDocument document;
   std::optional<LessonPixel> pixel;  ///< what was recorded: one pixel of the image; none: the whole strip
+  std::optional<Fault> fault;        ///< that the tracer had
   Timeline timeline;
 };
 

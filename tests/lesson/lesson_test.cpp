@@ -201,10 +201,10 @@ TEST_CASE("a number that nothing checks, and a formula that means nothing, fail"
 }
 
 TEST_CASE("a lesson's file is refused with line and hint") {
-  CHECK(
-      faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
-      "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, run, reveal, predict, "
-      "check, picture, show or breakpoints)\n");
+  CHECK(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
+        "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, fault, run, reveal, "
+        "predict, "
+        "check, picture, show or breakpoints)\n");
   CHECK(faults("[[step]]\nid = \"a\"\n") ==
         "lesson.toml:1: the first step has no scene (expected scene = \"classic\" or another)\n");
   CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrun = '1 +'\n"),
@@ -224,4 +224,72 @@ TEST_CASE("a step changes values of its scene") {
              raywalk::test::contains("there is no \"Solid Spher\" in the scene"));
   CHECK_THAT(faults(replaced(good_steps, "pixel = 3", "set.\"Solid Sphere\".radius = -2")),
              raywalk::test::contains("radius"));
+}
+
+namespace {
+
+// The good lesson, whose last step asks for a line at fault.
+std::string steps_with_bug(const std::string& keys) {
+  const std::size_t last = good_steps.rfind("[[step]]");
+  return good_steps.substr(0, last) + "[[step]]\nid = \"choice\"\npixel = 3\n" + keys;
+}
+std::string words_with_bug() { return replaced(good_words, "- a hit\n- none\n", ""); }
+std::string faults_with_bug(const std::string& keys) {
+  return faults(steps_with_bug(keys), words_with_bug(), words_with_bug());
+}
+
+}  // namespace
+
+TEST_CASE("a step with a fault asks for the line at fault, and its claims are about the broken walk") {
+  const std::string keys = R"(
+fault = "reflection_flipped"
+run = 'line == "Put final shade in pixel"'
+predict.line = "Form reflect ray"
+)";
+  CHECK(faults_with_bug(keys) == "");
+  CHECK(faults_with_bug(
+            keys + "check = ['first(line == \"Form reflect ray\", angle(direction, parent.normal)) > 90']\n") == "");
+  CHECK_THAT(
+      faults_with_bug(keys + "check = ['first(line == \"Form reflect ray\", angle(direction, parent.normal)) < 90']\n"),
+      test::contains("the trace does not bear out"));
+  // The next step has the ordinary tracer again, and may begin where it likes.
+  const auto lesson = parse_lesson(steps_with_bug(keys) + "[[step]]\nid = \"after\"\npixel = 3\n", "lesson.toml");
+  REQUIRE(lesson);
+  const PlayedLesson played = play_lesson(*lesson, scenes);
+  REQUIRE(played.errors.empty());
+  REQUIRE(played.steps.size() == 5);
+  const PlayedStep& step = played.steps[3];
+  CHECK(step.walk->fault == Fault::reflection_flipped);
+  CHECK(step.asked == step.shown);  // all of the pixel is seen before the question
+  CHECK_FALSE(played.steps[4].walk->fault);
+}
+
+TEST_CASE("a fault that breaks nothing, and a line that is not at fault, are said") {
+  CHECK_THAT(faults_with_bug("fault = \"shadow_ray\"\npredict.line = \"Form shadow ray\"\n"),
+             test::contains("fault: \"shadow_ray\" is not known (expected shadow_ray_misaimed, reflection_flipped"));
+  CHECK_THAT(faults_with_bug("fault = \"attenuation_forgotten\"\nrun = 'line == \"Put final shade in pixel\"'\n"
+                             "predict.line = \"Compute rtnshade\"\n"),
+             test::contains("fault: attenuation_forgotten changes nothing in pixel 3"));
+  CHECK_THAT(
+      faults_with_bug("fault = \"reflection_flipped\"\nrun = 'line == \"Put final shade in pixel\"'\n"
+                      "predict.line = \"Form refract ray\"\n"),
+      test::contains("predict: \"Form refract ray\" is not the line that reflection_flipped breaks (expected \"Form "
+                     "reflect ray\")"));
+  CHECK_THAT(faults_with_bug("run = 'line == \"Put final shade in pixel\"'\npredict.line = \"Form reflect ray\"\n"),
+             test::contains("a line is asked for, and no line is at fault"));
+  CHECK_THAT(faults_with_bug("predict.line = \"Form reflect ray\"\npredict.arrow = 4\n"),
+             test::contains("expected one of arrow"));
+}
+
+TEST_CASE("at least five lessons let students find a bug, each of another line or kind") {
+  int count = 0;
+  for (const std::string& name : lesson_names(root + "/lessons")) {
+    const auto lesson = read_lesson(root + "/lessons/" + name);
+    REQUIRE(lesson);
+    for (const LessonStep& step : lesson->steps) {
+      count += step.fault ? 1 : 0;
+      CHECK(step.fault.has_value() == (step.question && std::holds_alternative<LineQuestion>(*step.question)));
+    }
+  }
+  CHECK(count >= 5);
 }
