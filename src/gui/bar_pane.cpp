@@ -19,7 +19,7 @@ bool menu(const Ui& ui, std::string_view title, const char* name, bool open, con
   const bool is_open = ImGui::BeginMenu(heading.c_str());
   ui.publish(name);
   if (!is_open) return false;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(9)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(7)});
   entries();
   ImGui::PopStyleVar();
   ImGui::EndMenu();
@@ -106,7 +106,7 @@ void walk_menu(const Ui& ui) {
   ImGui::Separator();
   for (const Command command : {Command::first, Command::last, Command::clear}) menu_item(ui, command);
   ImGui::Separator();
-  menu_item(ui, Command::lessons);
+  for (const Command command : {Command::lessons, Command::bugs}) menu_item(ui, command);
 }
 
 }  // namespace

@@ -42,6 +42,18 @@ void draw_breakpoint(const Ui& ui, const Rect& gutter, bool is_set, bool pointed
   if (pointed_at) draw.AddCircle(centre, ui.px(8), to_imgui(ui.colours.text), 0, std::max(ui.px(1.4f), 1.0f));
 }
 
+// A frame, and a sign at the right end: thought to be at fault, or known to be.
+void draw_blame(const Ui& ui, Blame blame, const Rect& where) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 ink = to_imgui(ui.colours.error);
+  draw.AddRect(corner(where), opposite(where), ink, ui.px(4), 0, std::max(ui.px(2), 1.0f));
+  const char* sign = blame == Blame::marked ? "?" : "\u2717";
+  push_font(ui.fonts.code_strong);
+  const ImVec2 extent = ImGui::CalcTextSize(sign);
+  draw.AddText({where.right() - extent.x - ui.px(7), where.y + (where.height - extent.y) / 2}, ink, sign);
+  pop_font();
+}
+
 // The line just run has a pointer at its left and a ground, the next one an outline.
 void draw_row(const Ui& ui, const CodeRow& row, const Rect& where) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -58,6 +70,7 @@ void draw_row(const Ui& ui, const CodeRow& row, const Rect& where) {
   if (row.hovered && row.just_run)
     draw.AddRect(least, most, to_imgui(ui.colours.hovered), rounding, 0, std::max(ui.px(1), 1.0f));
   if (row.next) draw.AddRect(least, most, to_imgui(ui.colours.next), rounding, 0, std::max(ui.px(1.5f), 1.0f));
+  if (row.blame != Blame::none) draw_blame(ui, row.blame, {least.x, where.y, most.x - least.x, where.height});
   ImFont* font = row.just_run ? ui.fonts.code_strong : ui.fonts.code;
   const float height = line_height(ui.fonts, *font);
   push_font(font);
@@ -128,6 +141,7 @@ void code_pane(const Ui& ui, const Rect& where) {
     const bool scrolls = ImGui::GetScrollMaxY() > 0;
     const float width = where.width - ui.px(2 * margin) - (scrolls ? ImGui::GetStyle().ScrollbarSize : 0);
     float y = where.y + ui.px(margin) - scroll;
+    const bool asks = asks_for_line(ui.state);
     std::optional<Line> pointed_at;
     float sight_top = 0, sight_bottom = 0;
     for (const CodeBox& box : code_panel(ui.state).boxes) {
@@ -151,9 +165,10 @@ void code_pane(const Ui& ui, const Rect& where) {
         if (!row.breakpoint) tooltip(ui, "break-" + number, std::string(words::breakpoint_hint));
         ImGui::SetCursorScreenPos({gutter.right(), place.y});
         if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
-          ui.act(action::RunToLine{row.line});
+          ui.act(asks ? Action(action::MarkLine{row.line}) : Action(action::RunToLine{row.line}));
         if (ImGui::IsItemHovered()) pointed_at = row.line;
         ui.publish(name);
+        if (asks) tooltip(ui, name, std::string(words::mark_hint));
         draw_row(ui, row, place);
         if (row.just_run || (row.next && sight_bottom == 0)) {
           sight_top = y - where.y + scroll - 2 * sizes.row;

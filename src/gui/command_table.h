@@ -1,26 +1,22 @@
 #pragma once
-// The commands, one row each, in the order of the enumeration: name, label, what it does, and the keys that ask for it.
+// The commands, one row each: name, label, what it does, and the keys that ask for it.
 
-#include "gui/command_rows_edit.h"
-#include "gui/command_rows_panel.h"
+#include "gui/command_rows_scene.h"
 #include "gui/command_rows_view.h"
 #include "gui/command_rows_walk.h"
 
+#include <algorithm>
 #include <array>
 
 namespace raywalk {
 
 inline constexpr std::array<CommandRow, command_count> command_table = [] {
-  std::array<CommandRow, command_count> table{};
-  std::size_t next = 0;
-  const auto append = [&](const auto& rows) {
-    for (const CommandRow& row : rows) table[next++] = row;
-  };
-  append(edit_rows);
-  append(walk_rows);
-  append(panel_rows);
-  append(view_rows);
-  return table;
+  static_assert(scene_rows.size() + walk_rows.size() + view_rows.size() == static_cast<std::size_t>(command_count));
+  std::array<CommandRow, command_count> all{};
+  auto end = std::copy(scene_rows.begin(), scene_rows.end(), all.begin());
+  end = std::copy(walk_rows.begin(), walk_rows.end(), end);
+  std::copy(view_rows.begin(), view_rows.end(), end);
+  return all;
 }();
 
 // The table is indexed by the enumeration.

@@ -49,7 +49,7 @@ bool enabled(Command command, const State& state) {
   const bool at_start = state.position == 0, at_end = state.position >= state.timeline->steps();
   switch (command) {
     case Command::undo:
-      return !state.undo.empty();
+      return !state.undo.empty() || state.bugs.hunt;
     case Command::redo:
       return !state.redo.empty();
     case Command::remove:
@@ -115,6 +115,12 @@ bool enabled(Command command, const State& state) {
       return state.walk.has_value();
     case Command::use_camera:
       return state.image_camera.has_value();
+    case Command::bug_mark:
+      return asks_for_line(state) && (marked_line(state) || !at_start);
+    case Command::bug_cure:
+      return state.bugs.hunt && state.bugs.hunt->end == BugEnd::open;
+    case Command::bug_mend:
+      return state.bug && state.bug->known;
     case Command::reset_view:
       return view_in_hand(state) == SpaceView::image ? state.image_camera.has_value() : state.lines_camera.has_value();
     case Command::new_scene:
@@ -165,6 +171,8 @@ bool enabled(Command command, const State& state) {
     case Command::exchange:
     case Command::full_screen:
     case Command::lessons:
+    case Command::bugs:
+    case Command::bug_surprise:
     case Command::menu:
       return true;
   }
@@ -213,6 +221,10 @@ bool chosen(Command command, const State& state) {
       return state.image.single_precision;
     case Command::lessons:
       return state.lessons.shown;
+    case Command::bugs:
+      return state.bugs.shown;
+    case Command::bug_mend:
+      return state.bug && state.bug->mended;
     case Command::break_here:
       return state.timeline->next(state.position) != nullptr &&
              state.breakpoints.is_before(state.timeline->next(state.position)->line);
@@ -291,6 +303,9 @@ bool chosen(Command command, const State& state) {
     case Command::scale_reset:
     case Command::exchange:
     case Command::full_screen:
+    case Command::bug_surprise:
+    case Command::bug_mark:
+    case Command::bug_cure:
     case Command::menu:
       return false;
   }

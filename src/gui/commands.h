@@ -108,6 +108,11 @@ enum class Command {
   exchange,
   full_screen,
   lessons,
+  bugs,
+  bug_surprise,
+  bug_mark,
+  bug_cure,
+  bug_mend,
   menu,
 };
 inline constexpr int command_count = static_cast<int>(Command::menu) + 1;

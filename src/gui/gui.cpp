@@ -90,8 +90,7 @@ class Loop {
     if (state_.hold) at_most(shortest_wait);
     if (state_.playing) at_most((1 - state_.owed) / state_.lines_per_second);
     if (!demo_.over()) at_most(0.1);
-    if (state_.dirty && state_.autosaved_revision != state_.revision && !state_.state_dir.empty())
-      at_most(state_.autosave_in);
+    if (wants_autosave(state_)) at_most(state_.autosave_in);
     if (state_.notice && state_.notice->kind == Notice::Kind::info) at_most(notice_lasts - notice_seen_);
     if (interface_.next_frame_in() >= 0) at_most(interface_.next_frame_in());
     return wait;

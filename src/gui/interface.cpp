@@ -98,7 +98,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit};
   wishes.code = code_height(with);
   wishes.code_width = code_width(with);
-  if (state.lessons.shown && state.mode != Mode::help) wishes.lesson = with.px(330);
+  if ((state.lessons.shown || state.bugs.shown) && state.mode != Mode::help) wishes.lesson = with.px(330);
   // The transport's height depends on its width, which does not depend on its height.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
@@ -111,7 +111,15 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   if (exchanged_ != wide && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
   if (costs) layout_.tabs = left;
 
-  if (!layout_.lesson.empty()) lesson_.draw(with, layout_.lesson);
+  if (!layout_.lesson.empty() && state.lessons.shown) lesson_.draw(with, layout_.lesson);
+  if (!layout_.lesson.empty() && state.bugs.shown) bug_pane(with, layout_.lesson);
+  if (state.bug && state.mode != Mode::help) {
+    Rect banner = layout_.plan;
+    banner.height = std::min(bug_banner_height(with), layout_.plan.height);
+    layout_.plan.y += banner.height;
+    layout_.plan.height -= banner.height;
+    bug_banner_pane(with, banner);
+  }
   shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
   if (state.mode == Mode::help) {
     help_pane(with, left, std::exchange(scroll_help_, 0.0f));

@@ -27,6 +27,8 @@ const std::vector<KeyGroup>& groups() {
       {"Trace: a step is a line \u00b7 a ray \u00b7 a pixel", {grain_line, grain_ray, grain_pixel}},
       {"Move \u00b7 Trace \u00b7 Help", {mode_move, mode_trace, mode_help}},
       {"the lessons", {lessons}},
+      {"spot the bug: the list \u00b7 a surprise \u00b7 this line is at fault \u00b7 the cure \u00b7 mended or not",
+       {bugs, bug_surprise, bug_mark, bug_cure, bug_mend}},
       {"the live equation: the numbers of the line that has just run", {tab_equation}},
       {"3-D image \u00b7 ray tree \u00b7 stack \u00b7 legend", {tab_image, tab_tree, tab_stack, tab_legend}},
       {"Cost \u00b7 its knobs \u00b7 try \u00b7 try a ladder \u00b7 forget",

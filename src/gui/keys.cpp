@@ -198,6 +198,10 @@ bool press_key(const KeyPress& press, const Ui& ui) {
       ui.act(action::Select{});
     } else if (state.walk) {
       ui.act(action::WalkStrip{});
+    } else if (state.bugs.hunt) {
+      ui.act(action::LeaveHunt{});
+    } else if (state.bugs.shown) {
+      ui.act(action::ShowBugs{false});
     } else {
       return false;
     }

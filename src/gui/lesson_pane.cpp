@@ -1,6 +1,7 @@
-#include "gui/broken_lines.h"
+#include "gui/pane_words.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "view/bug_text.h"
 #include "view/lesson_panel.h"
 
 #include <fmt/format.h>
@@ -14,60 +15,6 @@ namespace {
 
 std::string word(const Ui& ui, LessonWord of) { return std::string(lesson_word(of, ui.state.lessons.language)); }
 
-// Paragraphs, with lists; Markdown's stars and backquotes are for emphasis that the pane does not have.
-void words(const Ui& ui, Colour colour, const std::string& text) {
-  std::string plain;
-  for (const char c : text)
-    if (c != '*' && c != '`') plain += c;
-  for (std::size_t at = 0; at < plain.size();) {
-    const std::size_t end = std::min(plain.find('\n', at), plain.size());
-    std::string line = plain.substr(at, end - at);
-    at = end + 1;
-    if (line.empty()) {
-      ImGui::Dummy({1, ui.px(2)});
-      continue;
-    }
-    const bool item = line.starts_with("- ");
-    if (item) {
-      line = line.substr(2);
-      const ImVec2 dot = ImGui::GetCursorScreenPos();
-      ImGui::GetWindowDrawList()->AddCircleFilled({dot.x + ui.px(5), dot.y + ImGui::GetFontSize() * 0.55f}, ui.px(2),
-                                                  to_imgui(colour));
-      ImGui::Indent(ui.px(16));
-    }
-    paragraph(colour, broken_lines(line, ImGui::GetContentRegionAvail().x));
-    if (item) ImGui::Unindent(ui.px(16));
-  }
-}
-
-void heading(const Ui& ui, Colour colour, const std::string& text) {
-  ImGui::Dummy({1, ui.px(4)});
-  push_font(ui.fonts.strong);
-  paragraph(colour, text);
-  pop_font();
-}
-
-float button_height(const Ui& ui) { return ImGui::GetFontSize() + ui.px(14); }
-
-// A button over the width of the pane, as high as its words need.
-bool wide_button(const Ui& ui, const std::string& name, const std::string& text, Colour ground, Colour ink,
-                 bool enabled) {
-  const float width = ImGui::GetContentRegionAvail().x, pad = ui.px(10);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = size.y + ui.px(12);
-  const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height}) && enabled;
-  ui.publish(name);
-  const Shades shades(ui.state.theme);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(at, {at.x + width, at.y + height}, to_imgui(ground), ui.px(6));
-  if (enabled && ImGui::IsItemHovered())
-    draw.AddRect(at, {at.x + width, at.y + height}, to_imgui(shades.accent), ui.px(6), 0, ui.px(1.4f));
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + ui.px(6)}, to_imgui(ink), text.c_str(),
-               nullptr, width - 2 * pad);
-  return pressed;
-}
-
 void list(const Ui& ui, const LessonPanel& panel) {
   const Shades shades(ui.state.theme);
   int number = 0;
@@ -79,6 +26,9 @@ void list(const Ui& ui, const LessonPanel& panel) {
       ui.act(action::OpenLesson{row.name});
     if (row.locked) tooltip(ui, "lesson/" + row.name, word(ui, LessonWord::locked));
   }
+  ImGui::Dummy({1, ui.px(6)});
+  command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {},
+                 std::string(bug_text(BugText::title, ui.state.lessons.language)));
 }
 
 void choices(const Ui& ui, const LessonPanel& panel) {
@@ -136,16 +86,18 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       if (!open) {
         list(ui, panel);
       } else {
-        words(ui, ui.colours.text, panel.text);
+        prose(ui, ui.colours.text, panel.text);
         if (panel.asks != Asks::nothing) {
           heading(ui, Shades(ui.state.theme).accent, word(ui, LessonWord::predict));
-          words(ui, ui.colours.text, panel.question);
+          prose(ui, ui.colours.text, panel.question);
           choices(ui, panel);
           push_font(ui.fonts.small);
           if (panel.asks == Asks::arrow && !sitting.revealed)
             paragraph(ui.colours.dim_text, "\u2192 " + word(ui, LessonWord::drag_arrow));
           if (panel.asks == Asks::number && !sitting.revealed)
             paragraph(ui.colours.dim_text, word(ui, LessonWord::type_number));
+          if (panel.asks == Asks::line && !sitting.revealed)
+            paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
           pop_font();
           if (panel.asks == Asks::number) {
             if (is_new && !sitting.revealed) ImGui::SetKeyboardFocusHere();
@@ -181,18 +133,18 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
           paragraph(ui.colours.dim_text, panel.score);
           pop_font();
         }
-        if (!panel.reveal.empty()) words(ui, ui.colours.text, panel.reveal);
+        if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
         if (!panel.change.empty()) {
           heading(ui, ui.colours.text, word(ui, LessonWord::change));
-          words(ui, ui.colours.text, panel.change);
+          prose(ui, ui.colours.text, panel.change);
         }
         if (!panel.presenter.empty()) {
           heading(ui, ui.colours.dim_text, word(ui, LessonWord::presenter));
-          words(ui, ui.colours.dim_text, panel.presenter);
+          prose(ui, ui.colours.dim_text, panel.presenter);
         }
         if (!panel.teacher.empty()) {
           heading(ui, ui.colours.dim_text, word(ui, LessonWord::teacher));
-          words(ui, ui.colours.dim_text, panel.teacher);
+          prose(ui, ui.colours.dim_text, panel.teacher);
         }
       }
     }

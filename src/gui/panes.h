@@ -74,6 +74,12 @@ class LessonPane {
   std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
 };
 
+/// Spot the bug: the list, or the bug that is hunted.
+void bug_pane(const Ui& ui, const Rect& where);
+/// What stands over the plan while the tracer has a bug.
+void bug_banner_pane(const Ui& ui, const Rect& where);
+[[nodiscard]] float bug_banner_height(const Ui& ui);
+
 /// The 3-D image as far as it is.
 struct Picture {
   std::uintptr_t texture = 0;  ///< 0: none yet

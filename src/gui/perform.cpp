@@ -3,8 +3,10 @@
 #include "gui/choices.h"
 #include "gui/commands.h"
 #include "gui/cost_commands.h"
+#include "view/bug_panel.h"
 
 #include <algorithm>
+#include <random>
 
 namespace raywalk {
 
@@ -46,6 +48,13 @@ constexpr double scale_step = 0.25;
 constexpr double magnify_step = 0.05;
 constexpr double turn_step = 3.14159265358979323846 / 24;  // radians
 constexpr double shift_step = 0.05;                        // of the view's width
+
+// The line that has just run; where one is marked already, whether that is the one.
+void mark(const Ui& ui) {
+  const State& state = ui.state;
+  if (state.bugs.hunt && state.bugs.hunt->marked) return ui.act(action::JudgeLine{});
+  if (const Event* just_run = state.timeline->just_run(state.position)) ui.act(action::MarkLine{just_run->line});
+}
 
 void next_heat(const Ui& ui) {
   ImageSettings settings = ui.state.image;
@@ -240,6 +249,16 @@ void perform(Command command, const Ui& ui) {
       return ui.wish(WindowWish::full_screen);
     case Command::lessons:
       return ui.act(action::ShowLessons{!state.lessons.shown});
+    case Command::bugs:
+      return ui.act(action::ShowBugs{!state.bugs.shown});
+    case Command::bug_surprise:
+      return ui.act(action::HuntBug{surprising_bug(state.bugs, std::random_device{}()), true});
+    case Command::bug_mark:
+      return mark(ui);
+    case Command::bug_cure:
+      return ui.act(action::ShowCure{});
+    case Command::bug_mend:
+      return ui.act(action::MendBug{!state.bug->mended});
     case Command::menu:
       return ui.wish(WindowWish::menu);
   }

@@ -78,6 +78,8 @@ std::string report(const State& state, const Interface& interface, const Preview
                       {"right", sitting.right},
                       {"judged", sitting.judged},
                       {"language", sitting.language}};
+  if (state.bug)
+    json["bug"] = {{"mended", state.bug->mended}, {"known", state.bug->known}, {"hunted", state.bugs.hunt.has_value()}};
   json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
   json["window"] = {{"width", window.width},
                     {"height", window.height},

@@ -116,6 +116,7 @@ bool LiveImage::work(const State& state, double milliseconds) {
     settings.samples = state.image.samples;
     settings.precision = state.image.single_precision ? Precision::float_ : Precision::double_;
     settings.heat = state.image.heat;
+    settings.fault = fault_at_work(state);
     preview_.reset(pictured_scene(state), settings);
     revision_ = state.revision;
     image_revision_ = state.image_revision;

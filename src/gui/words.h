@@ -56,6 +56,7 @@ inline constexpr std::string_view breakpoints_hint =
     "Before lines of code: click left of a line, or press Ctrl+B. AUTO, Run on and steps longer than a line stop "
     "there.";
 inline constexpr std::string_view breakpoint_hint = "Come to rest before this line, or no longer";
+inline constexpr std::string_view mark_hint = "This line is at fault";
 inline constexpr std::string_view breakpoints_off = "This step of the lesson passes all breakpoints.";
 inline constexpr std::string_view at_depth = "At DEPTH (0: none)";
 inline constexpr std::string_view at_pixel = "At pixel (-1: none)";

@@ -241,11 +241,29 @@ struct GuessChoice {
 struct GuessNumber {
   double number;
 };  ///< arrows are dragged
-struct RevealLesson {};  ///< shows the answer to the guess
+struct RevealLesson {};  ///< shows the answer to the guess; a line is guessed by MarkLine
 struct SetLessonOptions {
   bool presenter = false, unlocked = false;
   std::string language;
 };
+
+// Spot the bug. What is done to the scene itself (open, save, new, quit, a lesson) leaves the hunt first.
+struct ShowBugs {
+  bool shown;
+};  ///< hiding them leaves the hunt
+struct HuntBug {
+  int number;
+  bool surprise = false;
+};  ///< from 1, in all_faults
+struct MarkLine {
+  Line line;
+};  ///< as the one at fault
+struct JudgeLine {};  ///< whether the line that is marked is the one
+struct ShowCure {};   ///< gives up
+struct MendBug {
+  bool mended;
+};  ///< once it is known
+struct LeaveHunt {};  ///< everything as it was before it
 
 }  // namespace action
 
@@ -263,7 +281,9 @@ using Action = std::variant<
     action::CancelPrompt, action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab,
     action::DismissNotice, action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep,
     action::GuessChoice, action::GuessNumber, action::RevealLesson, action::SetLessonOptions, action::SetCostKnobs,
-    action::TryCost, action::ForgetCosts, action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::Magnify>;
+    action::TryCost, action::ForgetCosts, action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::ShowBugs,
+    action::HuntBug, action::MarkLine, action::JudgeLine, action::ShowCure, action::MendBug, action::LeaveHunt,
+    action::Magnify>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

@@ -225,6 +225,23 @@ void arguments(F& f, SetLessonOptions& a) {
   f.rest(a.language);
 }
 template <class F>
+void arguments(F& f, ShowBugs& a) {
+  f.choice(a.shown, Words<bool>(shown_words));
+}
+template <class F>
+void arguments(F& f, HuntBug& a) {
+  f.number(a.number);
+  f.flag(a.surprise, "surprise");
+}
+template <class F>
+void arguments(F& f, MarkLine& a) {
+  f.line(a.line);
+}
+template <class F>
+void arguments(F& f, MendBug& a) {
+  f.choice(a.mended, Words<bool>(shown_words));
+}
+template <class F>
 void arguments(F& f, SetTheme& a) {
   f.choice(a.theme, Words<Theme>(theme_words));
 }

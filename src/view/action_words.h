@@ -234,5 +234,19 @@ template <>
 inline constexpr std::string_view word_of<RevealLesson> = "reveal";
 template <>
 inline constexpr std::string_view word_of<SetLessonOptions> = "lesson-options";
+template <>
+inline constexpr std::string_view word_of<ShowBugs> = "bugs";
+template <>
+inline constexpr std::string_view word_of<HuntBug> = "hunt-bug";
+template <>
+inline constexpr std::string_view word_of<MarkLine> = "mark-line";
+template <>
+inline constexpr std::string_view word_of<JudgeLine> = "judge-line";
+template <>
+inline constexpr std::string_view word_of<ShowCure> = "show-cure";
+template <>
+inline constexpr std::string_view word_of<MendBug> = "mend-bug";
+template <>
+inline constexpr std::string_view word_of<LeaveHunt> = "leave-hunt";
 
 }  // namespace raywalk::action_text

@@ -7,6 +7,11 @@ namespace raywalk {
 
 namespace {
 
+Blame blame_of(const State& state, Line line) {
+  if (state.bug && state.bug->known && faulty_line(state.bug->fault) == line) return Blame::at_fault;
+  return marked_line(state) == line ? Blame::marked : Blame::none;
+}
+
 CodeRow row_of(const State& state, const PseudocodeLine& line) {
   CodeRow row{line.line, line.indent, std::string(line.text)};
   const Event* just_run = state.timeline->just_run(state.position);
@@ -14,6 +19,7 @@ CodeRow row_of(const State& state, const PseudocodeLine& line) {
   row.just_run = just_run != nullptr && just_run->line == line.line;
   row.next = next != nullptr && next->line == line.line;
   row.breakpoint = state.breakpoints.is_before(line.line);
+  row.blame = blame_of(state, line.line);
   row.hovered = state.hovered_line == line.line;
   if (state.hovered_ray >= 0)
     row.hovered =

@@ -75,6 +75,7 @@ void show_document(State& state, SceneDocument document, std::string path) {
   state.undo.clear();
   state.redo.clear();
   state.last_edit.reset();
+  state.bug.reset();
   state.drag.reset();
   state.selected = {};
   state.hovered = {};

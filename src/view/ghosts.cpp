@@ -29,6 +29,8 @@ Ghosts ghosts_of(const State& state) {
   ghosts.of = state.timeline;
   ghosts.pixel = pixel;
   if (pixel < 0 || timeline.of_paths()) return ghosts;  // a path has no tree
+  // Where DEPTH is not counted, a deeper limit cuts elsewhere, and nothing tells which ray stands for which.
+  if (fault_at_work(state) == Fault::depth_not_counted) return ghosts;
   const auto [first, last] = timeline.rays_of_pixel(pixel);
   const auto ray_at = [](const Timeline& of, int i) -> const RayRecord& {
     return of.rays()[static_cast<std::size_t>(i)];

@@ -60,6 +60,14 @@ std::vector<HelpSection> help() {
          "opens "
          "when the one before is done; Unlock all is for teachers, as is Presenter, which adds the script and "
          "notes."}}},
+      {"Spot the bug",
+       {{"",
+         "Shift+F2 opens a list of tracers that have a bug each. Look at the picture, step through, and click the line "
+         "at "
+         "fault in the code, or let it run and press Enter; Enter once more tells whether it is the one. Then the "
+         "right "
+         "rays stand beside the wrong ones, dotted, and Q mends the bug and brings it back. Your own scene waits and "
+         "comes back as it was."}}},
       {"Panels",
        {{"Code",
          "MAIN ALGORITHM and SHADE. DEPTH counts how many SHADEs are open. Click on a line to run on until it has "

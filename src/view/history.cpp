@@ -76,7 +76,11 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
   return true;
 }
 
-void undo(State& state) { step_history(state, state.undo, state.redo, TextId::nothing_to_undo); }
+void undo(State& state) {
+  // A hunt is the last thing that was done, once all that was done in it is undone.
+  if (state.undo.empty() && state.bugs.hunt) return leave_hunt(state);
+  step_history(state, state.undo, state.redo, TextId::nothing_to_undo);
+}
 
 void redo(State& state) { step_history(state, state.redo, state.undo, TextId::nothing_to_redo); }
 

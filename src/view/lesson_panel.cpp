@@ -1,5 +1,6 @@
 #include "view/lesson_panel.h"
 
+#include "view/bug_text.h"
 #include "view/plan_geometry.h"
 
 #include <fmt/format.h>
@@ -127,6 +128,11 @@ std::optional<LessonVerdict> judge(const LessonSitting& sitting) {
     const double error = std::abs(*sitting.guess.number - *truth);
     return LessonVerdict{error <= number->tolerance, error};
   }
+  if (std::holds_alternative<LineQuestion>(question)) {
+    if (!sitting.guess.line || !step->walk->fault) return std::nullopt;
+    const bool right = *sitting.guess.line == faulty_line(*step->walk->fault);
+    return LessonVerdict{right, right ? 0.0 : 1.0};
+  }
   const std::optional<Vec2d> truth = direction_of(sitting);
   if (!truth || !sitting.guess.arrow) return std::nullopt;
   const Vec2d& guess = *sitting.guess.arrow;
@@ -182,7 +188,14 @@ LessonPanel lesson_panel(const State& state) {
     panel.question = fill(said->question, step->asked);
     const auto* choices = std::get_if<ChoiceQuestion>(&question);
     const auto* number = std::get_if<NumberQuestion>(&question);
-    panel.asks = choices != nullptr ? Asks::choice : number != nullptr ? Asks::number : Asks::arrow;
+    panel.asks = choices != nullptr                               ? Asks::choice
+                 : number != nullptr                              ? Asks::number
+                 : std::holds_alternative<LineQuestion>(question) ? Asks::line
+                                                                  : Asks::arrow;
+    if (panel.asks == Asks::line)
+      panel.marked = sitting.guess.line ? bug_text(BugText::line_marked, sitting.language,
+                                                   {std::string(pseudocode_of(*sitting.guess.line).text)})
+                                        : std::string(bug_text(BugText::task_of_lesson, sitting.language));
     for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i)
       panel.choices.push_back({fill(said->choices[i], step->asked), sitting.guess.choice == static_cast<int>(i),
                                answered && choice_holds(sitting, choices->choices[i])});

@@ -45,7 +45,7 @@ struct LessonChoice {
   bool right = false;  ///< known only once the answer stands there
 };
 /// Which control asks.
-enum class Asks { nothing, choice, number, arrow };
+enum class Asks { nothing, choice, number, arrow, line };
 
 struct LessonPanel {
   std::vector<LessonRow> rows;  ///< the list, where no lesson is open
@@ -56,6 +56,7 @@ struct LessonPanel {
   std::string question;
   std::vector<LessonChoice> choices;
   std::string unit;
+  std::string marked;   ///< of a line: which one, or how to mark it
   std::string verdict;  ///< after the answer: right or not, and the error
   bool is_right = false;
   std::string reveal, change;      ///< after the answer, or where nothing was asked

@@ -32,6 +32,7 @@ struct LessonGuess {
   std::optional<int> choice;  ///< from 0
   std::optional<double> number;
   std::optional<Vec2d> arrow;  ///< where it points, from the ray's origin; scene units, not of length 0
+  std::optional<Line> line;    ///< that is thought to be at fault
   friend bool operator==(const LessonGuess&, const LessonGuess&) = default;
 };
 

@@ -66,14 +66,18 @@ void stage(State& state) {
   std::optional<PixelWalk> pixel;
   if (walk.pixel) pixel = PixelWalk{walk.document.scene.image, walk.pixel->column, walk.pixel->row, {}};
   const bool stays = state.scene() == walk.document.scene && state.walk == pixel && !state.image.single_precision &&
-                     !state.image.integrator;
+                     !state.image.integrator && state.image.walk_samples == 1 && fault_at_work(state) == walk.fault &&
+                     !(state.bug && state.bug->mended);
   if (!stays) {
     state.image.single_precision = false;
     state.image.integrator.reset();
+    state.image.walk_samples = 1;
     show_document(state, walk.document, {});
     state.walk = pixel;
-    if (pixel) record_again(state);
+    if (pixel && !walk.fault) record_again(state);
+    set_bug(state, walk.fault);
   }
+  if (state.bug) state.bug->known = false;
   if (step.step->pixel || !stays) state.lessons.first_pixel = 0;
   if (step.step->pixel && !pixel) state.lessons.first_pixel = step.step->pixel->column;
   state.lessons.guess = {};
@@ -97,8 +101,15 @@ void stage(State& state) {
 }  // namespace
 
 void show_lessons(State& state, bool shown) {
+  const bool opens = shown && !state.lessons.shown;
   state.lessons.shown = shown;
-  if (!shown) return;
+  if (!shown) {
+    // Nobody would know any more why the tracer is broken.
+    if (state.lessons.at() != nullptr) set_bug(state, std::nullopt);
+    return;
+  }
+  state.bugs.shown = false;
+  if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
   if (state.mode == Mode::help) state.mode = Mode::trace;
   read_list(state);
 }
@@ -130,6 +141,7 @@ void open_lesson(State& state, const std::string& name) {
 }
 
 void leave_lesson(State& state) {
+  if (state.lessons.open) set_bug(state, std::nullopt);
   state.lessons.open.reset();
   state.lessons.guess = {};
   state.lessons.revealed = false;
@@ -178,11 +190,12 @@ void reveal_lesson(State& state) {
   }
   // A student may have walked elsewhere, or changed the scene.
   const LessonGuess guess = sitting.guess;
-  if (state.scene() != sitting.at()->walk->document.scene) {
+  if (state.scene() != sitting.at()->walk->document.scene || fault_at_work(state) != sitting.at()->walk->fault) {
     stage(state);
     sitting.guess = guess;
     sitting.revealed = true;
   }
+  if (state.bug) state.bug->known = true;
   // An answer that takes several pixels shows the rays of all.
   const PlayedStep& step = *sitting.at();
   if (state.timeline->current_pixel(step.shown) != state.timeline->current_pixel(step.asked)) sitting.first_pixel = 0;

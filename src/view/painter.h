@@ -4,6 +4,8 @@
 #include "view/plan_geometry.h"
 #include "view/plan_view.h"
 
+#include <optional>
+
 namespace raywalk::detail {
 
 /// An axis-parallel rectangle in pixels.
@@ -63,6 +65,12 @@ struct RayLook {
   bool hovered;
 };
 [[nodiscard]] Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look);
+/// A ray on the screen: where it starts and is drawn to, and its unit direction there.
+struct RayWay {
+  Vec2d from, to, along;
+};
+/// `known`: whether its end is known. Nothing for a ray straight up or down, which is a point of the plan.
+[[nodiscard]] std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool known);
 [[nodiscard]] double ray_arrow(const Painter& painter, const RayLook& look);
 /// A cross where a shadow ray is stopped.
 void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray);
@@ -86,6 +94,10 @@ void draw_hit_notes(Painter& painter);
 
 // lesson_view.cpp
 void draw_guess(Painter& painter);
+
+// bug_view.cpp
+/// Beside the rays of the pixel those that it has without the bug, or with it where it is mended, once it is known.
+void draw_other_rays(Painter& painter);
 
 // labels_view.cpp
 void draw_labels(Painter& painter);

@@ -12,6 +12,9 @@ namespace raywalk {
 
 // ---- Code -----------------------------------------------------------------------------------------------------------
 
+/// What is thought of a line while one is looked for that is at fault.
+enum class Blame { none, marked, at_fault };
+
 struct CodeRow {
   Line line;
   int indent;  ///< levels
@@ -20,6 +23,7 @@ struct CodeRow {
   bool next = false;        ///< outlined: this line runs next
   bool breakpoint = false;  ///< the walk comes to rest before it
   bool hovered = false;     ///< pointed at here, or the ray pointed at elsewhere was formed or found by it
+  Blame blame = Blame::none;
 };
 
 struct CodeBox {

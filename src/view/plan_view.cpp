@@ -72,6 +72,7 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
   if (!moving) detail::draw_rays(painter);
   if (!moving) detail::draw_ghosts(painter);
   if (!moving) detail::draw_samples(painter);
+  if (!moving) detail::draw_other_rays(painter);
   detail::draw_eye(painter);
   detail::draw_lights(painter);
   if (moving) detail::draw_handles(painter);

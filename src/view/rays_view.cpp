@@ -20,17 +20,12 @@ std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool kn
 void draw_ray(Painter& painter, int index, const RayLook& look) {
   const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
   const bool known = ray.found_at <= painter.state.position;
-  const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
-  const double size = length(towards);
-  if (!(size > 0)) return;  // straight up or down: a point of the plan
-  const Vec2d along = towards / size;
-  const Vec2d from = painter.pixels(plan(ray.origin));
+  const std::optional<RayWay> way = ray_way(painter, ray, known);
+  if (!way) return;
+  const auto [from, to, along] = *way;
   const Stroke stroke = ray_stroke(painter, ray, look);
   const Target target{TargetKind::ray, index};
   if (!ray.formed) return draw_stub(painter, from, along, stroke, target);
-
-  const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
-  const Vec2d to = end ? painter.pixels(*end) : beyond_pane(painter, from, along);
   if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
   LineItem line{from, to, stroke, ray_arrow(painter, look), 0.55};
   const double visible = length(to - from);
@@ -54,6 +49,16 @@ void draw_normal(Painter& painter, const RayRecord& ray) {
 Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along) {
   const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
   return from + (painter.viewport.width + painter.viewport.height + length(middle - from)) * along;
+}
+
+std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool known) {
+  const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
+  const double size = length(towards);
+  if (!(size > 0)) return std::nullopt;
+  const Vec2d along = towards / size;
+  const Vec2d from = painter.pixels(plan(ray.origin));
+  const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
+  return RayWay{from, end ? painter.pixels(*end) : beyond_pane(painter, from, along), along};
 }
 
 Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look) {
@@ -109,8 +114,11 @@ void draw_rays(Painter& painter) {
   const int pixel = timeline.current_pixel(position);
   const int current = timeline.current_ray(position);
 
-  const bool of_lesson = painter.state.lessons.at() != nullptr;
-  const int first_pixel = of_lesson ? std::min(painter.state.lessons.first_pixel, pixel) : 0;
+  const BugSitting& bugs = painter.state.bugs;
+  const int wished = bugs.hunt                               ? bugs.hunt->first_pixel
+                     : painter.state.lessons.at() != nullptr ? painter.state.lessons.first_pixel
+                                                             : 0;
+  const int first_pixel = std::min(wished, pixel);
 
   const auto is_drawn = [&](int index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];

@@ -21,8 +21,9 @@ bool ended_by_depth(const Timeline& timeline) {
 }
 
 /// What is walked, in this scene; of the strip all cells or one.
-Timeline record(const State& state, const Scene& scene, int samples, std::optional<int> cell = {}) {
-  Recording how{state.image.single_precision ? Precision::float_ : Precision::double_};
+Timeline record(const State& state, const Scene& scene, std::optional<Fault> fault, int samples,
+                std::optional<int> cell = {}) {
+  Recording how{state.image.single_precision ? Precision::float_ : Precision::double_, {}, fault};
   how.sampling.per_pixel = samples;
   if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
   return record_pixel(scene, state.walk->size, state.walk->column, state.walk->row, how);
@@ -36,7 +37,8 @@ Recorded record_to_depth(const State& state) {
   Scene limited = walked_scene(state);
   const int wanted = limited.limits.depth;
   limited.limits.depth = std::min(wanted, harmless_depth);
-  Recorded recorded{record(state, limited, 1), limited.limits.depth};
+  const std::optional<Fault> fault = fault_at_work(state);
+  Recorded recorded{record(state, limited, fault, 1), limited.limits.depth};
   double growth = worst_growth;
   while (recorded.depth < wanted) {
     if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
@@ -45,7 +47,7 @@ Recorded record_to_depth(const State& state) {
     if (!(room >= 1)) return recorded;
     const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
     limited.limits.depth = recorded.depth + levels;
-    recorded = {record(state, limited, 1), limited.limits.depth};
+    recorded = {record(state, limited, fault, 1), limited.limits.depth};
     growth = std::max(1.0, std::pow(recorded.timeline.steps() / events, 1.0 / levels));
   }
   return recorded;
@@ -59,8 +61,16 @@ Recorded record_within(const State& state) {
   if (recorded.samples == 1) return recorded;
   Scene limited = walked_scene(state);
   limited.limits.depth = recorded.depth;
-  recorded.timeline = record(state, limited, recorded.samples);
+  recorded.timeline = record(state, limited, fault_at_work(state), recorded.samples);
   return recorded;
+}
+
+/// The same walk without the bug, or with it where it is mended.
+std::shared_ptr<const Timeline> record_other(const State& state, int depth, int samples) {
+  Scene limited = walked_scene(state);
+  limited.limits.depth = depth;
+  const std::optional<Fault> other = state.bug->mended ? std::optional(state.bug->fault) : std::nullopt;
+  return std::make_shared<const Timeline>(record(state, limited, other, samples));
 }
 
 /// The place in `after` that corresponds to `position` in `before`.
@@ -80,7 +90,7 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
 Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits) {
   Scene limited = walked_scene(state);
   limited.limits = limits;
-  return record(state, limited, samples, column);
+  return record(state, limited, fault_at_work(state), samples, column);
 }
 
 void record_again(State& state) {
@@ -90,6 +100,7 @@ void record_again(State& state) {
     inform(state, fill(TextId::too_many_steps, {std::to_string(recorded.depth)}));
   if (recorded.samples < state.image.walk_samples)
     inform(state, fill(TextId::too_many_samples, {std::to_string(recorded.samples)}));
+  if (state.bug) state.bug->other = record_other(state, recorded.depth, recorded.samples);
   const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
   state.position = same_place(*state.timeline, state.position, *after);
   state.timeline = after;

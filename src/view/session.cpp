@@ -96,8 +96,7 @@ Result<void> write_autosave(const State& state) {
 
 void autosave(State& state, double seconds) {
   state.autosave_in = std::max(0.0, state.autosave_in - seconds);
-  const bool wanted = state.dirty && state.revision != state.autosaved_revision && !state.state_dir.empty();
-  if (!wanted || state.autosave_in > 0) return;
+  if (!wants_autosave(state) || state.autosave_in > 0) return;
   state.autosave_in = autosave_every;
   state.autosaved_revision = state.revision;
   const Result<void> written = write_autosave(state);
@@ -105,6 +104,7 @@ void autosave(State& state, double seconds) {
 }
 
 void forget_autosave(State& state) {
+  if (state.bugs.hunt) return;  // it belongs to the scene that waits
   state.autosaved_revision = state.revision;
   if (state.state_dir.empty()) return;
   std::error_code failed;  // nothing there is as good as removed

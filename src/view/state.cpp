@@ -19,21 +19,26 @@ const Camera& image_camera(const State& state) {
   return state.image_camera ? *state.image_camera : state.scene().camera;
 }
 
-void choose(const ImageSettings& settings, RenderChoices& choices) {
-  choices.integrator = settings.integrator.value_or(choices.integrator);
+void choose(const State& state, RenderChoices& choices) {
+  if (state.bug) {
+    if (choices.integrator == Integrator::path) choices.integrator = Integrator::automatic;
+    choices.numerics = Numerics::naive;
+    return;
+  }
+  choices.integrator = state.image.integrator.value_or(choices.integrator);
 }
 
 Scene pictured_scene(const State& state) {
   Scene scene = state.scene();
   scene.camera = image_camera(state);
-  choose(state.image, scene.render);
+  choose(state, scene.render);
   return scene;
 }
 
 Scene walked_scene(const State& state) {
   Scene scene = state.scene();
   if (state.walk && state.walk->camera) scene.camera = *state.walk->camera;
-  choose(state.image, scene.render);
+  choose(state, scene.render);
   return scene;
 }
 
@@ -46,6 +51,10 @@ int current_cell(const State& state) {
   if (!state.timeline->of_strip()) return -1;
   const int pixel = state.timeline->current_pixel(state.position);
   return pixel < 0 ? -1 : state.timeline->pixels()[static_cast<std::size_t>(pixel)].column;
+}
+
+bool wants_autosave(const State& state) {
+  return state.dirty && !state.bugs.hunt && state.revision != state.autosaved_revision && !state.state_dir.empty();
 }
 
 std::string document_title(const State& state) {

@@ -6,6 +6,7 @@
 #include "render/heat.h"
 #include "timeline/stops.h"
 #include "timeline/timeline.h"
+#include "view/bugs.h"
 #include "view/cost.h"
 #include "view/display_list.h"
 #include "view/ghosts.h"
@@ -180,6 +181,9 @@ struct State {
 
   LessonSitting lessons;
 
+  std::optional<Bug> bug;  ///< what is wrong with the tracer now: put there by a hunt or by a lesson's step
+  BugSitting bugs;
+
   // Talk.
   std::optional<Question> question;
   PathPrompt prompt = PathPrompt::none;
@@ -206,8 +210,8 @@ void restore_session(State& state);
 
 /// The camera of the 3-D picture.
 [[nodiscard]] const Camera& image_camera(const State& state);
-/// Puts what was chosen in place of what the scene says.
-void choose(const ImageSettings& settings, RenderChoices& choices);
+/// Puts what was chosen in place of what the scene says. Beside a bug everything is naive: that is what it breaks.
+void choose(const State& state, RenderChoices& choices);
 /// The scene as the 3-D picture shows it.
 [[nodiscard]] Scene pictured_scene(const State& state);
 /// The scene as it is walked.
@@ -222,6 +226,9 @@ void choose(const ImageSettings& settings, RenderChoices& choices);
 
 /// The strip's column of the pixel under way (or just put), or -1; -1 also while a pixel of the picture is walked.
 [[nodiscard]] int current_cell(const State& state);
+
+/// Whether there is unsaved work that the autosave does not hold. The scene of a hunt is nobody's work.
+[[nodiscard]] bool wants_autosave(const State& state);
 
 /// The file's name as a title bar shows it: without folders, "Untitled" when never saved, "*" in front when dirty.
 [[nodiscard]] std::string document_title(const State& state);

@@ -10,9 +10,7 @@
 
 namespace raywalk {
 
-namespace {
-
-std::string filled(std::string_view pattern, const std::vector<std::string>& arguments) {
+std::string fill(std::string_view pattern, const std::vector<std::string>& arguments) {
   std::string result;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     const bool placeholder = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}';
@@ -26,6 +24,8 @@ std::string filled(std::string_view pattern, const std::vector<std::string>& arg
   }
   return result;
 }
+
+namespace {
 
 std::string argument_text(const Argument& argument) {
   return std::visit(detail::Overloaded{
@@ -41,9 +41,9 @@ std::string argument_text(const Argument& argument) {
 
 }  // namespace
 
-std::string fill(TextId id, const std::vector<std::string>& arguments) { return filled(text(id), arguments); }
+std::string fill(TextId id, const std::vector<std::string>& arguments) { return fill(text(id), arguments); }
 
-std::string fill(CostText id, const std::vector<std::string>& arguments) { return filled(text(id), arguments); }
+std::string fill(CostText id, const std::vector<std::string>& arguments) { return fill(text(id), arguments); }
 
 std::string fill(ScopeText id, const std::vector<std::string>& arguments) { return filled(text(id), arguments); }
 
@@ -69,7 +69,7 @@ std::string colour_text(const Rgbd& c) {
 std::string sentence_of(const Message& message) {
   std::vector<std::string> arguments;
   for (const Argument& argument : message.arguments) arguments.push_back(argument_text(argument));
-  return filled(template_of(message.id), arguments);
+  return fill(template_of(message.id), arguments);
 }
 
 std::string step_text(const Scene& scene, const Timeline& timeline, int position) {

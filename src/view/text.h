@@ -221,7 +221,8 @@ enum class TextId {
 };
 
 [[nodiscard]] std::string_view text(TextId id);
-/// The text with its arguments filled in.
+/// A text with its arguments filled in.
+[[nodiscard]] std::string fill(std::string_view pattern, const std::vector<std::string>& arguments);
 [[nodiscard]] std::string fill(TextId id, const std::vector<std::string>& arguments);
 
 [[nodiscard]] std::string_view text(RayKind kind);     ///< "reflect ray"

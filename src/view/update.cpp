@@ -103,6 +103,16 @@ void refit(State& state) {
   if (state.camera.fitted) state.camera = fitted(state);
 }
 
+/// Actions that are about the person's own scene: a hunt gives it back first.
+bool leaves_hunt(const Action& action) {
+  return std::visit(
+      []<class T>(const T& a) {
+        if constexpr (one_of<T, ShowLessons>) return a.shown;
+        return one_of<T, New, Open, Save, SaveAs, AskOpen, AskSaveAs, Quit, OpenLesson>;
+      },
+      action);
+}
+
 /// What each action does once it is known to be sensible here.
 void apply(State& state, const Action& action) {
   std::visit(
@@ -267,6 +277,13 @@ void apply(State& state, const Action& action) {
           [&](const GuessNumber& a) { detail::guess_number(state, a.number); },
           [&](const RevealLesson&) { detail::reveal_lesson(state); },
           [&](const SetLessonOptions& a) { detail::set_lesson_options(state, a); },
+          [&](const ShowBugs& a) { detail::show_bugs(state, a.shown); },
+          [&](const HuntBug& a) { detail::hunt_bug(state, a); },
+          [&](const MarkLine& a) { detail::mark_line(state, a.line); },
+          [&](const JudgeLine&) { detail::judge_line(state); },
+          [&](const ShowCure&) { detail::show_cure(state); },
+          [&](const MendBug& a) { detail::mend_bug(state, a.mended); },
+          [&](const LeaveHunt&) { detail::leave_hunt(state); },
       },
       action);
 }
@@ -276,6 +293,7 @@ void apply(State& state, const Action& action) {
 void update(State& state, const Action& action) {
   if (!is_finite(action) || !goes_through(state, action)) return;
   if (state.drag && !leaves_drag(action)) detail::end_drag(state);
+  if (state.bugs.hunt && leaves_hunt(action)) detail::leave_hunt(state);
   apply(state, action);
   detail::follow_with_ghosts(state);
 }

@@ -118,6 +118,18 @@ void guess_arrow(State& state, const Vec2d& towards);
 void reveal_lesson(State& state);
 void set_lesson_options(State& state, const action::SetLessonOptions& options);
 
+// bug_steps.cpp
+void show_bugs(State& state, bool shown);
+void hunt_bug(State& state, const action::HuntBug& hunt);
+void mark_line(State& state, Line line);
+void judge_line(State& state);
+void show_cure(State& state);
+void mend_bug(State& state, bool mended);
+/// Everything as it was before the hunt.
+void leave_hunt(State& state);
+/// Breaks the tracer, or mends it for good; records again.
+void set_bug(State& state, std::optional<Fault> fault);
+
 // new_scene.cpp
 [[nodiscard]] Scene new_scene();
 [[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted);

@@ -121,6 +121,9 @@ std::string broken_promise(const State& state) {
   const Result<std::string> written = format_scene(state.scene());
   if (!written) return "the scene cannot be saved: " + written.error().text();
   if (state.dirty != (state.scene() != state.saved)) return "dirty tells a lie";
+  if (state.bugs.hunt && !state.bug) return "a hunt without a bug";
+  if (state.bug && !state.bug->other) return "nothing to compare the bug with";
+  if (state.bugs.shown && state.lessons.shown) return "two panes in one place";
   if (!exists(state, state.selected)) return "something is selected that is not there";
   if (!exists(state, state.hovered)) return "something is hovered that is not there";
   if (state.hovered_ray >= static_cast<int>(state.timeline->rays().size())) return "a ray is hovered that is not there";

@@ -185,3 +185,59 @@ TEST_CASE("progress is kept between sittings") {
   CHECK(state.lessons.step == 1);
   std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer when it is over") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::OpenLesson{"04-reflection"});
+  go_to_question(state, Asks::line);
+  REQUIRE(state.bug);
+  CHECK(fault_at_work(state) == Fault::reflection_flipped);
+  CHECK(asks_for_line(state));
+  CHECK(state.timeline->steps() == state.lessons.at()->walk->timeline.steps());
+  update(state, action::MendBug{true});
+  CHECK(fault_at_work(state));  // not before it is known
+  update(state, action::MarkLine{Line::form_shadow_ray});
+  CHECK_THAT(lesson_panel(state).marked, test::contains("Form shadow ray"));
+  update(state, action::MarkLine{Line::form_reflect_ray});
+  update(state, action::RevealLesson{});
+  CHECK(lesson_panel(state).is_right);
+  CHECK(state.lessons.right == 1);
+  CHECK_FALSE(asks_for_line(state));
+  update(state, action::MendBug{true});
+  CHECK_FALSE(fault_at_work(state));
+  update(state, action::MendBug{false});
+
+  // Nobody is left with a broken tracer: neither beside closed lessons, nor in another step, nor after the lesson.
+  const int step = state.lessons.step;
+  update(state, action::ShowLessons{false});
+  CHECK_FALSE(state.bug);
+  update(state, action::ShowLessons{true});
+  CHECK(fault_at_work(state) == Fault::reflection_flipped);
+  update(state, action::GoToLessonStep{step - 1});
+  CHECK_FALSE(state.bug);
+  CHECK(state.timeline->steps() == state.lessons.at()->walk->timeline.steps());
+  update(state, action::GoToLessonStep{step});
+  CHECK(state.bug);
+  update(state, action::GuessChoice{0});
+  update(state, action::MarkLine{Line::form_shadow_ray});
+  update(state, action::RevealLesson{});
+  CHECK_FALSE(lesson_panel(state).is_right);
+  update(state, action::LeaveLesson{});
+  CHECK_FALSE(state.bug);
+}
+
+TEST_CASE("whoever changes the scene of a bug gets it back with the answer") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::OpenLesson{"04-reflection"});
+  go_to_question(state, Asks::line);
+  update(state, action::New{});
+  update(state, action::AnswerQuestion{action::Answer::discard});
+  CHECK_FALSE(state.bug);
+  update(state, action::MarkLine{Line::form_reflect_ray});
+  update(state, action::RevealLesson{});
+  CHECK(fault_at_work(state) == Fault::reflection_flipped);
+  CHECK(state.bug->known);
+  CHECK(lesson_panel(state).is_right);
+}

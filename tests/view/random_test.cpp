@@ -178,10 +178,32 @@ class RandomActions {
         return whole(0, 9) > 0 ? Action(action::SetTab{Tab::cost}) : Action(action::ForgetCosts{});
     }
   }
+  Action bug() {
+    switch (whole(0, 8)) {
+      case 0:
+        return action::ShowBugs{flip()};
+      case 1:
+      case 2:
+        return action::HuntBug{whole(0, 9), flip()};
+      case 3:
+        return action::MarkLine{static_cast<Line>(whole(0, line_count + path_line_count - 1))};
+      case 4:
+        return action::JudgeLine{};
+      case 5:
+        return action::ShowCure{};
+      case 6:
+      case 7:
+        return action::MendBug{flip()};
+      default:
+        return action::LeaveHunt{};
+    }
+  }
   Action other() {
     switch (whole(0, 26)) {
       case 23:
         return cost();
+      case 24:
+        return bug();
       case 19:
         return action::RunOn{flip()};
       case 20:
@@ -219,9 +241,9 @@ class RandomActions {
         settings.heat = static_cast<Heat>(whole(0, 3));
         return action::SetImageSettings{settings};
       }
-      case 24:
-        return action::SetNumerics{flip() ? Numerics::naive : Numerics::robust, real(-0.01, 0.1), flip()};
       case 25:
+        return action::SetNumerics{flip() ? Numerics::naive : Numerics::robust, real(-0.01, 0.1), flip()};
+      case 26:
         return action::Magnify{real(-0.5, 1.5)};
       case 0:
         return action::New{};
@@ -255,6 +277,7 @@ TEST_CASE("ten thousand random actions keep every promise, and undo leads all th
   const unsigned seed = GENERATE(1u, 2u, 3u, 4u);
   RandomActions actions(seed);
   State state = busy_state();
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
   std::vector<std::string> latest;
   for (int i = 0; i < rounds(2500); ++i) {
     const Action action = actions.next(state);
@@ -278,6 +301,7 @@ TEST_CASE("ten thousand random actions keep every promise, and undo leads all th
   // Undo all the way and redo all the way: the same scenes in the opposite order.
   update(state, action::CancelPrompt{});
   update(state, action::CancelDrag{});
+  update(state, action::LeaveHunt{});
   std::vector<Scene> scenes{state.scene()};
   while (!state.undo.empty()) {
     update(state, action::Undo{});

@@ -1,0 +1,141 @@
+#include "gui/pane_words.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/bug_panel.h"
+#include "view/bug_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+std::string said(const Ui& ui, BugText id) { return std::string(bug_text(id, ui.state.lessons.language)); }
+
+void list(const Ui& ui, const BugPanel& panel) {
+  const Shades shades(ui.state.theme);
+  for (const BugRow& row : panel.rows) {
+    std::string text = bug_text(BugText::number, ui.state.lessons.language, {std::to_string(row.number)});
+    if (row.end == BugEnd::found) text += "  \u2713 " + said(ui, BugText::found);
+    if (row.end == BugEnd::given_up) text += "  \u00b7 " + said(ui, BugText::given_up);
+    if (wide_button(ui, fmt::format("bug/{}", row.number), text, shades.raised, ui.colours.text, true))
+      ui.act(action::HuntBug{row.number});
+  }
+}
+
+void passages(const Ui& ui, const std::vector<BugPassage>& all) {
+  for (const BugPassage& passage : all) {
+    if (!passage.heading.empty()) heading(ui, ui.colours.dim_text, passage.heading);
+    prose(ui, ui.colours.text, passage.text);
+  }
+}
+
+void hunt(const Ui& ui, const BugPanel& panel) {
+  passages(ui, panel.said);
+  if (!panel.verdict.empty())
+    heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
+            (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+  passages(ui, panel.learnt);
+  if (!panel.marked.empty()) heading(ui, panel.can_judge ? ui.colours.text : ui.colours.dim_text, panel.marked);
+}
+
+}  // namespace
+
+void bug_pane(const Ui& ui, const Rect& where) {
+  const BugPanel panel = bug_panel(ui.state);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(12)});
+  const bool visible = begin_pane(ui, "bugs", where, ui.colours.panel,
+                                  ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  if (visible) {
+    const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), gap = ui.px(8);
+    const float left = where.x + ui.px(16);
+    push_font(ui.fonts.small);
+    label(ui.colours.dim_text, shortened(panel.tally, width - 2 * height));
+    pop_font();
+    ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
+    if (button(ui, "bugs-close", "", said(ui, BugText::leave), {height, height},
+               {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
+      ui.act(action::ShowBugs{false});
+    ImGui::SetCursorScreenPos({left, where.y + ui.px(12) + height});
+    push_font(ui.fonts.title);
+    paragraph(ui.colours.text, panel.heading);
+    pop_font();
+
+    const float foot = 2 * height + ui.px(26), top = ImGui::GetCursorScreenPos().y;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
+    if (ImGui::BeginChild("bug-words", {width, std::max(where.bottom() - top - foot, 1.0f)}, false)) {
+      if (panel.hunting) {
+        hunt(ui, panel);
+      } else {
+        passages(ui, panel.said);
+        list(ui, panel);
+      }
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+
+    const float y = where.bottom() - foot + ui.px(8), half = (width - gap) / 2;
+    ImGui::SetCursorScreenPos({left, y});
+    if (!panel.hunting) {
+      command_button(ui, Command::bug_surprise, {width, height}, {.look = Look::primary}, said(ui, BugText::surprise));
+    } else {
+      const bool open = panel.can_give_up;
+      command_button(ui, open ? Command::bug_mark : Command::bug_mend, {half, height},
+                     {.look = open ? Look::primary : Look::plain},
+                     said(ui, panel.can_judge        ? BugText::judge
+                              : open                 ? BugText::mark
+                              : ui.state.bug->mended ? BugText::break_again
+                                                     : BugText::mend));
+      ImGui::SetCursorScreenPos({left + half + gap, y});
+      command_button(ui, open ? Command::bug_cure : Command::bug_surprise, {half, height},
+                     {.look = open ? Look::plain : Look::primary},
+                     said(ui, open ? BugText::give_up : BugText::surprise));
+    }
+
+    const std::string& language = ui.state.lessons.language;
+    const ButtonLook small{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
+    const float language_width = button_width(ui, "PT", small);
+    ImGui::SetCursorScreenPos({left, y + height + gap});
+    if (panel.hunting) {
+      if (button(ui, "bugs-list", said(ui, BugText::all_bugs), said(ui, BugText::all_bugs), {height, height},
+                 {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
+        ui.act(action::LeaveHunt{});
+      ImGui::SetCursorScreenPos({left + height + gap, y + height + gap});
+      if (button(ui, "bugs-leave", said(ui, BugText::leave), "Esc", {width - height - language_width - 2 * gap, height},
+                 {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
+        ui.act(action::ShowBugs{false});
+    }
+    ImGui::SetCursorScreenPos({left + width - language_width, y + height + gap});
+    if (button(ui, "bugs-language", language == "en" ? "PT" : "EN", "English | Portugu\u00eas",
+               {language_width, height}, small))
+      ui.act(action::SetLessonOptions{ui.state.lessons.presenter, ui.state.lessons.unlocked,
+                                      language == "en" ? "pt" : "en"});
+  }
+  end_pane();
+}
+
+float bug_banner_height(const Ui& ui) { return line_height(ui.fonts, *ui.fonts.strong) + ui.px(10); }
+
+void bug_banner_pane(const Ui& ui, const Rect& where) {
+  const bool mended = ui.state.bug->mended;
+  const Shades shades(ui.state.theme);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  if (begin_pane(ui, "bug-banner", where, mended ? shades.accent : ui.colours.error,
+                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    const std::string text = bug_banner(ui.state);
+    push_font(ui.fonts.strong);
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    ImGui::SetCursorScreenPos(
+        {where.x + std::max((where.width - extent.x) / 2, ui.px(8)), where.y + (where.height - extent.y) / 2});
+    label(mended ? shades.on_accent : ui.colours.panel, text);
+    pop_font();
+    ui.publish("bug-banner", where);
+  }
+  end_pane();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,62 @@
+#include "gui/pane_words.h"
+
+#include "gui/broken_lines.h"
+#include "gui/widgets.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+void prose(const Ui& ui, Colour colour, const std::string& text) {
+  std::string plain;
+  for (const char c : text)
+    if (c != '*' && c != '`') plain += c;
+  for (std::size_t at = 0; at < plain.size();) {
+    const std::size_t end = std::min(plain.find('\n', at), plain.size());
+    std::string line = plain.substr(at, end - at);
+    at = end + 1;
+    if (line.empty()) {
+      ImGui::Dummy({1, ui.px(2)});
+      continue;
+    }
+    const bool item = line.starts_with("- ");
+    if (item) {
+      line = line.substr(2);
+      const ImVec2 dot = ImGui::GetCursorScreenPos();
+      ImGui::GetWindowDrawList()->AddCircleFilled({dot.x + ui.px(5), dot.y + ImGui::GetFontSize() * 0.55f}, ui.px(2),
+                                                  to_imgui(colour));
+      ImGui::Indent(ui.px(16));
+    }
+    paragraph(colour, broken_lines(line, ImGui::GetContentRegionAvail().x));
+    if (item) ImGui::Unindent(ui.px(16));
+  }
+}
+
+void heading(const Ui& ui, Colour colour, const std::string& text) {
+  ImGui::Dummy({1, ui.px(4)});
+  push_font(ui.fonts.strong);
+  paragraph(colour, text);
+  pop_font();
+}
+
+float button_height(const Ui& ui) { return ImGui::GetFontSize() + ui.px(14); }
+
+bool wide_button(const Ui& ui, const std::string& name, const std::string& text, Colour ground, Colour ink,
+                 bool enabled) {
+  const float width = ImGui::GetContentRegionAvail().x, pad = ui.px(10);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = size.y + ui.px(12);
+  const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height}) && enabled;
+  ui.publish(name);
+  const Shades shades(ui.state.theme);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(at, {at.x + width, at.y + height}, to_imgui(ground), ui.px(6));
+  if (enabled && ImGui::IsItemHovered())
+    draw.AddRect(at, {at.x + width, at.y + height}, to_imgui(shades.accent), ui.px(6), 0, ui.px(1.4f));
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + ui.px(6)}, to_imgui(ink), text.c_str(),
+               nullptr, width - 2 * pad);
+  return pressed;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,43 @@
+#pragma once
+// What the pane of spot the bug shows, as data.
+
+#include "view/state.h"
+
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+struct BugRow {
+  int number = 1;
+  BugEnd end = BugEnd::open;
+};
+struct BugPassage {
+  std::string heading, text;
+};
+
+struct BugPanel {
+  bool hunting = false;  ///< else the list
+  std::string heading;
+  std::string tally;             ///< empty before the first is found
+  std::vector<BugRow> rows;      ///< the list
+  std::vector<BugPassage> said;  ///< what is seen, what to do, hints
+  std::string marked;            ///< which line, or that none is; empty where nothing is asked any more
+  std::string verdict;
+  bool is_right = false;
+  std::vector<BugPassage> learnt;  ///< after the end: what was wrong, the cure
+  bool can_judge = false, can_give_up = false, can_mend = false;
+};
+[[nodiscard]] BugPanel bug_panel(const State& state);
+
+/// The number of a bug for a person who wants to be surprised: one that is not found yet, else any. `draw`: any number.
+[[nodiscard]] int surprising_bug(const BugSitting& bugs, unsigned draw);
+
+/// Once the bug is known: the rays of the pixel under way as they are without it, or with it where it is mended, as far
+/// as they are others than those that are walked.
+[[nodiscard]] std::vector<RayRecord> other_rays(const State& state);
+
+/// What stands over the plan while the tracer has a bug, or has just been mended; empty when it never had one.
+[[nodiscard]] std::string bug_banner(const State& state);
+
+}  // namespace raywalk

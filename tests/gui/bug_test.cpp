@@ -1,0 +1,167 @@
+// Spot the bug by mouse and keys, on the bench.
+
+#include <GLFW/glfw3.h>
+
+#include "gui/bench.h"
+#include "io/file.h"
+#include "support/catch.h"
+#include "view/action_text.h"
+#include "view/bug_panel.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State with_scenes() {
+  State state = classic();
+  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
+  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
+  return state;
+}
+
+std::string row_of(Line line) { return "line-" + std::to_string(static_cast<int>(line)); }
+
+bool inside(const Rect& part, const Rect& whole) {
+  return part.x >= whole.x && part.right() <= whole.right() + 0.5f && part.y >= whole.y &&
+         part.bottom() <= whole.bottom() + 0.5f;
+}
+
+}  // namespace
+
+TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, mend, back") {
+  Bench bench(with_scenes());
+  bench.frames(2);
+  const Scene mine = bench.state.scene();
+  bench.key(GLFW_KEY_F2, false, true);
+  REQUIRE(bench.has("bug/1"));
+  REQUIRE(bench.has("bug/8"));
+  CHECK_FALSE(bench.has("bug-banner"));
+  bench.click("bug/2");
+  REQUIRE(bench.state.bugs.hunt);
+  REQUIRE(bench.has("bug-banner"));
+  // The strip stands over the plan and takes nothing away from it.
+  CHECK(bench.rect("bug-banner").bottom() <= bench.interface().layout().plan.y);
+  const int position = bench.state.position;
+  bench.click(row_of(Line::form_shadow_ray));
+  CHECK(bench.state.position == position);  // a click marks, and does not run
+  CHECK(marked_line(bench.state) == Line::form_shadow_ray);
+  bench.click("bug-mark");
+  CHECK(bench.state.bugs.hunt->end == BugEnd::open);
+  CHECK(bug_panel(bench.state).verdict.find("Not this line") == 0);
+  bench.click(row_of(Line::form_reflect_ray));
+  bench.click("bug-mark");
+  CHECK(bench.state.bugs.hunt->end == BugEnd::found);
+  bench.click("bug-mend");
+  CHECK(bench.state.bug->mended);
+  bench.click("bug-mend");
+  CHECK_FALSE(bench.state.bug->mended);
+  bench.click(row_of(Line::form_reflect_ray));
+  CHECK(bench.state.position != position);  // nothing is asked any more: a click runs on
+  bench.click("bugs-list");
+  CHECK_FALSE(bench.state.bugs.hunt);
+  CHECK(bench.state.scene() == mine);
+  CHECK_FALSE(bench.has("bug-banner"));
+  CHECK(bench.has("bug/2"));
+  bench.click("bugs-close");
+  CHECK_FALSE(bench.state.bugs.shown);
+}
+
+TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends, Esc leads back") {
+  Bench bench(with_scenes());
+  bench.frames(2);
+  bench.key(GLFW_KEY_F2, true);
+  REQUIRE(bench.state.bugs.hunt);
+  CHECK(bench.state.bugs.hunt->surprise);
+  bench.key(GLFW_KEY_Q);
+  CHECK_FALSE(bench.state.bug->mended);
+  update(bench.state, action::HuntBug{1});
+  while (bench.state.timeline->just_run(bench.state.position)->line != Line::form_shadow_ray) bench.key(GLFW_KEY_SPACE);
+  bench.key(GLFW_KEY_ENTER);
+  CHECK(marked_line(bench.state) == Line::form_shadow_ray);
+  CHECK(bench.state.bugs.hunt->end == BugEnd::open);
+  bench.key(GLFW_KEY_ENTER);
+  CHECK(bench.state.bugs.hunt->end == BugEnd::found);
+  bench.key(GLFW_KEY_Q);
+  CHECK(bench.state.bug->mended);
+  update(bench.state, action::HuntBug{7});
+  bench.key(GLFW_KEY_Y);
+  CHECK(bench.state.bugs.hunt->end == BugEnd::given_up);
+  bench.key(GLFW_KEY_ESCAPE);
+  CHECK_FALSE(bench.state.bugs.hunt);
+  CHECK(bench.state.bugs.shown);
+  bench.key(GLFW_KEY_ESCAPE);
+  CHECK_FALSE(bench.state.bugs.shown);
+  // Shift+F2 in the midst of a hunt leads back as well, and so does the undo of someone who has changed nothing.
+  update(bench.state, action::HuntBug{3});
+  bench.key(GLFW_KEY_F2, false, true);
+  CHECK_FALSE(bench.state.bugs.hunt);
+  update(bench.state, action::HuntBug{3});
+  bench.key(GLFW_KEY_Z, true);
+  CHECK_FALSE(bench.state.bugs.hunt);
+}
+
+TEST_CASE("everything of a hunt fits into its pane, in both languages, at every size") {
+  for (const float scale : {1.0f, 1.5f}) {
+    for (const float factor : {1.0f, 1.25f}) {
+      Bench bench(with_scenes());
+      bench.dpi = scale;
+      bench.unit = scale * factor;
+      bench.resize(1280 * scale, 720 * scale);
+      for (const std::string language : {"en", "pt"}) {
+        update(bench.state, action::SetLessonOptions{false, true, language});
+        for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+          update(bench.state, action::HuntBug{number});
+          bench.frames(3);
+          const Rect& pane = bench.interface().layout().lesson;
+          for (const char* item : {"bug-mark", "bug-cure", "bugs-list", "bugs-leave", "bugs-language", "bugs-close"}) {
+            CAPTURE(language, number, scale, factor, item);
+            CHECK(inside(bench.rect(item), pane));
+          }
+          update(bench.state, action::ShowCure{});
+          bench.frames(3);
+          for (const char* item : {"bug-mend", "bug-surprise", "bugs-list", "bugs-leave"}) {
+            CAPTURE(language, number, scale, factor, item);
+            CHECK(inside(bench.rect(item), pane));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a lesson's line at fault is clicked in the code") {
+  Bench bench(with_scenes());
+  update(bench.state, action::SetLessonOptions{false, true, "pt"});
+  update(bench.state, action::OpenLesson{"05-refraction"});
+  while (!asks_for_line(bench.state)) {
+    REQUIRE(bench.state.lessons.at() != nullptr);
+    update(bench.state, action::GoToLessonStep{bench.state.lessons.step + 1});
+  }
+  bench.frames(3);
+  REQUIRE(bench.has("bug-banner"));
+  const int position = bench.state.position;
+  bench.click(row_of(Line::form_refract_ray));
+  CHECK(bench.state.position == position);
+  bench.click("lesson-reveal");
+  CHECK(bench.state.lessons.right == 1);
+  bench.key(GLFW_KEY_Q);
+  CHECK(bench.state.bug->mended);
+}
+
+TEST_CASE("the demo of spot the bug finds it and shows the cure") {
+  const std::string file = RAYWALK_SOURCE_DIR "/tests/gui/demos/spot_the_bug.demo";
+  const auto actions = parse_demo(read_file(file, 1 << 16).value(), file);
+  REQUIRE(actions);
+  Bench bench(with_scenes());
+  bool was_mended = false;
+  for (const Action& each : *actions) {
+    update(bench.state, each);
+    bench.frames(1);
+    was_mended = was_mended || (bench.state.bug && bench.state.bug->mended);
+  }
+  REQUIRE(bench.state.bugs.hunt);
+  CHECK(bench.state.bugs.hunt->end == BugEnd::found);
+  CHECK(was_mended);
+  CHECK(fault_at_work(bench.state) == Fault::reflection_flipped);
+}

@@ -1,0 +1,345 @@
+// Spot the bug without a window: choose, guess wrong, guess right, give up, leave.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "fixtures.h"
+#include "support/catch.h"
+#include "view/bug_panel.h"
+#include "view/bug_text.h"
+#include "view/panels.h"
+#include "view/text.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+// The busy scene, with work in it that is not saved, in a folder of its own.
+State at_work(const TemporaryFolder& folder) {
+  State state = saved_state(folder);
+  state.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+  make_dirty(state);
+  return state;
+}
+
+State hunting(int number, bool surprise = false) {
+  State state = busy_state();
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+  update(state, action::HuntBug{number, surprise});
+  REQUIRE(state.bugs.hunt);
+  return state;
+}
+
+Line another_line(Line line) { return line == Line::compute_rtnshade ? Line::form_shadow_ray : Line::compute_rtnshade; }
+
+// The walk's shades as the strip has them.
+std::vector<Rgbd> shades(const Timeline& timeline) {
+  std::vector<Rgbd> all;
+  for (const PixelRecord& pixel : timeline.pixels()) all.push_back(pixel.shade);
+  return all;
+}
+
+std::size_t items_in(const State& state) { return plan_view(state, state.viewport).size(); }
+
+}  // namespace
+
+TEST_CASE("each bug opens a shipped scene that it spoils, at the first pixel in which it is seen") {
+  for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+    const State state = hunting(number);
+    const Fault fault = all_faults[static_cast<std::size_t>(number - 1)];
+    CAPTURE(fault_name(fault));
+    REQUIRE(state.bug);
+    CHECK(state.bug->fault == fault);
+    CHECK(fault_at_work(state) == fault);
+    REQUIRE(state.bug->other);
+    const auto broken = shades(*state.timeline), whole = shades(*state.bug->other);
+    CHECK(broken != whole);
+    const int first = state.bugs.hunt->first_pixel;
+    const auto off = [&](int i) {
+      const Rgbd by = broken[static_cast<std::size_t>(i)] - whole[static_cast<std::size_t>(i)];
+      return std::max({std::abs(by.x), std::abs(by.y), std::abs(by.z)});
+    };
+    for (int i = 0; i < first; ++i) CHECK(off(i) < 0.03);
+    CHECK(off(first) >= 0.03);
+    CHECK(state.timeline->current_pixel(state.position) == first);
+    CHECK(state.mode == Mode::trace);
+    // In the pixel where the walk stands, the line at fault runs.
+    const PixelRecord& pixel = state.timeline->pixels()[static_cast<std::size_t>(first)];
+    bool runs = false;
+    for (int i = pixel.begun_at; i < pixel.done_at; ++i)
+      runs = runs || state.timeline->event(i).line == faulty_line(fault);
+    CHECK(runs);
+    CHECK(pictured_scene(state).render.numerics == Numerics::naive);
+    CHECK(broken_promise(state).empty());
+    // Neither the number nor what is said before the end names the line or the fault.
+    const BugPanel panel = bug_panel(state);
+    for (const BugPassage& passage : panel.said)
+      CHECK(passage.text.find(pseudocode_of(faulty_line(fault)).text) == std::string::npos);
+    CHECK_FALSE(bug_banner(state).empty());
+  }
+}
+
+TEST_CASE("a wrong guess says what the line did right, and a hint; a right one says what was wrong, and the cure") {
+  for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+    State state = hunting(number);
+    const Line right = faulty_line(state.bug->fault), wrong = another_line(right);
+    CHECK_FALSE(bug_panel(state).can_judge);
+    update(state, action::JudgeLine{});
+    CHECK(state.bugs.hunt->end == BugEnd::open);
+    update(state, action::MendBug{true});
+    CHECK_FALSE(state.bug->mended);
+
+    update(state, action::MarkLine{wrong});
+    CHECK(marked_line(state) == wrong);
+    CHECK(bug_panel(state).can_judge);
+    update(state, action::JudgeLine{});
+    CHECK(state.bugs.hunt->end == BugEnd::open);
+    CHECK_FALSE(marked_line(state));
+    BugPanel panel = bug_panel(state);
+    CHECK_FALSE(panel.is_right);
+    CHECK_THAT(panel.verdict, contains(std::string(line_duty(wrong, "en"))));
+    REQUIRE(panel.learnt.size() == 1);
+    CHECK(panel.learnt[0].text == fault_text(state.bug->fault, FaultText::hint, "en"));
+    CHECK(panel.tally.empty());
+
+    update(state, action::MarkLine{right});
+    CHECK(bug_panel(state).verdict.empty());
+    update(state, action::JudgeLine{});
+    panel = bug_panel(state);
+    CHECK(panel.is_right);
+    CHECK_THAT(panel.verdict, contains(std::string(pseudocode_of(right).text)));
+    CHECK(panel.learnt[0].text == fault_text(state.bug->fault, FaultText::wrong, "en"));
+    CHECK(panel.learnt[1].text == fault_text(state.bug->fault, FaultText::cure, "en"));
+    CHECK(panel.tally == "1 of 8 found");
+    // It is over: nothing more is asked.
+    CHECK_FALSE(asks_for_line(state));
+    update(state, action::MarkLine{wrong});
+    update(state, action::ShowCure{});
+    CHECK(state.bugs.hunt->end == BugEnd::found);
+  }
+}
+
+TEST_CASE("giving up shows the line, counts as no find, and a later find counts") {
+  State state = hunting(3);
+  update(state, action::ShowCure{});
+  CHECK(state.bugs.hunt->end == BugEnd::given_up);
+  BugPanel panel = bug_panel(state);
+  CHECK_FALSE(panel.is_right);
+  CHECK_THAT(panel.verdict, contains("Form refract ray"));
+  CHECK(panel.tally.empty());
+  const auto blamed = [&] {
+    std::vector<Line> lines;
+    for (const CodeBox& box : code_panel(state).boxes)
+      for (const CodeRow& row : box.rows)
+        if (row.blame == Blame::at_fault) lines.push_back(row.line);
+    return lines;
+  };
+  CHECK(blamed() == std::vector<Line>{Line::form_refract_ray});
+  update(state, action::HuntBug{3});
+  CHECK(blamed().empty());
+  update(state, action::MarkLine{Line::form_refract_ray});
+  update(state, action::JudgeLine{});
+  CHECK(state.bugs.ends[2] == BugEnd::found);
+  update(state, action::HuntBug{3});
+  update(state, action::ShowCure{});
+  CHECK(state.bugs.ends[2] == BugEnd::found);
+}
+
+TEST_CASE("once it is known the bug can be mended and made again, and the other rays stand beside") {
+  for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+    State state = hunting(number);
+    CAPTURE(number);
+    const auto broken = shades(*state.timeline), whole = shades(*state.bug->other);
+    const std::uint64_t picture = state.image_revision;
+    const std::size_t before = items_in(state);
+    update(state,
+           action::Jump{state.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
+    const std::size_t alone = items_in(state);
+    CHECK(alone > before);
+    update(state, action::ShowCure{});
+    // Where rays go elsewhere, the others are drawn too, and it is said what they are. Where only numbers differ, there
+    // is nothing to draw, and where only rays are too many, nothing before they are mended.
+    const bool only_numbers = state.bug->fault == Fault::attenuation_forgotten;
+    const bool nothing = only_numbers || state.bug->fault == Fault::depth_not_counted;
+    CHECK(other_rays(state).empty() == nothing);
+    CHECK((items_in(state) == alone) == nothing);
+    CHECK(bug_panel(state).learnt.size() == (nothing ? 2 : 3));
+    update(state, action::MendBug{true});
+    update(state,
+           action::Jump{state.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
+    CHECK(other_rays(state).empty() == only_numbers);
+    CHECK(shades(*state.timeline) == whole);
+    CHECK(shades(*state.bug->other) == broken);
+    CHECK_FALSE(fault_at_work(state));
+    CHECK(state.image_revision > picture);
+    CHECK(bug_banner(state) == bug_text(BugText::banner_mended, "en"));
+    CHECK(broken_promise(state).empty());
+    update(state, action::MendBug{false});
+    CHECK(shades(*state.timeline) == broken);
+    CHECK(fault_at_work(state) == state.bug->fault);
+  }
+}
+
+TEST_CASE("leaving a hunt gives back scene, unsaved work, undo and place, whatever was done in it") {
+  const TemporaryFolder folder;
+  State state = at_work(folder);
+  update(state, action::Step{});
+  const State before = state;
+  for (const Action& leave : {Action(action::LeaveHunt{}), Action(action::ShowBugs{false}), Action(action::Undo{})}) {
+    update(state, action::HuntBug{2});
+    REQUIRE(state.bugs.hunt);
+    CHECK(state.scene() != before.scene());
+    if (leave.index() != Action(action::Undo{}).index()) {
+      make_dirty(state);
+      update(state, action::Undo{});
+      CHECK(state.bugs.hunt);  // that was an edit of the hunt's scene
+      make_dirty(state);
+    }
+    update(state, action::SetTheme{Theme::projector});
+    update(state, action::Tick{60});
+    update(state, leave);
+    CHECK_FALSE(state.bugs.hunt);
+    CHECK_FALSE(state.bug);
+    CHECK(state.scene() == before.scene());
+    CHECK(state.path == before.path);
+    CHECK(state.dirty);
+    CHECK(state.undo.size() == before.undo.size());
+    CHECK(state.position == before.position);
+    CHECK(state.walk == before.walk);
+    CHECK(shades(*state.timeline) == shades(*before.timeline));
+    CHECK(state.theme == Theme::projector);
+    CHECK(state.revision != before.revision);  // the picture is rendered anew
+    CHECK(pictured_scene(state).render.numerics == Numerics::robust);
+    CHECK(broken_promise(state).empty());
+  }
+}
+
+TEST_CASE("CLEAR starts the walk of a bug over, and does not mend it") {
+  State state = hunting(1);
+  update(state, action::Clear{});
+  CHECK(state.position == 0);
+  CHECK(fault_at_work(state) == Fault::shadow_ray_misaimed);
+}
+
+TEST_CASE("a hunt's scene is nobody's work: what is unsaved is autosaved before, and kept") {
+  const TemporaryFolder folder;
+  State state = at_work(folder);
+  update(state, action::HuntBug{1});
+  const std::string autosave = state.state_dir + "/" + state.autosave_file;
+  REQUIRE(std::filesystem::exists(autosave));
+  const auto written = std::filesystem::last_write_time(autosave);
+  make_dirty(state);
+  CHECK_FALSE(wants_autosave(state));
+  update(state, action::Tick{60});
+  update(state, action::Undo{});  // the scene of the hunt is as it was: that forgets no autosave
+  CHECK(std::filesystem::exists(autosave));
+  CHECK(std::filesystem::last_write_time(autosave) == written);
+}
+
+TEST_CASE("what is done to the person's own scene leaves the hunt first") {
+  const TemporaryFolder folder;
+  State state = at_work(folder);
+  const Scene mine = state.scene();
+  const std::string path = state.path;
+  update(state, action::HuntBug{1});
+  update(state, action::Quit{});
+  REQUIRE(state.question);
+  CHECK(state.scene() == mine);
+  update(state, action::AnswerQuestion{action::Answer::cancel});
+  CHECK_FALSE(state.quit);
+  update(state, action::HuntBug{4});
+  update(state, action::Save{});
+  CHECK_FALSE(state.bugs.hunt);
+  CHECK(read_document(path).scene == mine);
+  update(state, action::HuntBug{4});
+  update(state, action::New{});
+  CHECK_FALSE(state.bugs.hunt);
+  CHECK_FALSE(state.bug);
+}
+
+TEST_CASE("a hunt within a lesson leads back into it, and the panes do not share their place") {
+  State state = busy_state();
+  state.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+  update(state, action::OpenLesson{"01-ray-casting"});
+  REQUIRE(state.lessons.at() != nullptr);
+  const int position = state.position;
+  update(state, action::HuntBug{5});
+  CHECK(state.bugs.shown);
+  CHECK_FALSE(state.lessons.shown);
+  update(state, action::ShowBugs{false});
+  CHECK(state.lessons.shown);
+  CHECK(state.lessons.at() != nullptr);
+  CHECK(state.position == position);
+  update(state, action::HuntBug{5});
+  update(state, action::LeaveHunt{});
+  CHECK(state.bugs.shown);
+  CHECK_FALSE(state.lessons.shown);
+  update(state, action::ShowLessons{true});
+  CHECK_FALSE(state.bugs.shown);
+}
+
+TEST_CASE("one hunt after the other: the way back is the first one's") {
+  State state = busy_state();
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+  const Scene mine = state.scene();
+  update(state, action::HuntBug{1});
+  update(state, action::HuntBug{8});
+  CHECK(state.bug->fault == Fault::epsilon_too_small);
+  update(state, action::HuntBug{0});
+  update(state, action::HuntBug{9});
+  CHECK(state.bug->fault == Fault::epsilon_too_small);
+  update(state, action::LeaveHunt{});
+  CHECK(state.scene() == mine);
+}
+
+TEST_CASE("without the scenes that ship there is no hunt, and it is said why") {
+  State state = busy_state();
+  const Scene mine = state.scene();
+  update(state, action::HuntBug{1});
+  CHECK_FALSE(state.bugs.hunt);
+  CHECK_FALSE(state.bug);
+  REQUIRE(state.notice);
+  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK(state.scene() == mine);
+}
+
+TEST_CASE("a surprise is a bug that is not found yet, and its number is not told before the end") {
+  BugSitting bugs;
+  std::set<int> drawn;
+  for (unsigned draw = 0; draw < 40; ++draw) drawn.insert(surprising_bug(bugs, draw));
+  CHECK(drawn.size() == all_faults.size());
+  for (std::size_t i = 0; i < bugs.ends.size(); ++i)
+    if (i != 4) bugs.ends[i] = BugEnd::found;
+  for (unsigned draw = 0; draw < 40; ++draw) CHECK(surprising_bug(bugs, draw) == 5);
+  bugs.ends[4] = BugEnd::found;
+  for (unsigned draw = 0; draw < 40; ++draw) {
+    CHECK(surprising_bug(bugs, draw) >= 1);
+    CHECK(surprising_bug(bugs, draw) <= static_cast<int>(all_faults.size()));
+  }
+  State state = hunting(6, true);
+  CHECK(bug_panel(state).heading == bug_text(BugText::surprise_title, "en"));
+  update(state, action::ShowCure{});
+  CHECK(bug_panel(state).heading == "Bug 6");
+}
+
+TEST_CASE("everything about bugs is said in both languages, and differently") {
+  for (const Fault fault : all_faults)
+    for (const FaultText id : {FaultText::symptom, FaultText::hint, FaultText::wrong, FaultText::cure}) {
+      CHECK_FALSE(fault_text(fault, id, "en").empty());
+      CHECK_FALSE(fault_text(fault, id, "pt").empty());
+      CHECK(fault_text(fault, id, "en") != fault_text(fault, id, "pt"));
+    }
+  for (const PseudocodeLine& line : pseudocode) {
+    CHECK_FALSE(line_duty(line.line, "en").empty());
+    CHECK(line_duty(line.line, "en") != line_duty(line.line, "pt"));
+  }
+  for (int id = 0; id <= static_cast<int>(BugText::leave); ++id) {
+    CHECK_FALSE(bug_text(static_cast<BugText>(id), "en").empty());
+    CHECK(bug_text(static_cast<BugText>(id), "en") != bug_text(static_cast<BugText>(id), "pt"));
+  }
+}
