@@ -7,10 +7,80 @@
 
 #include "math/double_double.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
+
+namespace detail {
+
+/// Doubles in a row: without the heap while they are few, as nearly always; taking and giving memory was half of the
+/// time of exact arithmetic.
+class Terms {
+ public:
+  Terms() = default;
+  Terms(const Terms& other) { *this = other; }
+  Terms& operator=(const Terms& other) {
+    if (this == &other) return *this;
+    size_ = 0;
+    reserve(other.size_);
+    std::copy_n(other.first_, other.size_, first_);
+    size_ = other.size_;
+    return *this;
+  }
+  Terms(Terms&& other) noexcept { *this = std::move(other); }
+  Terms& operator=(Terms&& other) noexcept {
+    if (this == &other) return *this;
+    if (other.first_ == other.few_) {  // no more than these, and there is room for them
+      std::copy_n(other.few_, other.size_, first_);
+    } else {
+      many_ = std::move(other.many_);
+      first_ = many_.data();
+      room_ = many_.size();
+      other.first_ = other.few_;
+      other.room_ = most_few;
+    }
+    size_ = std::exchange(other.size_, 0);
+    return *this;
+  }
+  ~Terms() = default;
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] double* begin() { return first_; }
+  [[nodiscard]] double* end() { return first_ + size_; }
+  [[nodiscard]] const double* begin() const { return first_; }
+  [[nodiscard]] const double* end() const { return first_ + size_; }
+  [[nodiscard]] double operator[](std::size_t i) const { return first_[i]; }
+  [[nodiscard]] double back() const { return first_[size_ - 1]; }
+
+  void push_back(double term) {
+    if (size_ == room_) reserve(2 * room_);
+    first_[size_++] = term;
+  }
+
+ private:
+  static constexpr std::size_t most_few = 16;
+
+  void reserve(std::size_t room) {
+    if (room <= room_) return;
+    std::vector<double> more(room);
+    std::copy_n(first_, size_, more.data());
+    many_ = std::move(more);
+    first_ = many_.data();
+    room_ = room;
+  }
+
+  double few_[most_few];
+  std::vector<double> many_;  ///< where they stand once they are more
+  double* first_ = few_;
+  std::size_t size_ = 0, room_ = most_few;
+};
+
+}  // namespace detail
 
 class Expansion {
  public:
@@ -33,41 +103,60 @@ class Expansion {
     for (double& term : x.terms_) term = -term;
     return x;
   }
-  friend Expansion operator+(const Expansion& x, const Expansion& y) {
-    Expansion sum = x;
-    for (const double term : y.terms_) sum.add(term);
-    return sum.compressed();
-  }
+  friend Expansion operator+(const Expansion& x, const Expansion& y) { return sum(x, y).compressed(); }
   friend Expansion operator-(const Expansion& x, const Expansion& y) { return x + -y; }
   friend Expansion operator*(const Expansion& x, const Expansion& y) {
+    const bool x_is_longer = x.terms_.size() > y.terms_.size();
+    const Expansion &longer = x_is_longer ? x : y, &shorter = x_is_longer ? y : x;
     Expansion product;
-    for (const double a : x.terms_)
-      for (const double b : y.terms_) {
-        const DoubleDouble both = two_product(a, b);
-        product.add(both.lo);
-        product.add(both.hi);
-      }
+    for (const double term : shorter.terms_) product = sum(product, scaled(longer, term));
     return product.compressed();
   }
 
  private:
-  /// Grow-expansion: the terms stay in ascending order and do not overlap.
-  void add(double value) {
-    std::size_t kept = 0;
-    for (const double term : terms_) {
-      const DoubleDouble sum = two_sum(value, term);
-      if (sum.lo != 0) terms_[kept++] = sum.lo;
-      value = sum.hi;
+  void keep(double term) {
+    if (term != 0) terms_.push_back(term);
+  }
+
+  /// Fast-expansion-sum: the terms of both by size, each added to what the smaller ones carry.
+  [[nodiscard]] static Expansion sum(const Expansion& x, const Expansion& y) {
+    if (x.terms_.empty()) return y;
+    if (y.terms_.empty()) return x;
+    const double *a = x.terms_.begin(), *b = y.terms_.begin();
+    const double *const a_end = x.terms_.end(), *const b_end = y.terms_.end();
+    const auto next = [&] { return b == b_end || (a != a_end && std::abs(*a) <= std::abs(*b)) ? *a++ : *b++; };
+    Expansion all;
+    double carried = next();
+    while (a != a_end || b != b_end) {
+      const DoubleDouble both = two_sum(carried, next());
+      all.keep(both.lo);
+      carried = both.hi;
     }
-    terms_.resize(kept);
-    if (value != 0) terms_.push_back(value);
+    all.keep(carried);
+    return all;
+  }
+
+  /// Scale-expansion.
+  [[nodiscard]] static Expansion scaled(const Expansion& x, double by) {
+    Expansion all;
+    double carried = 0;
+    for (const double term : x.terms_) {
+      const DoubleDouble product = two_product(term, by);
+      const DoubleDouble low = two_sum(carried, product.lo);
+      const DoubleDouble high = two_sum(product.hi, low.hi);
+      all.keep(low.lo);
+      all.keep(high.lo);
+      carried = high.hi;
+    }
+    all.keep(carried);
+    return all;
   }
 
   /// The same number in the fewest terms, so that products of products stay short.
   [[nodiscard]] Expansion compressed() const {
+    if (terms_.size() < 2) return *this;
     Expansion shorter;
-    if (terms_.empty()) return shorter;
-    std::vector<double> down;  // descending
+    detail::Terms down;  // descending
     double carried = terms_.back();
     for (std::size_t i = terms_.size() - 1; i-- > 0;) {
       const DoubleDouble sum = two_sum(carried, terms_[i]);
@@ -83,7 +172,7 @@ class Expansion {
     return shorter;
   }
 
-  std::vector<double> terms_;  ///< ascending; none is 0
+  detail::Terms terms_;  ///< ascending; none is 0
 };
 
 }  // namespace raywalk

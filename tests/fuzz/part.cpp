@@ -53,7 +53,7 @@ auto parse(const std::string& bytes) {
 #elif defined(FUZZ_demo)
   return parse_demo(bytes, "fuzzed.demo");
 #elif defined(FUZZ_state)
-  return check::read_state("fuzzed", bytes, {});
+  return check::read_state("fuzzed", bytes, {.rays = 2400});
 #endif
 }
 
