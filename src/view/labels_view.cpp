@@ -20,6 +20,7 @@ struct Labelled {
   bool above = false;  ///< rather above than below
   Target body{};       ///< the filled drawing that the label may stand on, when it fits
   Colour on_body{};    ///< of its letters there
+  bool solid = false;  ///< no ray runs through the body, and so through letters on it
 };
 
 /// A filled drawing of an object, and the box around it.
@@ -84,8 +85,13 @@ void add_objects(const Painter& painter, const std::vector<Body>& bodies, std::v
     const Object& object = painter.scene().objects[i];
     const Target target{TargetKind::object, static_cast<int>(i)};
     if (painter.scene().objects.size() > few_objects && state.selected != target && state.hovered != target) continue;
-    Labelled thing{object.name, Vec2d(0.0), Vec2d(0.0),
-                   false,       target,     readable_on(painter, body_colour(painter.scene(), object.material))};
+    Labelled thing{object.name,
+                   Vec2d(0.0),
+                   Vec2d(0.0),
+                   false,
+                   target,
+                   readable_on(painter, body_colour(painter.scene(), object.material)),
+                   !object.material.transmits()};
     const auto body =
         std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.item.target == target; });
     if (body != bodies.end()) {
@@ -197,7 +203,8 @@ void draw_labels(Painter& painter) {
     };
     Vec2d best = thing.at;
     double least = std::numeric_limits<double>::infinity();
-    const bool fits = thing.body && covered_by(bodies, thing.body, box_of(thing.at, half + gap / 2)) == 1;
+    const bool fits =
+        thing.body && thing.solid && covered_by(bodies, thing.body, box_of(thing.at, half + gap / 2)) == 1;
     if (fits) least = cost_of(thing.at, thing.body);
     double order = 0;
     for (const Vec2d& place : places_beside(thing, bodies, half, gap)) {

@@ -185,6 +185,25 @@ TEST_CASE("the four objects, EYE and SCREEN carry their names, and no label cove
     }
 }
 
+TEST_CASE("a name stands on what is solid, and beside what rays run through") {
+  State state = classic_state();
+  update(state, action::ResizePlan{{1600, 1000}});  // so large that every name fits onto its object
+  update(state, action::Jump{1 << 20});
+  const DisplayList list = plan_view(state);
+  const auto stands_on_own = [&](const std::string& name) {
+    const auto labels = texts_of(list);
+    const auto label = std::find_if(labels.begin(), labels.end(), [&](const TextItem& t) { return t.text == name; });
+    REQUIRE(label != labels.end());
+    const Target own{TargetKind::object, index_of_object(state.scene(), name)};
+    return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+      return item.target == own && distance_to(item, label->at) == 0;
+    });
+  };
+  CHECK(stands_on_own("Solid Sphere"));
+  CHECK(stands_on_own("Polygon"));
+  CHECK_FALSE(stands_on_own("Transparent Sphere"));
+}
+
 TEST_CASE("move mode has handles and no rays, trace mode rays and no handles") {
   State state = busy_state();
   update(state, action::Jump{1 << 20});
