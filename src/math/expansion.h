@@ -21,7 +21,7 @@ namespace detail {
 /// time of exact arithmetic.
 class Terms {
  public:
-  Terms() = default;
+  Terms() {}  // NOLINT(modernize-use-equals-default): room is left as it is
   Terms(const Terms& other) { *this = other; }
   Terms& operator=(const Terms& other) {
     if (this == &other) return *this;
@@ -84,7 +84,7 @@ class Terms {
 
 class Expansion {
  public:
-  Expansion() = default;
+  Expansion() {}             // NOLINT(modernize-use-equals-default): room for terms is left as it is
   Expansion(double value) {  // NOLINT(google-explicit-constructor): every double is one exactly
     if (value != 0) terms_.push_back(value);
   }

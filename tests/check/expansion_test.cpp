@@ -1,0 +1,48 @@
+// Exact arithmetic on doubles against GMP's.
+#include "math/expansion.h"
+
+#include "check/rational.h"
+#include "shape/numbers.h"
+#include "support/catch.h"
+#include "support/effort.h"
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cmath>
+
+using namespace raywalk;
+using raywalk::test::Numbers;
+
+TEST_CASE("sums and products of many terms are those of rationals, in sign and value") {
+  Numbers next(11);
+  int wrong = 0, longest = 0;
+  for (int round = 0; round < test::rounds(4000); ++round) {
+    std::array<Expansion, 5> exact;
+    std::array<mpq_class, 5> truth;
+    for (std::size_t i = 0; i + 1 < exact.size(); ++i) {  // the last one stays 0
+      const double value = std::ldexp(next.real(), next.integer(-40, 40));
+      exact[i] = value;
+      truth[i] = value;
+    }
+    const auto any = [&] { return static_cast<std::size_t>(next.integer(0, 4)); };
+    for (int step = 0; step < 6; ++step) {
+      const std::size_t a = any(), b = any(), to = any();
+      const int operation = next.integer(0, 2);
+      const Expansion value = operation == 0   ? exact[a] + exact[b]
+                              : operation == 1 ? exact[a] - exact[b]
+                                               : exact[a] * exact[b];
+      const mpq_class rational = operation == 0   ? mpq_class(truth[a] + truth[b])
+                                 : operation == 1 ? mpq_class(truth[a] - truth[b])
+                                                  : mpq_class(truth[a] * truth[b]);
+      exact[to] = value;
+      truth[to] = rational;
+      const DoubleDouble rounded = value.rounded();
+      const mpq_class error = abs(mpq_class(rational - mpq_class(rounded.hi) - mpq_class(rounded.lo)));
+      wrong += value.sign() != sgn(rational) || error > abs(rational) * mpq_class(0x1p-98);
+      longest = std::max(longest, static_cast<int>(mpz_sizeinbase(rational.get_num_mpz_t(), 2)));
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(longest > 1000);  // bits: more than a few doubles hold
+}
