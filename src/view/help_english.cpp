@@ -93,7 +93,10 @@ std::vector<HelpSection> help() {
          "choose what the scene is traced with, Double and Float how many digits there are. Try naive with epsilon 0 "
          "in float, and look at the picture too."},
         {"Stack", "The SHADEs that wait for others to return, the innermost on top."},
-        {"Legend", "What the colours, dashes and signs mean."}}},
+        {"Legend", "What the colours, dashes and signs mean."},
+        {"Cost",
+         "Try traces the picture with the knobs as they stand; each try is a mark in a plot of error against cost. The "
+         "page Effects measures what each effect adds to the scene, and what all of them would cost regardless."}}},
       numbers(),
       {"Why rays end",
        {{"hit", "It met an object; that point is shaded."},
@@ -102,7 +105,7 @@ std::vector<HelpSection> help() {
         {"reached the light", "A shadow ray met nothing before it."},
         {"depth limit",
          "SHADE may not call itself deeper than this, so the ray was not formed; a short piece with a bar "
-         "shows where it would have gone."},
+         "shows where it would have gone. N shows the rest of it, dotted, and what it would have brought."},
         {"share too small", "It could have changed the pixel by less than the threshold, so it was not formed."},
         {"total internal reflection",
          "Light inside glass meets the surface at so flat an angle that nothing gets out: "
