@@ -53,7 +53,9 @@ auto parse(const std::string& bytes) {
 #elif defined(FUZZ_demo)
   return parse_demo(bytes, "fuzzed.demo");
 #elif defined(FUZZ_state)
-  return check::read_state("fuzzed", bytes, {.rays = 2400});
+  check::SuiteOptions of_seed;
+  of_seed.rays = 2400;
+  return check::read_state("fuzzed", bytes, of_seed);
 #endif
 }
 
