@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 using namespace raywalk;
 using raywalk::test::Numbers;
@@ -44,5 +45,26 @@ TEST_CASE("sums and products of many terms are those of rationals, in sign and v
     }
   }
   CHECK(wrong == 0);
-  CHECK(longest > 800);  // bits: more than the few terms that need no heap
+  CHECK(longest > 700);  // bits: a dozen terms and more
+}
+
+TEST_CASE("a product of more terms than need no heap is exact") {
+  // (1 + 2^-33)(1 + 2^-66)(1 + 2^-132)(1 + 2^-264)(1 + 2^-528): a bit in every 33 of 1023.
+  Expansion product = 1.0;
+  mpq_class truth = 1;
+  for (int exponent = 33; exponent <= 528; exponent *= 2) {
+    const double factor = std::ldexp(1.0, -exponent);
+    product = product * (Expansion(1.0) + Expansion(factor));
+    truth *= 1 + mpq_class(factor);
+  }
+  Expansion copy = product, moved = std::move(copy);
+  for (int bit = 0; bit <= 31; ++bit) {
+    const double least = std::ldexp(1.0, -33 * bit);
+    moved = moved - Expansion(least);
+    truth -= mpq_class(least);
+    CHECK(moved.sign() == sgn(truth));
+  }
+  CHECK(moved.sign() == 0);
+  copy = product;
+  CHECK((copy - product).sign() == 0);
 }
