@@ -45,7 +45,7 @@ std::string fill(TextId id, const std::vector<std::string>& arguments) { return 
 
 std::string fill(CostText id, const std::vector<std::string>& arguments) { return fill(text(id), arguments); }
 
-std::string fill(ScopeText id, const std::vector<std::string>& arguments) { return filled(text(id), arguments); }
+std::string fill(ScopeText id, const std::vector<std::string>& arguments) { return fill(text(id), arguments); }
 
 std::string number_text(double value) {
   if (value == 0) return "0";
