@@ -66,7 +66,8 @@ std::vector<HelpSection> help() {
          "at "
          "fault in the code, or let it run and press Enter; Enter once more tells whether it is the one. Then the "
          "right "
-         "rays stand beside the wrong ones, dotted, and Q mends the bug and brings it back. Your own scene waits and "
+         "rays stand beside the wrong ones, dotted, and Alt+Enter mends the bug and brings it back. Your own scene "
+         "waits and "
          "comes back as it was."}}},
       {"Panels",
        {{"Code",

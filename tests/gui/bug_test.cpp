@@ -73,7 +73,7 @@ TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends,
   bench.key(GLFW_KEY_F2, true);
   REQUIRE(bench.state.bugs.hunt);
   CHECK(bench.state.bugs.hunt->surprise);
-  bench.key(GLFW_KEY_Q);
+  bench.key(GLFW_KEY_ENTER, false, false, true);
   CHECK_FALSE(bench.state.bug->mended);
   update(bench.state, action::HuntBug{1});
   while (bench.state.timeline->just_run(bench.state.position)->line != Line::form_shadow_ray) bench.key(GLFW_KEY_SPACE);
@@ -82,10 +82,10 @@ TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends,
   CHECK(bench.state.bugs.hunt->end == BugEnd::open);
   bench.key(GLFW_KEY_ENTER);
   CHECK(bench.state.bugs.hunt->end == BugEnd::found);
-  bench.key(GLFW_KEY_Q);
+  bench.key(GLFW_KEY_ENTER, false, false, true);
   CHECK(bench.state.bug->mended);
   update(bench.state, action::HuntBug{7});
-  bench.key(GLFW_KEY_Y);
+  bench.key(GLFW_KEY_ENTER, false, true);
   CHECK(bench.state.bugs.hunt->end == BugEnd::given_up);
   bench.key(GLFW_KEY_ESCAPE);
   CHECK_FALSE(bench.state.bugs.hunt);
@@ -145,7 +145,7 @@ TEST_CASE("a lesson's line at fault is clicked in the code") {
   CHECK(bench.state.position == position);
   bench.click("lesson-reveal");
   CHECK(bench.state.lessons.right == 1);
-  bench.key(GLFW_KEY_Q);
+  bench.key(GLFW_KEY_ENTER, false, false, true);
   CHECK(bench.state.bug->mended);
 }
 
