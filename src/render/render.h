@@ -19,16 +19,16 @@ struct Progress {
   double seconds_left = 0;  ///< an estimate from the above; 0 while there is none
 };
 
-/// How to render. Nothing here but `size`, `sampling`, `precision`, `tolerance` and `fault` can change a bit of the picture.
-/// What the scene chooses (Scene::render) is its integrator, sampler and light grid; samples and tolerance are stated
-/// here.
+/// How to render. Nothing here but `size`, `sampling`, `precision`, `tolerance` and `fault` can change a bit of the
+/// picture. What the scene chooses (Scene::render) is its integrator, sampler and light grid; samples and tolerance are
+/// stated here.
 struct RenderSettings {
   std::optional<ImageSize> size{};  ///< of the whole image, each side >= 1; absent: the scene's own
   Sampling sampling{};
   Precision precision = Precision::double_;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
   std::optional<Fault> fault{};  ///< breaks the tracer on purpose
-  int threads = 0;  ///< 0: as many as the machine runs at once
+  int threads = 0;               ///< 0: as many as the machine runs at once
 
   bool shadow_cache = false;  ///< shadow rays first try what hid the same light last
   /// Of adaptive sampling (render/adaptive.h), in what a screen shows from 0 to 1; 0: every pixel takes all its
