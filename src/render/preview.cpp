@@ -31,12 +31,6 @@ Rgba rgba_of(const Rgb<T>& colour, Encoding encoding) {
 
 namespace {
 
-/// Samples of each pixel that are taken after its centre. One sample a pixel is the centre itself.
-int samples_to_take(const PreviewSettings& settings) {
-  if (settings.heat == Heat::noise) return std::max(settings.samples, PreviewSettings::fewest_for_noise);
-  return settings.samples > 1 && settings.heat == Heat::none ? settings.samples : 0;
-}
-
 double cost_of(Heat heat, const Statistics& own, double microseconds) {
   switch (heat) {
     case Heat::none:
@@ -97,7 +91,11 @@ class Preview::Work {
   [[nodiscard]] virtual Rgba shown(int column, int row, int samples_taken) const = 0;
 
   [[nodiscard]] const ImageSize& size() const { return settings_.size; }
-  [[nodiscard]] int samples_to_take() const { return raywalk::samples_to_take(settings_); }
+  /// Samples of each pixel that are taken after its centre. One sample a pixel is the centre itself.
+  [[nodiscard]] int samples_to_take() const {
+    if (settings_.heat == Heat::noise) return std::max(settings_.samples, PreviewSettings::fewest_for_noise);
+    return settings_.samples > 1 && settings_.heat == Heat::none ? settings_.samples : 0;
+  }
   void begin_pass();
 
  private:
@@ -125,8 +123,7 @@ class Preview::WorkIn final : public Preview::Work {
         world_(scene, settings.accelerator, settings.fault),
         kernel_(scene, world_),
         centres_(scene, settings.size, settings.size),
-        spread_(scene, settings.size, settings.size,
-                Sampling{samples_to_take() > 0 ? samples_to_take() : settings.samples}),
+        spread_(scene, settings.size, settings.size, Sampling{std::max(samples_to_take(), 1)}),
         encoding_(scene.encoding),
         first_(settings.size),
         mean_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}),

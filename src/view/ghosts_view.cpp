@@ -4,7 +4,7 @@
 #include "view/painter.h"
 #include "view/text.h"
 
-#include <algorithm>
+#include <optional>
 
 namespace raywalk::detail {
 
@@ -20,11 +20,9 @@ void draw_ghosts(Painter& painter) {
         rays[static_cast<std::size_t>(ghost.stub)].formed_at > state.position || !ghost.record.formed)
       continue;
     const RayRecord& ray = ghost.record;
-    const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
-    const double size = length(towards);
-    if (!(size > 0)) continue;
-    const Vec2d from = painter.pixels(plan(ray.origin));
-    const Vec2d to = ray.endless ? beyond_pane(painter, from, towards / size) : painter.pixels(plan(ray.end));
+    const std::optional<RayWay> way = ray_way(painter, ray, true);
+    if (!way) continue;
+    const auto& [from, to, along] = *way;
     // Dots of the kind's colour: no ray that was formed is dotted.
     const bool light = ray.kind == RayKind::shadow;
     const DashPattern dots{{1.5 * unit, 5 * unit}, 2};
@@ -33,7 +31,7 @@ void draw_ghosts(Painter& painter) {
     painter.add_clipped({from, to, stroke, light ? 0 : 8 * unit, 0.55});
     if (ghost.record.parent >= 0 || light) continue;
     cut_off += ghost.brings;
-    const Vec2d across(-towards.y / size, towards.x / size);
+    const Vec2d across(-along.y, along.x);
     painter.note(painter.seen_middle(from, to) + 14 * unit * across,
                  percent_text(share_of(ghost.brings, *state.ghosts)));
   }

@@ -77,8 +77,6 @@ void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const S
 /// A ray that was not formed: a short piece of it, ended by a bar.
 void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target);
 void draw_rays(Painter& painter);
-/// A point outside of the pane, for a ray that goes on for ever; pixels, `along` of unit length.
-[[nodiscard]] Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along);
 
 // ghosts_view.cpp
 void draw_ghosts(Painter& painter);

@@ -17,6 +17,12 @@ std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool kn
   return to_a_place ? std::optional(plan(ray.origin + ray.direction)) : std::nullopt;
 }
 
+/// Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
+Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along) {
+  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
+  return from + (painter.viewport.width + painter.viewport.height + length(middle - from)) * along;
+}
+
 void draw_ray(Painter& painter, int index, const RayLook& look) {
   const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
   const bool known = ray.found_at <= painter.state.position;
@@ -44,12 +50,6 @@ void draw_normal(Painter& painter, const RayRecord& ray) {
 }
 
 }  // namespace
-
-/// Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
-Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along) {
-  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
-  return from + (painter.viewport.width + painter.viewport.height + length(middle - from)) * along;
-}
 
 std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool known) {
   const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
