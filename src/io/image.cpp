@@ -13,18 +13,7 @@
 #include <cstring>
 #include <limits>
 
-// Only this file's own functions are compiled in, without stb's file access.
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
-#include <stb_image_write.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+#include <png.h>
 
 namespace raywalk {
 
@@ -78,7 +67,7 @@ std::size_t count_nan_pixels(const Image& image) {
 }
 
 Result<std::string> encode_png(const Image& image, Encoding encoding) {
-  constexpr std::size_t most_pixels = std::size_t{1} << 28;  // stb counts bytes in an int
+  constexpr std::size_t most_pixels = std::size_t{1} << 28;
   if (image.pixels.empty() || image.pixels.size() > most_pixels)
     return tl::unexpected(Error{"", 0, 0,
                                 "a PNG of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
@@ -90,12 +79,16 @@ Result<std::string> encode_png(const Image& image, Encoding encoding) {
     const Rgb<float> c = has_nan(pixel) ? Rgb<float>(1, 0, 1) : pixel;
     for (const float channel : {c.x, c.y, c.z}) bytes.push_back(to_byte(channel, encoding));
   }
-  std::string png;
-  const auto append = [](void* to, void* data, int size) {
-    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-  };
-  if (stbi_write_png_to_func(append, &png, image.width, image.height, 3, bytes.data(), image.width * 3) == 0)
-    return tl::unexpected(Error{"", 0, 0, "the picture does not fit into memory", "choose a smaller size"});
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width), header.height = static_cast<png_uint_32>(image.height);
+  header.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string png(size, '\0');
+  if (png_image_write_to_memory(&header, png.data(), &size, 0, bytes.data(), 0, nullptr) == 0)
+    return tl::unexpected(
+        Error{"", 0, 0, std::string("the PNG cannot be made: ") + header.message, "choose a smaller size"});
+  png.resize(size);
   return png;
 }
 
