@@ -41,6 +41,7 @@ struct Experiment {
 [[nodiscard]] Experiment endings_experiment(Effort effort);
 [[nodiscard]] Experiment lights_experiment(Effort effort, const Faults& faults = {});
 [[nodiscard]] Experiment structures_experiment(Effort effort);
+[[nodiscard]] Experiment constants_experiment(Effort effort);
 [[nodiscard]] Experiment adaptive_experiment(Effort effort);
 [[nodiscard]] Experiment tessellation_experiment(Effort effort);
 [[nodiscard]] Experiment scene_experiment(Effort effort);

@@ -1,6 +1,6 @@
 // E1: the arithmetic of one intersection test, from float to exact, on rays that nearly touch a sphere.
 #include "math/expansion.h"
-#include "shape/sphere.h"
+#include "shape/naive.h"
 #include "study/curve.h"
 #include "study/shot.h"
 
@@ -53,13 +53,13 @@ double truth(const Aimed<T>& at) {
   return static_cast<double>(c.rounded() / (sqrt(discriminant.rounded()) - b.rounded()));
 }
 
-/// The formula of every course, b^2 - 4ac, on numbers of type N. NaN: no hit.
+/// The formula of every course, b^2 - 4ac, as the naive tracer computes it, on numbers of type N. NaN: no hit.
 template <class N, class T>
 double textbook(const Aimed<T>& at) {
-  const Vec3<N> o = Vec3<N>(at.ray.origin) - Vec3<N>(at.sphere.centre), d(at.ray.direction);
-  const N r = static_cast<N>(at.sphere.radius);
-  const N a = dot(d, d), b = 2 * dot(o, d), c = dot(o, o) - r * r, discriminant = b * b - 4 * a * c;
-  return discriminant < 0 ? NAN : static_cast<double>((-b - std::sqrt(discriminant)) / (2 * a));
+  const Sphere<N> sphere{Vec3<N>(at.sphere.centre), static_cast<N>(at.sphere.radius)};
+  const NaiveRay<N> ray{{Vec3<N>(at.ray.origin), Vec3<N>(at.ray.direction)}};
+  const auto crossing = intersect(sphere, ray, infinity<N>);
+  return crossing ? static_cast<double>(crossing->t) : NAN;
 }
 
 /// a r^2 - |o x d|^2 (E. Haines et al., Ray Tracing Gems, ch. 7, 2019).

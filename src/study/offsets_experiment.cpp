@@ -1,6 +1,5 @@
 // E2: where a ray that leaves a surface starts: an epsilon away, some ulps, an error bound, or the surface itself.
-#include "shape/plane.h"
-#include "shape/sphere.h"
+#include "shape/naive.h"
 #include "study/curve.h"
 #include "study/shot.h"
 
@@ -43,15 +42,10 @@ Leaving leaving(int round, int which) {
   return l;
 }
 
-/// The textbook's tests in float: anything at t > 0 counts.
-bool meets_ball(const Leaving& l, const Vec3f& origin) {
-  const Vec3f o = origin - l.ball.centre;
-  const float a = dot(l.way, l.way), b = 2 * dot(o, l.way), c = dot(o, o) - l.ball.radius * l.ball.radius;
-  const float discriminant = b * b - 4 * a * c;
-  return discriminant >= 0 && (-b + std::sqrt(discriminant)) / (2 * a) > 0;
-}
-bool meets_sheet(const Leaving& l, const Vec3f& origin) {
-  return dot(l.sheet.normal, l.sheet.point - origin) / dot(l.sheet.normal, l.way) > 0;
+/// The naive tracer's tests: anything at t > 0 counts.
+template <class S>
+bool meets(const S& shape, const Leaving& l, const Vec3f& origin) {
+  return intersect(shape, NaiveRay<float>{{origin, l.way}}, infinity<float>).has_value();
 }
 
 /// 256 steps of the floats along the normal; near 0, where steps are tiny, a fixed length (C. Waechter and N. Binder,
@@ -94,8 +88,8 @@ Wrong tried(const std::vector<Leaving>& all, Start start) {
   Wrong wrong;
   for (const Leaving& l : all) {
     const Vec3f origin = start(l);
-    wrong.self_hits += meets_ball(l, origin) ? 1 : 0;
-    wrong.sheets_missed += meets_sheet(l, origin) ? 0 : 1;
+    wrong.self_hits += meets(l.ball, l, origin) ? 1 : 0;
+    wrong.sheets_missed += meets(l.sheet, l, origin) ? 0 : 1;
   }
   return wrong;
 }
@@ -151,7 +145,8 @@ Report conclude(const std::vector<Trial>& trials) {
                          "The largest share of any round."});
   report.figures.push_back(
       {both,
-       "A shadow ray leaves a ball, computed in float. It must not meet the ball again, and it must meet a sheet that "
+       "A shadow ray leaves a ball; both are computed in float, and naively, as --numerics naive does. It must not "
+       "meet the ball again, and it must meet a sheet that "
        "runs close by. Balls are of 1/100 to 100 units: an epsilon that is right for one of them is wrong for another, "
        "and the best of all still errs. Steps of the floats follow the size of the numbers, but for the fixed length "
        "that "
