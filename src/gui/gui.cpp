@@ -220,7 +220,7 @@ class Loop {
     if (options_.report_path.empty()) return;
     const ImVec2 extent = ImGui::GetIO().DisplaySize;
     const WindowReport window{frames_drawn_, first_frame_, extent.x, extent.y, patience() != 0 && !state_.playing};
-    const std::string text = report(state_, interface_, image_.preview(), dpi(), window);
+    const std::string text = report(state_, interface_, image_.preview(), costs_, dpi(), window);
     if (Result<void> written = write_file_atomically(options_.report_path, text); !written && failure_) {
       failure_ = tl::unexpected(written.error());
       state_.quit = true;

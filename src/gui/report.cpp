@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace raywalk {
 
 namespace {
@@ -20,6 +22,20 @@ std::string selected_name(const State& state) {
   const bool body = target.kind == TargetKind::object || target.kind == TargetKind::corner;
   if (body && index < state.scene().objects.size()) return state.scene().objects[index].name;
   return {};
+}
+
+Json cost_report(const CostState& cost, const LiveCosts& costs) {
+  const auto& attempts = costs.bench().attempts();
+  const auto done = std::count_if(attempts.begin(), attempts.end(), [](const auto& one) { return one.done >= 1; });
+  return {{"page", cost.page == CostPage::tries ? "tries" : "effects"},
+          {"tried", cost.tried.size()},
+          {"done", done},
+          {"reference_samples", costs.bench().reference_samples()},
+          {"chosen", cost.chosen},
+          {"against", cost.against},
+          {"difference", cost.picture == CostPicture::difference},
+          {"split", cost.split},
+          {"surveyed", costs.surveyed()}};
 }
 
 // The middle of a body in the plan.
@@ -37,8 +53,8 @@ Vec2d middle(const ObjectShape& shape) {
 
 }  // namespace
 
-std::string report(const State& state, const Interface& interface, const Preview& preview, float dpi,
-                   const WindowReport& window) {
+std::string report(const State& state, const Interface& interface, const Preview& preview, const LiveCosts& costs,
+                   float dpi, const WindowReport& window) {
   const Rect& pane = interface.layout().plan;
   const auto place = [&](const Vec2d& at) {
     const Vec2d pixels = to_pixels(state.camera, state.viewport, at);
@@ -68,7 +84,11 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"cell", current_cell(state)},
             {"lines", shows_lines(state)},
             {"turned", state.image_camera.has_value()},
-            {"rays", state.timeline->rays_at(state.position).size()}};
+            {"rays", state.timeline->rays_at(state.position).size()},
+            {"stops", std::count(state.breakpoints.before.begin(), state.breakpoints.before.end(), true)},
+            {"magnified", state.magnified},
+            {"naive", state.scene().render.numerics == Numerics::naive}};
+  if (state.tab == Tab::cost) json["cost"] = cost_report(state.cost, costs);
   if (state.walk) json["walk"] = {state.walk->column, state.walk->row};
   if (const LessonSitting& sitting = state.lessons; sitting.shown)
     json["lesson"] = {{"open", sitting.open ? sitting.open->lesson.name : ""},

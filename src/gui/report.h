@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/interface.h"
+#include "gui/live_costs.h"
 #include "gui/session.h"
 
 #include <string>
@@ -17,7 +18,7 @@ struct WindowReport {
 
 /// The state as JSON: mode, playback, selection, files, questions, every object's and light's place in the window, and
 /// the rectangle [x, y, width, height] of everything that can be clicked, in units of the window.
-[[nodiscard]] std::string report(const State& state, const Interface& interface, const Preview& preview, float dpi,
-                                 const WindowReport& window);
+[[nodiscard]] std::string report(const State& state, const Interface& interface, const Preview& preview,
+                                 const LiveCosts& costs, float dpi, const WindowReport& window);
 
 }  // namespace raywalk

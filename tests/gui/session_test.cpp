@@ -163,7 +163,7 @@ TEST_CASE("the report says what a test needs to aim and to judge") {
   bench.frames(2);
   const Preview preview;
   const auto json = nlohmann::json::parse(
-      report(bench.state, bench.interface(), preview, 1, {12, 0.25, 1280, 720, true}), nullptr, false);
+      report(bench.state, bench.interface(), preview, LiveCosts{}, 1, {12, 0.25, 1280, 720, true}), nullptr, false);
   REQUIRE(json.is_object());
   CHECK(json["mode"] == "trace");
   CHECK(json["position"] == 7);

@@ -1,0 +1,173 @@
+// The panels that open on demand, in the real window, by mouse and keys. Pictures are kept as window_test.cpp's are.
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "gui/desktop.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+using Json = nlohmann::json;
+
+namespace {
+
+/// The classic scene in the window, at the first line of the walk.
+class ClassicWalk {
+ public:
+  ClassicWalk() : raywalk(desktop_, {std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"}) {
+    started = raywalk.until([](const Json& report) { return report["window"]["frames"].get<int>() >= 3; }, 60);
+    raywalk.key("t");
+    started = started && raywalk.until("mode", "trace");
+  }
+  void keep_picture(const std::string& name) const {
+    desktop_.picture(std::filesystem::path(std::getenv("RAYWALK_BIN")).parent_path() / "window-test" / (name + ".png"));
+  }
+  /// Waits until a member of one of the report's parts is that.
+  bool until(const std::string& part, const std::string& member, const Json& value, double seconds = 60) {
+    return raywalk.until([&](const Json& report) { return report.contains(part) && report[part][member] == value; },
+                         seconds);
+  }
+
+ private:
+  Desktop desktop_{1280, 800};
+
+ public:
+  Visualiser raywalk;
+  bool started = false;
+};
+
+#define NEEDS_A_DESKTOP                                                                     \
+  if (const std::string missing = Desktop::missing(); !missing.empty()) {                   \
+    RAYWALK_SKIP("the window was not tried: " << missing << " (apt install xvfb xdotool)"); \
+  }
+
+}  // namespace
+
+TEST_CASE("Cost in the window: knobs, tries, marks, two pictures, what each effect adds", "[window]") {
+  NEEDS_A_DESKTOP
+  ClassicWalk walk;
+  Visualiser& raywalk = walk.raywalk;
+  INFO(raywalk.said());
+  REQUIRE(walk.started);
+  raywalk.key("F3");
+  REQUIRE(raywalk.until("tab", "cost"));
+  CHECK(raywalk.report()["cost"]["tried"] == 0);
+  raywalk.click("cost-try");
+  REQUIRE(walk.until("cost", "tried", 1));
+  REQUIRE(walk.until("cost", "done", 1));
+  // Another setting: the number is typed, and tried by the button below it.
+  raywalk.click("cost-knobs");
+  REQUIRE(raywalk.until([](const Json& report) { return report["items"].contains("cost-knobs-popup"); }));
+  walk.keep_picture("p1-cost-knobs");
+  raywalk.key("Escape");
+  REQUIRE(raywalk.until([](const Json& report) { return !report["items"].contains("cost-knobs-popup"); }));
+  raywalk.key("shift+F4");
+  REQUIRE(raywalk.until([](const Json& report) { return report["cost"]["tried"].get<int>() >= 4; }));
+  const int tried = raywalk.report()["cost"]["tried"].get<int>();
+  REQUIRE(walk.until("cost", "done", tried, 120));
+  REQUIRE(raywalk.until([](const Json& report) { return report["cost"]["reference_samples"].get<int>() >= 64; }, 120));
+  raywalk.click("cost-mark-0");
+  REQUIRE(walk.until("cost", "chosen", 0));
+  raywalk.key("shift+F5");
+  REQUIRE(walk.until("cost", "against", 0));
+  walk.keep_picture("p2-cost-tries");
+  raywalk.key("F6");
+  REQUIRE(walk.until("cost", "difference", true));
+  raywalk.key("F6");
+  REQUIRE(walk.until("cost", "difference", false));
+  const double split = raywalk.report()["cost"]["split"].get<double>();
+  raywalk.key("F8");
+  REQUIRE(raywalk.until([&](const Json& report) { return report["cost"]["split"].get<double>() > split; }));
+  raywalk.click("cost-page");
+  REQUIRE(walk.until("cost", "page", "effects"));
+  REQUIRE(walk.until("cost", "surveyed", 1.0, 120));
+  walk.keep_picture("p3-cost-effects");
+  raywalk.key("F9");
+  REQUIRE(walk.until("cost", "page", "tries"));
+  raywalk.key("ctrl+F4");
+  REQUIRE(walk.until("cost", "tried", 0));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+}
+
+TEST_CASE("Microscope in the window: closer, to single floats, naive and back", "[window]") {
+  NEEDS_A_DESKTOP
+  ClassicWalk walk;
+  Visualiser& raywalk = walk.raywalk;
+  INFO(raywalk.said());
+  REQUIRE(walk.started);
+  raywalk.click("line-6");  // Form shadow ray: something was hit
+  REQUIRE(raywalk.until([](const Json& report) { return report["position"].get<int>() > 4; }));
+  raywalk.key("y");
+  REQUIRE(raywalk.until("tab", "microscope"));
+  raywalk.key("z");
+  REQUIRE(raywalk.until([](const Json& report) { return report["magnified"].get<double>() > 0; }));
+  raywalk.click("to-numbers");
+  REQUIRE(raywalk.until("magnified", 1.0));
+  raywalk.click("numerics-naive");
+  REQUIRE(raywalk.until("naive", true));
+  CHECK(raywalk.report()["undo"] == 1);
+  raywalk.move_to(640, 650);
+  walk.keep_picture("p4-microscope");
+  raywalk.key("ctrl+z");
+  REQUIRE(raywalk.until("naive", false));
+  raywalk.key("alt+shift+z");
+  REQUIRE(raywalk.until("magnified", 0.0));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+}
+
+TEST_CASE("breakpoints in the window: a click left of a line, on to it, and none again", "[window]") {
+  NEEDS_A_DESKTOP
+  ClassicWalk walk;
+  Visualiser& raywalk = walk.raywalk;
+  INFO(raywalk.said());
+  REQUIRE(walk.started);
+  raywalk.key("Home");
+  REQUIRE(raywalk.until("position", 0));
+  raywalk.click("break-9");  // Form reflect ray
+  REQUIRE(raywalk.until("stops", 1));
+  raywalk.key("w");
+  REQUIRE(raywalk.until([](const Json& report) { return report["position"].get<int>() > 0; }));
+  const int before = raywalk.report()["position"].get<int>();
+  walk.keep_picture("p5-breakpoint");
+  // The next step runs that line: a ray more is drawn.
+  const int rays = raywalk.report()["rays"].get<int>();
+  raywalk.key("space");
+  REQUIRE(raywalk.until("position", before + 1));
+  CHECK(raywalk.report()["rays"] == rays + 1);
+  raywalk.click("break-9");
+  REQUIRE(raywalk.until("stops", 0));
+  raywalk.key("w");
+  REQUIRE(raywalk.until([](const Json& report) { return report["position"] == report["steps"]; }));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+}
+
+TEST_CASE("spot the bug in the window: from the list to the cure and back to one's own scene", "[window]") {
+  NEEDS_A_DESKTOP
+  ClassicWalk walk;
+  Visualiser& raywalk = walk.raywalk;
+  INFO(raywalk.said());
+  REQUIRE(walk.started);
+  raywalk.key("shift+F2");
+  raywalk.click("bug/2");
+  REQUIRE(walk.until("bug", "hunted", true));
+  walk.keep_picture("p6-bug");
+  raywalk.click("line-6");  // a wrong answer, then the right one
+  raywalk.click("bug-mark");
+  REQUIRE(walk.until("bug", "known", false));
+  raywalk.click("line-9");
+  raywalk.click("bug-mark");
+  REQUIRE(raywalk.until([](const Json& report) { return report["items"].contains("bug-mend"); }));
+  raywalk.click("bug-mend");
+  REQUIRE(walk.until("bug", "mended", true));
+  walk.keep_picture("p7-bug-mended");
+  raywalk.click("bugs-list");
+  raywalk.click("bugs-close");
+  REQUIRE(raywalk.until([](const Json& report) { return !report.contains("bug"); }));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+}
