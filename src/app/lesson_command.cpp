@@ -33,7 +33,7 @@ std::string list_text(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto lesson = read_lesson(lessons_dir() + "/" + name);
     std::string titles = lesson ? "" : "(cannot be read: raywalk lesson check " + name + " says why)";
-    for (const std::string_view language : lesson_languages)
+    for (const Language language : all_languages)
       if (lesson) titles += (titles.empty() ? "" : " | ") + lesson->words.find(language)->second.title;
     text += fmt::format("{:<28}{}\n", name, titles);
   }

@@ -131,6 +131,8 @@ void declare_step(CLI::App& program, Run& run) {
              std::array{StepFormat::text, StepFormat::json, StepFormat::html, StepFormat::svg}, step_format_name,
              "One line a step for people (as when left out); all numbers of each step for programs; a page for any "
              "browser that steps offline; the plan after the last step as a drawing");
+  add_choice(command, "--language", to.language, all_languages, language_code,
+             "Of the sentences, as text, page or drawing; left out: en. JSON is English always");
   add_size(command, to.size);
   add_integrator(command, to.integrator, to.path_length);
   add_limits(command, to.depth, to.threshold);
@@ -207,6 +209,8 @@ void declare_window(CLI::App& program, Run& run) {
   GuiOptions& to = asked->options;
   program.add_option("SCENE", to.scene_path, std::string(scene_help) + "; left out: the classic scene")->type_name("");
   program.add_option("--demo", to.demo_path, "Replay the actions in a file, one a line")->type_name("FILE");
+  add_choice(program, "--language", to.language, all_languages, language_code,
+             "Of the window; left out: as it was left, else the environment's");
   const auto hide = [](CLI::Option* option) { option->group(""); };
   hide(program.add_option("--state-dir", to.state_dir));
   hide(program.add_option("--screenshot", to.screenshot_path));

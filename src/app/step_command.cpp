@@ -37,7 +37,7 @@ Result<void> print_json(const Scene& scene, const Timeline& timeline, const Step
   for (int position = 1; position <= timeline.steps(); ++position) {
     Json step{{"step", position}};
     step.update(event_json(scene, timeline.event(position - 1)));
-    step["sentence"] = sentence_of(describe(scene, timeline, position));
+    step["sentence"] = sentence_of(describe(scene, timeline, position), Language::english);
     text += (position == 1 ? "\n" : ",\n") + dump(step);
     constexpr std::size_t enough = 1 << 16;
     if (text.size() < enough) continue;
@@ -47,9 +47,9 @@ Result<void> print_json(const Scene& scene, const Timeline& timeline, const Step
   return print(text + "\n]}\n");
 }
 
-Result<void> print_text(const Scene& scene, const Timeline& timeline) {
+Result<void> print_text(const Scene& scene, const Timeline& timeline, Language language) {
   for (int position = 1; position <= timeline.steps(); ++position)
-    if (const auto printed = print(step_text(scene, timeline, position) + "\n"); !printed) return printed;
+    if (const auto printed = print(step_text(scene, timeline, position, language) + "\n"); !printed) return printed;
   return {};
 }
 
@@ -133,13 +133,13 @@ ExitCode step_command(const StepOptions& options) {
   const auto printed = [&] {
     switch (options.format) {
       case StepFormat::text:
-        return print_text(scene, timeline);
+        return print_text(scene, timeline, options.language);
       case StepFormat::json:
         return print_json(scene, timeline, options);
       case StepFormat::html:
-        return print(slides_page(scene, kept));
+        return print(slides_page(scene, kept, options.language));
       case StepFormat::svg:
-        return print(plan_picture(scene, kept));
+        return print(plan_picture(scene, kept, options.language));
     }
     return Result<void>();
   }();

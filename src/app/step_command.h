@@ -3,6 +3,7 @@
 #include "app/arguments.h"
 #include "app/console.h"
 #include "app/names.h"
+#include "lesson/language.h"
 
 #include <optional>
 #include <string>
@@ -21,7 +22,8 @@ struct StepOptions {
   Precision precision = Precision::double_;
   std::optional<Numerics> numerics{};
   std::optional<double> epsilon{};
-  std::optional<Fault> fault{};  ///< breaks the tracer on purpose
+  std::optional<Fault> fault{};           ///< breaks the tracer on purpose
+  Language language = Language::english;  ///< of text, page and picture
   StepFormat format = StepFormat::text;
 };
 

@@ -1,6 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ bool menu(const Ui& ui, std::string_view title, const char* name, bool open, con
 }
 
 void recent_menu(const Ui& ui) {
-  if (!ImGui::BeginMenu(std::string(text(TextId::menu_recent)).c_str(), !ui.state.recent.empty())) return;
+  if (!ImGui::BeginMenu(ui.say(TextId::menu_recent).c_str(), !ui.state.recent.empty())) return;
   int number = 0;
   for (const std::string& path : ui.state.recent) {
     ImGui::PushID(number);
@@ -67,7 +67,8 @@ void view_menu(const Ui& ui) {
                                 Command::use_camera, Command::image_settings, Command::heat})
     menu_item(ui, command);
   ImGui::Separator();
-  for (const Command command : {Command::theme, Command::scale_up, Command::scale_down, Command::scale_reset})
+  for (const Command command :
+       {Command::theme, Command::language, Command::scale_up, Command::scale_down, Command::scale_reset})
     menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::exchange, Command::full_screen}) menu_item(ui, command);
@@ -124,11 +125,11 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   if (has_bar) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
-    if (menu(ui, text(TextId::menu_file), "menu-file", open_menu == 0, [&] { file_menu(ui); })) is_open = 0;
-    if (menu(ui, text(TextId::menu_edit), "menu-edit", open_menu == 1, [&] { edit_menu(ui); })) is_open = 1;
-    if (menu(ui, text(TextId::menu_view), "menu-view", open_menu == 2, [&] { view_menu(ui); })) is_open = 2;
-    if (menu(ui, words::menu_walk, "menu-walk", open_menu == 3, [&] { walk_menu(ui); })) is_open = 3;
-    if (menu(ui, words::menu_panels, "menu-panels", open_menu == 4, [&] { panels_menu(ui); })) is_open = 4;
+    if (menu(ui, ui.say(TextId::menu_file), "menu-file", open_menu == 0, [&] { file_menu(ui); })) is_open = 0;
+    if (menu(ui, ui.say(TextId::menu_edit), "menu-edit", open_menu == 1, [&] { edit_menu(ui); })) is_open = 1;
+    if (menu(ui, ui.say(TextId::menu_view), "menu-view", open_menu == 2, [&] { view_menu(ui); })) is_open = 2;
+    if (menu(ui, ui.say(WindowText::menu_walk), "menu-walk", open_menu == 3, [&] { walk_menu(ui); })) is_open = 3;
+    if (menu(ui, ui.say(WindowText::menu_panels), "menu-panels", open_menu == 4, [&] { panels_menu(ui); })) is_open = 4;
     ImGui::PopStyleVar(2);
 
     const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
@@ -141,6 +142,9 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
     ButtonLook redo = flat;
     redo.icon = Icon::redo;
     command_button(ui, Command::redo, {height, height}, redo);
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(10), y});
+    const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
+    command_button(ui, Command::language, {height * 1.3f, height}, small, short_label(Command::language, ui.state));
 
     // The document's name at the right, where there is room for it.
     const std::string title = document_title(ui.state);

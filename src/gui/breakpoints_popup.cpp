@@ -1,6 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 
 #include <algorithm>
 
@@ -9,16 +9,16 @@ namespace raywalk {
 namespace {
 
 // The objects to choose from, behind "nowhere".
-std::vector<std::string> object_names(const Scene& scene) {
-  std::vector<std::string> names{std::string(words::nowhere)};
-  for (const Object& object : scene.objects) names.push_back(object.name);
+std::vector<std::string> object_names(const Ui& ui) {
+  std::vector<std::string> names{ui.say(WindowText::nowhere)};
+  for (const Object& object : ui.state.scene().objects) names.push_back(object.name);
   return names;
 }
 
 // A number that may be absent: the field shows `none` then.
-void optional_whole(Form& form, std::string_view label, std::optional<int>& value, int none, int most) {
+void optional_whole(Form& form, WindowText label, std::optional<int>& value, int none, int most) {
   int shown = value.value_or(none);
-  if (form.whole(std::string(label), shown, none, most)) value = shown == none ? std::nullopt : std::optional(shown);
+  if (form.whole(label, shown, none, most)) value = shown == none ? std::nullopt : std::optional(shown);
 }
 
 }  // namespace
@@ -41,21 +41,21 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   Form form(ui, memory_, width);
   int step = state.position;
   if (open) form.focus_next();
-  if (form.whole(std::string(words::go_to_step), step, 0, state.timeline->steps())) ui.act(action::Jump{step});
+  if (form.whole(WindowText::go_to_step, step, 0, state.timeline->steps())) ui.act(action::Jump{step});
 
-  form.heading(words::breakpoints);
+  form.heading(WindowText::breakpoints);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-  label(ui.colours.dim_text, words::breakpoints_hint);
-  if (breakpoints_in_force(state) != state.breakpoints) label(ui.colours.error, words::breakpoints_off);
+  label(ui.colours.dim_text, ui.say(WindowText::breakpoints_hint));
+  if (breakpoints_in_force(state) != state.breakpoints) label(ui.colours.error, ui.say(WindowText::breakpoints_off));
   ImGui::PopTextWrapPos();
   Breakpoints next = state.breakpoints;
-  optional_whole(form, words::at_depth, next.depth, 0, 99);
-  optional_whole(form, words::at_pixel, next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
-  form.flag(std::string(words::at_total), next.total_internal_reflection);
-  const std::vector<std::string> names = object_names(state.scene());
+  optional_whole(form, WindowText::at_depth, next.depth, 0, 99);
+  optional_whole(form, WindowText::at_pixel, next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
+  form.flag(WindowText::at_total, next.total_internal_reflection);
+  const std::vector<std::string> names = object_names(ui);
   const auto at = std::find(names.begin() + 1, names.end(), next.object);
   int chosen = at == names.end() ? 0 : static_cast<int>(at - names.begin());
-  if (form.pick(std::string(words::at_object), names, chosen))
+  if (form.pick(WindowText::at_object, names, chosen))
     next.object = chosen == 0 ? std::string() : names[static_cast<std::size_t>(chosen)];
   if (next != state.breakpoints) ui.act(action::SetBreakpoints{next});
 
@@ -65,7 +65,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   ImGui::SameLine();
   command_button(ui, Command::run_on, extent, look);
   ImGui::SameLine();
-  if (button(ui, "remove-breakpoints", std::string(words::remove_breakpoints), "", extent, look, false,
+  if (button(ui, "remove-breakpoints", ui.say(WindowText::remove_breakpoints), "", extent, look, false,
              state.breakpoints.any()))
     ui.act(action::SetBreakpoints{});
   ImGui::PopStyleVar();

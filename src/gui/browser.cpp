@@ -1,7 +1,7 @@
 #include "gui/browser.h"
 
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -87,8 +87,8 @@ void Browser::entries(const Ui& ui, float height) {
       }
       ui.publish("browser/" + name);
     }
-    if (!listing_.readable) paragraph(ui.colours.error, words::folder_unreadable);
-    if (listing_.readable && listing_.files.empty()) paragraph(ui.colours.dim_text, words::no_scene_here);
+    if (!listing_.readable) paragraph(ui.colours.error, ui.say(WindowText::folder_unreadable));
+    if (listing_.readable && listing_.files.empty()) paragraph(ui.colours.dim_text, ui.say(WindowText::no_scene_here));
     if (!into.empty()) go_to((fs::path(folder_) / into).string());
   }
   ImGui::EndChild();
@@ -103,7 +103,7 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   }
   if (asking_ == PathPrompt::none || ui.state.question) return;
   const bool saves = asking_ == PathPrompt::save_as;
-  const std::string title(text(saves ? TextId::menu_save_as : TextId::menu_open));
+  const std::string title = ui.say(saves ? TextId::menu_save_as : TextId::menu_open);
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
   const ImVec2 extent{std::min(ui.px(640), whole.x), std::min(ui.px(470), whole.y)};
   ImGui::SetNextWindowSize(extent);
@@ -117,7 +117,7 @@ void Browser::draw(const Ui& ui, const std::string& home) {
     return;
   }
   const float line = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.y;
-  if (button(ui, "browser-up", std::string(words::folder_up), std::string(words::folder_up_hint), {0, line},
+  if (button(ui, "browser-up", ui.say(WindowText::folder_up), ui.say(WindowText::folder_up_hint), {0, line},
              {.look = Look::plain, .icon = Icon::up}))
     go_to(fs::path(folder_).parent_path().string());
   ImGui::SameLine();
@@ -133,17 +133,17 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   std::strncpy(buffer.data(), typed_.c_str(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
   const bool entered =
-      ImGui::InputTextWithHint("##path", std::string(text(TextId::path_label)).c_str(), buffer.data(), buffer.size(),
+      ImGui::InputTextWithHint("##path", ui.say(TextId::path_label).c_str(), buffer.data(), buffer.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   typed_ = buffer.data();
   ui.publish("browser-path");
   const ImVec2 large{ui.px(130), line};
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * large.x - ImGui::GetStyle().ItemSpacing.x -
                        ImGui::GetStyle().WindowPadding.x);
-  const bool cancelled = button(ui, "browser-cancel", std::string(text(TextId::answer_cancel)), "", large, {});
+  const bool cancelled = button(ui, "browser-cancel", ui.say(TextId::answer_cancel), "", large, {});
   ImGui::SameLine();
-  const bool accepted = button(ui, "browser-accept", std::string(text(saves ? TextId::menu_save : TextId::menu_open)),
-                               "", large, {.look = Look::primary}, false, !typed_.empty());
+  const bool accepted = button(ui, "browser-accept", ui.say(saves ? TextId::menu_save : TextId::menu_open), "", large,
+                               {.look = Look::primary}, false, !typed_.empty());
   if (accepted || entered) accept(ui);
   if (cancelled) ui.act(action::CancelPrompt{});
   ImGui::EndPopup();

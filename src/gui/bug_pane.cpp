@@ -12,14 +12,12 @@ namespace raywalk {
 
 namespace {
 
-std::string said(const Ui& ui, BugText id) { return std::string(bug_text(id, ui.state.lessons.language)); }
-
 void list(const Ui& ui, const BugPanel& panel) {
   const Shades shades(ui.state.theme);
   for (const BugRow& row : panel.rows) {
-    std::string text = bug_text(BugText::number, ui.state.lessons.language, {std::to_string(row.number)});
-    if (row.end == BugEnd::found) text += "  \u2713 " + said(ui, BugText::found);
-    if (row.end == BugEnd::given_up) text += "  \u00b7 " + said(ui, BugText::given_up);
+    std::string text = ui.say(BugText::number, {std::to_string(row.number)});
+    if (row.end == BugEnd::found) text += "  \u2713 " + ui.say(BugText::found);
+    if (row.end == BugEnd::given_up) text += "  \u00b7 " + ui.say(BugText::given_up);
     if (wide_button(ui, fmt::format("bug/{}", row.number), text, shades.raised, ui.colours.text, true))
       ui.act(action::HuntBug{row.number});
   }
@@ -56,7 +54,7 @@ void bug_pane(const Ui& ui, const Rect& where) {
     label(ui.colours.dim_text, shortened(panel.tally, width - 2 * height));
     pop_font();
     ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
-    if (button(ui, "bugs-close", "", said(ui, BugText::leave), {height, height},
+    if (button(ui, "bugs-close", "", ui.say(BugText::leave), {height, height},
                {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
       ui.act(action::ShowBugs{false});
     ImGui::SetCursorScreenPos({left, where.y + ui.px(12) + height});
@@ -64,7 +62,7 @@ void bug_pane(const Ui& ui, const Rect& where) {
     paragraph(ui.colours.text, panel.heading);
     pop_font();
 
-    const float foot = 2 * height + ui.px(26), top = ImGui::GetCursorScreenPos().y;
+    const float foot = (panel.hunting ? 2 : 1) * height + ui.px(panel.hunting ? 26 : 18), top = ImGui::GetCursorScreenPos().y;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
     if (ImGui::BeginChild("bug-words", {width, std::max(where.bottom() - top - foot, 1.0f)}, false)) {
       if (panel.hunting) {
@@ -80,39 +78,30 @@ void bug_pane(const Ui& ui, const Rect& where) {
     const float y = where.bottom() - foot + ui.px(8), half = (width - gap) / 2;
     ImGui::SetCursorScreenPos({left, y});
     if (!panel.hunting) {
-      command_button(ui, Command::bug_surprise, {width, height}, {.look = Look::primary}, said(ui, BugText::surprise));
+      command_button(ui, Command::bug_surprise, {width, height}, {.look = Look::primary}, ui.say(BugText::surprise));
     } else {
       const bool open = panel.can_give_up;
       command_button(ui, open ? Command::bug_mark : Command::bug_mend, {half, height},
                      {.look = open ? Look::primary : Look::plain},
-                     said(ui, panel.can_judge        ? BugText::judge
-                              : open                 ? BugText::mark
-                              : ui.state.bug->mended ? BugText::break_again
-                                                     : BugText::mend));
+                     ui.say(panel.can_judge        ? BugText::judge
+                            : open                 ? BugText::mark
+                            : ui.state.bug->mended ? BugText::break_again
+                                                   : BugText::mend));
       ImGui::SetCursorScreenPos({left + half + gap, y});
       command_button(ui, open ? Command::bug_cure : Command::bug_surprise, {half, height},
-                     {.look = open ? Look::plain : Look::primary},
-                     said(ui, open ? BugText::give_up : BugText::surprise));
+                     {.look = open ? Look::plain : Look::primary}, ui.say(open ? BugText::give_up : BugText::surprise));
     }
 
-    const std::string& language = ui.state.lessons.language;
-    const ButtonLook small{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
-    const float language_width = button_width(ui, "PT", small);
     ImGui::SetCursorScreenPos({left, y + height + gap});
     if (panel.hunting) {
-      if (button(ui, "bugs-list", said(ui, BugText::all_bugs), said(ui, BugText::all_bugs), {height, height},
+      if (button(ui, "bugs-list", ui.say(BugText::all_bugs), ui.say(BugText::all_bugs), {height, height},
                  {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
         ui.act(action::LeaveHunt{});
       ImGui::SetCursorScreenPos({left + height + gap, y + height + gap});
-      if (button(ui, "bugs-leave", said(ui, BugText::leave), "Esc", {width - height - language_width - 2 * gap, height},
+      if (button(ui, "bugs-leave", ui.say(BugText::leave), "Esc", {width - height - gap, height},
                  {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
         ui.act(action::ShowBugs{false});
     }
-    ImGui::SetCursorScreenPos({left + width - language_width, y + height + gap});
-    if (button(ui, "bugs-language", language == "en" ? "PT" : "EN", "English | Portugu\u00eas",
-               {language_width, height}, small))
-      ui.act(action::SetLessonOptions{ui.state.lessons.presenter, ui.state.lessons.unlocked,
-                                      language == "en" ? "pt" : "en"});
   }
   end_pane();
 }

@@ -3,12 +3,13 @@
 
 #include "accel/accelerator.h"
 #include "gui/form.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
+#include "view/choice_text.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace raywalk {
@@ -26,11 +27,13 @@ template <class Choices, class Value>
   return choices[(index_among(choices, now) + 1) % choices.size()];
 }
 
-/// A field for one of `choices`, called as `name` says. Whether another one than `value` was picked, which then is it.
-template <class Choices, class NameOf, class Value>
-bool pick_among(Form& form, const FormLabel& label, const Choices& choices, const NameOf& name, Value& value) {
+/// A field for one of `choices`, called as `id_of` says: by default each is the id of its own text. Whether another one
+/// than `value` was picked, which then is it.
+template <class Choices, class Value, class IdOf = std::identity>
+bool pick_among(const Ui& ui, Form& form, const FormLabel& label, const Choices& choices, Value& value,
+                const IdOf& id_of = {}) {
   std::vector<std::string> names;
-  for (const auto& choice : choices) names.emplace_back(name(choice));
+  for (const auto& choice : choices) names.push_back(ui.say(id_of(choice)));
   int index = static_cast<int>(index_among(choices, value));
   if (!form.pick(label, names, index)) return false;
   value = choices[static_cast<std::size_t>(index)];
@@ -44,6 +47,8 @@ inline constexpr std::array pickable_accelerators{AcceleratorKind::automatic, Ac
 
 /// Whether numbers have 24 bits.
 inline constexpr std::array precisions{false, true};
-[[nodiscard]] constexpr std::string_view precision_word(bool single) { return single ? words::single : words::double_; }
+[[nodiscard]] constexpr WindowText precision_word(bool single) {
+  return single ? WindowText::single : WindowText::double_;
+}
 
 }  // namespace raywalk

@@ -2,10 +2,8 @@
 // One command as the table of commands (gui/command_table.h) tells of it.
 
 #include "gui/commands.h"
-#include "view/text.h"
 
 #include <array>
-#include <optional>
 
 namespace raywalk {
 
@@ -21,10 +19,6 @@ struct Key {
 struct CommandRow {
   Command command;
   const char* name;
-  /// From the catalogue; where a button carries more than one word of it, `label_text` is the whole.
-  std::optional<TextId> label;
-  const char* label_text;
-  const char* hint;
   std::array<Key, 3> keys{};  ///< the first one stands in menus and tooltips
 };
 

@@ -1,8 +1,10 @@
 #include "gui/commands.h"
 
 #include "gui/command_table.h"
+#include "gui/command_text.h"
 #include "gui/cost_commands.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
+#include "view/text.h"
 
 #include <array>
 
@@ -17,31 +19,32 @@ const CommandRow& row_of(Command command) { return command_table[static_cast<std
 std::string_view command_name(Command command) { return row_of(command).name; }
 
 std::string command_label(Command command, const State& state) {
-  if (command == Command::play && state.playing) return std::string(text(TextId::button_pause));
-  if (command == Command::theme) {
-    const TextId now = state.theme == Theme::dark ? TextId::theme_dark : TextId::theme_projector;
-    return std::string(text(TextId::theme)) + ": " + std::string(text(now));
-  }
-  if (command == Command::lines && shows_lines(state)) return std::string(words::plan);
-  if (const std::string_view now = cost_label(command, state); !now.empty()) return std::string(now);
-  const CommandRow& row = row_of(command);
-  return row.label ? std::string(text(*row.label)) : row.label_text;
+  const auto say = [&](auto id) { return std::string(text(id, state.language)); };
+  if (command == Command::play && state.playing) return say(TextId::button_pause);
+  if (command == Command::theme)
+    return say(TextId::theme) + ": " + say(state.theme == Theme::dark ? TextId::theme_dark : TextId::theme_projector);
+  if (command == Command::language) return say(TextId::language) + ": " + std::string(language_name(state.language));
+  if (command == Command::lines && shows_lines(state)) return say(WindowText::plan);
+  if (const std::optional<WindowText> now = cost_label(command, state)) return say(*now);
+  return std::string(text(command, state.language).label);
 }
 
 std::string short_label(Command command, const State& state) {
+  const auto say = [&](auto id) { return std::string(text(id, state.language)); };
   constexpr std::array in_short{std::pair{Command::add_solid_sphere, TextId::short_solid_sphere},
                                 std::pair{Command::add_transparent_sphere, TextId::short_transparent_sphere},
                                 std::pair{Command::add_polygon, TextId::short_polygon},
                                 std::pair{Command::add_light, TextId::short_light_source}};
   for (const auto& [of, id] : in_short)
-    if (of == command) return std::string(text(id));
-  if (command == Command::tab_image) return std::string(words::short_image);
-  if (command == Command::tab_tree) return std::string(words::short_tree);
-  if (command == Command::tab_microscope) return std::string(words::short_microscope);
+    if (of == command) return say(id);
+  if (command == Command::language) return std::string(language_sign(next_language(state.language)));
+  if (command == Command::tab_image) return say(WindowText::short_image);
+  if (command == Command::tab_tree) return say(WindowText::short_tree);
+  if (command == Command::tab_microscope) return say(WindowText::short_microscope);
   return command_label(command, state);
 }
 
-std::string command_hint(Command command) { return row_of(command).hint; }
+std::string command_hint(Command command, Language language) { return std::string(text(command, language).hint); }
 
 SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.turned_last : SpaceView::image; }
 
@@ -168,6 +171,7 @@ bool enabled(Command command, const State& state) {
     case Command::approach:
     case Command::recede:
     case Command::theme:
+    case Command::language:
     case Command::exchange:
     case Command::full_screen:
     case Command::lessons:
@@ -300,6 +304,7 @@ bool chosen(Command command, const State& state) {
     case Command::approach:
     case Command::recede:
     case Command::theme:
+    case Command::language:
     case Command::scale_reset:
     case Command::exchange:
     case Command::full_screen:

@@ -102,6 +102,7 @@ enum class Command {
   approach,
   recede,
   theme,
+  language,
   scale_up,
   scale_down,
   scale_reset,
@@ -124,11 +125,11 @@ inline constexpr int command_count = static_cast<int>(Command::menu) + 1;
 /// The same where there is little room; the label itself where that is short.
 [[nodiscard]] std::string short_label(Command command, const State& state);
 /// What it does, in one clause, without the key.
-[[nodiscard]] std::string command_hint(Command command);
+[[nodiscard]] std::string command_hint(Command command, Language language);
 /// The key that stands in menus and tooltips: "Ctrl+Shift+S"; empty when there is none.
-[[nodiscard]] std::string command_key(Command command);
+[[nodiscard]] std::string command_key(Command command, Language language);
 /// All of them: "Space, \u2192, Page Down".
-[[nodiscard]] std::string all_command_keys(Command command);
+[[nodiscard]] std::string all_command_keys(Command command, Language language);
 
 [[nodiscard]] bool enabled(Command command, const State& state);
 /// Whether it is what is chosen now, for those that choose.

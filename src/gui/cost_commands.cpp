@@ -50,21 +50,22 @@ void perform_cost(Command command, const Ui& ui) {
   }
 }
 
-std::string_view cost_label(Command command, const State& state) {
+std::optional<WindowText> cost_label(Command command, const State& state) {
   if (command == Command::cost_kind)
-    return state.cost.picture == CostPicture::split ? words::cost_split : words::cost_difference;
+    return state.cost.picture == CostPicture::split ? WindowText::cost_split : WindowText::cost_difference;
   if (command == Command::cost_page)
-    return state.tab == Tab::cost && state.cost.page == CostPage::effects ? words::cost_tries : words::cost_effects;
-  if (command != Command::cost_axis) return {};
+    return state.tab == Tab::cost && state.cost.page == CostPage::effects ? WindowText::cost_tries
+                                                                          : WindowText::cost_effects;
+  if (command != Command::cost_axis) return std::nullopt;
   switch (state.cost.axis) {
     case study::CostAxis::rays:
-      return words::cost_rays;
+      return WindowText::cost_rays;
     case study::CostAxis::tests:
-      return words::cost_tests;
+      return WindowText::cost_tests;
     case study::CostAxis::seconds:
-      return words::cost_seconds;
+      return WindowText::cost_seconds;
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace raywalk

@@ -5,7 +5,7 @@
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 
 #include <algorithm>
 #include <array>
@@ -57,11 +57,12 @@ void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
   draw.AddImage((ImTextureID)picture.cost_texture, corner(image), opposite(image));
   ui.publish("cost-picture", image);
   const CostState& cost = ui.state.cost;
-  const std::string right = cost.against < 0 ? std::string(words::cost_reference) : "B";
+  const std::string right = cost.against < 0 ? ui.say(WindowText::cost_reference) : "B";
   const ImU32 ink = to_imgui(ui.colours.text);
   const float y = image.bottom() + ui.px(3);
   if (cost.picture == CostPicture::difference) {
-    const std::string what = fill(CostText::difference, {right, number_text(picture.costs->largest())});
+    const std::string what =
+        ui.say(CostText::difference, {right, number_text(picture.costs->largest(), ui.state.language)});
     draw.AddText({image.x, y}, ink, shortened(what, room.width).c_str());
   } else {
     const float border = image.x + static_cast<float>(cost.split) * image.width;
@@ -83,7 +84,7 @@ void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
 
 void draw_effects(const Ui& ui, const Rect& where, float top, const LiveCosts& costs) {
   const float line = line_height(ui.fonts, *ui.fonts.small), scale = ui.dpi;
-  const std::string whole = survey_text(costs.survey(), costs.surveyed());
+  const std::string whole = survey_text(costs.survey(), costs.surveyed(), ui.state.language);
   ImGui::PushTextWrapPos(0);
   const float text_height = ImGui::CalcTextSize(whole.c_str(), nullptr, false, where.width).y + ui.px(6);
   ImGui::PopTextWrapPos();
@@ -111,19 +112,19 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   push_font(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
   Form form(ui, memory, ui.px(390));
-  form.heading(words::cost_knobs);
+  form.heading(WindowText::cost_knobs);
   const study::Setup now = cost_knobs(ui.state);
   study::Setup next = now;
-  form.whole(std::string(words::samples), next.samples, 1, CostState::most_samples);
-  pick_among(form, std::string(words::sampler), samplers, sampler_name, next.sampler);
-  form.whole(std::string(words::light_grid), next.light_grid, 0, CostState::most_grid);
+  form.whole(WindowText::samples, next.samples, 1, CostState::most_samples);
+  pick_among(ui, form, WindowText::sampler, samplers, next.sampler);
+  form.whole(WindowText::light_grid, next.light_grid, 0, CostState::most_grid);
   form.whole(TextId::depth_limit, next.depth, 1, CostState::most_depth);
   form.number(TextId::threshold, next.threshold, 0.0005, 0, 1);
-  form.number(std::string(words::tolerance), next.tolerance, 0.0005, 0, 1);
-  pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
-  pick_among(form, std::string(words::numerics), all_numerics, numerics_name, next.numerics);
-  if (next.numerics == Numerics::naive) form.number(std::string(words::epsilon), next.epsilon, 1e-6, 0, 1);
-  pick_among(form, std::string(words::accelerator), pickable_accelerators, accelerator_name, next.accelerator);
+  form.number(WindowText::tolerance, next.tolerance, 0.0005, 0, 1);
+  pick_among(ui, form, WindowText::precision, precisions, next.single_precision, precision_word);
+  pick_among(ui, form, WindowText::numerics, all_numerics, next.numerics);
+  if (next.numerics == Numerics::naive) form.number(WindowText::epsilon, next.epsilon, 1e-6, 0, 1);
+  pick_among(ui, form, WindowText::accelerator, pickable_accelerators, next.accelerator);
   if (!(next == now)) ui.act(action::SetCostKnobs{next});
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};
@@ -146,7 +147,7 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
     draw_effects(ui, where, row.bottom() + ui.px(8), *picture.costs);
     return pop_font();
   }
-  row.add(Command::cost_knobs, setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene())));
+  row.add(Command::cost_knobs, setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene()), ui.state.language));
   row.add(Command::cost_try);
   row.add(Command::cost_ladder);
   row.add(Command::cost_axis);
@@ -157,7 +158,7 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   Rect body{where.x, row.bottom() + gap, where.width, where.bottom() - row.bottom() - text_height - 2 * gap};
   if (ui.state.cost.tried.empty()) {
     ImGui::SetCursorScreenPos({where.x, body.y});
-    paragraph(ui.colours.dim_text, text(CostText::empty));
+    paragraph(ui.colours.dim_text, ui.say(CostText::empty));
     return pop_font();
   }
   // Side by side, or one above the other where that gives both more room.
@@ -179,7 +180,7 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   ImGui::SetCursorScreenPos({where.x, y});
   label(ui.colours.text, shortened("A: " + attempt_text(ui.state, findings, ui.state.cost.chosen), where.width));
   ImGui::SetCursorScreenPos({where.x, y + line});
-  const std::string other = ui.state.cost.against < 0 ? reference_text(findings)
+  const std::string other = ui.state.cost.against < 0 ? reference_text(findings, ui.state.language)
                                                       : "B: " + attempt_text(ui.state, findings, ui.state.cost.against);
   label(ui.colours.dim_text, shortened(other, where.width));
   pop_font();

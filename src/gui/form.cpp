@@ -1,7 +1,7 @@
 #include "gui/form.h"
 
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 #include "io/srgb.h"
 
 #include <algorithm>
@@ -10,25 +10,34 @@
 
 namespace raywalk {
 
+std::string FormLabel::words(Language language) const {
+  return std::visit([&](auto id) { return fill(id, language, {number_}); }, label_);
+}
+
+std::string FormLabel::hint(Language language) const {
+  const auto* id = std::get_if<TextId>(&label_);
+  return id == nullptr ? std::string() : std::string(explanation(*id, language));
+}
+
 Form::Form(const Ui& ui, FormMemory& memory, float width)
     : ui_(ui), memory_(memory), width_(width), label_width_(std::min(ui.px(166), width * 0.42f)) {}
 
-void Form::heading(std::string_view text) {
+void Form::heading(const FormLabel& of) {
   ImGui::Dummy({1, ui_.px(2)});
   push_font(ui_.fonts.strong);
-  label(ui_.colours.text, text);
+  label(ui_.colours.text, of.words(ui_.state.language));
   pop_font();
 }
 
 void Form::row(const FormLabel& of) {
-  name_ = "property/" + of.words;
+  name_ = "property/" + of.words(ui_.state.language);
   refused_in_row_ = false;
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {at.x + label_width_ - ui_.px(6), at.y + ImGui::GetFrameHeight()}, true);
-  label(ui_.colours.dim_text, of.words);
-  tooltip(ui_, name_ + "/label", std::string(of.hint));
+  label(ui_.colours.dim_text, of.words(ui_.state.language));
+  tooltip(ui_, name_ + "/label", of.hint(ui_.state.language));
   ui_.publish(name_ + "/label");
   ImGui::PopClipRect();
   ImGui::SameLine();
@@ -50,7 +59,8 @@ void Form::after_field(const std::string& field, bool refused, double least, dou
   // The next thing that is done, here or in another field, ends the talk about it.
   if (refused) {
     memory_.refused = id;
-    memory_.why = fill(TextId::refused_number, {number_text(least), number_text(most)});
+    memory_.why = ui_.say(TextId::refused_number,
+                          {number_text(least, ui_.state.language), number_text(most, ui_.state.language)});
   } else if (ImGui::IsItemActivated()) {
     memory_.refused = 0;
   }
@@ -146,7 +156,7 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
   if (ImGui::ColorButton(("##" + name_).c_str(), to_imgui4(display_colour(value)), ImGuiColorEditFlags_NoTooltip,
                          {swatch, swatch}))
     ImGui::OpenPopup(popup.c_str());
-  tooltip(ui_, popup, std::string(words::swatch_hint));
+  tooltip(ui_, popup, ui_.say(WindowText::swatch_hint));
   ui_.publish(name_ + "/swatch");
   if (ImGui::BeginPopup(popup.c_str())) {
     std::array<float, 3> shown{};
@@ -166,14 +176,14 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
 }
 
 bool Form::flag(const FormLabel& of, bool& value) {
-  name_ = "property/" + of.words;
+  name_ = "property/" + of.words(ui_.state.language);
   const bool now = ImGui::Checkbox(("##" + name_).c_str(), &value);
   ui_.publish(name_);
   const bool is_change = changed(now, "##" + name_);
-  tooltip(ui_, name_, std::string(of.hint));
+  tooltip(ui_, name_, of.hint(ui_.state.language));
   ImGui::SameLine();
-  label(ui_.colours.dim_text, of.words);
-  tooltip(ui_, name_ + "/label", std::string(of.hint));
+  label(ui_.colours.dim_text, of.words(ui_.state.language));
+  tooltip(ui_, name_ + "/label", of.hint(ui_.state.language));
   ui_.publish(name_ + "/label");
   return is_change;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "gui/ui.h"
+#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace raywalk {
@@ -18,11 +20,19 @@ struct FormMemory {
 };
 
 /// The words beside a field, and what they mean.
-struct FormLabel {
-  FormLabel(TextId id) : words(raywalk::text(id)), hint(explanation(id)) {}  // NOLINT: stands for its words
-  FormLabel(std::string the_words) : words(std::move(the_words)) {}          // NOLINT
-  std::string words;
-  std::string_view hint{};
+class FormLabel {
+ public:
+  FormLabel(TextId id) : label_(id) {}      // NOLINT: stands for its words
+  FormLabel(WindowText id) : label_(id) {}  // NOLINT
+  /// {0} is the number.
+  FormLabel(TextId id, int number) : label_(id), number_(std::to_string(number)) {}
+  [[nodiscard]] std::string words(Language language) const;
+  /// Empty for those that need none.
+  [[nodiscard]] std::string hint(Language language) const;
+
+ private:
+  std::variant<TextId, WindowText> label_;
+  std::string number_{};
 };
 
 /// Rows of a label and fields. Each field changes its value in place and tells whether it did; all numbers are kept
@@ -35,7 +45,7 @@ class Form {
   /// Puts the keyboard into the first field drawn from now on.
   void focus_next() { focus_ = true; }
 
-  void heading(std::string_view text);
+  void heading(const FormLabel& label);
   /// `step`: change for each unit of dragging.
   bool number(const FormLabel& label, double& value, double step, double least, double most);
   bool whole(const FormLabel& label, int& value, int least, int most);

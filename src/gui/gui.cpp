@@ -40,7 +40,7 @@ class Loop {
         interface_(options.data_dir + "/scenes"),
         demo_(std::move(demo)),
         begun_(begun),
-        settings_{state_.theme, state_.ui_scale, state_.tab},
+        settings_{state_.theme, state_.ui_scale, state_.tab, state_.language},
         fonts_found_(find_fonts(font_folders(options.data_dir))) {
     ImGui::GetIO().ConfigDragClickToInputText = true;
   }
@@ -58,7 +58,7 @@ class Loop {
       work_on_costs();
       if (wants_picture() && settled()) return take_picture();
     }
-    const Settings now{state_.theme, state_.ui_scale, state_.tab};
+    const Settings now{state_.theme, state_.ui_scale, state_.tab, state_.language};
     if (now != settings_) write_settings(state_.state_dir, now);
     return failure_;
   }

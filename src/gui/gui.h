@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/error.h"
+#include "lesson/language.h"
 
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct GuiOptions {
   std::string start_mode;             ///< "move", "trace" or "help"; empty: as `view` starts. --start-mode
   std::string start_tab;              ///< "image", "tree", "stack" or "legend"; empty: image. --start-tab
   std::optional<int> start_position;  ///< position on the timeline; negative: counted from the end. --start-position
+  std::optional<Language> language;   ///< absent: as the settings say, else the environment. --language
   std::string theme;                  ///< "dark" or "projector"; empty: as the settings say. --theme
   double ui_scale = 0;                ///< 1 to 3, on top of the display's own scale; 0: as the settings say. --ui-scale
   int width = 0, height = 0;          ///< of the window in screen coordinates; 0: 1280 x 720. --window WxH

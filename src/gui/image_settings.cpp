@@ -3,7 +3,7 @@
 #include "gui/choices.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 #include "render/heat.h"
 #include "view/text.h"
 
@@ -17,20 +17,20 @@ namespace {
 constexpr std::array integrators{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
                                  Integrator::path};
 
-std::string_view heat_name(Heat heat) {
+WindowText heat_word(Heat heat) {
   switch (heat) {
     case Heat::none:
-      return words::heat_none;
+      return WindowText::heat_none;
     case Heat::rays:
-      return words::heat_rays;
+      return WindowText::heat_rays;
     case Heat::tests:
-      return words::heat_tests;
+      return WindowText::heat_tests;
     case Heat::time:
-      return words::heat_time;
+      return WindowText::heat_time;
     case Heat::noise:
-      return words::heat_noise;
+      return WindowText::heat_noise;
   }
-  return "";
+  return WindowText::heat_none;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ std::string_view heat_name(Heat heat) {
 void epsilon_row(const Ui& ui, Form& form) {
   const RenderChoices& now = ui.state.scene().render;
   double epsilon = now.epsilon;
-  if (form.number(std::string(words::epsilon), epsilon, 1e-5, 0, 1e6))
+  if (form.number(WindowText::epsilon, epsilon, 1e-5, 0, 1e6))
     ui.act(action::SetNumerics{now.numerics, epsilon, form.continues()});
 }
 
@@ -52,18 +52,17 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   push_font(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
   Form form(ui, memory, ui.px(390));
-  form.heading(words::image_settings);
+  form.heading(WindowText::image_settings);
   const State& state = ui.state;
   ImageSettings next = state.image;
 
   Integrator integrator = next.integrator.value_or(state.scene().render.integrator);
-  if (pick_among(form, std::string(words::integrator), integrators, integrator_name, integrator))
-    next.integrator = integrator;
-  pick_among(form, std::string(words::accelerator), pickable_accelerators, accelerator_name, next.accelerator);
-  form.whole(std::string(words::samples), next.samples, 1, most_image_samples);
-  form.whole(std::string(words::walk_samples), next.walk_samples, 1, most_walk_samples);
-  pick_among(form, std::string(words::precision), precisions, precision_word, next.single_precision);
-  pick_among(form, std::string(words::heat), all_heats, heat_name, next.heat);
+  if (pick_among(ui, form, WindowText::integrator, integrators, integrator)) next.integrator = integrator;
+  pick_among(ui, form, WindowText::accelerator, pickable_accelerators, next.accelerator);
+  form.whole(WindowText::samples, next.samples, 1, most_image_samples);
+  form.whole(WindowText::walk_samples, next.walk_samples, 1, most_walk_samples);
+  pick_among(ui, form, WindowText::precision, precisions, next.single_precision, precision_word);
+  pick_among(ui, form, WindowText::heat, all_heats, next.heat, heat_word);
   if (next != state.image) ui.act(action::SetImageSettings{next});
 
   // These belong to the scene: the walk and the file have them too.
@@ -72,7 +71,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   now |= form.number(TextId::threshold, limits.threshold, 0.0005, 0, 1);
   if (now) ui.act(action::SetLimits{limits, form.continues()});
   Numerics numerics = state.scene().render.numerics;
-  if (pick_among(form, std::string(words::numerics), all_numerics, numerics_name, numerics))
+  if (pick_among(ui, form, WindowText::numerics, all_numerics, numerics))
     ui.act(action::SetNumerics{numerics, state.scene().render.epsilon});
   epsilon_row(ui, form);
 
@@ -91,19 +90,20 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
   const auto most = [&] {
     switch (heat) {
       case Heat::none:
-        return TextId::heat_rays;
+        return PanelText::heat_rays;
       case Heat::rays:
-        return TextId::heat_rays;
+        return PanelText::heat_rays;
       case Heat::tests:
-        return TextId::heat_tests;
+        return PanelText::heat_tests;
       case Heat::time:
-        return TextId::heat_time;
+        return PanelText::heat_time;
       case Heat::noise:
-        return TextId::heat_noise;
+        return PanelText::heat_noise;
     }
-    return TextId::heat_rays;
+    return PanelText::heat_rays;
   }();
-  const std::array<std::string, 3> numbers{"0", number_text(hottest / 2), fill(most, {number_text(hottest)})};
+  const std::array<std::string, 3> numbers{"0", number_text(hottest / 2, ui.state.language),
+                                           ui.say(most, {number_text(hottest, ui.state.language)})};
   const float bar = ui.px(9), y = where.y;
   // The longest number stands to the right of the bar, the others below their colours.
   const float last = ImGui::CalcTextSize(numbers[2].c_str()).x;

@@ -1,6 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -62,14 +62,14 @@ std::string seconds_text(double seconds) {
   return std::to_string(whole / 60) + ":" + rest;
 }
 
-std::string status_of(const State& state, const Picture& picture, bool has_row) {
-  const std::string about(text(state.image_camera ? TextId::image_turned
-                               : has_row          ? TextId::image_row_marked
-                                                  : TextId::image_click));
+std::string status_of(const Ui& ui, const Picture& picture, bool has_row) {
+  const std::string about = ui.say(ui.state.image_camera ? PanelText::image_turned
+                                   : has_row             ? PanelText::image_row_marked
+                                                         : PanelText::image_click);
   if (picture.finished) return about;
-  const std::string done = percent_text(picture.done);
+  const std::string done = percent_text(picture.done, ui.state.language);
   if (!(picture.seconds_left >= 1)) return done + "  \u00b7  " + about;
-  return fill(TextId::image_progress, {done, seconds_text(picture.seconds_left)}) + "  \u00b7  " + about;
+  return ui.say(PanelText::image_progress, {done, seconds_text(picture.seconds_left)}) + "  \u00b7  " + about;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   const float line = line_height(ui.fonts, *ui.fonts.small), side = ui.px(12);
   push_font(ui.fonts.small);
   if (picture.texture == 0) {
-    label(ui.colours.dim_text, text(TextId::image_waiting));
+    label(ui.colours.dim_text, ui.say(PanelText::image_waiting));
     pop_font();
     return;
   }
@@ -115,7 +115,7 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
                                at((mouse.y - image.y) / image.height, picture.height),
                                {picture.width, picture.height}});
     }
-    tooltip(ui, "image", std::string(words::image_hint));
+    tooltip(ui, "image", ui.say(WindowText::image_hint));
   }
   if (heat != Heat::none)
     heat_legend(ui, {room.x, room.bottom() + ui.px(6), room.width, legend}, heat, picture.hottest);
@@ -125,7 +125,7 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   const float button = button_width(ui, Command::image_settings, look);
   ImGui::SetCursorScreenPos({where.right() - button, where.bottom() - line - ui.px(7)});
   command_button(ui, Command::image_settings, {button, line + ui.px(6)}, look);
-  const std::string status = status_of(ui.state, picture, has_row);
+  const std::string status = status_of(ui, picture, has_row);
   const float y = where.bottom() - line - ui.px(4);
   ImGui::SetCursorScreenPos({where.x + ui.px(4), y});
   label(ui.colours.dim_text, shortened(status, where.width - button - ui.px(8)));

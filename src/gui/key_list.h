@@ -2,6 +2,8 @@
 // All keys and what they do, from the table of commands: Help shows this list and README.md has it as a table, which a
 // test compares.
 
+#include "lesson/language.h"
+
 #include <string>
 #include <vector>
 
@@ -12,6 +14,6 @@ struct KeyListRow {
   std::string does;  ///< "one step on \u00b7 back"
 };
 
-[[nodiscard]] std::vector<KeyListRow> key_list();
+[[nodiscard]] std::vector<KeyListRow> key_list(Language language);
 
 }  // namespace raywalk

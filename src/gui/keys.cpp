@@ -1,6 +1,8 @@
 #include "gui/command_table.h"
+#include "gui/window_text.h"
 #include "view/lesson_panel.h"
 #include "view/panels.h"
+#include "view/text.h"
 
 #include <algorithm>
 
@@ -8,13 +10,13 @@ namespace raywalk {
 
 namespace {
 
-std::string key_name(int key) {
+std::string key_name(int key, Language language) {
   if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9))
     return {static_cast<char>(key)};
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
   switch (key) {
     case GLFW_KEY_SPACE:
-      return "Space";
+      return std::string(text(WindowText::key_space, language));
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
       return "Enter";
@@ -51,7 +53,7 @@ std::string key_name(int key) {
     case GLFW_KEY_KP_0:
       return "0";
     default:
-      return "key " + std::to_string(key);
+      return fill(WindowText::key_other, language, {std::to_string(key)});
   }
 }
 
@@ -111,23 +113,23 @@ bool answer_by_key(const KeyPress& press, const Ui& ui) {
 
 namespace {
 
-std::string whole_name(const Key& key) {
+std::string whole_name(const Key& key, Language language) {
   if (key.key == 0) return {};
   const bool plus_by_shift = key.key == GLFW_KEY_EQUAL;
   return std::string(key.ctrl ? "Ctrl+" : "") + (key.alt ? "Alt+" : "") +
-         (key.shift && !plus_by_shift ? "Shift+" : "") + key_name(key.key);
+         (key.shift && !plus_by_shift ? "Shift+" : "") + key_name(key.key, language);
 }
 
 }  // namespace
 
-std::string command_key(Command command) {
-  return whole_name(command_table[static_cast<std::size_t>(command)].keys[0]);
+std::string command_key(Command command, Language language) {
+  return whole_name(command_table[static_cast<std::size_t>(command)].keys[0], language);
 }
 
-std::string all_command_keys(Command command) {
+std::string all_command_keys(Command command, Language language) {
   std::vector<std::string> names;
   for (const Key& key : command_table[static_cast<std::size_t>(command)].keys) {
-    const std::string name = whole_name(key);
+    const std::string name = whole_name(key, language);
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   std::string all;

@@ -3,6 +3,7 @@
 #include "gui/widgets.h"
 #include "view/bug_text.h"
 #include "view/lesson_panel.h"
+#include "view/lesson_text.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +14,6 @@ namespace raywalk {
 
 namespace {
 
-std::string word(const Ui& ui, LessonWord of) { return std::string(lesson_word(of, ui.state.lessons.language)); }
-
 void list(const Ui& ui, const LessonPanel& panel) {
   const Shades shades(ui.state.theme);
   int number = 0;
@@ -24,11 +23,10 @@ void list(const Ui& ui, const LessonPanel& panel) {
     const Colour ink = row.locked ? ui.colours.dim_text.with_alpha(150) : ui.colours.text;
     if (wide_button(ui, "lesson/" + row.name, title, shades.raised, ink, !row.locked))
       ui.act(action::OpenLesson{row.name});
-    if (row.locked) tooltip(ui, "lesson/" + row.name, word(ui, LessonWord::locked));
+    if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say(LessonWord::locked));
   }
   ImGui::Dummy({1, ui.px(6)});
-  command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {},
-                 std::string(bug_text(BugText::title, ui.state.lessons.language)));
+  command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say(BugText::title));
 }
 
 void choices(const Ui& ui, const LessonPanel& panel) {
@@ -74,7 +72,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       ui.act(action::ShowLessons{false});
     ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + height});
     push_font(ui.fonts.title);
-    paragraph(ui.colours.text, open ? panel.heading : word(ui, LessonWord::lessons));
+    paragraph(ui.colours.text, open ? panel.heading : ui.say(LessonWord::lessons));
     pop_font();
 
     const float foot = 2 * height + ui.px(26);
@@ -88,14 +86,14 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       } else {
         prose(ui, ui.colours.text, panel.text);
         if (panel.asks != Asks::nothing) {
-          heading(ui, Shades(ui.state.theme).accent, word(ui, LessonWord::predict));
+          heading(ui, Shades(ui.state.theme).accent, ui.say(LessonWord::predict));
           prose(ui, ui.colours.text, panel.question);
           choices(ui, panel);
           push_font(ui.fonts.small);
           if (panel.asks == Asks::arrow && !sitting.revealed)
-            paragraph(ui.colours.dim_text, "\u2192 " + word(ui, LessonWord::drag_arrow));
+            paragraph(ui.colours.dim_text, "\u2192 " + ui.say(LessonWord::drag_arrow));
           if (panel.asks == Asks::number && !sitting.revealed)
-            paragraph(ui.colours.dim_text, word(ui, LessonWord::type_number));
+            paragraph(ui.colours.dim_text, ui.say(LessonWord::type_number));
           if (panel.asks == Asks::line && !sitting.revealed)
             paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
           pop_font();
@@ -135,15 +133,15 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         }
         if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
         if (!panel.change.empty()) {
-          heading(ui, ui.colours.text, word(ui, LessonWord::change));
+          heading(ui, ui.colours.text, ui.say(LessonWord::change));
           prose(ui, ui.colours.text, panel.change);
         }
         if (!panel.presenter.empty()) {
-          heading(ui, ui.colours.dim_text, word(ui, LessonWord::presenter));
+          heading(ui, ui.colours.dim_text, ui.say(LessonWord::presenter));
           prose(ui, ui.colours.dim_text, panel.presenter);
         }
         if (!panel.teacher.empty()) {
-          heading(ui, ui.colours.dim_text, word(ui, LessonWord::teacher));
+          heading(ui, ui.colours.dim_text, ui.say(LessonWord::teacher));
           prose(ui, ui.colours.dim_text, panel.teacher);
         }
       }
@@ -155,43 +153,35 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     const float y = where.bottom() - foot + ui.px(8), gap = ui.px(8), left = where.x + ui.px(16);
     if (open) {
       ImGui::SetCursorScreenPos({left, y});
-      if (button(ui, "lesson-list", word(ui, LessonWord::all_lessons), word(ui, LessonWord::all_lessons),
-                 {height, height}, {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
+      if (button(ui, "lesson-list", ui.say(LessonWord::all_lessons), ui.say(LessonWord::all_lessons), {height, height},
+                 {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
         ui.act(action::LeaveLesson{});
       const float half = (width - height - 2 * gap) / 2;
       ImGui::SetCursorScreenPos({left + height + gap, y});
-      if (button(ui, "lesson-back", word(ui, LessonWord::back), "", {half, height}, {}, false, panel.can_go_back))
+      if (button(ui, "lesson-back", ui.say(LessonWord::back), "", {half, height}, {}, false, panel.can_go_back))
         ui.act(action::GoToLessonStep{panel.step - 2});
       ImGui::SetCursorScreenPos({left + height + half + 2 * gap, y});
       const bool reveals = panel.asks != Asks::nothing && !sitting.revealed;
       if (reveals) {
-        if (button(ui, "lesson-reveal", word(ui, LessonWord::reveal), "", {half, height}, {.look = Look::primary},
-                   false, panel.can_reveal))
+        if (button(ui, "lesson-reveal", ui.say(LessonWord::reveal), "", {half, height}, {.look = Look::primary}, false,
+                   panel.can_reveal))
           ui.act(action::RevealLesson{});
-      } else if (button(ui, "lesson-next", word(ui, panel.is_last ? LessonWord::finish : LessonWord::next), "",
+      } else if (button(ui, "lesson-next", ui.say(panel.is_last ? LessonWord::finish : LessonWord::next), "",
                         {half, height}, {.look = Look::primary}, false, panel.can_go_on)) {
         ui.act(action::GoToLessonStep{panel.step});
       }
     }
     ImGui::SetCursorScreenPos({left, y + height + gap});
-    action::SetLessonOptions options{sitting.presenter, sitting.unlocked, sitting.language};
+    action::SetLessonOptions options{sitting.presenter, sitting.unlocked};
     const ButtonLook small{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
-    const float language_width = button_width(ui, "PT", small);
-    const float other = (width - language_width - 2 * gap) / 2;
-    if (button(ui, "lesson-presenter", word(ui, LessonWord::presenter), "", {other, height}, small,
-               sitting.presenter)) {
+    const float other = (width - gap) / 2;
+    if (button(ui, "lesson-presenter", ui.say(LessonWord::presenter), "", {other, height}, small, sitting.presenter)) {
       options.presenter = !options.presenter;
       ui.act(options);
     }
     ImGui::SetCursorScreenPos({left + other + gap, y + height + gap});
-    if (button(ui, "lesson-unlock", word(ui, LessonWord::unlock), "", {other, height}, small, sitting.unlocked)) {
+    if (button(ui, "lesson-unlock", ui.say(LessonWord::unlock), "", {other, height}, small, sitting.unlocked)) {
       options.unlocked = !options.unlocked;
-      ui.act(options);
-    }
-    ImGui::SetCursorScreenPos({left + 2 * (other + gap), y + height + gap});
-    if (button(ui, "lesson-language", sitting.language == "en" ? "PT" : "EN", "English | Portugu\u00eas",
-               {language_width, height}, small)) {
-      options.language = sitting.language == "en" ? "pt" : "en";
       ui.act(options);
     }
   }

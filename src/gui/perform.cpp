@@ -237,6 +237,8 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::Approach{view_in_hand(state), 1 / 1.15});
     case Command::theme:
       return ui.act(action::SetTheme{state.theme == Theme::dark ? Theme::projector : Theme::dark});
+    case Command::language:
+      return ui.act(action::SetLanguage{next_language(state.language)});
     case Command::scale_up:
       return ui.act(action::SetUiScale{state.ui_scale + scale_step});
     case Command::scale_down:

@@ -1,7 +1,7 @@
 #include "gui/form.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 constexpr double tiny = 1e-6, huge = 1e6;
 
 void material_rows(const Ui& ui, Form& form, int index, const Object& object) {
-  form.heading(text(TextId::material));
+  form.heading(TextId::material);
   Material m = object.material;
   bool now = form.colour(TextId::ambient, m.ambient, 1);
   now |= form.colour(TextId::diffuse, m.diffuse, 1);
@@ -53,8 +53,7 @@ bool shape_rows(Form& form, Plane<double>& plane) {
 bool shape_rows(Form& form, Prism<double>& prism) {
   bool now = form.number(TextId::height, prism.height, 0.01, tiny, huge);
   int number = 0;
-  for (Vec2d& corner : prism.corners)
-    now |= form.vector(fill(TextId::corner, {std::to_string(++number)}), &corner.x, 2, 0.01);
+  for (Vec2d& corner : prism.corners) now |= form.vector({TextId::corner, ++number}, &corner.x, 2, 0.01);
   return now;
 }
 
@@ -83,8 +82,7 @@ bool shape_rows(Form& form, Disk<double>& disk) {
 bool shape_rows(Form& form, Polygon<double>& polygon) {
   bool now = false;
   int number = 0;
-  for (Vec3d& corner : polygon.outline)
-    now |= form.vector(fill(TextId::corner, {std::to_string(++number)}), &corner.x, 3, 0.01);
+  for (Vec3d& corner : polygon.outline) now |= form.vector({TextId::corner, ++number}, &corner.x, 3, 0.01);
   return now;
 }
 
@@ -92,7 +90,7 @@ bool shape_rows(Form& form, Triangle<double>& triangle) {
   bool now = false;
   int number = 0;
   for (Vec3d* corner : {&triangle.a, &triangle.b, &triangle.c})
-    now |= form.vector(fill(TextId::corner, {std::to_string(++number)}), &corner->x, 3, 0.01);
+    now |= form.vector({TextId::corner, ++number}, &corner->x, 3, 0.01);
   return now;
 }
 
@@ -141,7 +139,7 @@ void camera_rows(const Ui& ui, Form& form) {
 }
 
 void scene_rows(const Ui& ui, Form& form) {
-  form.heading(words::scene_settings);
+  form.heading(WindowText::scene_settings);
   const Scene& scene = ui.state.scene();
   Rgbd background = scene.background, ambient = scene.ambient;
   bool now = form.colour(TextId::background, background, huge);
@@ -153,8 +151,8 @@ void scene_rows(const Ui& ui, Form& form) {
   if (now) ui.act(action::SetLimits{limits, form.continues()});
 }
 
-std::string title_of(const State& state, const Target& target) {
-  const Scene& scene = state.scene();
+std::string title_of(const Ui& ui, const Target& target) {
+  const Scene& scene = ui.state.scene();
   const auto index = static_cast<std::size_t>(std::max(target.index, 0));
   switch (target.kind) {
     case TargetKind::object:
@@ -174,7 +172,7 @@ std::string title_of(const State& state, const Target& target) {
     case TargetKind::nothing:
       break;
   }
-  return std::string(text(TextId::eye)) + ", " + std::string(text(TextId::screen));
+  return ui.say(TextId::eye) + ", " + ui.say(TextId::screen);
 }
 
 }  // namespace
@@ -194,7 +192,7 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
     push_font(ui.fonts.title);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(at, {at.x + width - edge - ui.px(8), at.y + edge}, true);
-    label(ui.colours.text, title_of(ui.state, target));
+    label(ui.colours.text, title_of(ui, target));
     ImGui::PopClipRect();
     pop_font();
     ImGui::SetCursorScreenPos({at.x + width - edge, at.y});

@@ -82,6 +82,7 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"sentence", sentence(state)},
             {"revision", state.revision},
             {"cell", current_cell(state)},
+            {"language", language_code(state.language)},
             {"lines", shows_lines(state)},
             {"turned", state.image_camera.has_value()},
             {"rays", state.timeline->rays_at(state.position).size()},
@@ -96,8 +97,7 @@ std::string report(const State& state, const Interface& interface, const Preview
                       {"revealed", sitting.revealed},
                       {"aimed", sitting.guess.arrow.has_value()},
                       {"right", sitting.right},
-                      {"judged", sitting.judged},
-                      {"language", sitting.language}};
+                      {"judged", sitting.judged}};
   if (state.bug)
     json["bug"] = {{"mended", state.bug->mended}, {"known", state.bug->known}, {"hunted", state.bugs.hunt.has_value()}};
   json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};

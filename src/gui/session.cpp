@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <string_view>
 
 namespace raywalk {
 
@@ -46,6 +47,7 @@ Settings read_settings(const std::string& state_dir) {
   };
   settings.theme = named(all_themes, word("theme")).value_or(settings.theme);
   settings.tab = named(all_tabs, word("tab")).value_or(settings.tab);
+  settings.language = language_of(word("language"));
   if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
     settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
   return settings;
@@ -53,11 +55,21 @@ Settings read_settings(const std::string& state_dir) {
 
 void write_settings(const std::string& state_dir, const Settings& settings) {
   if (state_dir.empty()) return;
-  const nlohmann::json json{
+  nlohmann::json json{
       {"theme", name_of(settings.theme)}, {"tab", name_of(settings.tab)}, {"ui_scale", settings.ui_scale}};
+  if (settings.language) json["language"] = language_code(*settings.language);
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
   static_cast<void>(write_file_atomically(settings_path(state_dir), json.dump(2) + "\n"));
+}
+
+Language language_of_environment() {
+  for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+    const char* const locale = std::getenv(variable);
+    if (locale == nullptr || *locale == '\0') continue;  // as POSIX has it: the first that is set and not empty
+    return language_of(std::string_view(locale).substr(0, 2)).value_or(Language::english);
+  }
+  return Language::english;
 }
 
 std::string state_folder(const GuiOptions& options) {
@@ -78,12 +90,13 @@ Result<State> start(const GuiOptions& options) {
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
   State state = make_state(std::move(*document), path, folder);
+  const Settings settings = read_settings(folder);
+  state.language = options.language ? *options.language : settings.language.value_or(language_of_environment());
   state.lessons.folder = options.data_dir + "/lessons";
   state.lessons.scenes_folder = options.data_dir + "/scenes";
   restore_session(state);
   if (!warnings.empty()) state.notice = Notice{Notice::Kind::info, warnings.front()};
 
-  const Settings settings = read_settings(folder);
   state.theme = settings.theme;
   state.ui_scale = options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
   state.tab = settings.tab;

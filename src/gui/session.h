@@ -5,6 +5,7 @@
 #include "render/preview.h"
 #include "view/action.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,16 @@ struct Settings {
   Theme theme = Theme::dark;
   double ui_scale = 1;
   Tab tab = Tab::image;
+  std::optional<Language> language{};  ///< absent: none was kept
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 /// Defaults for what is missing or unreadable: settings are a convenience.
 [[nodiscard]] Settings read_settings(const std::string& state_dir);
 /// Fails silently for the same reason.
 void write_settings(const std::string& state_dir, const Settings& settings);
+
+/// Of the first of LC_ALL, LC_MESSAGES and LANG that is set; English where Raywalk does not speak it.
+[[nodiscard]] Language language_of_environment();
 
 /// `options.state_dir`, or the user's own folder; empty when there is none.
 [[nodiscard]] std::string state_folder(const GuiOptions& options);

@@ -17,7 +17,7 @@ void draw_returned(const Ui& ui, const StackRow& row) {
     draw.AddRectFilled(at, {at.x + edge * 1.6f, at.y + edge}, to_imgui(returned.colour), ui.px(3));
     draw.AddRect(at, {at.x + edge * 1.6f, at.y + edge}, to_imgui(ui.colours.dim_text), ui.px(3));
     ImGui::SetCursorScreenPos({at.x + edge * 1.6f + ui.px(8), at.y});
-    label(ui.colours.text, returned.name + " = " + colour_text(returned.linear));
+    label(ui.colours.text, returned.name + " = " + colour_text(returned.linear, ui.state.language));
   }
 }
 
@@ -26,7 +26,7 @@ void draw_returned(const Ui& ui, const StackRow& row) {
 int stack_tab(const Ui& ui, const Rect& where) {
   const StackPanel stack = stack_panel(ui.state);
   if (stack.rows.empty()) {
-    paragraph(ui.colours.dim_text, text(TextId::stack_empty));
+    paragraph(ui.colours.dim_text, ui.say(PanelText::stack_empty));
     return -1;
   }
   int pointed_at = -1;

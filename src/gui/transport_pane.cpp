@@ -1,6 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/words.h"
+#include "gui/window_text.h"
 #include "view/panels.h"
 #include "view/text.h"
 
@@ -88,7 +88,8 @@ void speed_control(const Ui& ui, const Rows& rows) {
     // Every doubling of the speed is as long on the slider.
     const double range = std::log(max_speed / min_speed);
     const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
-    const std::string value = std::string(text(TextId::speed)) + " " + number_text(ui.state.lines_per_second) + "/s";
+    const std::string value =
+        ui.say(TextId::speed) + " " + number_text(ui.state.lines_per_second, ui.state.language) + "/s";
     if (const auto to = slider(ui, "speed", {rows.slider, ui.px(small)}, static_cast<float>(fraction), value)) {
       const double speed = min_speed * std::exp(static_cast<double>(*to) * range);
       // Round numbers: whole ones from 2 on, quarters below.
@@ -97,7 +98,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
                                        : std::round(speed * 4) / 4;
       if (neat != ui.state.lines_per_second) ui.act(action::SetSpeed{neat});
     }
-    tooltip(ui, "speed", std::string(words::speed_hint));
+    tooltip(ui, "speed", ui.say(WindowText::speed_hint));
     ImGui::SameLine();
   }
   command_button(ui, Command::faster, {ui.px(small), ui.px(small)}, plus);
@@ -144,7 +145,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
     const int position = static_cast<int>(std::lround(static_cast<double>(*to) * steps));
     if (position != state.position) ui.act(action::Jump{position});
   }
-  tooltip(ui, "scrub", std::string(words::scrub_hint) + "\n" + status_line(state));
+  tooltip(ui, "scrub", ui.say(WindowText::scrub_hint) + "\n" + status_line(state));
   ImGui::SetCursorScreenPos({left + length + ui.px(8), at.y});
   command_button(ui, Command::last, {edge, edge}, last);
   if (!with_status) return;
@@ -155,7 +156,8 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
     ui.wish(WindowWish::breakpoints);
   const bool lit = ImGui::IsItemHovered();
   ui.publish("status");
-  tooltip(ui, "status", std::string(words::status_hint) + "  (" + command_key(Command::breakpoints) + ")");
+  tooltip(ui, "status",
+          ui.say(WindowText::status_hint) + "  (" + command_key(Command::breakpoints, ui.state.language) + ")");
   ImGui::GetWindowDrawList()->AddText(place, to_imgui(lit ? ui.colours.text : ui.colours.dim_text), status.c_str());
   pop_font();
 }
@@ -212,7 +214,7 @@ void transport_pane(const Ui& ui, const Rect& where) {
     const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
     const float grain_x = rows.beside ? speed_x - rows.grain - ui.px(4) : left;
     // Where there is room the choice says what it is about.
-    const std::string_view about = text(TextId::grain);
+    const std::string about = ui.say(TextId::grain);
     const float about_x = grain_x - ImGui::CalcTextSize(about.data(), about.data() + about.size()).x - ui.px(10);
     if (about_x > ImGui::GetItemRectMax().x + ui.px(16)) {
       ImGui::SetCursorScreenPos({about_x, centred + (ui.px(small) - ImGui::GetFontSize()) / 2});

@@ -89,7 +89,7 @@ void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& sp
 
 // What the node's sign stands for, and what its ray could bring.
 void explain(const Ui& ui, const TreeNode& node) {
-  const std::string what = node_text(node);
+  const std::string what = node_text(ui.state, node);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
   ImGui::BeginTooltip();
   push_font(ui.fonts.small);
@@ -104,7 +104,7 @@ void explain(const Ui& ui, const TreeNode& node) {
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   const TreePanel tree = tree_panel(ui.state);
   if (tree.nodes.empty()) {
-    paragraph(ui.colours.dim_text, text(TextId::tree_empty));
+    paragraph(ui.colours.dim_text, ui.say(PanelText::tree_empty));
     return -1;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

@@ -4,6 +4,7 @@
 #include "gui/fonts.h"
 #include "gui/layout.h"
 #include "view/action.h"
+#include "view/text.h"
 
 #include <imgui.h>
 
@@ -73,6 +74,11 @@ struct Ui {
   std::map<std::string, Rect, std::less<>>& items;
   Rest& rest;
 
+  /// A text in the language of the interface, with its arguments.
+  template <class Id>
+  [[nodiscard]] std::string say(Id id, const std::vector<std::string>& arguments = {}) const {
+    return fill(id, state.language, arguments);
+  }
   /// In a file of its own: what moves an action about takes two seconds to compile.
   void act(Action action) const;
   void wish(WindowWish what) const { wishes.push_back(what); }

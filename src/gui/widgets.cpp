@@ -30,9 +30,9 @@ Colour ground_of(const Shades& shades, Look look, bool is_chosen, bool hovered, 
   return of(shades.raised.with_alpha(0), shades.raised_hovered, shades.raised_held);
 }
 
-std::string hint_of(Command command) {
-  const std::string key = command_key(command);
-  std::string hint = command_hint(command);
+std::string hint_of(Command command, Language language) {
+  const std::string key = command_key(command, language);
+  std::string hint = command_hint(command, language);
   if (!hint.empty()) hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
   return key.empty() ? hint : hint + "  (" + key + ")";
 }
@@ -206,8 +206,8 @@ float button_width(const Ui& ui, Command command, const ButtonLook& look) {
 
 void command_button(const Ui& ui, Command command, ImVec2 size, const ButtonLook& look, const std::string& label) {
   const bool is_chosen = look.look == Look::choice && chosen(command, ui.state);
-  if (button(ui, command_name(command), label.empty() ? command_label(command, ui.state) : label, hint_of(command),
-             size, look, is_chosen, enabled(command, ui.state)))
+  if (button(ui, command_name(command), label.empty() ? command_label(command, ui.state) : label,
+             hint_of(command, ui.state.language), size, look, is_chosen, enabled(command, ui.state)))
     perform(command, ui);
 }
 
@@ -285,7 +285,7 @@ void ButtonRow::place(float width) {
 }
 
 void menu_item(const Ui& ui, Command command) {
-  const std::string key = command_key(command);
+  const std::string key = command_key(command, ui.state.language);
   if (ImGui::MenuItem(command_label(command, ui.state).c_str(), key.c_str(), chosen(command, ui.state),
                       enabled(command, ui.state)))
     perform(command, ui);

@@ -51,10 +51,11 @@ class WordsChecker {
   explicit WordsChecker(const PlayedLesson& played) : played_(played), lesson_(*played.lesson) {}
 
   std::vector<Error> check() {
-    for (const std::string_view language : lesson_languages) {
+    for (const Language language : all_languages) {
       const auto words = lesson_.words.find(language);
       if (words == lesson_.words.end()) {
-        errors_.push_back({lesson_.folder, 0, 0, fmt::format("there are no words in \"{}\"", language), ""});
+        errors_.push_back(
+            {lesson_.folder, 0, 0, fmt::format("there are no words in \"{}\"", language_code(language)), ""});
         continue;
       }
       language_ = language;
@@ -101,7 +102,7 @@ class WordsChecker {
     if (words->choices.size() != expected)
       fail(words->line, fmt::format("the step \"{}\" has {} choices (expected {}, as in lesson.toml)", step.id,
                                     words->choices.size(), expected));
-    const LessonWords& english = lesson_.words.at(std::string(lesson_languages.front()));
+    const LessonWords& english = lesson_.words.at(all_languages.front());
     if (const StepWords* other = english.find(step.id); other != nullptr) {
       if (other->change.empty() != words->change.empty())
         fail(words->line, fmt::format("\"### change\" of the step \"{}\" stands in one language only", step.id));
@@ -137,7 +138,7 @@ class WordsChecker {
 
   const PlayedLesson& played_;
   const Lesson& lesson_;
-  std::string_view language_;
+  Language language_ = all_languages.front();
   const LessonWords* words_ = nullptr;
   std::vector<Error> errors_;
 };
@@ -145,13 +146,12 @@ class WordsChecker {
 }  // namespace
 
 Result<std::string> filled(const PlayedLesson& played, std::size_t index, int position, const Passage& passage,
-                           std::string_view language) {
+                           Language language) {
   const auto words = played.lesson->words.find(language);
   const std::string file = words == played.lesson->words.end() ? played.lesson->folder : words->second.file;
   const auto wrong = [&](const std::string& message) {
     return tl::unexpected(Error{file, passage.line, 0, message, "a formula in braces takes its number from the trace"});
   };
-  const char mark = language == "pt" ? ',' : '.';
   std::string text;
   for (std::size_t at = 0; at < passage.text.size();) {
     const std::size_t open = passage.text.find('{', at);
@@ -166,7 +166,7 @@ Result<std::string> filled(const PlayedLesson& played, std::size_t index, int po
     if (!value) return wrong(slot.formula + ": " + value.error());
     if (std::holds_alternative<Nothing>(*value))
       return wrong(fmt::format("{{{}}} is nothing at step {} of the walk", slot.formula, position));
-    text += text_of(*value, slot.decimals, mark);
+    text += text_of(*value, slot.decimals, decimal_mark(language));
     at = close + 1;
   }
   return text;

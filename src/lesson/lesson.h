@@ -5,6 +5,7 @@
 #include "accel/accelerator.h"
 #include "io/error.h"
 #include "lesson/expression.h"
+#include "lesson/language.h"
 #include "lesson/words.h"
 #include "scene/scene.h"
 #include "trace/fault.h"
@@ -84,7 +85,7 @@ struct Lesson {
   std::string name;    ///< of its folder: "01-ray-casting"
   std::string folder;  ///< its path
   std::vector<LessonStep> steps;
-  std::map<std::string, LessonWords, std::less<>> words;  ///< by language
+  std::map<Language, LessonWords> words;  ///< all_languages
 };
 
 /// The names of the lessons in a folder, sorted: each is a folder that holds a lesson.toml.

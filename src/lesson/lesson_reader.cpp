@@ -310,8 +310,8 @@ Result<Lesson> read_lesson(const std::string& folder) {
   if (!lesson) return lesson;
   lesson->folder = folder;
   lesson->name = (path.has_filename() ? path : path.parent_path()).filename().string();
-  for (const std::string_view language : lesson_languages) {
-    const std::string words_file = (path / (std::string(language) + ".md")).string();
+  for (const Language language : all_languages) {
+    const std::string words_file = (path / (std::string(language_code(language)) + ".md")).string();
     const auto words = read_file(words_file, most_bytes).and_then([&](const std::string& words_text) {
       return parse_words(words_text, words_file);
     });

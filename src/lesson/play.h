@@ -55,6 +55,6 @@ enum class Pictures { render, leave_out };
 
 /// A passage with its numbers filled in, or what is wrong with it. Numbers are written as `language` writes them.
 [[nodiscard]] Result<std::string> filled(const PlayedLesson& played, std::size_t index, int position,
-                                         const Passage& passage, std::string_view language);
+                                         const Passage& passage, Language language);
 
 }  // namespace raywalk

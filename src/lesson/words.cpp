@@ -3,6 +3,7 @@
 #include "io/spelling.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace raywalk {

@@ -5,15 +5,11 @@
 
 #include "io/error.h"
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace raywalk {
-
-/// The languages that every lesson speaks.
-inline constexpr std::array<std::string_view, 2> lesson_languages{"en", "pt"};
 
 /// Words, and the line of the file in which they begin. Paragraphs are one line each, an empty line between them; the
 /// items of a list begin with "- ".

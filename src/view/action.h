@@ -216,6 +216,9 @@ struct Quit {};
 struct SetTheme {
   Theme theme;
 };
+struct SetLanguage {
+  Language language;
+};  ///< of the interface, the lessons and what is said about bugs
 struct SetUiScale {
   double scale;
 };  ///< clamped
@@ -244,7 +247,6 @@ struct GuessNumber {
 struct RevealLesson {};  ///< shows the answer to the guess; a line is guessed by MarkLine
 struct SetLessonOptions {
   bool presenter = false, unlocked = false;
-  std::string language;
 };
 
 // Spot the bug. What is done to the scene itself (open, save, new, quit, a lesson) leaves the hunt first.
@@ -278,12 +280,12 @@ using Action = std::variant<
     action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight,
     action::SetCamera, action::SetLimits, action::SetNumerics, action::SetSurroundings, action::Nudge, action::Undo,
     action::Redo, action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs,
-    action::CancelPrompt, action::AnswerQuestion, action::Quit, action::SetTheme, action::SetUiScale, action::SetTab,
-    action::DismissNotice, action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep,
-    action::GuessChoice, action::GuessNumber, action::RevealLesson, action::SetLessonOptions, action::SetCostKnobs,
-    action::TryCost, action::ForgetCosts, action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::ShowBugs,
-    action::HuntBug, action::MarkLine, action::JudgeLine, action::ShowCure, action::MendBug, action::LeaveHunt,
-    action::Magnify>;
+    action::CancelPrompt, action::AnswerQuestion, action::Quit, action::SetTheme, action::SetLanguage,
+    action::SetUiScale, action::SetTab, action::DismissNotice, action::ShowLessons, action::OpenLesson,
+    action::LeaveLesson, action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
+    action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts, action::ChooseCost,
+    action::ShowCosts, action::ShowCostPage, action::ShowBugs, action::HuntBug, action::MarkLine, action::JudgeLine,
+    action::ShowCure, action::MendBug, action::LeaveHunt, action::Magnify>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

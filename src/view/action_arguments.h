@@ -222,7 +222,6 @@ template <class F>
 void arguments(F& f, SetLessonOptions& a) {
   f.flag(a.presenter, "presenter");
   f.flag(a.unlocked, "unlocked");
-  f.rest(a.language);
 }
 template <class F>
 void arguments(F& f, ShowBugs& a) {
@@ -244,6 +243,10 @@ void arguments(F& f, MendBug& a) {
 template <class F>
 void arguments(F& f, SetTheme& a) {
   f.choice(a.theme, Words<Theme>(theme_words));
+}
+template <class F>
+void arguments(F& f, SetLanguage& a) {
+  f.choice(a.language, Words<Language>(language_words));
 }
 template <class F>
 void arguments(F& f, SetUiScale& a) {

@@ -1,6 +1,7 @@
 #include "view/bug_panel.h"
 
 #include "view/bug_text.h"
+#include "view/text.h"
 
 #include <algorithm>
 #include <span>
@@ -15,9 +16,9 @@ std::string line_text(Line line) { return std::string(pseudocode_of(line).text);
 
 BugPanel bug_panel(const State& state) {
   const BugSitting& bugs = state.bugs;
-  const std::string& language = state.lessons.language;
+  const Language language = state.language;
   const auto say = [&](BugText id, const std::vector<std::string>& arguments = {}) {
-    return bug_text(id, language, arguments);
+    return fill(id, language, arguments);
   };
   BugPanel panel;
   const auto found = std::count(bugs.ends.begin(), bugs.ends.end(), BugEnd::found);
@@ -30,7 +31,7 @@ BugPanel bug_panel(const State& state) {
     return panel;
   }
   const BugHunt& hunt = *bugs.hunt;
-  const auto know = [&](FaultText id) { return std::string(fault_text(state.bug->fault, id, language)); };
+  const auto know = [&](FaultText id) { return std::string(text(FaultTextOf{state.bug->fault, id}, language)); };
   panel.heading = hunt.surprise && hunt.end == BugEnd::open ? say(BugText::surprise_title)
                                                             : say(BugText::number, {std::to_string(hunt.number)});
   panel.said.push_back({say(BugText::seen), know(FaultText::symptom)});
@@ -41,7 +42,7 @@ BugPanel bug_panel(const State& state) {
       panel.can_judge = hunt.marked.has_value();
       panel.can_give_up = true;
       if (!hunt.acquitted) return panel;
-      panel.verdict = say(BugText::not_right, {std::string(line_duty(*hunt.acquitted, language))});
+      panel.verdict = say(BugText::not_right, {std::string(text(DutyOf{*hunt.acquitted}, language))});
       panel.learnt.push_back({say(BugText::hint), know(FaultText::hint)});
       return panel;
     case BugEnd::found:
@@ -87,7 +88,7 @@ std::vector<RayRecord> other_rays(const State& state) {
 
 std::string bug_banner(const State& state) {
   if (!state.bug) return {};
-  return std::string(bug_text(state.bug->mended ? BugText::banner_mended : BugText::banner, state.lessons.language));
+  return std::string(text(state.bug->mended ? BugText::banner_mended : BugText::banner, state.language));
 }
 
 }  // namespace raywalk

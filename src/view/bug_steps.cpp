@@ -162,7 +162,7 @@ void leave_hunt(State& state) {
   back.theme = state.theme;
   back.ui_scale = state.ui_scale;
   back.viewport = state.viewport;
-  back.lessons.language = state.lessons.language;
+  back.language = state.language;
   back.bugs = std::move(state.bugs);
   back.bugs.hunt.reset();
   const bool autosaved = back.autosaved_revision == back.revision;

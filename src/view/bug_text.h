@@ -1,11 +1,9 @@
 #pragma once
-// What is said about bugs, by id, in the languages of the lessons: bug_text_*.cpp. {0} stands for an argument.
+// What is said about bugs, by id: a family of view/text.h. {0} stands for an argument.
 
 #include "trace/fault.h"
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace raywalk {
 
@@ -50,20 +48,23 @@ enum class FaultText {
   cure,     ///< what it should do
 };
 
-[[nodiscard]] std::string_view bug_text(BugText id, std::string_view language);
-[[nodiscard]] std::string bug_text(BugText id, std::string_view language, const std::vector<std::string>& arguments);
-[[nodiscard]] std::string_view fault_text(Fault fault, FaultText id, std::string_view language);
-/// What a line of MAIN ALGORITHM or SHADE is there for, as a clause: "it aims from the hit at the light".
-[[nodiscard]] std::string_view line_duty(Line line, std::string_view language);
+/// Of one fault.
+struct FaultTextOf {
+  Fault fault;
+  FaultText id;
+};
 
-namespace detail {
+/// What a line of MAIN ALGORITHM or SHADE is there for, as a clause: "it aims from the hit at the light".
+struct DutyOf {
+  Line line;
+};
+
 // bug_text_english.cpp, bug_text_portuguese.cpp
 [[nodiscard]] std::string_view english(BugText id);
-[[nodiscard]] std::string_view english(Fault fault, FaultText id);
-[[nodiscard]] std::string_view english(Line line);
+[[nodiscard]] std::string_view english(FaultTextOf of);
+[[nodiscard]] std::string_view english(DutyOf of);
 [[nodiscard]] std::string_view portuguese(BugText id);
-[[nodiscard]] std::string_view portuguese(Fault fault, FaultText id);
-[[nodiscard]] std::string_view portuguese(Line line);
-}  // namespace detail
+[[nodiscard]] std::string_view portuguese(FaultTextOf of);
+[[nodiscard]] std::string_view portuguese(DutyOf of);
 
 }  // namespace raywalk

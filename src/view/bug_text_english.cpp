@@ -1,28 +1,8 @@
-// The English texts about bugs, and the choice of the language.
+// The English texts about bugs.
 
 #include "view/bug_text.h"
 
-#include "view/text.h"
-
 namespace raywalk {
-
-std::string_view bug_text(BugText id, std::string_view language) {
-  return language == "pt" ? detail::portuguese(id) : detail::english(id);
-}
-
-std::string bug_text(BugText id, std::string_view language, const std::vector<std::string>& arguments) {
-  return fill(bug_text(id, language), arguments);
-}
-
-std::string_view fault_text(Fault fault, FaultText id, std::string_view language) {
-  return language == "pt" ? detail::portuguese(fault, id) : detail::english(fault, id);
-}
-
-std::string_view line_duty(Line line, std::string_view language) {
-  return language == "pt" ? detail::portuguese(line) : detail::english(line);
-}
-
-namespace detail {
 
 std::string_view english(BugText id) {
   switch (id) {
@@ -162,9 +142,9 @@ Known known(Fault fault) {
 
 }  // namespace
 
-std::string_view english(Fault fault, FaultText id) {
-  const Known all = known(fault);
-  switch (id) {
+std::string_view english(FaultTextOf of) {
+  const Known all = known(of.fault);
+  switch (of.id) {
     case FaultText::symptom:
       return all.symptom;
     case FaultText::hint:
@@ -177,8 +157,8 @@ std::string_view english(Fault fault, FaultText id) {
   return {};
 }
 
-std::string_view english(Line line) {
-  switch (line) {
+std::string_view english(DutyOf of) {
+  switch (of.line) {
     case Line::for_each_pixel:
       return "it takes one pixel after the other";
     case Line::form_primary_ray:
@@ -232,7 +212,5 @@ std::string_view english(Line line) {
   }
   return {};
 }
-
-}  // namespace detail
 
 }  // namespace raywalk

@@ -4,8 +4,6 @@
 
 namespace raywalk {
 
-namespace detail {
-
 std::string_view portuguese(BugText id) {
   switch (id) {
     case BugText::title:
@@ -142,9 +140,9 @@ Known known(Fault fault) {
 
 }  // namespace
 
-std::string_view portuguese(Fault fault, FaultText id) {
-  const Known all = known(fault);
-  switch (id) {
+std::string_view portuguese(FaultTextOf of) {
+  const Known all = known(of.fault);
+  switch (of.id) {
     case FaultText::symptom:
       return all.symptom;
     case FaultText::hint:
@@ -157,8 +155,8 @@ std::string_view portuguese(Fault fault, FaultText id) {
   return {};
 }
 
-std::string_view portuguese(Line line) {
-  switch (line) {
+std::string_view portuguese(DutyOf of) {
+  switch (of.line) {
     case Line::for_each_pixel:
       return "ela toma um pixel depois do outro";
     case Line::form_primary_ray:
@@ -212,7 +210,5 @@ std::string_view portuguese(Line line) {
   }
   return {};
 }
-
-}  // namespace detail
 
 }  // namespace raywalk

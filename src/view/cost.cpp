@@ -3,6 +3,7 @@
 #include "io/srgb.h"
 #include "render/heat.h"
 #include "study/shot.h"
+#include "view/choice_text.h"
 #include "view/state.h"
 #include "view/text.h"
 
@@ -32,10 +33,10 @@ Setup within_limits(Setup setup) {
 bool was_tried(const CostState& cost, int index) { return index >= 0 && index < static_cast<int>(cost.tried.size()); }
 
 /// 1234567 as "1.23 M".
-std::string count_text(double count) {
-  if (count >= 1e9) return fmt::format("{:.3g} G", count / 1e9);
-  if (count >= 1e6) return fmt::format("{:.3g} M", count / 1e6);
-  if (count >= 1e4) return fmt::format("{:.3g} k", count / 1e3);
+std::string count_text(double count, Language language) {
+  if (count >= 1e9) return number_text(count / 1e9, language) + " G";
+  if (count >= 1e6) return number_text(count / 1e6, language) + " M";
+  if (count >= 1e4) return number_text(count / 1e3, language) + " k";
   return fmt::format("{:.0f}", count);
 }
 
@@ -87,64 +88,69 @@ void detail::show_costs(State& state, const action::ShowCosts& what) {
   state.cost.split = std::clamp(what.split, 0.0, 1.0);
 }
 
-std::string setup_text(const Setup& setup, const Setup& usual) {
-  std::string all = setup.samples == 1 ? std::string(text(CostText::sample))
-                                       : fill(CostText::samples, {std::to_string(setup.samples)});
+std::string setup_text(const Setup& setup, const Setup& usual, Language language) {
+  std::string all = setup.samples == 1 ? std::string(text(CostText::sample, language))
+                                       : fill(CostText::samples, language, {std::to_string(setup.samples)});
   const auto add = [&](const std::string& part) { all += ", " + part; };
-  if (setup.samples > 1) add(std::string(sampler_name(setup.sampler)));
+  if (setup.samples > 1) add(std::string(text(setup.sampler, language)));
   if (setup.tolerance != usual.tolerance)
-    add(setup.tolerance > 0 ? fill(CostText::tolerance, {number_text(setup.tolerance)})
-                            : std::string(text(CostText::no_tolerance)));
+    add(setup.tolerance > 0 ? fill(CostText::tolerance, language, {number_text(setup.tolerance, language)})
+                            : std::string(text(CostText::no_tolerance, language)));
   if (setup.light_grid != usual.light_grid && setup.light_grid > 0)
-    add(fill(CostText::light_grid, {std::to_string(setup.light_grid)}));
-  if (setup.depth != usual.depth) add(fill(CostText::depth, {std::to_string(setup.depth)}));
+    add(fill(CostText::light_grid, language, {std::to_string(setup.light_grid)}));
+  if (setup.depth != usual.depth) add(fill(CostText::depth, language, {std::to_string(setup.depth)}));
   if (setup.threshold != usual.threshold)
-    add(setup.threshold > 0 ? fill(CostText::threshold, {number_text(setup.threshold)})
-                            : std::string(text(CostText::no_threshold)));
+    add(setup.threshold > 0 ? fill(CostText::threshold, language, {number_text(setup.threshold, language)})
+                            : std::string(text(CostText::no_threshold, language)));
   if (setup.single_precision != usual.single_precision)
-    add(std::string(text(setup.single_precision ? CostText::single : CostText::double_)));
-  if (setup.accelerator != usual.accelerator) add(std::string(accelerator_name(setup.accelerator)));
+    add(std::string(text(setup.single_precision ? CostText::single : CostText::double_, language)));
+  if (setup.accelerator != usual.accelerator) add(std::string(text(setup.accelerator, language)));
   if (setup.numerics == Numerics::naive)
-    add(fill(CostText::naive, {number_text(setup.epsilon)}));
+    add(fill(CostText::naive, language, {number_text(setup.epsilon, language)}));
   else if (setup.numerics != usual.numerics)
-    add(std::string(text(CostText::robust)));
+    add(std::string(text(CostText::robust, language)));
   return all;
 }
 
 std::string attempt_text(const State& state, const CostFindings& findings, int index) {
-  if (index < 0 || index >= static_cast<int>(findings.attempts.size())) return std::string(text(CostText::empty));
+  const Language language = state.language;
+  if (index < 0 || index >= static_cast<int>(findings.attempts.size()))
+    return std::string(text(CostText::empty, language));
   const Attempt& attempt = findings.attempts[static_cast<std::size_t>(index)];
-  const std::string setup = setup_text(attempt.setup, study::setup_of(state.scene()));
-  if (attempt.done < 1) return setup + ": " + fill(CostText::under_way, {percent_text(attempt.done)});
+  const std::string setup = setup_text(attempt.setup, study::setup_of(state.scene()), language);
+  if (attempt.done < 1)
+    return setup + ": " + fill(CostText::under_way, language, {percent_text(attempt.done, language)});
   const bool known = attempt.error > 0 || findings.floor > 0;
-  const std::string times =
-      findings.floor > 0
-          ? fill(CostText::times_floor, {fmt::format("{:.0f}", std::max(1.0, attempt.error / findings.floor))})
-          : std::string();
+  const std::string times = findings.floor > 0
+                                ? fill(CostText::times_floor, language,
+                                       {fmt::format("{:.0f}", std::max(1.0, attempt.error / findings.floor))})
+                                : std::string();
   return fill(
-      CostText::attempt,
-      {setup, count_text(static_cast<double>(attempt.cost.rays)),
-       count_text(static_cast<double>(attempt.cost.nodes + attempt.cost.tests)), number_text(attempt.cost.seconds),
-       known ? number_text(attempt.error) : std::string(text(CostText::awaits_reference)), times});
+      CostText::attempt, language,
+      {setup, count_text(static_cast<double>(attempt.cost.rays), language),
+       count_text(static_cast<double>(attempt.cost.nodes + attempt.cost.tests), language),
+       number_text(attempt.cost.seconds, language),
+       known ? number_text(attempt.error, language) : std::string(text(CostText::awaits_reference, language)), times});
 }
 
-std::string reference_text(const CostFindings& findings) {
-  if (findings.reference_samples < 2) return std::string(text(CostText::no_reference));
-  return fill(CostText::reference, {std::to_string(findings.reference_samples), number_text(findings.floor)});
+std::string reference_text(const CostFindings& findings, Language language) {
+  if (findings.reference_samples < 2) return std::string(text(CostText::no_reference, language));
+  return fill(CostText::reference, language,
+              {std::to_string(findings.reference_samples), number_text(findings.floor, language)});
 }
 
-std::string survey_text(const std::optional<study::SceneCost>& survey, double done) {
+std::string survey_text(const std::optional<study::SceneCost>& survey, double done, Language language) {
   std::string all;
   if (survey) {
     const double rays = static_cast<double>(survey->whole.rays), seconds = survey->whole.seconds;
-    const auto times = [](double everything, double whole) {
-      return fmt::format("{:.3g}", whole > 0 ? everything / whole : 1);
+    const auto times = [&](double everything, double whole) {
+      return number_text(whole > 0 ? everything / whole : 1, language);
     };
-    all = fill(CostText::whole,
-               {count_text(rays), fmt::format("{:.3g}", seconds),
+    all = fill(CostText::whole, language,
+               {count_text(rays, language), number_text(seconds, language),
                 times(static_cast<double>(survey->everything.rays), rays), times(survey->everything.seconds, seconds)});
   }
-  if (done < 1) all += (all.empty() ? "" : "  ") + fill(CostText::surveying, {percent_text(done)});
+  if (done < 1) all += (all.empty() ? "" : "  ") + fill(CostText::surveying, language, {percent_text(done, language)});
   return all;
 }
 

@@ -2,6 +2,7 @@
 // The Cost panel without a window: the knobs, what was tried, and the drawing of error against cost. What the tries
 // gave is worked out beside the state (study/workbench.h) and handed in.
 
+#include "lesson/language.h"
 #include "study/effect_costs.h"
 #include "study/workbench.h"
 #include "view/display_list.h"
@@ -102,14 +103,14 @@ struct CostPlot {
 [[nodiscard]] DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width,
                                       double height, double unit);
 /// "12.3 k rays in 0.05 s; every effect regardless: 9.1 times the rays, 7.5 times the time".
-[[nodiscard]] std::string survey_text(const std::optional<study::SceneCost>& survey, double done);
+[[nodiscard]] std::string survey_text(const std::optional<study::SceneCost>& survey, double done, Language language);
 
 /// "64 samples, sobol, depth 3": what a setup is, by what sets it apart from `usual`.
-[[nodiscard]] std::string setup_text(const study::Setup& setup, const study::Setup& usual);
+[[nodiscard]] std::string setup_text(const study::Setup& setup, const study::Setup& usual, Language language);
 /// One line on what an attempt cost and how far it is off.
 [[nodiscard]] std::string attempt_text(const State& state, const CostFindings& findings, int index);
 /// How good the reference is by now.
-[[nodiscard]] std::string reference_text(const CostFindings& findings);
+[[nodiscard]] std::string reference_text(const CostFindings& findings, Language language);
 
 /// The pictures as they are to be shown, width * height pixels of four bytes. `right` of another size (there is none
 /// yet) is left out. `largest`: for a difference, what the last colour stands for.
@@ -151,7 +152,7 @@ enum class CostText {
   whole,      ///< {0} rays, {1} seconds, {2} times the rays and {3} times the time of a tracer that does everything
   surveying,  ///< {0} percent
 };
-[[nodiscard]] std::string_view text(CostText id);
-[[nodiscard]] std::string fill(CostText id, const std::vector<std::string>& arguments);
+[[nodiscard]] std::string_view english(CostText id);
+[[nodiscard]] std::string_view portuguese(CostText id);
 
 }  // namespace raywalk

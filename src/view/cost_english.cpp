@@ -2,7 +2,7 @@
 
 namespace raywalk {
 
-std::string_view text(CostText id) {
+std::string_view english(CostText id) {
   switch (id) {
     case CostText::empty:
       return "Set the knobs and press Try: the same picture is traced that way, its cost is counted, and its distance "

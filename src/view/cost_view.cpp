@@ -51,12 +51,14 @@ class LogScale {
   double low_ = 1e300, high_ = -1e300;
 };
 
-std::string tick_text(double value) {
-  const auto short_text = [](double number, const char* unit) { return fmt::format("{:g}{}", number, unit); };
+std::string tick_text(double value, Language language) {
+  const auto short_text = [&](double number, const char* unit) {
+    return with_decimal_mark(fmt::format("{:g}", number), language) + unit;
+  };
   if (value >= 0.999e9) return short_text(value / 1e9, " G");
   if (value >= 0.999e6) return short_text(value / 1e6, " M");
   if (value >= 0.999e3) return short_text(value / 1e3, " k");
-  if (value >= 0.999e-3) return fmt::format("{:g}", value);
+  if (value >= 0.999e-3) return short_text(value, "");
   return fmt::format("{:.0e}", value);
 }
 
@@ -97,32 +99,32 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
   for (const double value : across.ticks(across_most)) {
     if (any) list.push_back({LineItem{{x_of(value), top}, {x_of(value), bottom}, grid}});
     if (any)
-      list.push_back({words({x_of(value), bottom + 0.8 * letters}, tick_text(value), letters, colours.dim_text,
-                            TextAnchor::middle)});
+      list.push_back({words({x_of(value), bottom + 0.8 * letters}, tick_text(value, state.language), letters,
+                            colours.dim_text, TextAnchor::middle)});
   }
   const bool known = findings.floor > 0;  // before there is a reference, only the costs are
   for (const double value : up.ticks(up_most)) {
     if (!known) break;
     list.push_back({LineItem{{left, y_of(value)}, {right, y_of(value)}, grid}});
-    list.push_back(
-        {words({left - 0.5 * letters, y_of(value)}, tick_text(value), letters, colours.dim_text, TextAnchor::end)});
+    list.push_back({words({left - 0.5 * letters, y_of(value)}, tick_text(value, state.language), letters,
+                          colours.dim_text, TextAnchor::end)});
   }
   const Stroke frame{colours.dim_text, line};
   list.push_back({PolylineItem{{{left, top}, {left, bottom}, {right, bottom}}, frame}});
-  list.push_back({words({0.3 * letters, 0.7 * letters}, std::string(text(CostText::error_axis)), letters, colours.text,
-                        TextAnchor::start)});
+  list.push_back({words({0.3 * letters, 0.7 * letters}, std::string(text(CostText::error_axis, state.language)),
+                        letters, colours.text, TextAnchor::start)});
   const CostText name = axis == CostAxis::seconds ? CostText::seconds_axis
                         : axis == CostAxis::rays  ? CostText::rays_axis
                                                   : CostText::tests_axis;
-  list.push_back(
-      {words({right, height - 0.8 * letters}, std::string(text(name)), letters, colours.text, TextAnchor::end)});
+  list.push_back({words({right, height - 0.8 * letters}, std::string(text(name, state.language)), letters, colours.text,
+                        TextAnchor::end)});
   if (!any) return plot;
 
   if (known && up.part(findings.floor) >= 0) {
     const double y = y_of(findings.floor);
     list.push_back({LineItem{{left, y}, {right, y}, {colours.dim_text, line, {{6 * unit, 4 * unit}, 2}}}});
     const double beside = bottom - y > 1.2 * letters ? 0.7 : -0.7;
-    const std::string own(text(CostText::floor));
+    const std::string own(text(CostText::floor, state.language));
     if (text_width(own, letters) < right - left)
       list.push_back({words({right, y + beside * letters}, own, letters, colours.dim_text, TextAnchor::end)});
   }

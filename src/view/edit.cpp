@@ -117,7 +117,7 @@ void add_object(State& state, action::ObjectKind kind) {
   const Vec2d place = to_grid(free_place(state, kind == action::ObjectKind::light ? size / 2 : size), grid);
 
   Scene next = state.scene();
-  const std::string name = unique_name(next, std::string(text(name_of(kind))));
+  const std::string name = unique_name(next, std::string(text(name_of(kind), state.language)));
   Target added;
   if (kind == action::ObjectKind::light) {
     added = {TargetKind::light, static_cast<int>(next.lights.size())};
@@ -158,7 +158,7 @@ void remove_selected(State& state) {
     case TargetKind::screen_distance:
     case TargetKind::cell:
     case TargetKind::ray:
-      return inform(state, std::string(text(TextId::select_first)));
+      return inform(state, std::string(text(TextId::select_first, state.language)));
   }
   state.selected = {};
   commit(state, std::move(next));
@@ -181,7 +181,7 @@ void remove_corner(State& state, int object, int corner) {
   Scene next = state.scene();
   Prism<double>* prism = prism_of(next, object);
   if (prism == nullptr || corner < 0 || corner >= prism->sides()) return;
-  if (prism->sides() <= 3) return complain(state, std::string(text(TextId::refused_last_corners)));
+  if (prism->sides() <= 3) return complain(state, std::string(text(TextId::refused_last_corners, state.language)));
   prism->corners.erase(prism->corners.begin() + corner);
   if (commit_if_valid(state, std::move(next), object, -1)) state.selected = {TargetKind::object, object};
 }
@@ -194,9 +194,9 @@ void rename(State& state, const action::Rename& rename) {
   const auto index = static_cast<std::size_t>(rename.target.index);
   std::string& name = is_object ? next.objects[index].name : next.lights[index].name;
   if (rename.name == name) return;
-  if (rename.name.empty()) return complain(state, std::string(text(TextId::refused_name_empty)));
+  if (rename.name.empty()) return complain(state, std::string(text(TextId::refused_name_empty, state.language)));
   if (unique_name(next, rename.name) != rename.name)
-    return complain(state, fill(TextId::refused_name_taken, {rename.name}));
+    return complain(state, fill(TextId::refused_name_taken, state.language, {rename.name}));
   name = rename.name;
   commit_if_valid(state, std::move(next), is_object ? rename.target.index : -1, is_object ? -1 : rename.target.index);
 }

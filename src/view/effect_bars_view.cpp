@@ -1,5 +1,6 @@
 // What each effect of a scene adds, drawn.
 
+#include "view/choice_text.h"
 #include "view/cost.h"
 #include "view/state.h"
 #include "view/text.h"
@@ -15,13 +16,6 @@ namespace {
 
 /// "61%"; time may be negative by chance, 0 has no sign.
 std::string whole_percent(double share) { return fmt::format("{:.0f}%", std::round(100 * share) + 0.0); }
-
-/// "depth of field".
-std::string words_of(Effect effect) {
-  std::string words(effect_name(effect));
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
 
 /// A name to the left; to the right of it, one above the other, what it adds of the rays and of the time.
 struct BarRow {
@@ -44,20 +38,20 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
 
   std::vector<BarRow> rows;
   for (const study::EffectCost& effect : survey->effects)
-    rows.push_back({words_of(effect.effect), effect.rays_share, &effect});
+    rows.push_back({std::string(text(effect.effect, state.language)), effect.rays_share, &effect});
   if (survey->whole.rays > 0)
-    rows.push_back({std::string(text(CostText::all_rays)),
+    rows.push_back({std::string(text(CostText::all_rays, state.language)),
                     static_cast<double>(survey->shadow_rays) / static_cast<double>(survey->whole.rays)});
 
   double y = 0.7 * letters;
   const bool none = survey->effects.empty();
-  write({0, y}, std::string(text(none ? CostText::no_effects : CostText::effects_title)), colours.text,
+  write({0, y}, std::string(text(none ? CostText::no_effects : CostText::effects_title, state.language)), colours.text,
         TextAnchor::start);
   y += 1.2 * letters;
 
   double name_width = 0;
   for (const BarRow& row : rows) name_width = std::max(name_width, text_width(row.name, letters));
-  const std::string longest = fill(CostText::of_time, {"100%", "100%", "100%"});
+  const std::string longest = fill(CostText::of_time, state.language, {"100%", "100%", "100%"});
   const double left = name_width + letters, label_width = text_width(longest, letters) + letters;
   const double room = width - left - label_width;
   // Without room beside them the labels stand over the bars.
@@ -89,7 +83,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     double top = y + (beside ? 0 : 0.6 * letters);
     const double lowest = row.effect != nullptr ? top + step + thick : top + thick;
     write({name_width, (top + lowest) / 2}, row.name, colours.text, TextAnchor::end);
-    label(top, bar(top, row.rays, true), fill(CostText::of_rays, {whole_percent(row.rays)}));
+    label(top, bar(top, row.rays, true), fill(CostText::of_rays, state.language, {whole_percent(row.rays)}));
     if (row.effect != nullptr) {
       top += step;
       const study::EffectCost& effect = *row.effect;
@@ -104,8 +98,9 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
         right = std::max(right, high);
       }
       label(top, right,
-            fill(CostText::of_time, {whole_percent(effect.seconds_share), whole_percent(effect.seconds_low),
-                                     whole_percent(effect.seconds_high)}));
+            fill(CostText::of_time, state.language,
+                 {whole_percent(effect.seconds_share), whole_percent(effect.seconds_low),
+                  whole_percent(effect.seconds_high)}));
     }
     y += row_height;
   }

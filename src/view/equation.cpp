@@ -1,5 +1,7 @@
 #include "view/equation.h"
 
+#include "view/equation_text.h"
+#include "view/text.h"
 #include "view/update_parts.h"
 
 #include <fmt/format.h>
@@ -42,40 +44,47 @@ class Writer {
   /// One row under way: text and numbers in turn.
   class Row {
    public:
-    explicit Row(Kind kind) { row_.kind = kind; }
+    Row(Kind kind, Language language) : language_(language) { row_.kind = kind; }
     Row& operator<<(std::string_view text) {
       row_.text += text;
       return *this;
     }
+    Row& operator<<(EquationText id) { return *this << text(id, language_); }
     Row& operator<<(double value) {
-      row_.text += equation_number(value);
+      row_.text += equation_number(value, language_);
       row_.values.push_back(value);
       return *this;
     }
     /// Of a scene in the plan two components say it all.
     Row& operator<<(const Vec3d& v) {
-      *this << "(" << v.x << ", " << v.y;
-      if (v.z != 0) *this << ", " << v.z;
+      const std::string_view between = separator(language_);
+      *this << "(" << v.x << between << v.y;
+      if (v.z != 0) *this << between << v.z;
       return *this << ")";
     }
     [[nodiscard]] EquationRow take() { return std::move(row_); }
 
    private:
+    Language language_;
     EquationRow row_;
   };
   template <class... Parts>
   void row(Kind kind, const Parts&... parts) {
-    Row row(kind);
+    Row row(kind, state_.language);
     static_cast<void>((row << ... << parts));
     panel_.rows.push_back(row.take());
   }
-  void light(Kind kind, std::string_view name, const Rgbd& colour) {
-    Row row(kind);
-    row << name << " ";
+  /// `name`: in one piece or several.
+  template <class... Name>
+  void light(Kind kind, const Rgbd& colour, const Name&... name) {
+    Row row(kind, state_.language);
+    static_cast<void>((row << ... << name));
+    row << " ";
+    const std::string_view between = separator(state_.language);
     if (colour.x == colour.y && colour.y == colour.z)
       row << colour.x;
     else
-      row << "(" << colour.x << ", " << colour.y << ", " << colour.z << ")";
+      row << "(" << colour.x << between << colour.y << between << colour.z << ")";
     panel_.rows.push_back(row.take());
     panel_.rows.back().light = colour;
   }
@@ -102,17 +111,18 @@ class Writer {
 
   void write(const PixelBegun& begun) {
     if (timeline_.of_strip())
-      row(Kind::numbers, "pixel ", static_cast<double>(begun.column), " of ",
+      row(Kind::numbers, EquationText::pixel, " ", static_cast<double>(begun.column), " ", EquationText::of, " ",
           static_cast<double>(scene().camera.screen.cells));
     else
-      row(Kind::numbers, "pixel ", static_cast<double>(begun.column), ", ", static_cast<double>(begun.row));
+      row(Kind::numbers, EquationText::pixel, " ", static_cast<double>(begun.column), ", ",
+          static_cast<double>(begun.row));
   }
 
   void write(const RayFormed& formed) {
     switch (formed.kind) {
       case RayKind::primary:
         line("EYE", formed.origin, "D", formed.direction);
-        return row(Kind::note, "D has length 1, so t is the distance from EYE");
+        return row(Kind::note, EquationText::unit_direction);
       case RayKind::shadow:
         return shadow(formed);
       case RayKind::reflect:
@@ -126,11 +136,11 @@ class Writer {
 
   void shadow(const RayFormed& formed) {
     line("P", formed.origin, "L", formed.direction);
-    if (formed.light_at_end) row(Kind::note, light_name(formed.light), " stands at t = ", 1.0);
+    if (formed.light_at_end) row(Kind::note, light_name(formed.light), " ", EquationText::stands_at, " t = ", 1.0);
     if (parent() == nullptr) return;
     const Vec3d normal = facing(*parent());
     row(Kind::formula, "cos θ = N·L / |L|");
-    row(Kind::numbers, "N = ", normal, ", |L| = ", length(formed.direction));
+    row(Kind::numbers, "N = ", normal, separator(state_.language), "|L| = ", length(formed.direction));
     row(Kind::numbers, "θ = ", angle_between(normal, formed.direction), "°");
   }
 
@@ -139,20 +149,21 @@ class Writer {
     const Vec3d normal = facing(*parent()), in = parent()->direction;
     row(Kind::formula, "R = D − 2 (N·D) N");
     row(Kind::numbers, "D = ", in);
-    row(Kind::numbers, "N = ", normal, ", N·D = ", dot(normal, in));
+    row(Kind::numbers, "N = ", normal, separator(state_.language), "N·D = ", dot(normal, in));
     row(Kind::numbers, "R = ", formed.direction);
-    row(Kind::note, "as far from the normal as it came: ", angle_between(normal, formed.direction), "°");
+    row(Kind::note, EquationText::as_far_from_normal, " ", angle_between(normal, formed.direction), "°");
   }
 
   void refract(const RayFormed& formed) {
     if (!formed.snell) return line("P", formed.origin, "T", formed.direction);
     const SnellNumbers& s = *formed.snell;
-    row(Kind::formula, "n₁ sin θ₁ = n₂ sin θ₂");
-    row(Kind::numbers, s.n1, " · sin ", degrees(s.cos_in), "° = ", s.n2, " · sin ", degrees(s.cos_out), "°");
-    row(Kind::note, s.n2 > s.n1   ? "slower beyond: towards the normal"
-                    : s.n2 < s.n1 ? "faster beyond: away from the normal"
-                                  : "as fast beyond: straight on");
-    row(Kind::formula, "Fresnel: the part that is reflected here");
+    row(Kind::formula, "n₁ ", EquationText::sine, " θ₁ = n₂ ", EquationText::sine, " θ₂");
+    row(Kind::numbers, s.n1, " · ", EquationText::sine, " ", degrees(s.cos_in), "° = ", s.n2, " · ", EquationText::sine,
+        " ", degrees(s.cos_out), "°");
+    row(Kind::note, s.n2 > s.n1   ? EquationText::slower_beyond
+                    : s.n2 < s.n1 ? EquationText::faster_beyond
+                                  : EquationText::as_fast_beyond);
+    row(Kind::formula, EquationText::fresnel);
     row(Kind::numbers, "F = ", s.fresnel);
     row(Kind::numbers, "T = ", formed.direction);
   }
@@ -161,22 +172,22 @@ class Writer {
     switch (stub.why) {
       case Ending::depth: {
         const double deepest = scene().limits.depth;
-        row(Kind::formula, "DEPTH + 1 ≤ limit?");
+        row(Kind::formula, EquationText::depth_allowed);
         row(Kind::numbers, static_cast<double>(event_->depth), " + ", 1.0, " > ", deepest);
-        return row(Kind::note, "no ray is formed");
+        return row(Kind::note, EquationText::no_ray);
       }
       case Ending::threshold:
-        row(Kind::formula, "share of the pixel ≥ threshold?");
+        row(Kind::formula, EquationText::share_allowed);
         row(Kind::numbers, max_component(stub.share), " < ", scene().limits.threshold);
-        return row(Kind::note, "no ray is formed");
+        return row(Kind::note, EquationText::no_ray);
       case Ending::facing_away: {
         row(Kind::formula, "N·L > 0?");
         if (parent() != nullptr)
           row(Kind::numbers, "θ = ", angle_between(facing(*parent()), stub.direction), "° ≥ ", 90.0, "°");
-        return row(Kind::note, "the light stands behind the surface");
+        return row(Kind::note, EquationText::light_behind);
       }
       case Ending::outside_cone:
-        return row(Kind::note, "the spot does not shine this way");
+        return row(Kind::note, EquationText::spot_elsewhere);
       case Ending::path_length:
       case Ending::total_internal_reflection:
       case Ending::hit:
@@ -189,27 +200,28 @@ class Writer {
 
   void write(const Found& found) {
     const bool shadow = current().kind == RayKind::shadow;
-    if (found.object < 0)
-      return row(Kind::note, shadow ? "no surface between the point and the light" : "no surface has a t above 0");
+    if (found.object < 0) return row(Kind::note, shadow ? EquationText::nothing_between : EquationText::nothing_ahead);
     std::visit([&](const auto& numbers) { solve(numbers, found.t); }, found.numbers);
+    const std::string_view between = separator(state_.language);
     row(Kind::formula, shadow ? "P = P₀ + t L" : "P = O + t D");
-    row(Kind::numbers, "P = ", found.point, ", t = ", found.t);
-    if (shadow) return row(Kind::note, "before the light: it is blocked");
-    row(Kind::numbers, "N = ", found.normal, ", θ = ", angle_between(facing(current()), -current().direction), "°");
+    row(Kind::numbers, "P = ", found.point, between, "t = ", found.t);
+    if (shadow) return row(Kind::note, EquationText::blocked_before);
+    row(Kind::numbers, "N = ", found.normal, between, "θ = ", angle_between(facing(current()), -current().direction),
+        "°");
   }
 
   void solve(const std::monostate& /*none*/, double /*t*/) {}
   void solve(const QuadraticNumbers& q, double t) {
     row(Kind::formula, "a t² + b t + c = 0");
-    row(Kind::numbers, "a = ", q.a, ", b = ", q.b, ", c = ", q.c);
+    const std::string_view between = separator(state_.language);
+    row(Kind::numbers, "a = ", q.a, between, "b = ", q.b, between, "c = ", q.c);
     row(Kind::numbers, "b² − 4 a c = ", q.discriminant);
     if (!(q.discriminant >= 0)) return;
     row(Kind::formula, "t = (−b ± √(b² − 4 a c)) / 2 a");
-    row(Kind::numbers, "t₀ = ", q.t0, ", t₁ = ", q.t1);
+    row(Kind::numbers, "t₀ = ", q.t0, between, "t₁ = ", q.t1);
     const auto is = [&](double root) { return std::abs(t - root) <= 1e-9 * std::max(std::abs(t), std::abs(root)); };
-    if (is(q.t0)) return row(Kind::note, "t₀: the nearer one, and ahead");
-    if (is(q.t1))
-      row(Kind::note, q.t0 < -1e-9 ? "t₁: the other one lies behind" : "t₁: at the other one the ray began");
+    if (is(q.t0)) return row(Kind::note, EquationText::nearer_root);
+    if (is(q.t1)) row(Kind::note, q.t0 < -1e-9 ? EquationText::other_root_behind : EquationText::other_root_is_start);
   }
   void solve(const PlaneNumbers& p, double /*t*/) {
     if (!std::isfinite(p.numerator)) return;
@@ -219,66 +231,71 @@ class Writer {
 
   void write(const Decided& decided) {
     const bool transparent = event_->line == Line::if_transparent;
-    if (event_->line != Line::if_reflective && !transparent) return row(Kind::note, decided.holds ? "yes" : "no");
-    light(Kind::term, transparent ? "kt′ =" : "kr′ =", decided.weight);
-    if (!decided.why) return row(Kind::note, decided.holds ? "above 0: yes" : "0: no");
+    if (event_->line != Line::if_reflective && !transparent)
+      return row(Kind::note, decided.holds ? EquationText::yes : EquationText::no);
+    light(Kind::term, decided.weight, transparent ? "kt′ =" : "kr′ =");
+    if (!decided.why) return row(Kind::note, decided.holds ? EquationText::above_zero : EquationText::zero);
     // Nothing gets out: Snell's law asks for a sine above 1.
     const RayRecord& shaded =
         ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.position))].ray);
     const double angle = angle_between(facing(shaded), -shaded.direction);
     const bool leaves = dot(shaded.normal, shaded.direction) > 0;
     const double index = shaded.object >= 0 ? scene().objects[static_cast<std::size_t>(shaded.object)].material.ior : 1;
-    row(Kind::formula, "sin θ₂ = n₁ sin θ₁ / n₂");
-    row(Kind::numbers, leaves ? index : 1.0, " · sin ", angle, "° / ", leaves ? 1.0 : index, " > ", 1.0);
-    row(Kind::note, "no such angle: total internal reflection");
+    row(Kind::formula, EquationText::sine, " θ₂ = n₁ ", EquationText::sine, " θ₁ / n₂");
+    row(Kind::numbers, leaves ? index : 1.0, " · ", EquationText::sine, " ", angle, "° / ", leaves ? 1.0 : index, " > ",
+        1.0);
+    row(Kind::note, EquationText::no_such_angle);
   }
 
   void write(const ShadeCalled& called) {
-    if (called.missed) return light(Kind::total, "background =", called.background);
+    if (called.missed) return light(Kind::total, called.background, EquationText::background, " =");
     row(Kind::numbers, "DEPTH = ", static_cast<double>(called.depth));
   }
 
   void write(const ShadeComputed& sum) {
-    light(Kind::term, "ambient", sum.ambient);
-    if (sum.emission != Rgbd(0.0)) light(Kind::term, "+ emission", sum.emission);
+    light(Kind::term, sum.ambient, EquationText::ambient);
+    if (sum.emission != Rgbd(0.0)) light(Kind::term, sum.emission, "+ ", EquationText::emission);
     for (const LightTerm& term : sum.lights) {
-      light(Kind::term, "+ " + light_name(term.light) + ", diffuse", term.diffuse);
-      if (term.specular != Rgbd(0.0)) light(Kind::term, "+ " + light_name(term.light) + ", highlight", term.specular);
+      light(Kind::term, term.diffuse, "+ ", light_name(term.light), ", ", EquationText::diffuse);
+      if (term.specular != Rgbd(0.0))
+        light(Kind::term, term.specular, "+ ", light_name(term.light), ", ", EquationText::highlight);
     }
-    if (sum.reflect != Rgbd(0.0)) light(Kind::term, "+ kr′ · REFLSHADE", sum.reflect);
-    if (sum.refract != Rgbd(0.0)) light(Kind::term, "+ kt′ · REFRSHADE", sum.refract);
-    if (sum.passed != Rgbd(1.0)) light(Kind::note, "all that times what the way through leaves:", sum.passed);
-    light(Kind::total, "= RTNSHADE", sum.total);
+    if (sum.reflect != Rgbd(0.0)) light(Kind::term, sum.reflect, "+ kr′ · REFLSHADE");
+    if (sum.refract != Rgbd(0.0)) light(Kind::term, sum.refract, "+ kt′ · REFRSHADE");
+    if (sum.passed != Rgbd(1.0)) light(Kind::note, sum.passed, EquationText::passed);
+    light(Kind::total, sum.total, "= RTNSHADE");
   }
 
-  void write(const PixelPut& put) { light(Kind::total, "final =", put.shade); }
+  void write(const PixelPut& put) { light(Kind::total, put.shade, "final ="); }
 
   // ---- Path tracing
 
-  void write(const BackgroundAdded& added) { light(Kind::total, "+ background", added.added); }
+  void write(const BackgroundAdded& added) { light(Kind::total, added.added, "+ ", EquationText::background); }
   void write(const EmissionAdded& emission) {
-    light(Kind::term, "emission", emission.emission);
+    light(Kind::term, emission.emission, EquationText::emission);
     if (emission.emission == Rgbd(0.0)) return;
     weighted(emission.direction_density, emission.light_density, emission.weight);
-    light(Kind::total, "+ weight · share · emission =", emission.added);
+    light(Kind::total, emission.added, "+ ", EquationText::weight, " · ", EquationText::share, " · ",
+          EquationText::emission, " =");
   }
   void write(const LightAdded& added) {
     weighted(added.direction_density, added.light_density, added.weight);
-    light(Kind::total, "+", added.added);
+    light(Kind::total, added.added, "+");
   }
   void weighted(double by_direction, double by_light, double weight) {
-    row(Kind::numbers, "p(direction) = ", by_direction, ", p(light) = ", by_light);
-    row(Kind::numbers, "weight = ", weight);
+    row(Kind::numbers, "p(", EquationText::direction, ") = ", by_direction, separator(state_.language), "p(",
+        EquationText::light, ") = ", by_light);
+    row(Kind::numbers, EquationText::weight, " = ", weight);
   }
   void write(const DirectionChosen& chosen) {
-    if (chosen.absorbed) return row(Kind::note, "absorbed: none");
+    if (chosen.absorbed) return row(Kind::note, EquationText::absorbed);
     row(Kind::numbers, "D = ", chosen.direction);
     if (chosen.density > 0) row(Kind::numbers, "p(D) = ", chosen.density);
-    light(Kind::term, "share that is left =", chosen.share);
+    light(Kind::term, chosen.share, EquationText::share_left, " =");
   }
   void write(const SurvivalDecided& decided) {
-    if (decided.survival < 1) row(Kind::numbers, "goes on with probability ", decided.survival);
-    row(Kind::note, decided.survives ? "yes" : "no");
+    if (decided.survival < 1) row(Kind::numbers, EquationText::survival, " ", decided.survival);
+    row(Kind::note, decided.survives ? EquationText::yes : EquationText::no);
   }
 
   const State& state_;
@@ -289,7 +306,9 @@ class Writer {
 
 }  // namespace
 
-std::string equation_number(double value) { return value == 0 ? "0" : fmt::format("{:.4g}", value); }
+std::string equation_number(double value, Language language) {
+  return value == 0 ? "0" : with_decimal_mark(fmt::format("{:.4g}", value), language);
+}
 
 EquationPanel equation_panel(const State& state) { return Writer(state).panel(); }
 
@@ -300,10 +319,10 @@ HitNotes hit_notes(const State& state) {
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
   if (!ray.formed || ray.found_at > state.position || ray.object < 0) return {};
   const auto& found = std::get<Found>(timeline.event(ray.found_at - 1).detail);
-  HitNotes notes{"t = " + equation_number(found.t), {}};
+  HitNotes notes{"t = " + equation_number(found.t, state.language), {}};
   if (ray.ending != Ending::hit) return notes;
   const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
-  notes.angle = "θ = " + fmt::format("{:.1f}", degrees(cosine)) + "°";
+  notes.angle = "θ = " + with_decimal_mark(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
   return notes;
 }
 

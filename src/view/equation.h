@@ -33,7 +33,7 @@ struct EquationPanel {
 [[nodiscard]] EquationPanel equation_panel(const State& state);
 
 /// A number as the panel writes it: four significant digits.
-[[nodiscard]] std::string equation_number(double value);
+[[nodiscard]] std::string equation_number(double value, Language language);
 
 /// What stands beside the hit of the ray in hand: its t, its angle to the normal. Empty before the hit is known.
 struct HitNotes {

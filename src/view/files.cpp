@@ -17,7 +17,7 @@ void open_file(State& state, const std::string& path) {
   forget_autosave(state);
   show_document(state, std::move(*document), path);
   add_recent(state, path);
-  inform(state, warning.empty() ? fill(TextId::opened, {path}) : warning);
+  inform(state, warning.empty() ? fill(TextId::opened, state.language, {path}) : warning);
 }
 
 /// What was asked for, now that nothing unsaved stands in its way.
@@ -25,7 +25,7 @@ void carry_out(State& state, Intent intent, const std::string& path) {
   switch (intent) {
     case Intent::new_scene:
       forget_autosave(state);
-      show_document(state, {new_scene(), {}, {}}, {});
+      show_document(state, {new_scene(state.language), {}, {}}, {});
       return;
     case Intent::open:
       return open_file(state, path);
@@ -54,7 +54,7 @@ bool write_to(State& state, const std::string& path) {
   state.last_edit.reset();
   forget_autosave(state);
   add_recent(state, path);
-  inform(state, fill(TextId::saved_as, {path}));
+  inform(state, fill(TextId::saved_as, state.language, {path}));
   if (const std::optional<Intent> intent = std::exchange(state.after_save, std::nullopt))
     carry_out(state, *intent, state.after_save_path);
   return true;

@@ -33,12 +33,13 @@ void draw_ghosts(Painter& painter) {
     cut_off += ghost.brings;
     const Vec2d across(-along.y, along.x);
     painter.note(painter.seen_middle(from, to) + 14 * unit * across,
-                 percent_text(share_of(ghost.brings, *state.ghosts)));
+                 percent_text(share_of(ghost.brings, *state.ghosts), state.language));
   }
   if (state.ghosts->pixel < 0) return;
-  const std::string total = fill(TextId::ghosts_total, {percent_text(share_of(cut_off, *state.ghosts))});
+  const std::string total =
+      fill(PanelText::ghosts_total, state.language, {percent_text(share_of(cut_off, *state.ghosts), state.language)});
   painter.note({painter.viewport.width / 2, painter.viewport.height - 1.2 * painter.sizes.text},
-               state.ghosts->rays.empty() ? std::string(text(TextId::ghosts_none)) : total);
+               state.ghosts->rays.empty() ? std::string(text(PanelText::ghosts_none, state.language)) : total);
 }
 
 }  // namespace raywalk::detail

@@ -8,14 +8,14 @@ namespace {
 
 HelpSection numbers() {
   HelpSection section{"Materials, lights and limits", {}};
-  for (const Explanation& e : explanations())
-    section.entries.push_back({std::string(text(e.property)), std::string(e.text)});
+  for (const Explanation& e : english_explanations())
+    section.entries.push_back({std::string(english(e.property)), std::string(e.text)});
   return section;
 }
 
 }  // namespace
 
-std::vector<HelpSection> help() {
+std::vector<HelpSection> english_help() {
   return {
       {"What this is",
        {{"",

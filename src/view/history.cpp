@@ -22,7 +22,7 @@ void trim(State& state) {
 }
 
 void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to, TextId when_empty) {
-  if (from.empty()) return inform(state, std::string(text(when_empty)));
+  if (from.empty()) return inform(state, std::string(text(when_empty, state.language)));
   Scene next = std::move(from.back());
   from.pop_back();
   to.push_back(state.scene());
@@ -69,7 +69,7 @@ std::string why_refused(const Scene& scene, int object, int light) {
 bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark, bool continues) {
   const std::string why = why_refused(next, object, light);
   if (!why.empty()) {
-    complain(state, fill(TextId::refused, {why}));
+    complain(state, fill(TextId::refused, state.language, {why}));
     return false;
   }
   commit(state, std::move(next), mark, continues);

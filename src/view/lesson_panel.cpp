@@ -1,7 +1,9 @@
 #include "view/lesson_panel.h"
 
 #include "view/bug_text.h"
+#include "view/lesson_text.h"
 #include "view/plan_geometry.h"
+#include "view/text.h"
 
 #include <fmt/format.h>
 
@@ -11,55 +13,6 @@
 #include <numbers>
 
 namespace raywalk {
-
-std::string_view lesson_word(LessonWord word, std::string_view language) {
-  const auto in = [&](std::string_view english, std::string_view portuguese) {
-    return language == "pt" ? portuguese : english;
-  };
-  switch (word) {
-    case LessonWord::lessons:
-      return in("Lessons", "Lições");
-    case LessonWord::next:
-      return in("Next", "Próximo");
-    case LessonWord::back:
-      return in("Back", "Voltar");
-    case LessonWord::reveal:
-      return in("Reveal", "Revelar");
-    case LessonWord::all_lessons:
-      return in("All lessons", "Todas as lições");
-    case LessonWord::finish:
-      return in("Finish", "Concluir");
-    case LessonWord::presenter:
-      return in("Presenter", "Apresentador");
-    case LessonWord::unlock:
-      return in("Unlock all", "Liberar todas");
-    case LessonWord::predict:
-      return in("Predict", "Preveja");
-    case LessonWord::drag_arrow:
-      return in("Drag an arrow in the plan", "Arraste uma seta na planta");
-    case LessonWord::type_number:
-      return in("Type a number, then Enter", "Digite um número e Enter");
-    case LessonWord::change:
-      return in("Now change something", "Agora mude algo");
-    case LessonWord::teacher:
-      return in("Teacher's notes", "Notas do professor");
-    case LessonWord::right:
-      return in("Right", "Certo");
-    case LessonWord::wrong:
-      return in("Not quite", "Ainda não");
-    case LessonWord::error:
-      return in("off by", "erro de");
-    case LessonWord::of:
-      return in("of", "de");
-    case LessonWord::locked:
-      return in("finish the lesson before", "conclua a lição anterior");
-    case LessonWord::done:
-      return in("done", "concluída");
-    case LessonWord::score:
-      return in("predictions right", "previsões certas");
-  }
-  return "";
-}
 
 namespace {
 
@@ -98,12 +51,12 @@ bool choice_holds(const LessonSitting& sitting, const Formula& choice) {
 
 }  // namespace
 
-std::vector<LessonRow> lesson_rows(const LessonSitting& sitting) {
+std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language) {
   std::vector<LessonRow> rows;
   bool before_done = true;
   for (const LessonEntry& entry : sitting.list) {
     const auto done = sitting.done.find(entry.name);
-    const auto title = entry.titles.find(sitting.language);
+    const auto title = entry.titles.find(language);
     LessonRow row{entry.name, title == entry.titles.end() ? entry.name : title->second,
                   done == sitting.done.end() ? 0 : std::min(done->second, entry.steps), entry.steps, false};
     row.locked = !before_done && !sitting.unlocked && row.done == 0;
@@ -157,35 +110,36 @@ std::optional<Vec2d> arrow_origin(const State& state) {
 
 LessonPanel lesson_panel(const State& state) {
   const LessonSitting& sitting = state.lessons;
+  const Language language = state.language;
   LessonPanel panel;
-  const auto word = [&](LessonWord w) { return std::string(lesson_word(w, sitting.language)); };
+  const auto word = [&](LessonWord w) { return std::string(text(w, language)); };
   if (sitting.judged > 0)
     panel.score =
         fmt::format("{} {} {} {}", sitting.right, word(LessonWord::of), sitting.judged, word(LessonWord::score));
   const PlayedStep* step = sitting.at();
   if (step == nullptr) {
-    panel.rows = lesson_rows(sitting);
+    panel.rows = lesson_rows(sitting, language);
     return panel;
   }
-  const LessonWords& words = sitting.open->lesson.words.find(sitting.language)->second;
+  const LessonWords& words = sitting.open->lesson.words.find(language)->second;
   panel.lesson = words.title;
   panel.step = sitting.step + 1;
   panel.steps = static_cast<int>(sitting.open->played.steps.size());
   const StepWords* said = words.find(step->step->id);
   if (said == nullptr) return panel;
-  const auto fill = [&](const Passage& passage, int position) {
-    return filled(sitting.open->played, static_cast<std::size_t>(sitting.step), position, passage, sitting.language)
+  const auto said_at = [&](const Passage& passage, int position) {
+    return filled(sitting.open->played, static_cast<std::size_t>(sitting.step), position, passage, language)
         .value_or(passage.text);
   };
   panel.heading = said->heading;
-  panel.text = fill(said->text, step->asked);
+  panel.text = said_at(said->text, step->asked);
   panel.is_last = panel.step == panel.steps;
   panel.can_go_back = sitting.step > 0;
   const bool answered = !step->step->question || sitting.revealed;
   panel.can_go_on = answered || sitting.unlocked;
   if (step->step->question) {
     const LessonQuestion& question = *step->step->question;
-    panel.question = fill(said->question, step->asked);
+    panel.question = said_at(said->question, step->asked);
     const auto* choices = std::get_if<ChoiceQuestion>(&question);
     const auto* number = std::get_if<NumberQuestion>(&question);
     panel.asks = choices != nullptr                               ? Asks::choice
@@ -193,11 +147,11 @@ LessonPanel lesson_panel(const State& state) {
                  : std::holds_alternative<LineQuestion>(question) ? Asks::line
                                                                   : Asks::arrow;
     if (panel.asks == Asks::line)
-      panel.marked = sitting.guess.line ? bug_text(BugText::line_marked, sitting.language,
-                                                   {std::string(pseudocode_of(*sitting.guess.line).text)})
-                                        : std::string(bug_text(BugText::task_of_lesson, sitting.language));
+      panel.marked = sitting.guess.line
+                         ? fill(BugText::line_marked, language, {std::string(pseudocode_of(*sitting.guess.line).text)})
+                         : std::string(text(BugText::task_of_lesson, language));
     for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i)
-      panel.choices.push_back({fill(said->choices[i], step->asked), sitting.guess.choice == static_cast<int>(i),
+      panel.choices.push_back({said_at(said->choices[i], step->asked), sitting.guess.choice == static_cast<int>(i),
                                answered && choice_holds(sitting, choices->choices[i])});
     if (number != nullptr) panel.unit = number->unit;
     const std::optional<LessonVerdict> verdict = judge(sitting);
@@ -205,7 +159,7 @@ LessonPanel lesson_panel(const State& state) {
     if (sitting.revealed && verdict) {
       panel.is_right = verdict->right;
       panel.verdict = word(verdict->right ? LessonWord::right : LessonWord::wrong);
-      const char mark = sitting.language == "pt" ? ',' : '.';
+      const char mark = decimal_mark(language);
       if (panel.asks == Asks::arrow)
         panel.verdict += ": " + word(LessonWord::error) + " " + text_of(verdict->error, 1, mark) + "°";
       if (panel.asks == Asks::number && verdict->error > 0)
@@ -213,12 +167,12 @@ LessonPanel lesson_panel(const State& state) {
     }
   }
   if (answered) {
-    panel.reveal = fill(said->reveal, step->shown);
-    panel.change = fill(said->change, step->shown);
+    panel.reveal = said_at(said->reveal, step->shown);
+    panel.change = said_at(said->change, step->shown);
   }
   if (sitting.presenter) {
-    panel.presenter = fill(said->presenter, step->shown);
-    panel.teacher = fill(said->teacher, step->shown);
+    panel.presenter = said_at(said->presenter, step->shown);
+    panel.teacher = said_at(said->teacher, step->shown);
   }
   return panel;
 }

@@ -9,31 +9,6 @@
 
 namespace raywalk {
 
-/// The words of the pane itself.
-enum class LessonWord {
-  lessons,
-  next,
-  back,
-  reveal,
-  all_lessons,
-  finish,
-  presenter,
-  unlock,
-  predict,
-  drag_arrow,
-  type_number,
-  change,
-  teacher,
-  right,
-  wrong,
-  error,
-  of,
-  locked,
-  done,
-  score
-};
-[[nodiscard]] std::string_view lesson_word(LessonWord word, std::string_view language);
-
 struct LessonRow {
   std::string name, title;
   int done = 0, steps = 0;
@@ -65,7 +40,7 @@ struct LessonPanel {
   bool can_reveal = false, can_go_on = false, can_go_back = false, is_last = false;
 };
 /// The list: a lesson opens when the one before is done.
-[[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonSitting& sitting);
+[[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language);
 [[nodiscard]] LessonPanel lesson_panel(const State& state);
 
 /// Whether the plan takes an arrow from the mouse now, and where it starts.

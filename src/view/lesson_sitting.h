@@ -13,8 +13,8 @@ namespace raywalk {
 
 /// A lesson of the list.
 struct LessonEntry {
-  std::string name;                                        ///< of its folder
-  std::map<std::string, std::string, std::less<>> titles;  ///< by language
+  std::string name;  ///< of its folder
+  std::map<Language, std::string> titles;
   int steps = 0;
 };
 
@@ -45,10 +45,9 @@ struct LessonSitting {
   int first_pixel = 0;    ///< of the strip: rays of those before would only stand in the way
   bool revealed = false;  ///< the answer of this step stands there
   LessonGuess guess;
-  int right = 0, judged = 0;  ///< predictions of this sitting
-  bool presenter = false;     ///< script and teacher's notes are shown
-  bool unlocked = false;      ///< any lesson may be opened, and no question stands in the way
-  std::string language = "en";
+  int right = 0, judged = 0;                     ///< predictions of this sitting
+  bool presenter = false;                        ///< script and teacher's notes are shown
+  bool unlocked = false;                         ///< any lesson may be opened, and no question stands in the way
   std::map<std::string, int, std::less<>> done;  ///< how many steps of each lesson have been finished
 
   [[nodiscard]] const PlayedStep* at() const {

@@ -29,15 +29,11 @@ void read_progress(State& state) {
       if (steps.is_number_integer()) state.lessons.done[name] = std::clamp(steps.get<int>(), 0, 1000);
   if (const auto unlocked = json.find("unlocked"); unlocked != json.end() && unlocked->is_boolean())
     state.lessons.unlocked = unlocked->get<bool>();
-  if (const auto language = json.find("language"); language != json.end() && language->is_string())
-    for (const std::string_view known : lesson_languages)
-      if (language->get<std::string>() == known) state.lessons.language = known;
 }
 
 void write_progress(const State& state) {
   if (state.state_dir.empty()) return;
-  const nlohmann::json json{
-      {"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}, {"language", state.lessons.language}};
+  const nlohmann::json json{{"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}};
   std::error_code error;
   std::filesystem::create_directories(state.state_dir, error);
   static_cast<void>(write_file_atomically(progress_path(state), json.dump(2) + "\n"));
@@ -132,7 +128,7 @@ void begin_lesson(State& state, const std::string& name) {
 
 void open_lesson(State& state, const std::string& name) {
   show_lessons(state, true);
-  const std::vector<LessonRow> rows = lesson_rows(state.lessons);
+  const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
   if (row == rows.end() || row->locked) return;
   // What is changed during a lesson belongs to the lesson.
@@ -205,8 +201,6 @@ void reveal_lesson(State& state) {
 void set_lesson_options(State& state, const action::SetLessonOptions& options) {
   state.lessons.presenter = options.presenter;
   state.lessons.unlocked = options.unlocked;
-  for (const std::string_view known : lesson_languages)
-    if (options.language == known) state.lessons.language = known;
   write_progress(state);
 }
 

@@ -100,7 +100,7 @@ class Lines {
     }
     if (const auto at = seen_.point(camera.eye)) {
       painter_.add(CircleItem{*at, 4 * painter_.sizes.unit, painter_.colours.ink, std::nullopt}, {TargetKind::eye});
-      name(std::string(text(TextId::eye)), *at + Vec2d(0, 16 * painter_.sizes.unit));
+      name(std::string(text(TextId::eye, painter_.state.language)), *at + Vec2d(0, 16 * painter_.sizes.unit));
     }
   }
 

@@ -2,6 +2,7 @@
 // The Microscope panel without a window: the drawing of a hit at any magnification, what robust and naive numerics make
 // of it in a table, and a sentence on what is to be seen.
 
+#include "lesson/language.h"
 #include "timeline/microscope.h"
 #include "view/display_list.h"
 
@@ -42,9 +43,9 @@ struct MicroscopeTable {
 [[nodiscard]] MicroscopeTable microscope_table(const State& state, const Specimen& specimen);
 
 /// "419": a number of ulps, short.
-[[nodiscard]] std::string ulps_text(double ulps);
+[[nodiscard]] std::string ulps_text(double ulps, Language language);
 /// "× 1.6e+06"
-[[nodiscard]] std::string magnification_text(double factor);
+[[nodiscard]] std::string magnification_text(double factor, Language language);
 
 /// Words of the panel.
 enum class ScopeText {
@@ -85,7 +86,7 @@ enum class ScopeText {
   says_alike,       ///< {0} ulps of the start
   says_alike_at_surface,
 };
-[[nodiscard]] std::string_view text(ScopeText id);
-[[nodiscard]] std::string fill(ScopeText id, const std::vector<std::string>& arguments);
+[[nodiscard]] std::string_view english(ScopeText id);
+[[nodiscard]] std::string_view portuguese(ScopeText id);
 
 }  // namespace raywalk

@@ -2,7 +2,7 @@
 
 namespace raywalk {
 
-std::string_view text(ScopeText id) {
+std::string_view english(ScopeText id) {
   switch (id) {
     case ScopeText::empty:
       return "Walk to a hit, with STEP or a click on a cell: here it is seen down to the last digit of its numbers.";

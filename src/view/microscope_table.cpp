@@ -14,32 +14,33 @@ namespace raywalk {
 namespace {
 
 /// "2.3e11"
-std::string in_powers(double large) {
+std::string in_powers(double large, Language language) {
   const int power = static_cast<int>(std::floor(std::log10(large)));
-  return fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power);
+  return with_decimal_mark(fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power), language);
 }
 
-std::string off_text(const Specimen& specimen, const std::optional<double>& off) {
-  if (!off) return std::string(text(ScopeText::none));
+std::string off_text(const Specimen& specimen, const std::optional<double>& off, Language language) {
+  if (!off) return std::string(text(ScopeText::none, language));
   const double ulps = specimen.in_ulps(*off);
-  if (ulps == 0) return std::string(text(ScopeText::on_surface));
-  return fill(ulps > 0 ? ScopeText::outside : ScopeText::inside, {ulps_text(std::abs(ulps))});
+  if (ulps == 0) return std::string(text(ScopeText::on_surface, language));
+  return fill(ulps > 0 ? ScopeText::outside : ScopeText::inside, language, {ulps_text(std::abs(ulps), language)});
 }
 
 /// All digits that tell it from its neighbours; of many the first and the last.
-std::string number_of(double t, Precision precision) {
+std::string number_of(double t, Precision precision, Language language) {
   const bool single = precision == Precision::float_;
-  const std::string digits = single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t);
+  const std::string digits = with_decimal_mark(single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t), language);
   constexpr std::size_t most = 13, first = 7, last = 5;
   if (digits.size() <= most) return digits;
   return digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
 }
 
-std::string leaving_text(const LeavingRays& rays) {
-  if (rays.hit_own == 0 && rays.astray == 0) return std::string(text(ScopeText::leaves));
-  if (rays.count == 1) return std::string(text(rays.hit_own > 0 ? ScopeText::hits_own : ScopeText::goes_astray));
+std::string leaving_text(const LeavingRays& rays, Language language) {
+  if (rays.hit_own == 0 && rays.astray == 0) return std::string(text(ScopeText::leaves, language));
+  if (rays.count == 1)
+    return std::string(text(rays.hit_own > 0 ? ScopeText::hits_own : ScopeText::goes_astray, language));
   const bool own = rays.hit_own > 0;
-  return fill(own ? ScopeText::some_hit_own : ScopeText::some_astray,
+  return fill(own ? ScopeText::some_hit_own : ScopeText::some_astray, language,
               {std::to_string(own ? rays.hit_own : rays.astray), std::to_string(rays.count)});
 }
 
@@ -50,66 +51,68 @@ const LeavingRays* of_kind(const std::optional<Reading>& reading, RayKind kind) 
   return found == reading->leaving.end() ? nullptr : &*found;
 }
 
-std::string_view short_name(RayKind kind) {
+std::string_view short_name(RayKind kind, Language language) {
   switch (kind) {
     case RayKind::primary:
-      return text(TextId::short_primary);
+      return text(PanelText::short_primary, language);
     case RayKind::shadow:
-      return text(TextId::short_shadow);
+      return text(PanelText::short_shadow, language);
     case RayKind::reflect:
-      return text(TextId::short_reflect);
+      return text(PanelText::short_reflect, language);
     case RayKind::refract:
-      return text(TextId::short_refract);
+      return text(PanelText::short_refract, language);
   }
   return {};
 }
 
 bool goes_wrong(const LeavingRays& rays) { return rays.hit_own > 0 || rays.astray > 0; }
 
-std::string sentence_on(const Specimen& specimen) {
+std::string sentence_on(const Specimen& specimen, Language language) {
   const std::optional<Reading>&robust = specimen.robust, &naive = specimen.naive;
-  if (!naive) return std::string(text(ScopeText::says_missed));
-  if (!robust) return std::string(text(ScopeText::says_invented));
+  if (!naive) return std::string(text(ScopeText::says_missed, language));
+  if (!robust) return std::string(text(ScopeText::says_invented, language));
   const Start& start = naive->starts.front();
-  const std::string starts = off_text(specimen, start.off);
+  const std::string starts = off_text(specimen, start.off, language);
   for (const LeavingRays& rays : naive->leaving)
-    if (rays.hit_own > 0) return fill(ScopeText::says_acne, {starts, std::string(text(rays.kind))});
+    if (rays.hit_own > 0) return fill(ScopeText::says_acne, language, {starts, std::string(text(rays.kind, language))});
   if (std::any_of(naive->leaving.begin(), naive->leaving.end(), goes_wrong))
-    return fill(ScopeText::says_astray, {starts});
-  if (!start.right_side()) return fill(ScopeText::says_wrong_side, {starts});
+    return fill(ScopeText::says_astray, language, {starts});
+  if (!start.right_side()) return fill(ScopeText::says_wrong_side, language, {starts});
   const double apart = specimen.in_ulps(length(naive->point - robust->point));
   constexpr double far_apart = 8;  // ulps
-  if (apart > far_apart) return fill(ScopeText::says_apart, {ulps_text(apart), starts});
-  if (!start.off || specimen.in_ulps(*start.off) == 0) return std::string(text(ScopeText::says_alike_at_surface));
-  return fill(ScopeText::says_alike, {starts});
+  if (apart > far_apart) return fill(ScopeText::says_apart, language, {ulps_text(apart, language), starts});
+  if (!start.off || specimen.in_ulps(*start.off) == 0)
+    return std::string(text(ScopeText::says_alike_at_surface, language));
+  return fill(ScopeText::says_alike, language, {starts});
 }
 
 }  // namespace
 
-std::string ulps_text(double ulps) {
-  if (ulps < 0.05) return fmt::format("{:.1g}", ulps);
-  if (ulps < 9.95) return fmt::format("{:.1f}", ulps);
+std::string ulps_text(double ulps, Language language) {
+  if (ulps < 0.05) return with_decimal_mark(fmt::format("{:.1g}", ulps), language);
+  if (ulps < 9.95) return with_decimal_mark(fmt::format("{:.1f}", ulps), language);
   if (ulps < 99999.5) return fmt::format("{:.0f}", ulps);
-  return in_powers(ulps);
+  return in_powers(ulps, language);
 }
 
-std::string magnification_text(double factor) {
-  return "\u00d7 " + (factor < 9999.5 ? fmt::format("{:.3g}", factor) : in_powers(factor));
+std::string magnification_text(double factor, Language language) {
+  return "\u00d7 " + (factor < 9999.5 ? number_text(factor, language) : in_powers(factor, language));
 }
 
 MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
+  const Language language = state.language;
   const auto name_of = [&](const std::optional<Reading>& reading) {
     return reading ? state.scene().objects[static_cast<std::size_t>(reading->object)].name
-                   : std::string(text(ScopeText::nothing));
+                   : std::string(text(ScopeText::nothing, language));
   };
   MicroscopeTable table;
-  std::string ray(text(specimen.kind));
+  std::string ray(text(specimen.kind, language));
   if (!ray.empty()) ray[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(ray[0])));
-  table.title = fill(ScopeText::title, {ray, name_of(specimen.robust ? specimen.robust : specimen.naive)});
-  table.sentence = sentence_on(specimen);
+  table.title = fill(ScopeText::title, language, {ray, name_of(specimen.robust ? specimen.robust : specimen.naive)});
+  table.sentence = sentence_on(specimen, language);
   const auto add = [&](std::string what, const auto& of, bool wrong) {
     const auto said = [&](const std::optional<Reading>& reading) {
-      return reading ? of(*reading) : std::string(text(ScopeText::none));
+      return reading ? of(*reading) : std::string(text(ScopeText::none, language));
     };
     table.rows.push_back({std::move(what), said(specimen.robust), said(specimen.naive), wrong});
   };
@@ -117,33 +120,39 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
   const bool alike = specimen.robust && specimen.naive && specimen.robust->object == specimen.naive->object;
   if (!alike)
     table.rows.push_back(
-        {std::string(text(ScopeText::row_hit)), name_of(specimen.robust), name_of(specimen.naive), true});
-  add(std::string(text(ScopeText::row_t)), [&](const Reading& r) { return number_of(r.t, specimen.precision); }, false);
+        {std::string(text(ScopeText::row_hit, language)), name_of(specimen.robust), name_of(specimen.naive), true});
   add(
-      std::string(text(ScopeText::row_t_error)),
-      [](const Reading& r) {
-        return r.t_error ? fill(ScopeText::ulp, {ulps_text(std::abs(*r.t_error))}) : std::string(text(ScopeText::none));
+      std::string(text(ScopeText::row_t, language)),
+      [&](const Reading& r) { return number_of(r.t, specimen.precision, language); }, false);
+  add(
+      std::string(text(ScopeText::row_t_error, language)),
+      [&](const Reading& r) {
+        return r.t_error ? fill(ScopeText::ulp, language, {ulps_text(std::abs(*r.t_error), language)})
+                         : std::string(text(ScopeText::none, language));
       },
       false);
-  add(std::string(text(ScopeText::row_point)), [&](const Reading& r) { return off_text(specimen, r.off); }, false);
   add(
-      std::string(text(ScopeText::row_start)),
+      std::string(text(ScopeText::row_point, language)),
+      [&](const Reading& r) { return off_text(specimen, r.off, language); }, false);
+  add(
+      std::string(text(ScopeText::row_start, language)),
       [&](const Reading& r) {
         const Start& start = r.starts.front();
         // A robust ray knows the surface that it starts on, whichever side rounding put the point.
         const bool knows = specimen.robust && &r == &*specimen.robust;
-        return start.place == r.point && (knows || start.right_side()) ? std::string(text(ScopeText::at_point))
-                                                                       : off_text(specimen, start.off);
+        return start.place == r.point && (knows || start.right_side())
+                   ? std::string(text(ScopeText::at_point, language))
+                   : off_text(specimen, start.off, language);
       },
       specimen.naive && !specimen.naive->starts.front().right_side());
   for (const RayKind kind : {RayKind::shadow, RayKind::reflect, RayKind::refract}) {
     const LeavingRays *robust = of_kind(specimen.robust, kind), *naive = of_kind(specimen.naive, kind);
     if (robust == nullptr && naive == nullptr) continue;
-    const auto said = [](const LeavingRays* rays) {
-      return rays != nullptr ? leaving_text(*rays) : std::string(text(ScopeText::none));
+    const auto said = [&](const LeavingRays* rays) {
+      return rays != nullptr ? leaving_text(*rays, language) : std::string(text(ScopeText::none, language));
     };
     table.rows.push_back(
-        {std::string(short_name(kind)), said(robust), said(naive), naive != nullptr && goes_wrong(*naive)});
+        {std::string(short_name(kind, language)), said(robust), said(naive), naive != nullptr && goes_wrong(*naive)});
   }
   return table;
 }

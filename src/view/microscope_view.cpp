@@ -152,7 +152,7 @@ void Drawing::draw_error_box() {
   painter_.add(PolygonItem{{corners.begin(), corners.end()}, painter_.colours.text.with_alpha(18), std::nullopt});
   for (std::size_t i = 0; i < 4; ++i) painter_.add_clipped({corners[i], corners[(i + 1) % 4], stroke});
   if (std::min(half.x, half.y) < 14 * unit_) return;
-  const std::string words(text(ScopeText::error_box));
+  const std::string words(text(ScopeText::error_box, painter_.state.language));
   const Vec2d below(corners[3].x + text_width(words, painter_.sizes.text) / 2,
                     corners[3].y + 0.8 * painter_.sizes.text);
   if (in_sight(below, 20 * unit_)) painter_.note(below, words);
@@ -226,7 +226,9 @@ void Drawing::point_at(const Mark& mark) {
   const Stroke stroke{painter_.colours.error, 2.4 * unit_};
   painter_.add(LineItem{tip - 24 * unit_ * towards, tip, stroke, 11 * unit_});
   label(tip - 12 * unit_ * towards, 16 * unit_,
-        fill(ScopeText::off_sight, {std::string(text(mark.name)), ulps_text(specimen_.in_ulps(length(way) / scale_))}));
+        fill(ScopeText::off_sight, painter_.state.language,
+             {std::string(text(mark.name, painter_.state.language)),
+              ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.language)}));
 }
 
 void Drawing::draw_marks() {
@@ -250,7 +252,7 @@ void Drawing::draw_marks() {
       const Vec2d from = place_of(specimen_.naive->point);
       painter_.add_clipped({from, mark.at, {painter_.colours.error, 1.4 * unit_, painter_.scaled({{2, 4}, 2})}});
     }
-    const std::string own(text(mark.name));
+    const std::string own(text(mark.name, painter_.state.language));
     const auto near = std::find_if(groups.begin(), groups.end(),
                                    [&](const Group& group) { return length(group.at - mark.at) < margin; });
     if (near == groups.end())
@@ -304,14 +306,15 @@ void Drawing::draw_scale() {
   const double cells = specimen_.ulp * scale_;
   const auto axis_name = [&](int i) { return std::string(1, "xyz"[specimen_.axes[static_cast<std::size_t>(i)]]); };
   const auto spacing = [&](int i) {
-    return number_text(specimen_.spacing[specimen_.axes[static_cast<std::size_t>(i)]]);
+    return number_text(specimen_.spacing[specimen_.axes[static_cast<std::size_t>(i)]], painter_.state.language);
   };
   double bar = cells;
   std::string words;
   if (cells >= 14 * unit_) {
     const bool alike = cell(0) == cell(1);
-    words = alike ? fill(ScopeText::one_cell, {spacing(0)})
-                  : fill(ScopeText::two_cells, {axis_name(0), spacing(0), axis_name(1), spacing(1)});
+    words = alike ? fill(ScopeText::one_cell, painter_.state.language, {spacing(0)})
+                  : fill(ScopeText::two_cells, painter_.state.language,
+                         {axis_name(0), spacing(0), axis_name(1), spacing(1)});
   } else {
     const double most = 130 * unit_ / scale_;
     double length = std::pow(10.0, std::floor(std::log10(most)));
@@ -320,7 +323,9 @@ void Drawing::draw_scale() {
     else if (2 * length <= most)
       length *= 2;
     bar = length * scale_;
-    words = fill(ScopeText::bar, {number_text(length), ulps_text(specimen_.in_ulps(length))});
+    words = fill(
+        ScopeText::bar, painter_.state.language,
+        {number_text(length, painter_.state.language), ulps_text(specimen_.in_ulps(length), painter_.state.language)});
   }
   const Vec2d at(12 * unit_, 2 * middle_.y - 12 * unit_);
   const double width = std::max(bar, 0.8 * text_width(words, size)) + 0.6 * size;
@@ -333,7 +338,8 @@ void Drawing::draw_scale() {
   for (const double end : {0.0, bar})
     painter_.add(LineItem{at + Vec2d(end, -4 * unit_), at + Vec2d(end, 4 * unit_), stroke});
   painter_.add(TextItem{at + Vec2d(0, -0.95 * size), words, size, painter_.colours.text, TextAnchor::start});
-  const std::string factor = magnification_text(magnification(painter_.state, specimen_, painter_.viewport));
+  const std::string factor =
+      magnification_text(magnification(painter_.state, specimen_, painter_.viewport), painter_.state.language);
   painter_.note({12 * unit_ + text_width(factor, size) / 2, 0.9 * size + 4 * unit_}, factor);
 }
 

@@ -78,7 +78,7 @@ struct TreePanel {
 };
 
 /// What a node is, in a line or two, for the tooltip that explains its sign.
-[[nodiscard]] std::string node_text(const TreeNode& node);
+[[nodiscard]] std::string node_text(const State& state, const TreeNode& node);
 
 /// The tree of the pixel under way, as far as it is known. Its shape is that of the whole tree from the start, so that
 /// nothing moves while it is walked.

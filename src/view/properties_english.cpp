@@ -2,12 +2,11 @@
 
 #include "view/text.h"
 
-#include <algorithm>
 #include <array>
 
 namespace raywalk {
 
-std::span<const Explanation> explanations() {
+std::span<const Explanation> english_explanations() {
   static constexpr std::array table{
       Explanation{
           TextId::ambient,
@@ -55,12 +54,6 @@ std::span<const Explanation> explanations() {
                   "formed. 0.01 is one part in a hundred."},
   };
   return table;
-}
-
-std::string_view explanation(TextId property) {
-  const std::span<const Explanation> all = explanations();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Explanation& e) { return e.property == property; });
-  return found == all.end() ? std::string_view() : found->text;
 }
 
 }  // namespace raywalk

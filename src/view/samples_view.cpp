@@ -105,8 +105,9 @@ void draw_samples(Painter& painter) {
   for (std::size_t i = 0; i < means.size(); ++i) line.points.push_back({x_of(i), y_of(means[i].value)});
   if (line.points.size() > 1) painter.add(line);
   if (means.size() < 2) return;
-  const std::string said = fill(TextId::samples_mean, {std::to_string(means.size()), number_text(means.back().value),
-                                                       number_text(means.back().half)});
+  const std::string said = fill(PanelText::samples_mean, state.language,
+                                {std::to_string(means.size()), number_text(means.back().value, state.language),
+                                 number_text(means.back().half, state.language)});
   painter.add(
       TextItem{{corner.x, corner.y + size.y + 0.85 * letters}, said, letters, painter.colours.text, TextAnchor::start});
 }

@@ -4,7 +4,7 @@
 
 namespace raywalk {
 
-std::string_view text(RayKind kind) {
+std::string_view english(RayKind kind) {
   switch (kind) {
     case RayKind::primary:
       return "primary ray";
@@ -18,7 +18,7 @@ std::string_view text(RayKind kind) {
   return "";
 }
 
-std::string_view text(Ending ending) {
+std::string_view english(Ending ending) {
   switch (ending) {
     case Ending::hit:
       return "hit";
@@ -44,34 +44,7 @@ std::string_view text(Ending ending) {
   return "";
 }
 
-/// Only letters that every font has.
-std::string_view symbol(Ending ending) {
-  switch (ending) {
-    case Ending::hit:
-      return "o";
-    case Ending::missed:
-      return "~";
-    case Ending::blocked:
-      return "x";
-    case Ending::reached_light:
-      return "*";
-    case Ending::depth:
-      return "D";
-    case Ending::threshold:
-      return "%";
-    case Ending::total_internal_reflection:
-      return "T";
-    case Ending::path_length:
-      return "L";
-    case Ending::facing_away:
-      return "/";
-    case Ending::outside_cone:
-      return "v";
-  }
-  return "";
-}
-
-std::string_view template_of(MessageId id) {
+std::string_view english(MessageId id) {
   switch (id) {
     case MessageId::start:
       return "Nothing has run yet.";

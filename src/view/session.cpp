@@ -100,7 +100,7 @@ void autosave(State& state, double seconds) {
   state.autosave_in = autosave_every;
   state.autosaved_revision = state.revision;
   const Result<void> written = write_autosave(state);
-  if (!written) complain(state, fill(TextId::autosave_failed, {written.error().text()}));
+  if (!written) complain(state, fill(TextId::autosave_failed, state.language, {written.error().text()}));
 }
 
 void forget_autosave(State& state) {
@@ -131,7 +131,7 @@ void recover(State& state, const std::string& original, const std::string& autos
   state.dirty = !file || state.saved != state.scene();
   if (!file) state.saved = Scene{};
   state.autosaved_revision = 0;
-  inform(state, fill(TextId::recovered, {document_title(state)}));
+  inform(state, fill(TextId::recovered, state.language, {document_title(state)}));
 }
 
 void add_recent(State& state, const std::string& path) {

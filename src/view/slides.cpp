@@ -20,13 +20,14 @@ using Json = nlohmann::json;
 
 constexpr Viewport viewport{960, 640};
 
-State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Theme theme) {
+State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
   SceneDocument document;
   document.scene = scene;
   State state = make_state(std::move(document));
   state.timeline = std::move(timeline);
   state.mode = Mode::trace;
   state.theme = theme;
+  state.language = language;
   state.tab = Tab::equation;
   state.viewport = viewport;
   state.camera = fitted(state);
@@ -113,10 +114,11 @@ show(0);
 
 }  // namespace
 
-std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Theme theme) {
-  State state = walked(scene, std::move(timeline), theme);
+std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
+  State state = walked(scene, std::move(timeline), language, theme);
   const Palette& colours = palette(theme);
   Dictionary drawn, said;
+  const auto say = [&](auto id) { return text(id, language); };
   Json steps = Json::array();
   for (state.position = 0; state.position <= state.timeline->steps(); ++state.position)
     steps.push_back(slide(state, drawn, said));
@@ -127,9 +129,9 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
   for (std::size_t i = data.find("</"); i != std::string::npos; i = data.find("</", i + 3)) data.insert(i + 1, "\\");
   const std::string title = escaped(scene.title.empty() ? "Raywalk" : scene.title);
   std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>"
+      "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>\n",
-      title);
+      language_code(language), title);
   page += fmt::format(
       "body{{margin:1rem;background:{0};color:{1};font:16px Inter,Helvetica,Arial,sans-serif}}"
       "main{{display:grid;grid-template-columns:minmax(0,2fr) minmax(20rem,1fr);gap:1rem}}"
@@ -150,17 +152,19 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
       "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"said\" "
       "font-family=\"Inter, Helvetica, Arial, sans-serif\"><g id=\"plan\"></g></svg>\n"
       "<p id=\"said\" aria-live=\"polite\"></p>\n"
-      "<div><button id=\"first\" aria-label=\"To the start\">\u23ee</button><button id=\"back\">BACK</button>"
-      "<button id=\"step\">STEP</button><button id=\"last\" aria-label=\"To the end\">\u23ed</button>"
+      "<div><button id=\"first\" aria-label=\"{}\">\u23ee</button><button id=\"back\">{}</button>"
+      "<button id=\"step\">{}</button><button id=\"last\" aria-label=\"{}\">\u23ed</button>"
       "<span id=\"count\"></span></div>\n"
-      "<input id=\"bar\" type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"Step\"/></div>\n"
+      "<input id=\"bar\" type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"{}\"/></div>\n"
       "<div>{}<div id=\"equation\"></div></div></main>\n",
-      title, viewport.width, viewport.height, state.timeline->steps(), code_of(state));
+      title, viewport.width, viewport.height, say(PanelText::to_start), say(TextId::button_back),
+      say(TextId::button_step), say(PanelText::to_end), state.timeline->steps(), say(PanelText::step_bar),
+      code_of(state));
   return page + "<script>\nconst W = " + data + ";" + std::string(script) + "</script></body></html>\n";
 }
 
-std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Theme theme) {
-  State state = walked(scene, std::move(timeline), theme);
+std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
+  State state = walked(scene, std::move(timeline), language, theme);
   state.position = state.timeline->steps();
   state.tab = Tab::image;
   return svg_file(plan_view(state), viewport.width, viewport.height, palette(theme).plan,

@@ -7,7 +7,10 @@ namespace raywalk {
 
 namespace {
 
-std::string str(TextId id) { return std::string(text(id)); }
+template <class Id>
+std::string str(const State& state, Id id) {
+  return std::string(text(id, state.language));
+}
 
 const RayRecord& ray_of(const Timeline& timeline, int index) {
   return timeline.rays()[static_cast<std::size_t>(index)];
@@ -15,29 +18,29 @@ const RayRecord& ray_of(const Timeline& timeline, int index) {
 
 /// What a call that was made for this kind of ray returns, and what its caller does meanwhile.
 struct ReturnName {
-  TextId name, waiting;
+  PanelText name, waiting;
 };
 ReturnName returns(RayKind kind) {
   switch (kind) {
     case RayKind::primary:
     case RayKind::shadow:
-      return {TextId::name_final, TextId::waits_final};
+      return {PanelText::name_final, PanelText::waits_final};
     case RayKind::reflect:
-      return {TextId::name_refl, TextId::waits_refl};
+      return {PanelText::name_refl, PanelText::waits_refl};
     case RayKind::refract:
-      return {TextId::name_refr, TextId::waits_refr};
+      return {PanelText::name_refr, PanelText::waits_refr};
   }
-  return {TextId::name_final, TextId::waits_final};
+  return {PanelText::name_final, PanelText::waits_final};
 }
 
 std::string ray_text(const State& state, const RayRecord& ray) {
   const Timeline& timeline = *state.timeline;
   if (ray.parent < 0)
-    return fill(TextId::stack_primary_ray,
+    return fill(PanelText::stack_primary_ray, state.language,
                 {std::to_string(timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column)});
   const int from = ray_of(timeline, ray.parent).object;
   const std::string name = from < 0 ? std::string() : state.scene().objects[static_cast<std::size_t>(from)].name;
-  return fill(TextId::stack_ray_from, {std::string(text(ray.kind)), name});
+  return fill(PanelText::stack_ray_from, state.language, {std::string(text(ray.kind, state.language)), name});
 }
 
 /// The SHADE at the end of `ray`'s hit has returned by now: what it brought.
@@ -49,7 +52,7 @@ void add_returned(const State& state, int ray_index, std::vector<StackRow::Retur
   const bool done = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
   if (done)
     returned.push_back(
-        {str(returns(ray.kind).name), frame.returned, display_colour(frame.returned, state.scene().encoding)});
+        {str(state, returns(ray.kind).name), frame.returned, display_colour(frame.returned, state.scene().encoding)});
 }
 
 /// The ray that FOLLOW PATH has come by: a shadow ray leaves from where that one ended.
@@ -70,11 +73,12 @@ StackPanel stack_panel(const State& state) {
   const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
   const Event* next = timeline.next(state.position);
   const bool running = next != nullptr && !timeline.pixel_done(pixel, state.position);
-  const std::string at = running ? fill(TextId::works_on, {std::string(pseudocode_of(next->line).text)}) : "";
+  const std::string at =
+      running ? fill(PanelText::works_on, state.language, {std::string(pseudocode_of(next->line).text)}) : "";
 
   // What the row below the present one waits for; the innermost call waits for nothing, it works.
   std::optional<RayKind> waits_for;
-  const auto waiting = [&] { return waits_for ? str(returns(*waits_for).waiting) : at; };
+  const auto waiting = [&] { return waits_for ? str(state, returns(*waits_for).waiting) : at; };
   // The call that has just computed its shade is still shown, at the moment of handing it over.
   std::vector<int> calls = timeline.stack(state.position);
   const Event* ran = timeline.just_run(state.position);
@@ -85,20 +89,23 @@ StackPanel stack_panel(const State& state) {
     const int ray_index = timeline.of_paths() ? on_path(timeline, state.position) : frame.ray;
     const RayRecord& ray = ray_of(timeline, ray_index);
     StackRow row;
-    row.title = timeline.of_paths() ? fill(TextId::stack_path, {std::to_string(ran == nullptr ? 1 : ran->depth)})
-                                    : fill(TextId::stack_shade, {std::to_string(frame.depth)});
+    row.title = timeline.of_paths()
+                    ? fill(PanelText::stack_path, state.language, {std::to_string(ran == nullptr ? 1 : ran->depth)})
+                    : fill(PanelText::stack_shade, state.language, {std::to_string(frame.depth)});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
     if (ray.object >= 0) row.object = state.scene().objects[static_cast<std::size_t>(ray.object)].name;
     const bool returns_now = returning && call == calls.front();
-    row.waiting = returns_now ? fill(TextId::stack_returns, {colour_text(frame.returned)}) : waiting();
+    row.waiting = returns_now
+                      ? fill(PanelText::stack_returns, state.language, {colour_text(frame.returned, state.language)})
+                      : waiting();
     for (int i = range.first; i < std::min(range.last, formed); ++i)
       if (ray_of(timeline, i).parent == frame.ray) add_returned(state, i, row.returned);
     if (!returns_now) waits_for = timeline.of_paths() ? RayKind::primary : ray.kind;
     panel.rows.push_back(std::move(row));
   }
   StackRow main;
-  main.title = str(timeline.of_paths() ? TextId::stack_paths : TextId::stack_main);
+  main.title = str(state, timeline.of_paths() ? PanelText::stack_paths : PanelText::stack_main);
   main.waiting = waiting();
   if (range.first < formed && range.first < range.last) add_returned(state, range.first, main.returned);
   panel.rows.push_back(std::move(main));

@@ -3,6 +3,7 @@
 // screen is a pure function of it.
 
 #include "io/scene_file.h"
+#include "lesson/language.h"
 #include "render/heat.h"
 #include "timeline/stops.h"
 #include "timeline/timeline.h"
@@ -174,6 +175,7 @@ struct State {
 
   // Appearance.
   Theme theme = Theme::dark;
+  Language language = Language::english;
   double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
   Tab tab = Tab::image;
   CostState cost;

@@ -12,7 +12,10 @@ namespace raywalk {
 
 namespace {
 
-std::string str(TextId id) { return std::string(text(id)); }
+template <class Id>
+std::string str(const State& state, Id id) {
+  return std::string(text(id, state.language));
+}
 
 std::string object_name(const State& state, int index) {
   return state.scene().objects[static_cast<std::size_t>(index)].name;
@@ -24,22 +27,25 @@ std::string ray_text(const State& state, int index) {
   std::string what;
   if (ray.parent < 0) {
     const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
-    what = timeline.of_strip() ? fill(TextId::ray_of_cell, {std::string(text(ray.kind)), std::to_string(column)})
-                               : fill(TextId::ray_of_pixel, {std::string(text(ray.kind))});
+    what = timeline.of_strip()
+               ? fill(TextId::ray_of_cell, state.language,
+                      {std::string(text(ray.kind, state.language)), std::to_string(column)})
+               : fill(TextId::ray_of_pixel, state.language, {std::string(text(ray.kind, state.language))});
   } else {
     const int from = timeline.rays()[static_cast<std::size_t>(ray.parent)].object;
-    what = fill(TextId::ray_from, {std::string(text(ray.kind)), from < 0 ? "" : object_name(state, from)});
+    what = fill(TextId::ray_from, state.language,
+                {std::string(text(ray.kind, state.language)), from < 0 ? "" : object_name(state, from)});
   }
   const bool known = !ray.formed || ray.found_at <= state.position;
-  return known ? what + ": " + std::string(text(ray.ending)) : what;
+  return known ? what + ": " + std::string(text(ray.ending, state.language)) : what;
 }
 
 /// The name of an object or a light, or EYE or SCREEN.
 std::string short_name(const State& state, const Target& target) {
   if (target.kind == TargetKind::light) return state.scene().lights[static_cast<std::size_t>(target.index)].name;
   if (detail::belongs_to_object(target)) return object_name(state, target.index);
-  return str(target.kind == TargetKind::eye || target.kind == TargetKind::view_direction ? TextId::eye
-                                                                                         : TextId::screen);
+  return str(state, target.kind == TargetKind::eye || target.kind == TargetKind::view_direction ? TextId::eye
+                                                                                                : TextId::screen);
 }
 
 std::string cell_text(const State& state, int cell) {
@@ -49,27 +55,29 @@ std::string cell_text(const State& state, int cell) {
     const PixelRecord& pixel = timeline.pixels()[i];
     if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.position)) shade = pixel.mean;
   }
-  if (shade) return fill(TextId::cell_with_shade, {std::to_string(cell), colour_text(*shade)});
-  return fill(TextId::cell_number, {std::to_string(cell)});
+  if (shade)
+    return fill(TextId::cell_with_shade, state.language, {std::to_string(cell), colour_text(*shade, state.language)});
+  return fill(TextId::cell_number, state.language, {std::to_string(cell)});
 }
 
 /// Why the plan does not show what one may look for, and how to get it back; empty when it does.
 std::string view_hint(const State& state) {
   constexpr double tiny = 0.15;  // of the size that fits
-  if (state.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(TextId::shown_tiny);
+  if (state.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(state, PanelText::shown_tiny);
   if (!state.selected || !exists(state, state.selected) || state.drag) return {};
   const Vec2d at = to_pixels(state.camera, state.viewport, detail::place_of(state, state.selected, state.viewport));
   const bool inside = at.x >= 0 && at.y >= 0 && at.x <= state.viewport.width && at.y <= state.viewport.height;
-  return inside ? std::string() : fill(TextId::out_of_view, {short_name(state, state.selected)});
+  return inside ? std::string() : fill(PanelText::out_of_view, state.language, {short_name(state, state.selected)});
 }
 
 std::string move_sentence(const State& state) {
-  std::string said = str(TextId::first_step_move);
+  std::string said = str(state, PanelText::first_step_move);
   const int steps = state.timeline->steps();
   if (const std::string hint = view_hint(state); !hint.empty()) return hint;
   if (state.position == 0) return said;
-  if (state.position == steps) return said + " " + str(TextId::walk_stands_at_end);
-  return said + " " + fill(TextId::walk_stands_at, {std::to_string(state.position), std::to_string(steps)});
+  if (state.position == steps) return said + " " + str(state, PanelText::walk_stands_at_end);
+  return said + " " +
+         fill(PanelText::walk_stands_at, state.language, {std::to_string(state.position), std::to_string(steps)});
 }
 
 }  // namespace
@@ -81,30 +89,30 @@ std::string target_text(const State& state, const Target& target) {
     case TargetKind::nothing:
       return {};
     case TargetKind::eye:
-      return str(moving ? TextId::drag_eye : TextId::eye);
+      return str(state, moving ? TextId::drag_eye : TextId::eye);
     case TargetKind::view_direction:
-      return str(TextId::drag_view_direction);
+      return str(state, TextId::drag_view_direction);
     case TargetKind::screen_height:
-      return str(TextId::drag_screen_height);
+      return str(state, TextId::drag_screen_height);
     case TargetKind::screen_distance:
-      return str(TextId::drag_screen_distance);
+      return str(state, TextId::drag_screen_distance);
     case TargetKind::cell:
-      return moving ? str(TextId::drag_screen_distance) : cell_text(state, target.index);
+      return moving ? str(state, TextId::drag_screen_distance) : cell_text(state, target.index);
     case TargetKind::object:
     case TargetKind::light: {
       const std::string name = target.kind == TargetKind::object
                                    ? object_name(state, target.index)
                                    : state.scene().lights[static_cast<std::size_t>(target.index)].name;
-      return moving ? fill(TextId::drag_move, {name}) : name;
+      return moving ? fill(TextId::drag_move, state.language, {name}) : name;
     }
     case TargetKind::radius:
-      return fill(TextId::drag_radius, {object_name(state, target.index)});
+      return fill(TextId::drag_radius, state.language, {object_name(state, target.index)});
     case TargetKind::corner:
-      return fill(TextId::drag_corner, {object_name(state, target.index)});
+      return fill(TextId::drag_corner, state.language, {object_name(state, target.index)});
     case TargetKind::edge:
-      return fill(TextId::drag_edge, {object_name(state, target.index)});
+      return fill(TextId::drag_edge, state.language, {object_name(state, target.index)});
     case TargetKind::rotation:
-      return fill(TextId::drag_rotation, {object_name(state, target.index)});
+      return fill(TextId::drag_rotation, state.language, {object_name(state, target.index)});
     case TargetKind::ray:
       return ray_text(state, target.index);
   }
@@ -116,36 +124,37 @@ std::string sentence(const State& state) {
     case Mode::move:
       return move_sentence(state);
     case Mode::help:
-      return str(TextId::first_step_help);
+      return str(state, PanelText::first_step_help);
     case Mode::trace:
       break;
   }
-  if (state.position == 0) return str(TextId::first_step_trace);
-  const std::string done = sentence_of(describe(state.scene(), *state.timeline, state.position));
+  if (state.position == 0) return str(state, PanelText::first_step_trace);
+  const std::string done = sentence_of(describe(state.scene(), *state.timeline, state.position), state.language);
   if (state.position < state.timeline->steps()) return done;
-  return done + " " + str(state.walk ? TextId::after_last_step_of_pixel : TextId::after_last_step);
+  return done + " " + str(state, state.walk ? PanelText::after_last_step_of_pixel : PanelText::after_last_step);
 }
 
 Legend legend(const State& state) {
   Legend legend;
-  const auto row = [&](RayKind kind, TextId in_short, TextId meaning) {
-    legend.rays.push_back({kind, ray_style(state.theme, kind), std::string(text(kind)), str(in_short), str(meaning)});
+  const auto row = [&](RayKind kind, PanelText in_short, PanelText meaning) {
+    legend.rays.push_back({kind, ray_style(state.theme, kind), std::string(text(kind, state.language)),
+                           str(state, in_short), str(state, meaning)});
   };
-  row(RayKind::primary, TextId::short_primary, TextId::legend_primary);
-  row(RayKind::shadow, TextId::short_shadow, TextId::legend_shadow);
-  row(RayKind::reflect, TextId::short_reflect, TextId::legend_reflect);
-  row(RayKind::refract, TextId::short_refract, TextId::legend_refract);
-  const auto sign = [&](Ending ending, TextId meaning) {
-    legend.signs.push_back({std::string(symbol(ending)), str(meaning)});
+  row(RayKind::primary, PanelText::short_primary, PanelText::legend_primary);
+  row(RayKind::shadow, PanelText::short_shadow, PanelText::legend_shadow);
+  row(RayKind::reflect, PanelText::short_reflect, PanelText::legend_reflect);
+  row(RayKind::refract, PanelText::short_refract, PanelText::legend_refract);
+  const auto sign = [&](Ending ending, PanelText meaning) {
+    legend.signs.push_back({std::string(symbol(ending)), str(state, meaning)});
   };
-  sign(Ending::hit, TextId::sign_hit);
-  sign(Ending::missed, TextId::sign_missed);
-  sign(Ending::blocked, TextId::sign_blocked);
-  sign(Ending::reached_light, TextId::sign_reached_light);
+  sign(Ending::hit, PanelText::sign_hit);
+  sign(Ending::missed, PanelText::sign_missed);
+  sign(Ending::blocked, PanelText::sign_blocked);
+  sign(Ending::reached_light, PanelText::sign_reached_light);
   for (const Ending limit : {Ending::depth, Ending::threshold, Ending::total_internal_reflection, Ending::facing_away})
-    legend.signs.push_back({std::string(symbol(limit)), std::string(text(limit))});
-  legend.signs.push_back({"-|", str(TextId::sign_stub)});
-  legend.signs.push_back({"->", str(TextId::sign_normal)});
+    legend.signs.push_back({std::string(symbol(limit)), std::string(text(limit, state.language))});
+  legend.signs.push_back({"-|", str(state, PanelText::sign_stub)});
+  legend.signs.push_back({"->", str(state, PanelText::sign_normal)});
   return legend;
 }
 
@@ -170,13 +179,15 @@ std::string status_line(const State& state) {
   for (const int formed : now.formed) rays += formed;
   const int cell = current_cell(state);
   const std::string pixel = state.walk ? std::to_string(state.walk->column) + "," + std::to_string(state.walk->row)
-                            : cell < 0 ? str(TextId::status_none)
+                            : cell < 0 ? str(state, PanelText::status_none)
                                        : std::to_string(cell);
-  return fill(TextId::status, {std::to_string(now.position), std::to_string(now.steps), pixel, std::to_string(rays)});
+  return fill(PanelText::status, state.language,
+              {std::to_string(now.position), std::to_string(now.steps), pixel, std::to_string(rays)});
 }
 
 std::string short_status_line(const State& state) {
-  return fill(TextId::status_short, {std::to_string(state.position), std::to_string(state.timeline->steps())});
+  return fill(PanelText::status_short, state.language,
+              {std::to_string(state.position), std::to_string(state.timeline->steps())});
 }
 
 std::string widest_status_line(const State& state, bool in_short) {
@@ -185,8 +196,8 @@ std::string widest_status_line(const State& state, bool in_short) {
     return std::string(std::max(std::to_string(number).size(), least), '0');
   };
   const std::string steps = digits(state.timeline->steps(), 4);
-  if (in_short) return fill(TextId::status_short, {steps, steps});
-  return fill(TextId::status,
+  if (in_short) return fill(PanelText::status_short, state.language, {steps, steps});
+  return fill(PanelText::status, state.language,
               {steps, steps, state.walk ? "0000,0000" : digits(state.scene().camera.screen.cells - 1, 2),
                digits(static_cast<int>(state.timeline->rays().size()), 3)});
 }
@@ -196,21 +207,21 @@ QuestionPanel question_panel(const State& state) {
   QuestionPanel panel;
   if (!state.question) return panel;
   const Question& question = *state.question;
-  const auto choice = [&](Answer answer, TextId label) { panel.choices.push_back({answer, str(label)}); };
+  const auto choice = [&](Answer answer, TextId label) { panel.choices.push_back({answer, str(state, label)}); };
   const std::string file =
-      state.path.empty() ? str(TextId::untitled) : std::filesystem::path(state.path).filename().string();
+      state.path.empty() ? str(state, TextId::untitled) : std::filesystem::path(state.path).filename().string();
   switch (question.kind) {
     case Question::Kind::unsaved:
       switch (question.intent) {
         case Intent::new_scene:
-          panel.text = fill(TextId::ask_unsaved_new, {file});
+          panel.text = fill(TextId::ask_unsaved_new, state.language, {file});
           break;
         case Intent::lesson:
         case Intent::open:
-          panel.text = fill(TextId::ask_unsaved_open, {file, question.path});
+          panel.text = fill(TextId::ask_unsaved_open, state.language, {file, question.path});
           break;
         case Intent::quit:
-          panel.text = fill(TextId::ask_unsaved_quit, {file});
+          panel.text = fill(TextId::ask_unsaved_quit, state.language, {file});
           break;
       }
       choice(Answer::save, TextId::answer_save);
@@ -218,16 +229,17 @@ QuestionPanel question_panel(const State& state) {
       choice(Answer::cancel, TextId::answer_cancel);
       break;
     case Question::Kind::recover:
-      panel.text = question.path == state.path
-                       ? fill(TextId::ask_recover, {file, question.when})
-                       : fill(TextId::ask_recover_other,
-                              {question.path.empty() ? str(TextId::untitled) : question.path, question.when, file});
+      panel.text =
+          question.path == state.path
+              ? fill(TextId::ask_recover, state.language, {file, question.when})
+              : fill(TextId::ask_recover_other, state.language,
+                     {question.path.empty() ? str(state, TextId::untitled) : question.path, question.when, file});
       choice(Answer::recover, TextId::answer_recover);
       choice(Answer::cancel, TextId::answer_later);
       choice(Answer::discard, TextId::answer_throw_away);
       break;
     case Question::Kind::overwrite:
-      panel.text = fill(TextId::ask_overwrite, {question.path});
+      panel.text = fill(TextId::ask_overwrite, state.language, {question.path});
       choice(Answer::cancel, TextId::answer_cancel);
       choice(Answer::save, TextId::answer_overwrite);
       break;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "view/cost.h"
 #include "view/update_parts.h"
 
 namespace raywalk {
@@ -27,13 +26,13 @@ std::string fill(std::string_view pattern, const std::vector<std::string>& argum
 
 namespace {
 
-std::string argument_text(const Argument& argument) {
+std::string argument_text(const Argument& argument, Language language) {
   return std::visit(detail::Overloaded{
                         [](int value) { return std::to_string(value); },
-                        [](double value) { return number_text(value); },
-                        [](const Rgbd& colour) { return colour_text(colour); },
-                        [](Share share) { return percent_text(share.value); },
-                        [](RayKind kind) { return std::string(text(kind)); },
+                        [&](double value) { return number_text(value, language); },
+                        [&](const Rgbd& colour) { return colour_text(colour, language); },
+                        [&](Share share) { return percent_text(share.value, language); },
+                        [&](RayKind kind) { return std::string(text(kind, language)); },
                         [](const std::string& name) { return name; },
                     },
                     argument);
@@ -41,52 +40,107 @@ std::string argument_text(const Argument& argument) {
 
 }  // namespace
 
-std::string fill(TextId id, const std::vector<std::string>& arguments) { return fill(text(id), arguments); }
-
-std::string fill(CostText id, const std::vector<std::string>& arguments) { return fill(text(id), arguments); }
-
-std::string fill(ScopeText id, const std::vector<std::string>& arguments) { return fill(text(id), arguments); }
-
-std::string number_text(double value) {
-  if (value == 0) return "0";
-  return fmt::format("{:.3g}", value);
+/// Only letters that every font has.
+std::string_view symbol(Ending ending) {
+  switch (ending) {
+    case Ending::hit:
+      return "o";
+    case Ending::missed:
+      return "~";
+    case Ending::blocked:
+      return "x";
+    case Ending::reached_light:
+      return "*";
+    case Ending::depth:
+      return "D";
+    case Ending::threshold:
+      return "%";
+    case Ending::total_internal_reflection:
+      return "T";
+    case Ending::path_length:
+      return "L";
+    case Ending::facing_away:
+      return "/";
+    case Ending::outside_cone:
+      return "v";
+  }
+  return "";
 }
 
-std::string percent_text(double share) {
+std::string with_decimal_mark(std::string digits, Language language) {
+  std::replace(digits.begin(), digits.end(), '.', decimal_mark(language));
+  return digits;
+}
+
+std::string number_text(double value, Language language) {
+  if (value == 0) return "0";
+  return with_decimal_mark(fmt::format("{:.3g}", value), language);
+}
+
+std::string percent_text(double share, Language language) {
   const double percent = 100 * share;
   if (percent == 0) return "0%";
-  if (percent < 0.001) return "under 0.001%";
-  return percent < 1 ? fmt::format("{:.1g}%", percent) : fmt::format("{:.0f}%", percent);
+  constexpr double least = 0.001;
+  if (percent < least) return fill(PanelText::percent_under, language, {number_text(least, language)});
+  return with_decimal_mark(percent < 1 ? fmt::format("{:.1g}%", percent) : fmt::format("{:.0f}%", percent), language);
 }
 
-std::string colour_text(const Rgbd& c) {
+std::string colour_text(const Rgbd& c, Language language) {
   // What no display could show is no number worth reading out.
-  const auto part = [](double value) { return number_text(value < 5e-5 ? 0 : value); };
+  const auto part = [&](double value) { return number_text(value < 5e-5 ? 0 : value, language); };
   if (c.x == c.y && c.y == c.z) return part(c.x);
-  return "(" + part(c.x) + ", " + part(c.y) + ", " + part(c.z) + ")";
+  const std::string_view between = separator(language);
+  return fmt::format("({}{}{}{}{})", part(c.x), between, part(c.y), between, part(c.z));
 }
 
-std::string sentence_of(const Message& message) {
+std::string sentence_of(const Message& message, Language language) {
   std::vector<std::string> arguments;
-  for (const Argument& argument : message.arguments) arguments.push_back(argument_text(argument));
-  return fill(template_of(message.id), arguments);
+  for (const Argument& argument : message.arguments) arguments.push_back(argument_text(argument, language));
+  return fill(message.id, language, arguments);
 }
 
-std::string step_text(const Scene& scene, const Timeline& timeline, int position) {
+std::span<const Explanation> explanations(Language language) {
+  switch (language) {
+    case Language::english:
+      return english_explanations();
+    case Language::portuguese:
+      return portuguese_explanations();
+  }
+  return {};
+}
+
+std::string_view explanation(TextId property, Language language) {
+  const std::span<const Explanation> all = explanations(language);
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Explanation& e) { return e.property == property; });
+  return found == all.end() ? std::string_view() : found->text;
+}
+
+std::vector<HelpSection> help(Language language) {
+  switch (language) {
+    case Language::english:
+      return english_help();
+    case Language::portuguese:
+      return portuguese_help();
+  }
+  return {};
+}
+
+std::string step_text(const Scene& scene, const Timeline& timeline, int position, Language language) {
+  const std::string said = sentence_of(describe(scene, timeline, position), language);
   const Event* event = timeline.just_run(position);
-  if (event == nullptr) return sentence_of(describe(scene, timeline, position));
+  if (event == nullptr) return said;
   const PseudocodeLine& line = pseudocode_of(event->line);
   // Calls within calls stand further in; a path goes on within the same call.
   const int level = line.procedure == Procedure::follow_path ? 1 : std::min(event->depth, 20);
   const std::string indented(static_cast<std::size_t>(2 * level + 2 * line.indent), ' ');
   const std::string depth = event->depth > 0 ? fmt::format("[{}]", event->depth) : "";
-  return fmt::format("{:>5} {:>4}  {:<38}  {}", position, depth, indented + std::string(line.text),
-                     sentence_of(describe(scene, timeline, position)));
+  return fmt::format("{:>5} {:>4}  {:<38}  {}", position, depth, indented + std::string(line.text), said);
 }
 
-std::string transcript(const Scene& scene, const Timeline& timeline) {
+std::string transcript(const Scene& scene, const Timeline& timeline, Language language) {
   std::string lines;
-  for (int position = 1; position <= timeline.steps(); ++position) lines += step_text(scene, timeline, position) + "\n";
+  for (int position = 1; position <= timeline.steps(); ++position)
+    lines += step_text(scene, timeline, position, language) + "\n";
   return lines;
 }
 

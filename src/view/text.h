@@ -1,7 +1,8 @@
 #pragma once
-// Everything that a person reads, by id and in one place: the files *_english.cpp. A further language is more
-// files with the same exhaustive switches; the compiler then finds what it has not translated.
+// Everything that a person reads, by id. Each family of ids has two exhaustive switches, english(id) and
+// portuguese(id), in files of their own, *_english.cpp and *_portuguese.cpp: the compiler finds what one of them lacks.
 
+#include "lesson/language.h"
 #include "scene/scene.h"
 #include "timeline/message.h"
 #include "timeline/timeline.h"
@@ -13,7 +14,27 @@
 
 namespace raywalk {
 
-/// {0}, {1}, ... in a text stand for arguments of `fill`.
+/// The text of an id: of TextId, PanelText, MessageId, RayKind and Ending below, and of every other family that has its
+/// english(id) and portuguese(id).
+template <class Id>
+[[nodiscard]] auto text(Id id, Language language) {
+  switch (language) {
+    case Language::english:
+      return english(id);
+    case Language::portuguese:
+      return portuguese(id);
+  }
+  return decltype(english(id)){};
+}
+
+/// {0}, {1}, ... in a text stand for arguments.
+[[nodiscard]] std::string fill(std::string_view pattern, const std::vector<std::string>& arguments);
+/// A text with its arguments filled in.
+template <class Id>
+[[nodiscard]] std::string fill(Id id, Language language, const std::vector<std::string>& arguments) {
+  return fill(text(id, language), arguments);
+}
+
 enum class TextId {
   // The four kinds, EYE and SCREEN, and what dragging them does.
   solid_sphere,
@@ -74,6 +95,7 @@ enum class TextId {
   theme_dark,
   theme_projector,
   ui_scale,
+  language,
 
   // Menus and dialogs.
   menu_file,
@@ -140,9 +162,29 @@ enum class TextId {
   depth_limit,
   threshold,
 
-  // Panels.
-  depth_badge,  ///< {0} depth
-  rays_badge,   ///< {0} rays of the path so far
+  // Notices.
+  saved_as,        ///< {0} file
+  opened,          ///< {0} file
+  recovered,       ///< {0} file
+  refused,         ///< {0} why
+  refused_number,  ///< {0} least, {1} most
+  refused_name_empty,
+  refused_name_taken,  ///< {0} name
+  refused_last_corners,
+  camera_is_the_scenes,
+  camera_taken,
+  nothing_to_undo,
+  nothing_to_redo,
+  select_first,
+  too_many_steps,
+  autosave_failed,  ///< {0} why
+};
+
+/// What the panels, the legend, the drawings and the line of counts say.
+enum class PanelText {
+  depth_badge,    ///< {0} depth
+  rays_badge,     ///< {0} rays of the path so far
+  percent_under,  ///< {0} percent
   stack_main,
   stack_paths,  ///< instead of MAIN ALGORITHM, when paths are traced
   stack_path,
@@ -189,6 +231,9 @@ enum class TextId {
   sign_reached_light,
   sign_stub,
   sign_normal,
+  to_start,  ///< of a page of slides
+  to_end,
+  step_bar,
   status,        ///< {0} position, {1} steps, {2} pixel, {3} rays
   status_short,  ///< {0} position, {1} steps
   status_none,   ///< in place of a pixel's number
@@ -201,60 +246,51 @@ enum class TextId {
   walk_stands_at,      ///< {0} position, {1} steps
   out_of_view,         ///< {0} what
   shown_tiny,
-
-  // Notices.
-  saved_as,        ///< {0} file
-  opened,          ///< {0} file
-  recovered,       ///< {0} file
-  refused,         ///< {0} why
-  refused_number,  ///< {0} least, {1} most
-  refused_name_empty,
-  refused_name_taken,  ///< {0} name
-  refused_last_corners,
-  camera_is_the_scenes,
-  camera_taken,
-  nothing_to_undo,
-  nothing_to_redo,
-  select_first,
-  too_many_steps,
-  autosave_failed,  ///< {0} why
 };
 
-[[nodiscard]] std::string_view text(TextId id);
-/// A text with its arguments filled in.
-[[nodiscard]] std::string fill(std::string_view pattern, const std::vector<std::string>& arguments);
-[[nodiscard]] std::string fill(TextId id, const std::vector<std::string>& arguments);
+[[nodiscard]] std::string_view english(TextId id);
+[[nodiscard]] std::string_view english(PanelText id);
+/// The sentence of a message.
+[[nodiscard]] std::string_view english(MessageId id);
+[[nodiscard]] std::string_view english(RayKind kind);   ///< "reflect ray"
+[[nodiscard]] std::string_view english(Ending ending);  ///< a clause: "left the scene"
+[[nodiscard]] std::string_view portuguese(TextId id);
+[[nodiscard]] std::string_view portuguese(PanelText id);
+[[nodiscard]] std::string_view portuguese(MessageId id);
+[[nodiscard]] std::string_view portuguese(RayKind kind);
+[[nodiscard]] std::string_view portuguese(Ending ending);
 
-[[nodiscard]] std::string_view text(RayKind kind);     ///< "reflect ray"
-[[nodiscard]] std::string_view text(Ending ending);    ///< a clause: "left the scene"
 [[nodiscard]] std::string_view symbol(Ending ending);  ///< one or two characters for the tree
 
-[[nodiscard]] std::string number_text(double value);   ///< 3 significant digits, no trailing zeros
-[[nodiscard]] std::string percent_text(double share);  ///< "45%", "0.2%"
-[[nodiscard]] std::string colour_text(const Rgbd& c);  ///< "(0.2, 0.5, 1)", or one number when it is a grey
+// Numbers as the language writes them.
+/// Digits with a point, with the mark of the language in its place.
+[[nodiscard]] std::string with_decimal_mark(std::string digits, Language language);
+[[nodiscard]] std::string number_text(double value, Language language);   ///< 3 significant digits, no trailing zeros
+[[nodiscard]] std::string percent_text(double share, Language language);  ///< "45%", "0.2%"
+/// "(0.2, 0.5, 1)", in Portuguese "(0,2; 0,5; 1)", or one number when it is a grey.
+[[nodiscard]] std::string colour_text(const Rgbd& c, Language language);
 
-/// The sentence of a message, with {0}, {1}, ... for its arguments.
-[[nodiscard]] std::string_view template_of(MessageId id);
 /// A message of the timeline as one sentence.
-[[nodiscard]] std::string sentence_of(const Message& message);
+[[nodiscard]] std::string sentence_of(const Message& message, Language language);
 
 /// The step that leads to `position`, 1 <= position <= steps(), as one line of a transcript: number, indentation by
 /// depth, the line of pseudocode and its sentence.
-[[nodiscard]] std::string step_text(const Scene& scene, const Timeline& timeline, int position);
+[[nodiscard]] std::string step_text(const Scene& scene, const Timeline& timeline, int position, Language language);
 /// All steps, one a line.
-[[nodiscard]] std::string transcript(const Scene& scene, const Timeline& timeline);
+[[nodiscard]] std::string transcript(const Scene& scene, const Timeline& timeline, Language language);
 
-// ---- Properties
-// ------------------------------------------------------------------------------------------------------
+// ---- Properties -----------------------------------------------------------------------------------------------------
 
 /// What a property is, for who does not know its name.
 struct Explanation {
   TextId property;
   std::string_view text;
 };
-[[nodiscard]] std::span<const Explanation> explanations();
+[[nodiscard]] std::span<const Explanation> explanations(Language language);
+[[nodiscard]] std::span<const Explanation> english_explanations();
+[[nodiscard]] std::span<const Explanation> portuguese_explanations();
 /// That of one property; empty for those that need none.
-[[nodiscard]] std::string_view explanation(TextId property);
+[[nodiscard]] std::string_view explanation(TextId property, Language language);
 
 // ---- Help -----------------------------------------------------------------------------------------------------------
 
@@ -267,6 +303,8 @@ struct HelpSection {
   std::vector<HelpEntry> entries;
 };
 /// The text of help mode.
-[[nodiscard]] std::vector<HelpSection> help();
+[[nodiscard]] std::vector<HelpSection> help(Language language);
+[[nodiscard]] std::vector<HelpSection> english_help();
+[[nodiscard]] std::vector<HelpSection> portuguese_help();
 
 }  // namespace raywalk

@@ -1,10 +1,10 @@
-// The English texts. A further language is a file like this one.
+// The English texts of things, buttons, menus, questions, properties and notices.
 
 #include "view/text.h"
 
 namespace raywalk {
 
-std::string_view text(TextId id) {
+std::string_view english(TextId id) {
   switch (id) {
     case TextId::solid_sphere:
       return "Solid Sphere";
@@ -14,6 +14,14 @@ std::string_view text(TextId id) {
       return "Polygon";
     case TextId::light_source:
       return "Light Source";
+    case TextId::short_solid_sphere:
+      return "Solid";
+    case TextId::short_transparent_sphere:
+      return "Glass";
+    case TextId::short_polygon:
+      return "Polygon";
+    case TextId::short_light_source:
+      return "Light";
     case TextId::plane:
       return "Floor";
     case TextId::eye:
@@ -42,14 +50,6 @@ std::string_view text(TextId id) {
       return "{0}: drag to move it; a double click adds a corner here";
     case TextId::drag_rotation:
       return "{0}: drag to turn it";
-    case TextId::short_solid_sphere:
-      return "Solid";
-    case TextId::short_transparent_sphere:
-      return "Glass";
-    case TextId::short_polygon:
-      return "Polygon";
-    case TextId::short_light_source:
-      return "Light";
     case TextId::cell_number:
       return "Pixel {0} of SCREEN";
     case TextId::cell_with_shade:
@@ -72,10 +72,10 @@ std::string_view text(TextId id) {
       return "Ray tree";
     case TextId::tab_stack:
       return "Stack";
-    case TextId::tab_cost:
-      return "Cost";
     case TextId::tab_legend:
       return "Legend";
+    case TextId::tab_cost:
+      return "Cost";
     case TextId::button_step:
       return "STEP";
     case TextId::button_back:
@@ -118,6 +118,8 @@ std::string_view text(TextId id) {
       return "Projector";
     case TextId::ui_scale:
       return "Size";
+    case TextId::language:
+      return "Language";
     case TextId::menu_file:
       return "File";
     case TextId::menu_edit:
@@ -243,126 +245,6 @@ std::string_view text(TextId id) {
       return "Deepest SHADE (depth)";
     case TextId::threshold:
       return "Least share (threshold)";
-    case TextId::depth_badge:
-      return "DEPTH {0}";
-    case TextId::stack_main:
-      return "MAIN ALGORITHM";
-    case TextId::rays_badge:
-      return "RAY {0}";
-    case TextId::stack_paths:
-      return "PATH TRACING";
-    case TextId::stack_path:
-      return "FOLLOW PATH (ray {0})";
-    case TextId::stack_shade:
-      return "SHADE (DEPTH {0})";
-    case TextId::stack_returns:
-      return "returns {0}";
-    case TextId::stack_primary_ray:
-      return "primary ray of pixel {0}";
-    case TextId::stack_ray_from:
-      return "{0} from {1}";
-    case TextId::waits_final:
-      return "waits for the final shade";
-    case TextId::waits_refl:
-      return "waits for REFLSHADE";
-    case TextId::waits_refr:
-      return "waits for REFRSHADE";
-    case TextId::works_on:
-      return "at: {0}";
-    case TextId::name_final:
-      return "final";
-    case TextId::name_refl:
-      return "REFLSHADE";
-    case TextId::name_refr:
-      return "REFRSHADE";
-    case TextId::node_future:
-      return "{0}: not reached yet";
-    case TextId::node_share:
-      return "{0}: at most {1} of the pixel";
-    case TextId::node_under_way:
-      return "what it meets is not known yet";
-    case TextId::tree_empty:
-      return "The rays of a pixel will stand here as a tree. Press STEP.";
-    case TextId::stack_empty:
-      return "Nothing is running yet. Press STEP.";
-    case TextId::image_waiting:
-      return "Rendering...";
-    case TextId::image_row_marked:
-      return "The marked row is SCREEN; click any pixel to walk it.";
-    case TextId::short_primary:
-      return "primary";
-    case TextId::short_shadow:
-      return "shadow";
-    case TextId::short_reflect:
-      return "reflect";
-    case TextId::short_refract:
-      return "refract";
-    case TextId::image_click:
-      return "Click a pixel to walk its rays.";
-    case TextId::image_turned:
-      return "Turned: O goes back to the scene's camera.";
-    case TextId::image_progress:
-      return "{0}, {1} left";
-    case TextId::too_many_samples:
-      return "Only {0} samples of each pixel are walked: more would be too many steps.";
-    case TextId::samples_mean:
-      return "mean of {0} samples: {1} \u00b1 {2}";
-    case TextId::ghosts_total:
-      return "Dotted: what the limits cut off, so far {0} of this pixel";
-    case TextId::ghosts_none:
-      return "Neither depth nor threshold cut anything off this pixel";
-    case TextId::heat_rays:
-      return "{0} rays";
-    case TextId::heat_tests:
-      return "{0} nodes and shapes tested";
-    case TextId::heat_time:
-      return "{0} \u00b5s";
-    case TextId::heat_noise:
-      return "{0} standard deviation";
-    case TextId::legend_primary:
-      return "from EYE through a pixel of SCREEN";
-    case TextId::legend_shadow:
-      return "from a surface to a light: does it arrive?";
-    case TextId::legend_reflect:
-      return "mirrored at a surface";
-    case TextId::legend_refract:
-      return "bent on its way into or out of a body";
-    case TextId::sign_hit:
-      return "hit an object, which is shaded";
-    case TextId::sign_missed:
-      return "left the scene: background";
-    case TextId::sign_blocked:
-      return "blocked: the light does not arrive (a cross on the plan)";
-    case TextId::sign_reached_light:
-      return "reached the light";
-    case TextId::sign_stub:
-      return "not formed (a short piece with a bar on the plan)";
-    case TextId::sign_normal:
-      return "thin arrow at a hit: the surface's normal";
-    case TextId::status:
-      return "step {0} of {1} \u00b7 pixel {2} \u00b7 rays {3}";
-    case TextId::status_short:
-      return "{0} / {1}";
-    case TextId::status_none:
-      return "\u2013";
-    case TextId::first_step_trace:
-      return "Press STEP to run the first line, or AUTO to let it walk by itself.";
-    case TextId::first_step_move:
-      return "Drag the objects, the light and the eye; then choose Trace.";
-    case TextId::first_step_help:
-      return "Choose Move to arrange the scene, or Trace to walk through it.";
-    case TextId::after_last_step:
-      return "Every pixel of SCREEN has its final shade. CLEAR starts again.";
-    case TextId::after_last_step_of_pixel:
-      return "This pixel is done: CLEAR starts it again, S goes back to SCREEN.";
-    case TextId::walk_stands_at_end:
-      return "The walk stands at its end, also after a change; CLEAR starts it again.";
-    case TextId::walk_stands_at:
-      return "The walk stands at step {0} of {1}.";
-    case TextId::out_of_view:
-      return "{0} is out of view: Fit (F) shows the whole scene.";
-    case TextId::shown_tiny:
-      return "The scene is shown very small: Fit (F) shows it as large as it can be.";
     case TextId::saved_as:
       return "Saved as {0}";
     case TextId::opened:
@@ -394,7 +276,7 @@ std::string_view text(TextId id) {
     case TextId::autosave_failed:
       return "The work could not be autosaved: {0}";
   }
-  return "";
+  return {};
 }
 
 }  // namespace raywalk

@@ -13,8 +13,8 @@ std::string name_of(const Scene& scene, const RayRecord& ray) {
   return {};
 }
 
-std::string label_of(const Scene& scene, const RayRecord& ray) {
-  std::string name = name_of(scene, ray);
+std::string label_of(const State& state, const RayRecord& ray) {
+  std::string name = name_of(state.scene(), ray);
   switch (ray.ending) {
     case Ending::hit:
     case Ending::reached_light:
@@ -29,7 +29,7 @@ std::string label_of(const Scene& scene, const RayRecord& ray) {
     case Ending::outside_cone:
       break;
   }
-  const std::string why(text(ray.ending));
+  const std::string why(text(ray.ending, state.language));
   return ray.ending == Ending::blocked ? why + ": " + name : why;
 }
 
@@ -57,13 +57,13 @@ void lay_out(TreePanel& panel) {
 
 }  // namespace
 
-std::string node_text(const TreeNode& node) {
-  std::string what(text(node.kind));
-  if (node.future) return fill(TextId::node_future, {what});
-  if (!node.share.empty()) what = fill(TextId::node_share, {what, node.share});
-  if (!node.ending) return what + "\n" + std::string(text(TextId::node_under_way));
+std::string node_text(const State& state, const TreeNode& node) {
+  std::string what(text(node.kind, state.language));
+  if (node.future) return fill(PanelText::node_future, state.language, {what});
+  if (!node.share.empty()) what = fill(PanelText::node_share, state.language, {what, node.share});
+  if (!node.ending) return what + "\n" + std::string(text(PanelText::node_under_way, state.language));
   const bool named = *node.ending == Ending::hit || *node.ending == Ending::reached_light;
-  const std::string end = named ? std::string(text(*node.ending)) + ": " + node.label : node.label;
+  const std::string end = named ? std::string(text(*node.ending, state.language)) + ": " + node.label : node.label;
   return what + "\n" + node.symbol + "   " + end;
 }
 
@@ -93,9 +93,9 @@ TreePanel tree_panel(const State& state) {
     if (node.known) {
       node.ending = ray.ending;
       node.symbol = symbol(ray.ending);
-      node.label = label_of(state.scene(), ray);
+      node.label = label_of(state, ray);
     }
-    if (!node.future) node.share = percent_text(max_component(ray.share));
+    if (!node.future) node.share = percent_text(max_component(ray.share), state.language);
     if (ray.shade >= 0) {
       const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
       node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.position;

@@ -52,7 +52,8 @@ constexpr bool one_of = (std::is_same_v<T, Kinds> || ...);
 bool goes_through(const State& state, const Action& action) {
   return std::visit(
       [&]<class T>(const T&) {
-        if constexpr (one_of<T, Tick, ResizePlan, SetTheme, SetUiScale, PointerLeft, PointerReleased, DismissNotice>)
+        if constexpr (one_of<T, Tick, ResizePlan, SetTheme, SetLanguage, SetUiScale, PointerLeft, PointerReleased,
+                             DismissNotice>)
           return true;
         // An autosave that nobody decided on waits for the next start.
         const bool may_leave = state.question && state.question->kind == Question::Kind::recover;
@@ -67,8 +68,9 @@ bool goes_through(const State& state, const Action& action) {
 bool leaves_drag(const Action& action) {
   return std::visit(
       []<class T>(const T&) {
-        return one_of<T, Tick, ResizePlan, SetTheme, SetUiScale, PointerMoved, PointerReleased, PointerLeft, CancelDrag,
-                      Zoom, HoverRay, HoverLine, SetTab, DismissNotice, SetSpeed, SetGrain, SetImageSettings, Magnify>;
+        return one_of<T, Tick, ResizePlan, SetTheme, SetLanguage, SetUiScale, PointerMoved, PointerReleased,
+                      PointerLeft, CancelDrag, Zoom, HoverRay, HoverLine, SetTab, DismissNotice, SetSpeed, SetGrain,
+                      SetImageSettings, Magnify>;
       },
       action);
 }
@@ -252,6 +254,10 @@ void apply(State& state, const Action& action) {
           [&](const SetTheme& a) {
             state.theme = a.theme;
             refit(state);
+          },
+          [&](const SetLanguage& a) {
+            state.language = a.language;
+            state.notice.reset();  // it speaks the other one
           },
           [&](const SetUiScale& a) {
             state.ui_scale = std::clamp(a.scale, min_ui_scale, max_ui_scale);

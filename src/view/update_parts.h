@@ -131,7 +131,7 @@ void leave_hunt(State& state);
 void set_bug(State& state, std::optional<Fault> fault);
 
 // new_scene.cpp
-[[nodiscard]] Scene new_scene();
+[[nodiscard]] Scene new_scene(Language language);
 [[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted);
 
 }  // namespace raywalk::detail

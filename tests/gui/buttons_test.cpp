@@ -174,9 +174,9 @@ TEST_CASE("every command has a name, a label and a hint of its own") {
     CAPTURE(command_name(command));
     CHECK_FALSE(command_name(command).empty());
     CHECK_FALSE(command_label(command, state).empty());
-    CHECK_FALSE(command_hint(command).empty());
+    CHECK_FALSE(command_hint(command, Language::english).empty());
     CHECK(names.insert(std::string(command_name(command))).second);
-    CHECK(hints.insert(command_hint(command)).second);
+    CHECK(hints.insert(command_hint(command, Language::english)).second);
   }
 }
 

@@ -167,7 +167,11 @@ Visualiser::Visualiser(const Desktop& desktop, const std::vector<std::string>& a
             return words;
           }(),
           // What the drivers allocate once and keep is none of ours.
-          {{"DISPLAY", desktop.display()}, {"LIBGL_ALWAYS_SOFTWARE", "1"}, {"ASAN_OPTIONS", "detect_leaks=0"}}, err_) {}
+          {{"DISPLAY", desktop.display()},
+           {"LC_ALL", "C"},
+           {"LIBGL_ALWAYS_SOFTWARE", "1"},
+           {"ASAN_OPTIONS", "detect_leaks=0"}},
+          err_) {}
 
 bool Visualiser::until(const std::function<bool(const nlohmann::json&)>& wanted, double seconds) {
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);

@@ -69,20 +69,20 @@ TEST_CASE("every command is on a key, except the cross that closes a panel") {
   for (int i = 0; i < command_count; ++i) {
     const auto command = static_cast<Command>(i);
     CAPTURE(command_name(command));
-    CHECK(command_key(command).empty() == (command == Command::deselect));
+    CHECK(command_key(command, Language::english).empty() == (command == Command::deselect));
   }
 }
 
 TEST_CASE("Help and README.md list the keys of all commands") {
   std::string table, all_keys;
-  for (const KeyListRow& row : key_list()) {
+  for (const KeyListRow& row : key_list(Language::english)) {
     table += "| " + row.keys + " | " + row.does + " |\n";
     all_keys += row.keys + " \u00b7 ";
   }
   for (int i = 0; i < command_count; ++i) {
     const auto command = static_cast<Command>(i);
     CAPTURE(command_name(command));
-    CHECK_THAT(all_keys, contains(all_command_keys(command)));
+    CHECK_THAT(all_keys, contains(all_command_keys(command, Language::english)));
   }
   const std::string readme = read_file(std::string(RAYWALK_SOURCE_DIR) + "/README.md", 1 << 20).value();
   INFO("README.md should have this table:\n" << table);

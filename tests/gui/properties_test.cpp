@@ -17,7 +17,9 @@ State selected(Target target) {
   return state;
 }
 
-std::string field(TextId label, const char* rest = "") { return "property/" + std::string(text(label)) + rest; }
+std::string field(TextId label, const char* rest = "") {
+  return "property/" + std::string(text(label, Language::english)) + rest;
+}
 
 // Double-clicks a number and types another one.
 void type_into(Bench& bench, const std::string& item, const std::string& number) {
@@ -90,7 +92,7 @@ TEST_CASE("what a property means is said where it stands") {
   for (const TextId id : {TextId::ambient, TextId::diffuse, TextId::specular, TextId::shininess, TextId::reflection,
                           TextId::transmission, TextId::ior, TextId::dielectric, TextId::filtered_shadow,
                           TextId::attenuation, TextId::depth_limit, TextId::threshold})
-    CHECK_FALSE(explanation(id).empty());
+    CHECK_FALSE(explanation(id, Language::english).empty());
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   CHECK(bench.has(field(TextId::diffuse, "/label")));

@@ -21,6 +21,7 @@ GuiOptions options(const Folder& folder) {
   GuiOptions result;
   result.data_dir = RAYWALK_SOURCE_DIR;
   result.state_dir = folder / "state";
+  result.language = Language::english;
   return result;
 }
 
@@ -90,7 +91,7 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
-  const Settings chosen{Theme::projector, 2.25, Tab::tree};
+  const Settings chosen{Theme::projector, 2.25, Tab::tree, Language::portuguese};
   write_settings(folder / "state", chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);
@@ -105,6 +106,31 @@ TEST_CASE("settings are kept; broken ones are as good as none") {
   std::ofstream(folder / "state/settings.json") << R"({"ui_scale": 1e9})";
   CHECK(read_settings(folder / "state").ui_scale == max_ui_scale);
   CHECK(read_settings("") == Settings{});
+}
+
+TEST_CASE("the language is the option's, else the one that was kept, else the environment's, else English") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  const auto environment = [](const char* all, const char* messages, const char* lang) {
+    setenv("LC_ALL", all, 1);
+    setenv("LC_MESSAGES", messages, 1);
+    setenv("LANG", lang, 1);
+  };
+  wanted.language.reset();
+  environment("", "", "pt_BR.UTF-8");
+  CHECK(start(wanted)->language == Language::portuguese);
+  environment("", "en_US.UTF-8", "pt_BR.UTF-8");
+  CHECK(start(wanted)->language == Language::english);
+  environment("pt", "C", "C");
+  CHECK(start(wanted)->language == Language::portuguese);
+  environment("", "", "");
+  CHECK(start(wanted)->language == Language::english);
+  environment("de_DE.UTF-8", "pt_PT", "pt_PT");
+  CHECK(start(wanted)->language == Language::english);
+  write_settings(folder / "state", {Theme::dark, 1, Tab::image, Language::portuguese});
+  CHECK(start(wanted)->language == Language::portuguese);
+  wanted.language = Language::english;
+  CHECK(start(wanted)->language == Language::english);
 }
 
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {

@@ -101,9 +101,9 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     CHECK_FALSE(marked_line(state));
     BugPanel panel = bug_panel(state);
     CHECK_FALSE(panel.is_right);
-    CHECK_THAT(panel.verdict, contains(std::string(line_duty(wrong, "en"))));
+    CHECK_THAT(panel.verdict, contains(std::string(text(DutyOf{wrong}, Language::english))));
     REQUIRE(panel.learnt.size() == 1);
-    CHECK(panel.learnt[0].text == fault_text(state.bug->fault, FaultText::hint, "en"));
+    CHECK(panel.learnt[0].text == text(FaultTextOf{state.bug->fault, FaultText::hint}, Language::english));
     CHECK(panel.tally.empty());
 
     update(state, action::MarkLine{right});
@@ -112,8 +112,8 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     panel = bug_panel(state);
     CHECK(panel.is_right);
     CHECK_THAT(panel.verdict, contains(std::string(pseudocode_of(right).text)));
-    CHECK(panel.learnt[0].text == fault_text(state.bug->fault, FaultText::wrong, "en"));
-    CHECK(panel.learnt[1].text == fault_text(state.bug->fault, FaultText::cure, "en"));
+    CHECK(panel.learnt[0].text == text(FaultTextOf{state.bug->fault, FaultText::wrong}, Language::english));
+    CHECK(panel.learnt[1].text == text(FaultTextOf{state.bug->fault, FaultText::cure}, Language::english));
     CHECK(panel.tally == "1 of 8 found");
     // It is over: nothing more is asked.
     CHECK_FALSE(asks_for_line(state));
@@ -176,7 +176,7 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
     CHECK(shades(*state.bug->other) == broken);
     CHECK_FALSE(fault_at_work(state));
     CHECK(state.image_revision > picture);
-    CHECK(bug_banner(state) == bug_text(BugText::banner_mended, "en"));
+    CHECK(bug_banner(state) == text(BugText::banner_mended, Language::english));
     CHECK(broken_promise(state).empty());
     update(state, action::MendBug{false});
     CHECK(shades(*state.timeline) == broken);
@@ -322,24 +322,7 @@ TEST_CASE("a surprise is a bug that is not found yet, and its number is not told
     CHECK(surprising_bug(bugs, draw) <= static_cast<int>(all_faults.size()));
   }
   State state = hunting(6, true);
-  CHECK(bug_panel(state).heading == bug_text(BugText::surprise_title, "en"));
+  CHECK(bug_panel(state).heading == text(BugText::surprise_title, Language::english));
   update(state, action::ShowCure{});
   CHECK(bug_panel(state).heading == "Bug 6");
-}
-
-TEST_CASE("everything about bugs is said in both languages, and differently") {
-  for (const Fault fault : all_faults)
-    for (const FaultText id : {FaultText::symptom, FaultText::hint, FaultText::wrong, FaultText::cure}) {
-      CHECK_FALSE(fault_text(fault, id, "en").empty());
-      CHECK_FALSE(fault_text(fault, id, "pt").empty());
-      CHECK(fault_text(fault, id, "en") != fault_text(fault, id, "pt"));
-    }
-  for (const PseudocodeLine& line : pseudocode) {
-    CHECK_FALSE(line_duty(line.line, "en").empty());
-    CHECK(line_duty(line.line, "en") != line_duty(line.line, "pt"));
-  }
-  for (int id = 0; id <= static_cast<int>(BugText::leave); ++id) {
-    CHECK_FALSE(bug_text(static_cast<BugText>(id), "en").empty());
-    CHECK(bug_text(static_cast<BugText>(id), "en") != bug_text(static_cast<BugText>(id), "pt"));
-  }
 }

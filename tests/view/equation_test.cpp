@@ -105,7 +105,7 @@ TEST_CASE("a whole walk never shows a number that is not the trace's own") {
         for (const double value : row.values) {
           REQUIRE(std::any_of(known.begin(), known.end(), [&](double each) { return close(each, value); }));
           // And the text shows it, in its place.
-          const std::string shown = equation_number(value);
+          const std::string shown = equation_number(value, Language::english);
           at = row.text.find(shown, at);
           REQUIRE(at != std::string::npos);
           at += shown.size();
@@ -212,7 +212,7 @@ TEST_CASE("beside the hit stand its t and its angle while the equation is shown,
   while (hit_notes(state).angle.empty()) update(state, action::Step{});
   const auto& found = std::get<Found>(state.timeline->event(state.position - 1).detail);
   const HitNotes notes = hit_notes(state);
-  CHECK(notes.t == "t = " + equation_number(found.t));
+  CHECK(notes.t == "t = " + equation_number(found.t, Language::english));
   const auto texts = [&] {
     std::vector<std::string> all;
     for (const DisplayItem& item : plan_view(state))

@@ -52,7 +52,8 @@ TEST_CASE("a locked lesson opens when the one before is done, or when a teacher 
   update(state, action::OpenLesson{second});
   REQUIRE(state.lessons.at() != nullptr);
   update(state, action::LeaveLesson{});
-  update(state, action::SetLessonOptions{false, true, "pt"});
+  update(state, action::SetLessonOptions{false, true});
+  update(state, action::SetLanguage{Language::portuguese});
   CHECK(lesson_panel(state).rows[12].title == "De Whitted ao traçado de caminhos");
   CHECK_FALSE(lesson_panel(state).rows[12].locked);
 }
@@ -88,7 +89,7 @@ TEST_CASE("a question holds a student until it is answered, and shows then where
 
 TEST_CASE("an arrow is dragged in the plan, and judged by its angle") {
   State state = with_lessons();
-  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"04-reflection"});
   REQUIRE(lesson_panel(state).asks == Asks::arrow);
   const auto origin = arrow_origin(state);
@@ -121,7 +122,7 @@ TEST_CASE("an arrow is dragged in the plan, and judged by its angle") {
 TEST_CASE("a number counts as right within its tolerance") {
   for (const bool near : {true, false}) {
     State state = with_lessons();
-    update(state, action::SetLessonOptions{false, true, "en"});
+    update(state, action::SetLessonOptions{false, true});
     update(state, action::OpenLesson{"02-ray-meets-sphere"});
     go_to_question(state, Asks::number);
     const auto& question = std::get<NumberQuestion>(*state.lessons.at()->step->question);
@@ -135,7 +136,7 @@ TEST_CASE("a number counts as right within its tolerance") {
 
 TEST_CASE("every step of every lesson stands on the screen where the lesson was checked") {
   State state = with_lessons();
-  update(state, action::SetLessonOptions{true, true, "en"});
+  update(state, action::SetLessonOptions{true, true});
   for (const LessonEntry& entry : state.lessons.list) {
     update(state, action::OpenLesson{entry.name});
     INFO(entry.name);
@@ -158,7 +159,7 @@ TEST_CASE("every step of every lesson stands on the screen where the lesson was 
 
 TEST_CASE("a step hides the rays of pixels before its own, unless its answer takes them all") {
   State state = with_lessons();
-  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"01-ray-casting"});
   go_to_question(state, Asks::number);
   CHECK(state.lessons.first_pixel == 9);
@@ -175,11 +176,10 @@ TEST_CASE("progress is kept between sittings") {
     State state = with_lessons(folder.string());
     update(state, action::OpenLesson{state.lessons.list[0].name});
     update(state, action::GoToLessonStep{1});
-    update(state, action::SetLessonOptions{false, true, "pt"});
+    update(state, action::SetLessonOptions{false, true});
   }
   State state = with_lessons(folder.string());
   CHECK(state.lessons.unlocked);
-  CHECK(state.lessons.language == "pt");
   CHECK(lesson_panel(state).rows[0].done == 1);
   update(state, action::OpenLesson{state.lessons.list[0].name});
   CHECK(state.lessons.step == 1);
@@ -188,7 +188,7 @@ TEST_CASE("progress is kept between sittings") {
 
 TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer when it is over") {
   State state = with_lessons();
-  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"04-reflection"});
   go_to_question(state, Asks::line);
   REQUIRE(state.bug);
@@ -229,7 +229,7 @@ TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer wh
 
 TEST_CASE("whoever changes the scene of a bug gets it back with the answer") {
   State state = with_lessons();
-  update(state, action::SetLessonOptions{false, true, "en"});
+  update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"04-reflection"});
   go_to_question(state, Asks::line);
   update(state, action::New{});

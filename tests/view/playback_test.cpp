@@ -18,7 +18,8 @@ std::string picture_of(const State& state) {
   for (const StackRow& row : stack_panel(state).rows) picture += row.title + row.waiting;
   for (const DisplayItem& item : plan_view(state))
     if (const auto* line = std::get_if<LineItem>(&item.shape))
-      picture += number_text(line->from.x) + number_text(line->to.x) + number_text(line->to.y);
+      picture += number_text(line->from.x, state.language) + number_text(line->to.x, state.language) +
+                 number_text(line->to.y, state.language);
   return picture;
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+// The words of the lesson pane itself: a family of view/text.h.
+
+#include <string_view>
+
+namespace raywalk {
+
+enum class LessonWord {
+  lessons,
+  next,
+  back,
+  reveal,
+  all_lessons,
+  finish,
+  presenter,
+  unlock,
+  predict,
+  drag_arrow,
+  type_number,
+  change,
+  teacher,
+  right,
+  wrong,
+  error,
+  of,
+  locked,
+  done,
+  score,
+};
+
+[[nodiscard]] std::string_view english(LessonWord word);
+[[nodiscard]] std::string_view portuguese(LessonWord word);
+
+}  // namespace raywalk

@@ -1,0 +1,53 @@
+// The English words of the lesson pane.
+
+#include "view/lesson_text.h"
+
+namespace raywalk {
+
+std::string_view english(LessonWord word) {
+  switch (word) {
+    case LessonWord::lessons:
+      return "Lessons";
+    case LessonWord::next:
+      return "Next";
+    case LessonWord::back:
+      return "Back";
+    case LessonWord::reveal:
+      return "Reveal";
+    case LessonWord::all_lessons:
+      return "All lessons";
+    case LessonWord::finish:
+      return "Finish";
+    case LessonWord::presenter:
+      return "Presenter";
+    case LessonWord::unlock:
+      return "Unlock all";
+    case LessonWord::predict:
+      return "Predict";
+    case LessonWord::drag_arrow:
+      return "Drag an arrow in the plan";
+    case LessonWord::type_number:
+      return "Type a number, then Enter";
+    case LessonWord::change:
+      return "Now change something";
+    case LessonWord::teacher:
+      return "Teacher's notes";
+    case LessonWord::right:
+      return "Right";
+    case LessonWord::wrong:
+      return "Not quite";
+    case LessonWord::error:
+      return "off by";
+    case LessonWord::of:
+      return "of";
+    case LessonWord::locked:
+      return "finish the lesson before";
+    case LessonWord::done:
+      return "done";
+    case LessonWord::score:
+      return "predictions right";
+  }
+  return {};
+}
+
+}  // namespace raywalk
