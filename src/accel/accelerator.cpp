@@ -17,30 +17,6 @@ AcceleratorKind resolve(AcceleratorKind kind, const Boxes<T>& boxes, const Primi
   return few ? AcceleratorKind::none : AcceleratorKind::bvh;
 }
 
-template <class T>
-AnyStructure<T> build(AcceleratorKind kind, const Boxes<T>& boxes, const Primitives<T>& primitives) {
-  switch (kind) {
-    case AcceleratorKind::automatic:
-    case AcceleratorKind::none:
-      break;
-    case AcceleratorKind::spheres:
-      return Volumes<T>(boxes, primitives, VolumeKind::sphere);
-    case AcceleratorKind::ellipsoids:
-      return Volumes<T>(boxes, primitives, VolumeKind::ellipsoid);
-    case AcceleratorKind::boxes:
-      return Volumes<T>(boxes, primitives, VolumeKind::box);
-    case AcceleratorKind::bvh:
-      return Bvh<T>(boxes);
-    case AcceleratorKind::grid:
-      return Grid<T>(boxes);
-    case AcceleratorKind::octree:
-      return Octree<T>(boxes);
-    case AcceleratorKind::kdtree:
-      return KdTree<T>(boxes);
-  }
-  return List<T>(primitives.size());
-}
-
 }  // namespace
 
 template <class T>
@@ -49,7 +25,7 @@ Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind) : pr
   const Boxes<T> boxes(primitives_);
   primitives_.find_equals(boxes.boxes);
   kind_ = resolve(kind, boxes, primitives_);
-  structure_ = std::make_shared<const Structure>(Structure{build(kind_, boxes, primitives_)});
+  structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_)});
   if (kind_ != AcceleratorKind::none) unbounded_ = boxes.unbounded;
   statistics_ = std::visit([](const auto& structure) { return structure.statistics(); }, structure_->any);
   statistics_.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

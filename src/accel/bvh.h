@@ -1,11 +1,15 @@
 #pragma once
 
 #include "accel/box_lanes.h"
+#include "accel/build_record.h"
+#include "accel/search_record.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace raywalk {
 
@@ -18,13 +22,13 @@ namespace raywalk {
 template <class T>
 class Bvh {
  public:
-  explicit Bvh(const Boxes<T>& boxes) : ids_(boxes.bounded) {
+  explicit Bvh(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) : ids_(boxes.bounded) {
     if (ids_.empty()) return;
     std::vector<Half> halves;
     halves.reserve(2 * ids_.size());
     halves.push_back({boxes.whole, 0, static_cast<int>(ids_.size())});
-    split(halves, 0, boxes, 0);
-    widen(halves, 0, 0);
+    split(halves, 0, boxes, 0, watcher);
+    widen(halves, 0, 0, watcher);
     nodes_.shrink_to_fit();
   }
 
@@ -42,6 +46,10 @@ class Bvh {
     if (!nodes_.empty()) search(WideLaneRay<T, NaiveSlabRay<T>>(slabs_of(ray, primitives)), primitives, query);
   }
 
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    if (!nodes_.empty()) tell_nodes(nodes, most, 0, 0);
+  }
+
   [[nodiscard]] AcceleratorStatistics statistics() const {
     return {nodes_.size(), ids_.size(), depth_, nodes_.size() * sizeof(Node) + ids_.size() * sizeof(int)};
   }
@@ -56,6 +64,18 @@ class Bvh {
   struct alignas(64) Node {
     BoxLanes boxes;
     std::array<Child, 4> children{};
+
+    /// Around all four.
+    [[nodiscard]] Bounds<float> whole() const {
+      Bounds<float> whole;
+      for (std::size_t lane = 0; lane < 4; ++lane) whole.include(boxes.box(lane));
+      return whole;
+    }
+    [[nodiscard]] std::size_t child_count() const {
+      std::size_t count = 0;
+      for (std::size_t lane = 0; lane < 4; ++lane) count += boxes.box(lane).empty() ? 0 : 1;
+      return count;
+    }
   };
   /// A node of the binary tree. A leaf has a count; an inner node's children are at first and first + 1.
   struct Half {
@@ -69,31 +89,62 @@ class Bvh {
     struct Entry {
       Child child;
       float in;
+      [[no_unique_address]] Kept<Query, Bounds<float>> box{};
     };
     std::array<Entry, 3 * max_depth + 4> waiting;
     std::size_t count = 0;
     Child at{0, 0};
+    [[maybe_unused]] Kept<Query, Bounds<float>> box;  // of `at`
     while (true) {
       if (at.count == 0) {
         const Node& node = nodes_[static_cast<std::size_t>(at.first)];
         query.enter_node();
         LanesMet met = ray.meet(node.boxes, query.reach());
+        if constexpr (Watching<Query>) tell(query, node, met);
         // Those that are met wait, the nearest on top.
         for (const std::size_t before = count; met.bits != 0; met.bits &= met.bits - 1) {
           const auto lane = static_cast<std::size_t>(std::countr_zero(met.bits));
           std::size_t place = count++;
           for (; place > before && waiting[place - 1].in < met.in[lane]; --place) waiting[place] = waiting[place - 1];
           waiting[place] = {node.children[lane], met.in[lane]};
+          if constexpr (Watching<Query>) waiting[place].box.value = node.boxes.box(lane);
         }
       } else {
+        if constexpr (Watching<Query>) query.record().opened(box.value, static_cast<std::size_t>(at.count));
         for (std::int32_t i = at.first; i < at.first + at.count; ++i)
           if (query.test(primitives, ids_[static_cast<std::size_t>(i)])) return;
       }
-      do {
+      while (true) {
         if (count == 0) return;
         --count;
-      } while (beyond(waiting[count].in, query.reach()));
+        if (!beyond(waiting[count].in, query.reach())) break;
+        if constexpr (Watching<Query>) query.record().skipped(waiting[count].box.value);
+      }
       at = waiting[count].child;
+      if constexpr (Watching<Query>) box = waiting[count].box;
+    }
+  }
+
+  template <class Query>
+  static void tell(const Query& query, const Node& node, const LanesMet& met) {
+    query.record().entered(node.whole(), false, node.child_count());
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const Bounds<float> box = node.boxes.box(lane);
+      if (!box.empty() && (met.bits >> lane & 1U) == 0) query.record().skipped(box);
+    }
+  }
+
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::size_t index, int depth) const {
+    const Node& node = nodes_[index];
+    if (nodes.size() < most) nodes.push_back({wide(node.whole()), depth, false, static_cast<int>(node.child_count())});
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const Bounds<float> box = node.boxes.box(lane);
+      const Child& child = node.children[lane];
+      if (box.empty()) continue;
+      if (child.count == 0)
+        tell_nodes(nodes, most, static_cast<std::size_t>(child.first), depth + 1);
+      else if (nodes.size() < most)
+        nodes.push_back({wide(box), depth + 1, true, child.count});
     }
   }
 
@@ -103,7 +154,7 @@ class Bvh {
   }
 
   /// Makes a wide node of the binary one at `index` and of all below it; returns its place.
-  std::int32_t widen(const std::vector<Half>& halves, int index, int depth) {
+  std::int32_t widen(const std::vector<Half>& halves, int index, int depth, BuildRecord* watcher) {
     // The largest box is opened, until there are four or only leaves.
     std::array<int, 4> open{index};
     std::size_t count = 1;
@@ -122,10 +173,20 @@ class Bvh {
     depth_ = std::max(depth_, depth);
     const auto place = nodes_.size();
     nodes_.emplace_back();
+    if (watcher != nullptr) {
+      BuildStep step{.kind = BuildStep::Kind::joined, .box = wide(halves[static_cast<std::size_t>(index)].box)};
+      step.depth = depth, step.items = static_cast<int>(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Half& half = halves[static_cast<std::size_t>(open[i])];
+        step.parts.push_back({wide(half.box), half.count});
+      }
+      watcher->add(std::move(step));
+    }
     for (std::size_t i = 0; i < count; ++i) {
       const Half& half = halves[static_cast<std::size_t>(open[i])];
       nodes_[place].boxes.set(i, half.box);
-      const Child child = half.leaf() ? Child{half.first, half.count} : Child{widen(halves, open[i], depth + 1), 0};
+      const Child child =
+          half.leaf() ? Child{half.first, half.count} : Child{widen(halves, open[i], depth + 1, watcher), 0};
       nodes_[place].children[i] = child;
     }
     return static_cast<std::int32_t>(place);
@@ -143,9 +204,20 @@ class Bvh {
     return size.x * size.y + size.y * size.z + size.z * size.x;
   }
 
-  void split(std::vector<Half>& halves, int index, const Boxes<T>& boxes, int depth) {
+  void split(std::vector<Half>& halves, int index, const Boxes<T>& boxes, int depth, BuildRecord* watcher) {
     const Half node = halves[static_cast<std::size_t>(index)];
-    if (node.count == 1 || depth == max_depth - 1) return;
+    std::optional<BuildStep> told;
+    if (watcher != nullptr) {
+      told = {.kind = BuildStep::Kind::leaf, .box = wide(node.box), .depth = depth};
+      told->items = node.count;
+    }
+    const auto tell_leaf = [&](LeafReason why) {
+      if (!told) return;
+      told->why = why;
+      watcher->add(std::move(*told));
+    };
+    if (node.count == 1 || depth == max_depth - 1)
+      return tell_leaf(node.count == 1 ? LeafReason::single : LeafReason::too_deep);
     const auto begin = ids_.begin() + node.first, end = begin + node.count;
     const auto centre = [&](int id, int axis) { return (boxes.box(id).min[axis] + boxes.box(id).max[axis]) / 2; };
 
@@ -185,12 +257,20 @@ class Bvh {
     // Entering a node costs about half a primitive test.
     const T area = half_area(node.box);
     const bool worth = best_cost + area / 2 < area * static_cast<T>(node.count);
-    if (!worth && node.count <= max_leaf) return;
+    if (told && best_cost < infinity<T> && area > 0) {
+      told->split_cost = static_cast<double>(best_cost / area) + 0.5, told->leaf_cost = node.count;
+      told->axis = best_axis;
+      told->plane = static_cast<double>(centres.min[best_axis] + (centres.max[best_axis] - centres.min[best_axis]) *
+                                                                     static_cast<T>(best_bin) / T(bins));
+    }
+    if (!worth && node.count <= max_leaf)
+      return tell_leaf(best_cost < infinity<T> ? LeafReason::dearer : LeafReason::same_place);
     auto middle =
         std::partition(begin, end, [&](int id) { return best_cost < infinity<T> && bin_of(id, best_axis) < best_bin; });
     if (middle == begin || middle == end) {  // all centres coincide: halve the list
-      if (node.count <= max_leaf) return;
+      if (node.count <= max_leaf) return tell_leaf(LeafReason::same_place);
       middle = begin + node.count / 2;
+      if (told) told->axis = -1;
     }
     const int left_count = static_cast<int>(middle - begin);
     const int left = static_cast<int>(halves.size());
@@ -198,8 +278,16 @@ class Bvh {
     halves.push_back({box_of(middle, end, boxes), node.first + left_count, node.count - left_count});
     halves[static_cast<std::size_t>(index)].first = left;
     halves[static_cast<std::size_t>(index)].count = 0;
-    split(halves, left, boxes, depth + 1);
-    split(halves, left + 1, boxes, depth + 1);
+    if (told) {
+      told->kind = BuildStep::Kind::split;
+      for (const int side : {left, left + 1}) {
+        const Half& half = halves[static_cast<std::size_t>(side)];
+        told->parts.push_back({wide(half.box), half.count});
+      }
+      watcher->add(std::move(*told));
+    }
+    split(halves, left, boxes, depth + 1, watcher);
+    split(halves, left + 1, boxes, depth + 1, watcher);
   }
 
   template <class Iterator>

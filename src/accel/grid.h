@@ -1,10 +1,13 @@
 #pragma once
 
+#include "accel/build_record.h"
 #include "accel/query.h"
+#include "accel/search_record.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace raywalk {
 
@@ -15,7 +18,7 @@ namespace raywalk {
 template <class T>
 class Grid {
  public:
-  explicit Grid(const Boxes<T>& boxes) {
+  explicit Grid(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) {
     if (boxes.bounded.empty()) return;
     box_ = boxes.whole;
     const Vec3<T> size = box_.max - box_.min;
@@ -32,13 +35,17 @@ class Grid {
       cells_[axis] = static_cast<int>(std::clamp(cells, T(1), T(max_cells)));
     }
     fill(boxes);
+    if (watcher != nullptr) tell_build(*watcher, boxes);
   }
 
   template <class AnyRay, class Query>
   void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (starts_.empty()) return;
     const Stretch<T> inside = clip(slabs_of(ray, primitives), box_, {0, query.reach()});
-    if (inside.empty()) return;
+    if (inside.empty()) {
+      if constexpr (Watching<Query>) query.record().skipped(box_);
+      return;
+    }
     const Vec3<T> entry = ray.at(inside.in);
     std::array<int, 3> at{}, step{};
     std::array<double, 3> leave{};
@@ -53,20 +60,40 @@ class Grid {
     while (true) {
       query.enter_node();
       const std::size_t cell = index(at[0], at[1], at[2]);
+      if constexpr (Watching<Query>) query.record().entered(cell_box(at), true, starts_[cell + 1] - starts_[cell]);
       for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
         const int id = ids_[i];
         int& box = mailbox[static_cast<std::size_t>(id) % mailbox_size];
-        if (box == id) continue;
+        if (box == id) {
+          if constexpr (Watching<Query>) query.record().passed(id);
+          continue;
+        }
         box = id;
         if (query.test(primitives, id)) return;
       }
       // Leave through the nearest of the three planes.
       const std::size_t axis = leave[0] <= leave[1] ? (leave[0] <= leave[2] ? 0 : 2) : (leave[1] <= leave[2] ? 1 : 2);
-      if (leave[axis] > static_cast<double>(query.reach())) return;
+      if (leave[axis] > static_cast<double>(query.reach())) {
+        if constexpr (Watching<Query>) query.record().ended(SearchEnd::beyond);
+        return;
+      }
       at[axis] += step[axis];
-      if (at[axis] < 0 || at[axis] >= cells_[static_cast<int>(axis)]) return;
+      if (at[axis] < 0 || at[axis] >= cells_[static_cast<int>(axis)]) {
+        if constexpr (Watching<Query>) query.record().ended(SearchEnd::left);
+        return;
+      }
       leave[axis] = leave_next(ray, static_cast<int>(axis), at[axis], leave[axis]);
     }
+  }
+
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    if (starts_.empty()) return;
+    for (int z = 0; z < cells_.z; ++z)
+      for (int y = 0; y < cells_.y; ++y)
+        for (int x = 0; x < cells_.x && nodes.size() < most; ++x) {
+          const std::size_t cell = index(x, y, z);
+          nodes.push_back({cell_box({x, y, z}), 0, true, static_cast<int>(starts_[cell + 1] - starts_[cell])});
+        }
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -82,6 +109,14 @@ class Grid {
   [[nodiscard]] double plane(int axis, int i) const {
     const double low = box_.min[axis], high = box_.max[axis];
     return low + (high - low) * i / cells_[axis];
+  }
+  [[nodiscard]] Bounds<double> cell_box(const std::array<int, 3>& at) const {
+    Bounds<double> box;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int i = at[static_cast<std::size_t>(axis)];
+      box.min[axis] = plane(axis, i), box.max[axis] = plane(axis, i + 1);
+    }
+    return box;
   }
   [[nodiscard]] int cell_of(T place, int axis) const {
     const T extent = box_.max[axis] - box_.min[axis];
@@ -132,6 +167,19 @@ class Grid {
     ids_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
     for (const int id : boxes.bounded) for_cells(boxes.box(id), [&](std::size_t cell) { ids_[next[cell]++] = id; });
+  }
+
+  void tell_build(BuildRecord& watcher, const Boxes<T>& boxes) const {
+    BuildStep layout{.kind = BuildStep::Kind::cells, .box = wide(box_)};
+    layout.items = static_cast<int>(boxes.bounded.size());
+    layout.cells = {cells_.x, cells_.y, cells_.z};
+    watcher.add(std::move(layout));
+    for (const int id : boxes.bounded) {
+      BuildStep step{.kind = BuildStep::Kind::listed, .box = wide(boxes.box(id))};
+      step.primitive = id;
+      for_cells(boxes.box(id), [&](std::size_t) { ++step.items; });
+      watcher.add(std::move(step));
+    }
   }
 
   Bounds<T> box_;

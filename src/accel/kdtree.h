@@ -1,10 +1,14 @@
 #pragma once
 
+#include "accel/build_record.h"
 #include "accel/query.h"
+#include "accel/search_record.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace raywalk {
 
@@ -14,13 +18,13 @@ namespace raywalk {
 template <class T>
 class KdTree {
  public:
-  explicit KdTree(const Boxes<T>& boxes) {
+  explicit KdTree(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) {
     if (boxes.bounded.empty()) return;
     box_ = boxes.whole;
     const int count = static_cast<int>(boxes.bounded.size());
     limit_ = std::min(max_depth, static_cast<int>(8 + 1.3 * std::log2(count)));
     nodes_.emplace_back();
-    split(0, boxes.bounded, box_, boxes, 0, 0);
+    split(0, boxes.bounded, box_, boxes, 0, 0, watcher);
   }
 
   template <class AnyRay, class Query>
@@ -28,20 +32,30 @@ class KdTree {
     if (nodes_.empty()) return;
     const auto slabs = slabs_of(ray, primitives);
     const Stretch<T> inside = clip(slabs, box_, {0, query.reach()});
-    if (inside.empty()) return;
+    if (inside.empty()) {
+      if constexpr (Watching<Query>) query.record().skipped(box_);
+      return;
+    }
     struct Entry {
       std::uint32_t node;
       T in, out;
+      [[no_unique_address]] Kept<Query, Bounds<T>> box{};
     };
     std::array<Entry, max_depth + 2> waiting;
     std::size_t count = 0;
     waiting[count++] = {0, inside.in, inside.out};
+    if constexpr (Watching<Query>) waiting[0].box.value = box_;
     while (count > 0) {
       Entry at = waiting[--count];
-      if (at.in > query.reach()) continue;
+      if (at.in > query.reach()) {
+        if constexpr (Watching<Query>) query.record().skipped(at.box.value);
+        continue;
+      }
       while (true) {
         const Node& node = nodes_[at.node];
         query.enter_node();
+        if constexpr (Watching<Query>)
+          query.record().entered(at.box.value, node.axis == leaf, node.axis == leaf ? node.count : 2);
         if (node.axis == leaf) {
           for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
             if (query.test(primitives, ids_[i])) return;
@@ -56,19 +70,33 @@ class KdTree {
             ray.origin[axis] < node.plane || (ray.origin[axis] == node.plane && !slabs.negative[axis]);
         const std::uint32_t near = below_first ? node.first : node.first + 1;
         const std::uint32_t far = below_first ? node.first + 1 : node.first;
+        [[maybe_unused]] Kept<Query, std::array<Bounds<T>, 2>> sides;  // the nearer one first
+        if constexpr (Watching<Query>) {
+          sides.value = {at.box.value, at.box.value};
+          (below_first ? sides.value[0].max : sides.value[0].min)[axis] = node.plane;
+          (below_first ? sides.value[1].min : sides.value[1].max)[axis] = node.plane;
+        }
         if (std::isnan(t)) {  // in the plane, without slope
           waiting[count++] = {far, at.in, at.out};
           at.node = near;
+          if constexpr (Watching<Query>) waiting[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
         } else if (t - slack > at.out || t + slack < 0) {
           at.node = near;
+          if constexpr (Watching<Query>) query.record().skipped(sides.value[1]), at.box.value = sides.value[0];
         } else if (t + slack < at.in) {
           at.node = far;
+          if constexpr (Watching<Query>) query.record().skipped(sides.value[0]), at.box.value = sides.value[1];
         } else {
           waiting[count++] = {far, std::fmax(at.in, t - slack), at.out};
           at = {near, at.in, std::fmin(at.out, t + slack)};
+          if constexpr (Watching<Query>) waiting[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
         }
       }
     }
+  }
+
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    if (!nodes_.empty()) tell_nodes(nodes, most, 0, wide(box_), 0);
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -97,8 +125,20 @@ class KdTree {
     return size.x * size.y + size.y * size.z + size.z * size.x;
   }
 
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, const Bounds<double>& box,
+                  int depth) const {
+    const Node& node = nodes_[index];
+    const bool is_leaf = node.axis == leaf;
+    if (nodes.size() < most) nodes.push_back({box, depth, is_leaf, is_leaf ? static_cast<int>(node.count) : 2});
+    if (is_leaf) return;
+    Bounds<double> low = box, high = box;
+    low.max[node.axis] = high.min[node.axis] = static_cast<double>(node.plane);
+    tell_nodes(nodes, most, node.first, low, depth + 1);
+    tell_nodes(nodes, most, node.first + 1, high, depth + 1);
+  }
+
   void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const Boxes<T>& boxes, int depth,
-             int bad_cuts) {
+             int bad_cuts, BuildRecord* watcher) {
     depth_ = std::max(depth_, depth);
     constexpr T cost_of_node = T(0.8), bonus_for_empty = T(0.2);
     const T count = static_cast<T>(ids.size()), area = half_area(box);
@@ -130,7 +170,21 @@ class KdTree {
       }
     }
     if (best_cost > count) ++bad_cuts;
+    std::optional<BuildStep> told;
+    if (watcher != nullptr) {
+      told = {.kind = BuildStep::Kind::leaf, .box = wide(box), .depth = depth};
+      told->items = static_cast<int>(ids.size());
+      if (best_axis != leaf)
+        told->split_cost = static_cast<double>(best_cost), told->leaf_cost = static_cast<double>(count);
+    }
     if (best_axis == leaf || bad_cuts > 2 || (best_cost > 4 * count && count < 16)) {
+      if (told) {
+        told->why = ids.size() <= 1     ? LeafReason::single
+                    : depth >= limit_   ? LeafReason::too_deep
+                    : best_axis == leaf ? LeafReason::same_place
+                                        : LeafReason::dearer;
+        watcher->add(std::move(*told));
+      }
       nodes_[index].first = static_cast<std::uint32_t>(ids_.size());
       nodes_[index].count = static_cast<std::uint32_t>(ids.size());
       ids_.insert(ids_.end(), ids.begin(), ids.end());
@@ -143,11 +197,17 @@ class KdTree {
     }
     Bounds<T> low = box, high = box;
     low.max[best_axis] = high.min[best_axis] = plane;
+    if (told) {
+      told->kind = BuildStep::Kind::split;
+      told->axis = best_axis, told->plane = static_cast<double>(plane);
+      told->parts = {{wide(low), static_cast<int>(low_ids.size())}, {wide(high), static_cast<int>(high_ids.size())}};
+      watcher->add(std::move(*told));
+    }
     const std::size_t first = nodes_.size();
     nodes_.resize(first + 2);
     nodes_[index] = {plane, best_axis, static_cast<std::uint32_t>(first), 0};
-    split(first, low_ids, low, boxes, depth + 1, bad_cuts);
-    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts);
+    split(first, low_ids, low, boxes, depth + 1, bad_cuts, watcher);
+    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts, watcher);
   }
 
   Bounds<T> box_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/build_record.h"
 #include "accel/query.h"
 
 namespace raywalk {
@@ -15,6 +16,9 @@ class List {
     for (int id = 0, end = count_; id < end; ++id)
       if (query.test(primitives, id)) return;
   }
+
+  /// It has none.
+  void tell_nodes(std::vector<StructureNode>& /*nodes*/, std::size_t /*most*/) const {}
 
   [[nodiscard]] AcceleratorStatistics statistics() const { return {0, static_cast<std::size_t>(count_), 0, 0}; }
 

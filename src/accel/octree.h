@@ -1,9 +1,12 @@
 #pragma once
 
+#include "accel/build_record.h"
 #include "accel/query.h"
+#include "accel/search_record.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace raywalk {
 
@@ -13,10 +16,10 @@ namespace raywalk {
 template <class T>
 class Octree {
  public:
-  explicit Octree(const Boxes<T>& boxes) {
+  explicit Octree(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) {
     if (boxes.bounded.empty()) return;
     nodes_.push_back({boxes.whole, 0, 0, false});
-    split(0, boxes.bounded, boxes, 0);
+    split(0, boxes.bounded, boxes, 0, watcher);
   }
 
   template <class AnyRay, class Query>
@@ -26,12 +29,20 @@ class Octree {
     Entry waiting[7 * max_depth + 8];
     std::size_t count = 0;
     const Stretch<T> root = clip(slabs, nodes_[0].box, {0, query.reach()});
-    if (!root.empty()) waiting[count++] = {0, root.in};
+    if (!root.empty()) {
+      waiting[count++] = {0, root.in};
+    } else if constexpr (Watching<Query>) {
+      query.record().skipped(nodes_[0].box);
+    }
     while (count > 0) {
       const Entry entry = waiting[--count];
-      if (entry.in > query.reach()) continue;
       const Node& node = nodes_[entry.node];
+      if (entry.in > query.reach()) {
+        if constexpr (Watching<Query>) query.record().skipped(node.box);
+        continue;
+      }
       query.enter_node();
+      if constexpr (Watching<Query>) query.record().entered(node.box, !node.inner, node.count);
       if (!node.inner) {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
           if (query.test(primitives, ids_[i])) return;
@@ -41,10 +52,18 @@ class Octree {
       const std::size_t before = count;
       for (std::uint32_t child = node.first; child < node.first + node.count; ++child) {
         const Stretch<T> met = clip(slabs, nodes_[child].box, {0, query.reach()});
-        if (!met.empty()) waiting[count++] = {child, met.in};
+        if (!met.empty()) {
+          waiting[count++] = {child, met.in};
+        } else if constexpr (Watching<Query>) {
+          query.record().skipped(nodes_[child].box);
+        }
       }
       std::sort(waiting + before, waiting + count, [](const Entry& a, const Entry& b) { return a.in > b.in; });
     }
+  }
+
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    if (!nodes_.empty()) tell_nodes(nodes, most, 0, 0);
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -66,7 +85,13 @@ class Octree {
     T in;
   };
 
-  void split(std::size_t index, const std::vector<int>& ids, const Boxes<T>& boxes, int depth) {
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, int depth) const {
+    const Node& node = nodes_[index];
+    if (nodes.size() < most) nodes.push_back({wide(node.box), depth, !node.inner, static_cast<int>(node.count)});
+    for (std::uint32_t i = 0; node.inner && i < node.count; ++i) tell_nodes(nodes, most, node.first + i, depth + 1);
+  }
+
+  void split(std::size_t index, const std::vector<int>& ids, const Boxes<T>& boxes, int depth, BuildRecord* watcher) {
     depth_ = std::max(depth_, depth);
     const Bounds<T> box = nodes_[index].box;
     const Vec3<T> middle = box.min + (box.max - box.min) / T(2);
@@ -85,6 +110,15 @@ class Octree {
     }
     // Cutting through things that fill the cube only copies them: stop when most primitives land in most octants.
     if (references == 0 || references > 4 * ids.size()) {
+      if (watcher != nullptr) {
+        BuildStep step{.kind = BuildStep::Kind::leaf, .box = wide(box), .depth = depth};
+        step.items = static_cast<int>(ids.size());
+        step.why = ids.size() <= 1          ? LeafReason::single
+                   : ids.size() <= max_leaf ? LeafReason::few
+                   : depth >= max_depth     ? LeafReason::too_deep
+                                            : LeafReason::no_gain;
+        watcher->add(std::move(step));
+      }
       nodes_[index].first = static_cast<std::uint32_t>(ids_.size());
       nodes_[index].count = static_cast<std::uint32_t>(ids.size());
       ids_.insert(ids_.end(), ids.begin(), ids.end());
@@ -100,8 +134,15 @@ class Octree {
     nodes_[index].first = static_cast<std::uint32_t>(first);
     nodes_[index].count = static_cast<std::uint32_t>(nodes_.size() - first);
     nodes_[index].inner = true;
+    if (watcher != nullptr) {
+      BuildStep step{.kind = BuildStep::Kind::eight, .box = wide(box), .depth = depth};
+      step.items = static_cast<int>(ids.size());
+      for (std::size_t octant = 0; octant < 8; ++octant)
+        if (!parts[octant].empty()) step.parts.push_back({wide(cubes[octant]), static_cast<int>(parts[octant].size())});
+      watcher->add(std::move(step));
+    }
     for (std::size_t octant = 0; octant < 8; ++octant)
-      if (!parts[octant].empty()) split(child[octant], parts[octant], boxes, depth + 1);
+      if (!parts[octant].empty()) split(child[octant], parts[octant], boxes, depth + 1, watcher);
   }
 
   static bool overlap(const Bounds<T>& a, const Bounds<T>& b) {

@@ -18,6 +18,32 @@ namespace raywalk {
 template <class T>
 using AnyStructure = std::variant<List<T>, Volumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
 
+/// `watcher`, where there is one, is told how it is built.
+template <class T>
+AnyStructure<T> build_structure(AcceleratorKind kind, const Boxes<T>& boxes, const Primitives<T>& primitives,
+                                BuildRecord* watcher = nullptr) {
+  switch (kind) {
+    case AcceleratorKind::automatic:
+    case AcceleratorKind::none:
+      break;
+    case AcceleratorKind::spheres:
+      return Volumes<T>(boxes, primitives, VolumeKind::sphere);
+    case AcceleratorKind::ellipsoids:
+      return Volumes<T>(boxes, primitives, VolumeKind::ellipsoid);
+    case AcceleratorKind::boxes:
+      return Volumes<T>(boxes, primitives, VolumeKind::box);
+    case AcceleratorKind::bvh:
+      return Bvh<T>(boxes, watcher);
+    case AcceleratorKind::grid:
+      return Grid<T>(boxes, watcher);
+    case AcceleratorKind::octree:
+      return Octree<T>(boxes, watcher);
+    case AcceleratorKind::kdtree:
+      return KdTree<T>(boxes, watcher);
+  }
+  return List<T>(primitives.size());
+}
+
 template <class T>
 struct Accelerator<T>::Structure {
   AnyStructure<T> any;

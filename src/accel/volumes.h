@@ -1,6 +1,8 @@
 #pragma once
 
+#include "accel/build_record.h"
 #include "accel/query.h"
+#include "accel/search_record.h"
 
 #include <cmath>
 
@@ -39,7 +41,9 @@ class Volumes {
       const auto slabs = slabs_of(ray, primitives);
       for (const Volume& volume : volumes_) {
         query.enter_node();
-        if (clip(slabs, volume.box, {0, query.reach()}).empty()) continue;
+        const bool missed = clip(slabs, volume.box, {0, query.reach()}).empty();
+        tell(query, volume, missed);
+        if (missed) continue;
         if (query.test(primitives, volume.id)) return;
       }
       return;
@@ -47,9 +51,16 @@ class Volumes {
     const Vec3d origin = wide(ray.origin), direction = wide(ray.direction);
     for (const Volume& volume : volumes_) {
       query.enter_node();
-      if (misses(volume, origin, direction, static_cast<double>(query.reach()))) continue;
+      const bool missed = misses(volume, origin, direction, static_cast<double>(query.reach()));
+      tell(query, volume, missed);
+      if (missed) continue;
       if (query.test(primitives, volume.id)) return;
     }
+  }
+
+  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    for (const Volume& volume : volumes_)
+      if (nodes.size() < most) nodes.push_back({wide(volume.box), 0, true, 1});
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -62,6 +73,16 @@ class Volumes {
     Bounds<T> box;
     Vec3d centre, inverse;  ///< of the ball or ellipsoid: 1 / radius along each axis
   };
+
+  template <class Query>
+  static void tell([[maybe_unused]] Query& query, [[maybe_unused]] const Volume& volume, [[maybe_unused]] bool missed) {
+    if constexpr (Watching<Query>) {
+      if (missed)
+        query.record().skipped(volume.box, true);
+      else
+        query.record().entered(volume.box, true, 1);
+    }
+  }
 
   /// Whether the ray certainly passes the ball, stretched to a unit one, or leaves it behind or beyond its reach.
   static bool misses(const Volume& volume, const Vec3d& origin, const Vec3d& direction, double reach) {

@@ -1,0 +1,70 @@
+#pragma once
+// How an accelerator was built, and what it is made of, as plain values for whoever wants to see it.
+
+#include "math/bounds.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace raywalk {
+
+/// A node or cell of a finished structure.
+struct StructureNode {
+  Bounds<double> box;
+  int depth = 0;  ///< 0 at the top
+  bool leaf = false;
+  int items = 0;  ///< primitives listed, or children
+};
+
+/// Why a node was not split.
+enum class LeafReason {
+  single,      ///< at most one primitive is left
+  few,         ///< few enough
+  dearer,      ///< every split would cost more
+  no_gain,     ///< splitting would copy most primitives into most parts
+  too_deep,    ///< the tree has its full depth
+  same_place,  ///< no plane parts what is left
+};
+
+/// One decision of a build, in the order in which it was made.
+struct BuildStep {
+  enum class Kind {
+    split,   ///< a node is cut in two by a plane
+    eight,   ///< a cube is cut into eight, of which the empty ones are dropped
+    leaf,    ///< a node stays whole
+    joined,  ///< up to four nodes of a binary tree become one
+    cells,   ///< a grid's cells are laid out
+    listed,  ///< a primitive is listed in all cells of a grid that its box overlaps
+  };
+  Kind kind = Kind::split;
+  Bounds<double> box{};
+  int depth = 0;
+  int items = 0;     ///< primitives in the box; `listed`: cells; `joined`: nodes
+  int axis = -1;     ///< split: 0 x, 1 y, 2 z; -1: a list was halved, for no plane parts it
+  double plane = 0;  ///< split: where, scene units
+  /// What a ray that meets the box is expected to pay, in tests of a primitive: with the best split, and as a leaf. 0
+  /// and 0 where none was weighed.
+  double split_cost = 0, leaf_cost = 0;
+  LeafReason why = LeafReason::single;
+  std::array<int, 3> cells{1, 1, 1};  ///< cells: along each axis
+  int primitive = -1;                 ///< listed
+  struct Part {
+    Bounds<double> box;
+    int items;  ///< primitives in it
+  };
+  std::vector<Part> parts{};  ///< what it was split into; joined: the four
+};
+
+/// Takes down a build. More than `most` steps are counted, but not kept.
+struct BuildRecord {
+  std::size_t most = 20000;
+  std::size_t steps_made = 0;
+  std::vector<BuildStep> steps{};
+
+  void add(BuildStep step) {
+    if (++steps_made <= most) steps.push_back(std::move(step));
+  }
+};
+
+}  // namespace raywalk

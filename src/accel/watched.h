@@ -1,0 +1,48 @@
+#pragma once
+// An accelerator that tells what it does: the same structure as the renderer's, built and searched by the same code.
+
+#include "accel/accelerator.h"
+#include "accel/build_record.h"
+#include "accel/search_record.h"
+
+#include <memory>
+#include <vector>
+
+namespace raywalk {
+
+template <class T>
+class WatchedAccelerator {
+ public:
+  /// Over primitives that outlive it and have been in an Accelerator, which knows those that are equal. `kind`: not
+  /// `automatic`. Of the build `most_steps` are kept.
+  WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t most_steps);
+
+  /// Accelerator::closest, told to `record`. `AnyRay` is a Ray or a NaiveRay.
+  template <class AnyRay>
+  [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts,
+                                              SearchRecord& record) const;
+  /// Accelerator::any_stop, and with empty `roles` Accelerator::any, told to `record`.
+  template <class AnyRay>
+  [[nodiscard]] bool any(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+                         SearchRecord& record) const;
+
+  [[nodiscard]] const BuildRecord& build() const { return build_; }
+  /// The boxes of the structure's nodes or cells, `most` of them: parents before children.
+  [[nodiscard]] std::vector<StructureNode> nodes(std::size_t most) const;
+  [[nodiscard]] AcceleratorStatistics statistics() const;
+
+ private:
+  struct Structure;
+  template <class AnyRay, class Query>
+  void search(const AnyRay& ray, Query& query) const;
+
+  const Primitives<T>& primitives_;
+  std::vector<int> unbounded_;
+  BuildRecord build_;
+  std::shared_ptr<const Structure> structure_;
+};
+
+extern template class WatchedAccelerator<float>;
+extern template class WatchedAccelerator<double>;
+
+}  // namespace raywalk
