@@ -123,7 +123,9 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   const bool has_bar = visible && ImGui::BeginMenuBar();
   ImGui::PopStyleVar(2);
   if (has_bar) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(8)});
+    // Large letters in a small window leave less between the menus.
+    const float apart = where.width < ui.px(760) ? ui.px(7) : ui.px(14);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
     if (menu(ui, ui.say(TextId::menu_file), "menu-file", open_menu == 0, [&] { file_menu(ui); })) is_open = 0;
     if (menu(ui, ui.say(TextId::menu_edit), "menu-edit", open_menu == 1, [&] { edit_menu(ui); })) is_open = 1;
@@ -133,10 +135,10 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
     ImGui::PopStyleVar(2);
 
     const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + ui.px(14), y});
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + apart, y});
     choice(ui, {Command::mode_move, Command::mode_trace, Command::mode_help}, height, ui.fonts.strong);
     const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
-    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(14), y});
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
     command_button(ui, Command::undo, {height, height}, flat);
     ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
     ButtonLook redo = flat;

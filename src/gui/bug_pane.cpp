@@ -62,7 +62,8 @@ void bug_pane(const Ui& ui, const Rect& where) {
     paragraph(ui.colours.text, panel.heading);
     pop_font();
 
-    const float foot = (panel.hunting ? 2 : 1) * height + ui.px(panel.hunting ? 26 : 18), top = ImGui::GetCursorScreenPos().y;
+    const float foot = (panel.hunting ? 2 : 1) * height + ui.px(panel.hunting ? 26 : 18),
+                top = ImGui::GetCursorScreenPos().y;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
     if (ImGui::BeginChild("bug-words", {width, std::max(where.bottom() - top - foot, 1.0f)}, false)) {
       if (panel.hunting) {

@@ -19,8 +19,14 @@ std::string FormLabel::hint(Language language) const {
   return id == nullptr ? std::string() : std::string(explanation(*id, language));
 }
 
+namespace {
+
+float usual_label_width(const Ui& ui, float width) { return std::min(ui.px(166), width * 0.42f); }
+
+}  // namespace
+
 Form::Form(const Ui& ui, FormMemory& memory, float width)
-    : ui_(ui), memory_(memory), width_(width), label_width_(std::min(ui.px(166), width * 0.42f)) {}
+    : ui_(ui), memory_(memory), width_(width), label_width_(usual_label_width(ui, width)) {}
 
 void Form::heading(const FormLabel& of) {
   ImGui::Dummy({1, ui_.px(2)});
@@ -35,6 +41,9 @@ void Form::row(const FormLabel& of) {
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  // A label that is longer than others takes room from its own fields.
+  const float needed = ImGui::CalcTextSize(of.words(ui_.state.language).c_str()).x + ui_.px(8);
+  label_width_ = std::max(usual_label_width(ui_, width_), std::min(needed, width_ * 0.6f));
   ImGui::PushClipRect(at, {at.x + label_width_ - ui_.px(6), at.y + ImGui::GetFrameHeight()}, true);
   label(ui_.colours.dim_text, of.words(ui_.state.language));
   tooltip(ui_, name_ + "/label", of.hint(ui_.state.language));
@@ -50,6 +59,20 @@ void Form::before_field(const std::string& field, float width) {
   ImGui::SetNextItemWidth(std::max(width, ui_.px(24)));
   reddened_ = memory_.refused == ImGui::GetID(field.c_str()) && memory_.refused != 0;
   if (reddened_) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(ui_.colours.error));
+}
+
+void Form::before_number(const std::string& field) {
+  if (memory_.number != ImGui::GetID(field.c_str())) return;
+  for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters)
+    if (letter == ',') letter = '.';
+}
+
+void Form::after_number(const std::string& field) {
+  const unsigned id = ImGui::GetID(field.c_str());
+  if (ImGui::IsItemActive())
+    memory_.number = id;
+  else if (memory_.number == id)
+    memory_.number = 0;
 }
 
 void Form::after_field(const std::string& field, bool refused, double least, double most) {
@@ -86,9 +109,11 @@ bool Form::changed(bool now, const std::string& field) {
 
 bool Form::drag(const std::string& id, double& value, double step, double least, double most, float width) {
   before_field(id, width);
+  before_number(id);
   double next = value;
   const bool now =
       ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &next, static_cast<float>(step), &least, &most, "%.5g");
+  after_number(id);
   // Typing may leave the limits; comparing this way round also refuses what is not a number.
   const bool good = next >= least && next <= most;
   if (now && good) value = next;

@@ -15,6 +15,7 @@ struct FormMemory {
   unsigned edited = 0;   ///< ImGui's id of the field whose edits continue each other; 0: none
   unsigned naming = 0;   ///< the text field being typed in
   std::string typed;     ///< what stands in it
+  unsigned number = 0;   ///< the field of a number being typed in
   unsigned refused = 0;  ///< the field whose last input was refused; 0: none
   std::string why;       ///< what is said below it
 };
@@ -66,6 +67,9 @@ class Form {
   void row(const FormLabel& label);
   /// A field from here to `after_field`.
   void before_field(const std::string& field, float width);
+  /// Around a field of a number: a comma typed into it is its decimal point.
+  void before_number(const std::string& field);
+  void after_number(const std::string& field);
   void after_field(const std::string& field, bool refused, double least, double most);
   /// Says below the row why what was typed was not taken, if it was not.
   void end_row();

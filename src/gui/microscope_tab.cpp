@@ -1,5 +1,6 @@
 // The numerical microscope: a hit at any magnification, and what robust and naive numerics make of it.
 
+#include "gui/broken_lines.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -54,9 +55,7 @@ void draw_slide(const Ui& ui, const Rect& where, const Specimen& specimen) {
 // Words wrapped within a column; where the column's next cell may begin.
 float cell(Colour colour, const std::string& words, float x, float y, float width) {
   ImGui::SetCursorScreenPos({x, y});
-  ImGui::PushTextWrapPos(x + width - ImGui::GetWindowPos().x);
-  label(colour, words);
-  ImGui::PopTextWrapPos();
+  label(colour, broken_lines(words, width));
   return ImGui::GetItemRectMax().y;
 }
 
@@ -135,7 +134,8 @@ void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, For
   if (slide.width > 8 && slide.height > 8) draw_slide(ui, slide, *specimen);
   ImGui::SetCursorScreenPos(corner(table));
   if (ImGui::BeginChild("microscope-table", size(table))) {
-    const Rect inside{table.x, ImGui::GetCursorScreenPos().y, table.width - ui.px(4), table.height};
+    const Rect inside{table.x, ImGui::GetCursorScreenPos().y, ImGui::GetContentRegionAvail().x - ui.px(4),
+                      table.height};
     draw_table(ui, inside, microscope_table(ui.state, *specimen));
     ImGui::SetCursorScreenPos({inside.x, ImGui::GetItemRectMax().y + 2 * gap});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});

@@ -1,6 +1,5 @@
 #include "gui/pane_words.h"
 
-#include "gui/broken_lines.h"
 #include "gui/widgets.h"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ void prose(const Ui& ui, Colour colour, const std::string& text) {
                                                   to_imgui(colour));
       ImGui::Indent(ui.px(16));
     }
-    paragraph(colour, broken_lines(line, ImGui::GetContentRegionAvail().x));
+    paragraph(colour, line);
     if (item) ImGui::Unindent(ui.px(16));
   }
 }

@@ -1,7 +1,11 @@
 #include "gui/widgets.h"
 
+#include "gui/broken_lines.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -63,9 +67,7 @@ void label(Colour colour, std::string_view text) {
 }
 
 void paragraph(Colour colour, std::string_view text) {
-  ImGui::PushTextWrapPos(0);
-  label(colour, text);
-  ImGui::PopTextWrapPos();
+  label(colour, broken_lines(std::string(text), ImGui::GetContentRegionAvail().x));
 }
 
 void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 colour) {
@@ -241,6 +243,52 @@ void choice(const Ui& ui, std::initializer_list<Command> commands, float height,
     command_button(ui, command, {own, height}, look, word(command));
     x += own;
   }
+}
+
+float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, float line_height, ImFont* font,
+                      float width) {
+  const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
+  // What short words may give up on either side, and still stand apart.
+  const float spare = 2 * ui.px(7) * static_cast<float>(commands.size());
+  const auto sum = [&](bool in_short) {
+    float all = 0;
+    for (const Command command : commands)
+      all += button_width(ui, in_short ? short_label(command, ui.state) : command_label(command, ui.state), look);
+    return all;
+  };
+  if (sum(true) - spare <= width) {
+    choice(ui, commands, line_height, font, width);
+    return line_height;
+  }
+  const ImVec2 least = ImGui::GetCursorScreenPos();
+  const float low = line_height * 0.8f;
+  std::vector<std::vector<std::pair<Command, float>>> lines(1);
+  float used = 0;
+  for (const Command command : commands) {
+    const float own = button_width(ui, command_label(command, ui.state), look) - 2 * ui.px(5);
+    if (used > 0 && used + own > width) {
+      lines.emplace_back();
+      used = 0;
+    }
+    lines.back().emplace_back(command, own);
+    used += own;
+  }
+  const float height = low * static_cast<float>(lines.size());
+  ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
+                                            to_imgui(Shades(ui.state.theme).raised), ImGui::GetStyle().FrameRounding);
+  float y = least.y;
+  for (const auto& line : lines) {
+    float taken = 0, x = least.x;
+    for (const auto& [command, own] : line) taken += own;
+    const float more = std::max(width - taken, 0.0f) / static_cast<float>(line.size());
+    for (const auto& [command, own] : line) {
+      ImGui::SetCursorScreenPos({x, y});
+      command_button(ui, command, {own + more, low}, look);
+      x += own + more;
+    }
+    y += low;
+  }
+  return height;
 }
 
 std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float fraction, const std::string& inside) {

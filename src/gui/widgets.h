@@ -42,6 +42,9 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
 /// They are as wide as their words, but together no wider than `most_width`.
 void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font = nullptr,
             float most_width = 1e6f);
+/// The same in as many lines as their words need, each over all of `width`. How high they are together.
+float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, float line_height, ImFont* font,
+                      float width);
 
 /// Buttons from left to right, on a further line where there is no room left.
 class ButtonRow {

@@ -16,7 +16,7 @@ std::string_view portuguese(CostText id) {
     case CostText::awaits_reference:
       return "?";
     case CostText::times_floor:
-      return " ({0} vezes o da própria referência)";
+      return " ({0} vezes a referência)";
     case CostText::reference:
       return "referência: {0} amostras por pixel, erro próprio de cerca de {1}";
     case CostText::no_reference:

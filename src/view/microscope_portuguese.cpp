@@ -28,9 +28,9 @@ std::string_view portuguese(ScopeText id) {
     case ScopeText::row_t_error:
       return "erro de t";
     case ScopeText::row_point:
-      return "o ponto está";
+      return "ponto";
     case ScopeText::row_start:
-      return "raios partem";
+      return "partida";
     case ScopeText::nothing:
       return "nada";
     case ScopeText::none:

@@ -53,7 +53,7 @@ std::string_view portuguese(PanelText id) {
     case PanelText::image_waiting:
       return "Calculando...";
     case PanelText::image_row_marked:
-      return "A linha marcada é SCREEN; clique num pixel para percorrê-lo.";
+      return "A linha marcada é SCREEN; clique num pixel.";
     case PanelText::image_click:
       return "Clique num pixel para percorrer os seus raios.";
     case PanelText::image_turned:

@@ -134,3 +134,20 @@ TEST_CASE("in both languages, every button stands in the window and its words wi
         }
       }
 }
+
+TEST_CASE("where the tabs have no room in one line they stand in two, in both languages") {
+  for (const Language language : all_languages) {
+    Bench bench;
+    CAPTURE(language_code(language));
+    update(bench.state, action::SetLanguage{language});
+    bench.resize(2600, 900);
+    bench.frames(3);
+    CHECK(bench.rect("tab-image").y == bench.rect("tab-microscope").y);
+    bench.resize(900, 700);
+    bench.frames(3);
+    const Rect pane = bench.rect("tabs"), first = bench.rect("tab-image"), last = bench.rect("tab-microscope");
+    CHECK(last.y >= first.bottom() - 1);
+    CHECK(last.right() <= pane.right());
+    CHECK(bench.rect("exchange").x >= last.right() - 1);
+  }
+}

@@ -53,7 +53,10 @@ TEST_CASE("a number is typed") {
   CHECK(sphere(bench).radius == 0.875);
   type_into(bench, field(TextId::centre, "/1"), "-1.25");
   CHECK(sphere(bench).centre.y == -1.25);
-  CHECK(bench.state.undo.size() == 2);
+  // A comma is what half the world types for the point.
+  type_into(bench, field(TextId::radius), "0,5");
+  CHECK(sphere(bench).radius == 0.5);
+  CHECK(bench.state.undo.size() == 3);
 }
 
 TEST_CASE("numbers outside the format's limits are not taken over") {
