@@ -1,5 +1,6 @@
 #include "timeline/microscope.h"
 
+#include "timeline/formed_again.h"
 #include "trace/passage.h"
 
 #include <algorithm>
@@ -91,11 +92,7 @@ struct Microscope::Bench {
       : scene(walked),
         timeline(recorded),
         world(std::make_shared<const World<T>>(scene)),
-        camera(scene, recorded.image(), recorded.of_strip() ? walked.image : recorded.image(), sampling_of(recorded)) {}
-
-  [[nodiscard]] static Sampling sampling_of(const Timeline& recorded) {
-    return {recorded.pixels().empty() ? 1 : recorded.pixels().back().sample + 1};
-  }
+        camera(camera_of<T>(walked, recorded)) {}
 
   Scene scene;
   const Timeline& timeline;
@@ -104,16 +101,7 @@ struct Microscope::Bench {
   std::shared_ptr<const TrueSurfaces> surfaces;  ///< as they stand at `time`
   T time = 0;
 
-  /// A ray as robust and as naive numerics have it.
-  struct Twins {
-    Ray<T> robust;
-    NaiveRay<T> naive;
-  };
-  /// A surface met, and the point of it.
-  struct Found {
-    Hit<T> hit;
-    SurfacePoint<T> point;
-  };
+  using Found = SurfaceFound<T>;
 
   [[nodiscard]] const Primitives<T>& primitives() const { return world->accelerator.primitives(); }
   [[nodiscard]] bool is_naive() const { return world->numerics == Numerics::naive; }
@@ -121,13 +109,9 @@ struct Microscope::Bench {
 
   template <class AnyRay>
   [[nodiscard]] std::optional<Found> find(const AnyRay& ray) const {
-    TestCounts uncounted;
-    const auto hit = world->accelerator.closest(ray, infinity<T>, uncounted);
-    if (!hit) return std::nullopt;
-    return Found{*hit, primitives().surface_at(hit->primitive, ray, Crossing<T>{hit->t, hit->part})};
+    return find_surface(*world, ray);
   }
 
-  [[nodiscard]] std::optional<Twins> twins_of(int ray) const;
   [[nodiscard]] std::shared_ptr<const Specimen> examine(int ray);
 
  private:
@@ -139,33 +123,6 @@ struct Microscope::Bench {
               int number) const;
   [[nodiscard]] std::optional<Hit<T>> truly_met(RayKind kind, const Ray<T>& ray, T t_max) const;
 };
-
-/// The rays from the eye to this one are formed again: a recording knows the points that they leave, but not the
-/// primitives.
-template <class T>
-auto Microscope::Bench<T>::twins_of(int ray) const -> std::optional<Twins> {
-  std::vector<int> way;
-  for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
-  const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];
-  Statistics uncounted;
-  const Ray<T> primary = camera.primary_ray({pixel.column, pixel.row, pixel.sample}, uncounted);
-  Twins twins{primary, {primary}};
-  for (std::size_t i = way.size() - 1; i-- > 0;) {
-    const auto found = is_naive() ? find(twins.naive) : find(twins.robust);
-    if (!found) return std::nullopt;
-    const Vec3<T> direction(record(way[i]).direction);
-    if (is_naive()) {
-      const Ray<T> formed{Vec3<T>(record(way[i]).origin), direction, {}, primary.time};
-      twins = {formed, {formed}};
-      continue;
-    }
-    const Departure from{found->hit.primitive, found->hit.part};
-    const auto& [position, normal] = found->point;
-    twins = {leaving<Ray<T>>(*world, position, normal, from, direction, primary.time),
-             leaving<NaiveRay<T>>(*world, position, normal, from, direction, primary.time)};
-  }
-  return twins;
-}
 
 template <class T>
 template <class AnyRay>
@@ -257,7 +214,7 @@ void Microscope::Bench<T>::survey(T now) {
 
 template <class T>
 std::shared_ptr<const Specimen> Microscope::Bench<T>::examine(int number) {
-  const auto twins = twins_of(number);
+  const auto twins = formed_again(*world, camera, timeline, number);
   if (!twins) return nullptr;
   const auto robust = find(twins->robust), naive = find(twins->naive);
   if (!robust && !naive) return nullptr;

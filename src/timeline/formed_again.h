@@ -1,0 +1,73 @@
+#pragma once
+// The rays of a recording as the tracer had them: a recording knows the points that they leave, but not the primitives.
+
+#include "timeline/timeline.h"
+#include "trace/leaving.h"
+#include "trace/ray_generator.h"
+#include "trace/statistics.h"
+
+#include <optional>
+#include <vector>
+
+namespace raywalk {
+
+/// A ray as robust and as naive numerics have it.
+template <class T>
+struct RayTwins {
+  Ray<T> robust;
+  NaiveRay<T> naive;
+};
+
+/// What formed the primary rays of a recording of this scene.
+template <class T>
+[[nodiscard]] RayGenerator<T> camera_of(const Scene& scene, const Timeline& recorded) {
+  const int samples = recorded.pixels().empty() ? 1 : recorded.pixels().back().sample + 1;
+  return RayGenerator<T>(scene, recorded.image(), recorded.of_strip() ? scene.image : recorded.image(), {samples});
+}
+
+/// A surface met, and the point of it.
+template <class T>
+struct SurfaceFound {
+  Hit<T> hit;
+  SurfacePoint<T> point;
+};
+template <class T, class AnyRay>
+[[nodiscard]] std::optional<SurfaceFound<T>> find_surface(const World<T>& world, const AnyRay& ray) {
+  TestCounts uncounted;
+  const auto hit = world.accelerator.closest(ray, infinity<T>, uncounted);
+  if (!hit) return std::nullopt;
+  return SurfaceFound<T>{
+      *hit, world.accelerator.primitives().surface_at(hit->primitive, ray, Crossing<T>{hit->t, hit->part})};
+}
+
+/// Ray number `ray` of the recording and all those that led to it, formed again from the eye on; none where a ray on
+/// the way meets nothing.
+template <class T>
+[[nodiscard]] std::optional<RayTwins<T>> formed_again(const World<T>& world, const RayGenerator<T>& camera,
+                                                      const Timeline& timeline, int ray) {
+  const auto record = [&](int number) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(number)]; };
+  std::vector<int> way;
+  for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
+  const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];
+  Statistics uncounted;
+  const Ray<T> primary = camera.primary_ray({pixel.column, pixel.row, pixel.sample}, uncounted);
+  const bool is_naive = world.numerics == Numerics::naive;
+  RayTwins<T> twins{primary, {primary}};
+  for (std::size_t i = way.size() - 1; i-- > 0;) {
+    const auto found = is_naive ? find_surface(world, twins.naive) : find_surface(world, twins.robust);
+    if (!found) return std::nullopt;
+    const Vec3<T> direction(record(way[i]).direction);
+    if (is_naive) {
+      const Ray<T> formed{Vec3<T>(record(way[i]).origin), direction, {}, primary.time};
+      twins = {formed, {formed}};
+      continue;
+    }
+    const Departure from{found->hit.primitive, found->hit.part};
+    const auto& [position, normal] = found->point;
+    twins = {leaving<Ray<T>>(world, position, normal, from, direction, primary.time),
+             leaving<NaiveRay<T>>(world, position, normal, from, direction, primary.time)};
+  }
+  return twins;
+}
+
+}  // namespace raywalk
