@@ -87,6 +87,10 @@ void panels_menu(const Ui& ui) {
        {Command::tab_microscope, Command::magnify, Command::diminish, Command::to_numbers, Command::to_scene,
         Command::numerics_robust, Command::numerics_naive, Command::precision_double, Command::precision_float})
     menu_item(ui, command);
+  ImGui::Separator();
+  for (const Command command : {Command::tab_structure, Command::structure_next, Command::structure_back,
+                                Command::structure_kind, Command::structure_page})
+    menu_item(ui, command);
 }
 
 void walk_menu(const Ui& ui) {

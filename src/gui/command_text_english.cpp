@@ -163,6 +163,20 @@ CommandText english(Command command) {
       return {"Double", "walk and picture in numbers of 53 bits"};
     case Command::precision_float:
       return {"Float", "walk and picture in numbers of 24 bits"};
+    case Command::tab_structure:
+      return {"Structure", "search for this ray box by box, and see what BVH, grid and trees spare"};
+    case Command::structure_next:
+      return {"Next box", "one step on in the search or the build"};
+    case Command::structure_back:
+      return {"Box before", "one step back in the search or the build"};
+    case Command::structure_last:
+      return {"Last box", "to the end of the search or the build"};
+    case Command::structure_first:
+      return {"First box", "to the start of the search or the build"};
+    case Command::structure_kind:
+      return {"Next structure", "search in the next kind of structure"};
+    case Command::structure_page:
+      return {"Search or build", "how the structure was built, or its search again"};
     case Command::turn_left:
       return {"Turn left", "turn the picture or the lines to the left"};
     case Command::turn_right:

@@ -164,6 +164,20 @@ CommandText portuguese(Command command) {
       return {"Double", "percurso e imagem em números de 53 bits"};
     case Command::precision_float:
       return {"Float", "percurso e imagem em números de 24 bits"};
+    case Command::tab_structure:
+      return {"Estrutura", "a busca deste raio caixa por caixa, e o que BVH, grade e árvores poupam"};
+    case Command::structure_next:
+      return {"Próxima caixa", "um passo adiante na busca ou na construção"};
+    case Command::structure_back:
+      return {"Caixa anterior", "um passo atrás na busca ou na construção"};
+    case Command::structure_last:
+      return {"Última caixa", "ao fim da busca ou da construção"};
+    case Command::structure_first:
+      return {"Primeira caixa", "ao início da busca ou da construção"};
+    case Command::structure_kind:
+      return {"Próxima estrutura", "buscar no próximo tipo de estrutura"};
+    case Command::structure_page:
+      return {"Busca ou construção", "como a estrutura foi construída, ou a busca de novo"};
     case Command::turn_left:
       return {"Girar à esquerda", "girar a imagem ou as linhas para a esquerda"};
     case Command::turn_right:

@@ -3,6 +3,7 @@
 #include "gui/command_table.h"
 #include "gui/command_text.h"
 #include "gui/cost_commands.h"
+#include "gui/structure_commands.h"
 #include "gui/window_text.h"
 #include "view/text.h"
 
@@ -41,6 +42,7 @@ std::string short_label(Command command, const State& state) {
   if (command == Command::tab_image) return say(WindowText::short_image);
   if (command == Command::tab_tree) return say(WindowText::short_tree);
   if (command == Command::tab_microscope) return say(WindowText::short_microscope);
+  if (command == Command::tab_structure) return say(WindowText::short_structure);
   return command_label(command, state);
 }
 
@@ -114,6 +116,13 @@ bool enabled(Command command, const State& state) {
     case Command::diminish:
     case Command::to_scene:
       return state.tab == Tab::microscope && state.magnified > 0;
+    case Command::structure_next:
+    case Command::structure_back:
+    case Command::structure_last:
+    case Command::structure_first:
+    case Command::structure_kind:
+    case Command::structure_page:
+      return structure_enabled(command, state);
     case Command::walk_strip:
       return state.walk.has_value();
     case Command::use_camera:
@@ -149,6 +158,7 @@ bool enabled(Command command, const State& state) {
     case Command::cost_page:
     case Command::tab_equation:
     case Command::tab_microscope:
+    case Command::tab_structure:
     case Command::numerics_robust:
     case Command::numerics_naive:
     case Command::precision_double:
@@ -215,6 +225,8 @@ bool chosen(Command command, const State& state) {
       return state.tab == Tab::equation;
     case Command::tab_microscope:
       return state.tab == Tab::microscope;
+    case Command::tab_structure:
+      return state.tab == Tab::structure;
     case Command::numerics_robust:
       return state.scene().render.numerics == Numerics::robust;
     case Command::numerics_naive:
@@ -293,6 +305,12 @@ bool chosen(Command command, const State& state) {
     case Command::diminish:
     case Command::to_numbers:
     case Command::to_scene:
+    case Command::structure_next:
+    case Command::structure_back:
+    case Command::structure_last:
+    case Command::structure_first:
+    case Command::structure_kind:
+    case Command::structure_page:
     case Command::turn_left:
     case Command::turn_right:
     case Command::turn_up:

@@ -110,6 +110,10 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   const bool wide = state.tab == Tab::cost || state.tab == Tab::microscope;
   if (exchanged_ != wide && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
   if (costs) layout_.tabs = left;
+  // The structures draw into the plan and say much beside it: they take the place of the code.
+  const bool boxes = shows_structure(state) && !exchanged_;
+  if (boxes)
+    layout_.tabs = {layout_.side.x, layout_.side.y, layout_.side.width, layout_.tabs.bottom() - layout_.side.y};
 
   if (!layout_.lesson.empty() && state.lessons.shown) lesson_.draw(with, layout_.lesson);
   if (!layout_.lesson.empty() && state.bugs.shown) bug_pane(with, layout_.lesson);
@@ -136,7 +140,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   }
   if (PropertiesPane::shows(state)) {
     properties_.draw(with, layout_.side, std::exchange(focus_properties_, false));
-  } else {
+  } else if (!boxes) {
     code_pane(with, layout_.side);
   }
   tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false), std::exchange(open_knobs_, false));

@@ -37,6 +37,8 @@ const std::vector<KeyGroup>& groups() {
       {KeyText::cost_effects, {cost_page}},
       {KeyText::microscope, {tab_microscope, magnify, diminish, to_numbers, to_scene}},
       {KeyText::numerics, {numerics_naive, numerics_robust, precision_float, precision_double}},
+      {KeyText::structure, {tab_structure, structure_kind, structure_page}},
+      {KeyText::structure_steps, {structure_next, structure_back, structure_last, structure_first}},
       {KeyText::exchange, {exchange}},
       {KeyText::zoom, {fit, zoom_in, zoom_out}},
       {KeyText::lines, {lines, walk_strip}},

@@ -28,6 +28,8 @@ enum class KeyText {
   cost_effects,
   microscope,
   numerics,
+  structure,
+  structure_steps,
   exchange,
   zoom,
   lines,

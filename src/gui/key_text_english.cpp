@@ -50,6 +50,10 @@ std::string_view english(KeyText id) {
       return "Microscope \u00b7 magnify \u00b7 less \u00b7 to single floats \u00b7 the whole scene";
     case KeyText::numerics:
       return "naive numerics \u00b7 robust ones \u00b7 float \u00b7 double";
+    case KeyText::structure:
+      return "Structure: BVH, grid, octree and kd-tree, step by step \u00b7 the next kind \u00b7 how it is built";
+    case KeyText::structure_steps:
+      return "Structure: next box \u00b7 back \u00b7 to the end \u00b7 to the start";
     case KeyText::exchange:
       return "the plan and the pane change places";
     case KeyText::zoom:

@@ -49,6 +49,10 @@ std::string_view portuguese(KeyText id) {
       return "Microscópio \u00b7 ampliar \u00b7 menos \u00b7 até os floats \u00b7 a cena inteira";
     case KeyText::numerics:
       return "aritmética ingênua \u00b7 robusta \u00b7 float \u00b7 double";
+    case KeyText::structure:
+      return "Estrutura: BVH, grade, octree e kd-tree, passo a passo \u00b7 o próximo tipo \u00b7 como se constrói";
+    case KeyText::structure_steps:
+      return "Estrutura: próxima caixa \u00b7 anterior \u00b7 ao fim \u00b7 ao início";
     case KeyText::exchange:
       return "a planta e o painel trocam de lugar";
     case KeyText::zoom:

@@ -46,6 +46,8 @@ std::string_view name_of(Tab tab) {
       return "equation";
     case Tab::microscope:
       return "microscope";
+    case Tab::structure:
+      return "structure";
   }
   return "";
 }

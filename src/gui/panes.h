@@ -123,6 +123,8 @@ void equation_tab(const Ui& ui, const Rect& where);
 
 /// The hit in hand, magnified. `microscope`: what it remembers of the recording.
 void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, FormMemory& memory);
+/// The accelerators, stepped.
+void structure_tab(const Ui& ui, const Rect& where);
 /// A field for how far naive rays of the scene start from a surface.
 void epsilon_row(const Ui& ui, Form& form);
 

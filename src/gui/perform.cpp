@@ -3,6 +3,7 @@
 #include "gui/choices.h"
 #include "gui/commands.h"
 #include "gui/cost_commands.h"
+#include "gui/structure_commands.h"
 #include "view/bug_panel.h"
 
 #include <algorithm>
@@ -213,6 +214,15 @@ void perform(Command command, const Ui& ui) {
       return set_precision(ui, false);
     case Command::precision_float:
       return set_precision(ui, true);
+    case Command::tab_structure:
+      return ui.act(action::SetTab{Tab::structure});
+    case Command::structure_next:
+    case Command::structure_back:
+    case Command::structure_last:
+    case Command::structure_first:
+    case Command::structure_kind:
+    case Command::structure_page:
+      return perform_structure(command, ui);
     case Command::heat:
       return next_heat(ui);
     case Command::turn_left:

@@ -90,6 +90,11 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"magnified", state.magnified},
             {"naive", state.scene().render.numerics == Numerics::naive}};
   if (state.tab == Tab::cost) json["cost"] = cost_report(state.cost, costs);
+  if (shows_structure(state))
+    json["structure"] = {{"kind", accelerator_name(state.structure.kind)},
+                         {"build", state.structure.page == StructurePage::build},
+                         {"step", structure_step(state)},
+                         {"steps", structure_steps(state)}};
   if (state.walk) json["walk"] = {state.walk->column, state.walk->row};
   if (const LessonSitting& sitting = state.lessons; sitting.shown)
     json["lesson"] = {{"open", sitting.open ? sitting.open->lesson.name : ""},

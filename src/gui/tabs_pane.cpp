@@ -15,7 +15,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
     const float tabs =
         choice_in_lines(ui,
                         {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_equation,
-                         Command::tab_legend, Command::tab_cost, Command::tab_microscope},
+                         Command::tab_legend, Command::tab_cost, Command::tab_microscope, Command::tab_structure},
                         height, ui.fonts.small, where.width - 2 * margin - height - ui.px(4));
     ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
     command_button(ui, Command::exchange, {height, height},
@@ -56,6 +56,9 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
             break;
           case Tab::microscope:
             microscope_tab(ui, inside, microscope_, numerics_);
+            break;
+          case Tab::structure:
+            structure_tab(ui, inside);
             break;
         }
       }

@@ -67,6 +67,7 @@ enum class WindowText {
   short_image,
   short_tree,
   short_microscope,
+  short_structure,
   corners_hint,
   key_space,
   key_other,  ///< {0} number

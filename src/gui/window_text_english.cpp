@@ -130,6 +130,8 @@ std::string_view english(WindowText id) {
       return "Tree";
     case WindowText::short_microscope:
       return "Scope";
+    case WindowText::short_structure:
+      return "Boxes";
     case WindowText::corners_hint:
       return "Corners are dragged in the plan";
     case WindowText::key_space:

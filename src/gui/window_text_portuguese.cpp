@@ -130,6 +130,8 @@ std::string_view portuguese(WindowText id) {
       return "Árvore";
     case WindowText::short_microscope:
       return "Micro";
+    case WindowText::short_structure:
+      return "Caixas";
     case WindowText::corners_hint:
       return "Os vértices se arrastam na planta";
     case WindowText::key_space:

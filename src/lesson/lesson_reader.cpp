@@ -227,7 +227,9 @@ class Reader {
     if (*word == "picture") return LessonBeside::picture;
     if (*word == "tree") return LessonBeside::tree;
     if (*word == "stack") return LessonBeside::stack;
-    fail(line_of(*table.get("show")), "show: \"" + *word + "\" is not known (expected picture, tree or stack)", "");
+    if (*word == "structure") return LessonBeside::structure;
+    fail(line_of(*table.get("show")),
+         "show: \"" + *word + "\" is not known (expected picture, tree, stack or structure)", "");
     return LessonBeside::unchanged;
   }
 

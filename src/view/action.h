@@ -267,6 +267,17 @@ struct MendBug {
 };  ///< once it is known
 struct LeaveHunt {};  ///< everything as it was before it
 
+// The accelerators, stepped (view/structure.h).
+struct ChooseStructure {
+  AcceleratorKind kind;
+};  ///< one of watched_accelerators; its search and its build begin anew, or end, if the other one had
+struct ShowStructurePage {
+  StructurePage page;
+};
+struct GoInStructure {
+  int step;
+};  ///< of the page that is open; clamped
+
 }  // namespace action
 
 using Action = std::variant<
@@ -285,7 +296,8 @@ using Action = std::variant<
     action::LeaveLesson, action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
     action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts, action::ChooseCost,
     action::ShowCosts, action::ShowCostPage, action::ShowBugs, action::HuntBug, action::MarkLine, action::JudgeLine,
-    action::ShowCure, action::MendBug, action::LeaveHunt, action::Magnify>;
+    action::ShowCure, action::MendBug, action::LeaveHunt, action::Magnify, action::ChooseStructure,
+    action::ShowStructurePage, action::GoInStructure>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

@@ -298,4 +298,17 @@ void arguments(F& f, ShowCostPage& a) {
   f.choice(a.page, Words<CostPage>(cost_page_words));
 }
 
+template <class F>
+void arguments(F& f, ChooseStructure& a) {
+  f.choice(a.kind, Words<AcceleratorKind>(accelerator_words));
+}
+template <class F>
+void arguments(F& f, ShowStructurePage& a) {
+  f.choice(a.page, Words<StructurePage>(structure_page_words));
+}
+template <class F>
+void arguments(F& f, GoInStructure& a) {
+  f.number(a.step);
+}
+
 }  // namespace raywalk::action_text

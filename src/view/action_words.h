@@ -24,8 +24,8 @@ inline constexpr std::pair<bool, std::string_view> direction_words[] = {{true, "
 inline constexpr std::pair<Button, std::string_view> button_words[] = {
     {Button::left, "left"}, {Button::middle, "middle"}, {Button::right, "right"}};
 inline constexpr std::pair<Tab, std::string_view> tab_words[] = {
-    {Tab::image, "image"}, {Tab::tree, "tree"},         {Tab::stack, "stack"},          {Tab::legend, "legend"},
-    {Tab::cost, "cost"},   {Tab::equation, "equation"}, {Tab::microscope, "microscope"}};
+    {Tab::image, "image"}, {Tab::tree, "tree"},         {Tab::stack, "stack"},           {Tab::legend, "legend"},
+    {Tab::cost, "cost"},   {Tab::equation, "equation"}, {Tab::microscope, "microscope"}, {Tab::structure, "structure"}};
 inline constexpr std::pair<CostPicture, std::string_view> cost_picture_words[] = {
     {CostPicture::split, "split"}, {CostPicture::difference, "difference"}};
 inline constexpr std::pair<Heat, std::string_view> heat_words[] = {{Heat::none, "picture"},
@@ -83,6 +83,8 @@ inline constexpr std::pair<TargetKind, std::string_view> target_words[] = {
 
 inline constexpr std::pair<SpaceView, std::string_view> view_words[] = {{SpaceView::image, "image"},
                                                                         {SpaceView::lines, "lines"}};
+inline constexpr std::pair<StructurePage, std::string_view> structure_page_words[] = {{StructurePage::search, "search"},
+                                                                                      {StructurePage::build, "build"}};
 inline constexpr std::pair<bool, std::string_view> shown_words[] = {{true, "on"}, {false, "off"}};
 
 /// What a demo line of each action begins with; empty for those that no line can hold.
@@ -222,6 +224,12 @@ template <>
 inline constexpr std::string_view word_of<SetNumerics> = "numerics";
 template <>
 inline constexpr std::string_view word_of<Magnify> = "magnify";
+template <>
+inline constexpr std::string_view word_of<ChooseStructure> = "structure";
+template <>
+inline constexpr std::string_view word_of<ShowStructurePage> = "structure-page";
+template <>
+inline constexpr std::string_view word_of<GoInStructure> = "structure-go";
 template <>
 inline constexpr std::string_view word_of<ShowLessons> = "lessons";
 template <>

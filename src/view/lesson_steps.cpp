@@ -90,6 +90,9 @@ void stage(State& state) {
     case LessonBeside::stack:
       state.tab = Tab::stack;
       break;
+    case LessonBeside::structure:
+      state.tab = Tab::structure;
+      break;
   }
   go_to(state, step.asked);
 }

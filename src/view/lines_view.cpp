@@ -32,6 +32,7 @@ class Lines {
     draw_objects();
     draw_camera();
     draw_lights();
+    for (const StructureEdge& edge : structure_edges(painter_)) line(edge.from, edge.to, edge.stroke);
     draw_names();  // below the rays, which matter more
     draw_rays();
     return std::move(painter_.list);

@@ -81,6 +81,16 @@ void draw_rays(Painter& painter);
 // ghosts_view.cpp
 void draw_ghosts(Painter& painter);
 
+// structure_view.cpp
+/// The boxes of the accelerator that is stepped, and what its search has tested.
+void draw_structure(Painter& painter);
+/// The boxes' edges in space.
+struct StructureEdge {
+  Vec3d from, to;
+  Stroke stroke;
+};
+[[nodiscard]] std::vector<StructureEdge> structure_edges(const Painter& painter);
+
 // samples_view.cpp
 void draw_samples(Painter& painter);
 

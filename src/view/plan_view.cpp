@@ -69,6 +69,7 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
   if (moving) detail::draw_grid(painter);
   detail::draw_objects(painter);
   detail::draw_screen(painter);
+  if (!moving) detail::draw_structure(painter);
   if (!moving) detail::draw_rays(painter);
   if (!moving) detail::draw_ghosts(painter);
   if (!moving) detail::draw_samples(painter);

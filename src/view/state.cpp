@@ -1,5 +1,6 @@
 #include "view/state.h"
 
+#include "timeline/search_walk.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 #include "view/update_parts.h"
@@ -10,6 +11,7 @@ State make_state(SceneDocument document, std::string path, std::string state_dir
   State state;
   state.timeline = std::make_shared<const Timeline>();
   state.state_dir = std::move(state_dir);
+  state.structure.kind = watched_accelerators.front();
   detail::show_document(state, std::move(document), std::move(path));
   state.notice.reset();
   return state;

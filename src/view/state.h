@@ -12,6 +12,7 @@
 #include "view/display_list.h"
 #include "view/ghosts.h"
 #include "view/lesson_sitting.h"
+#include "view/structure.h"
 
 #include <cstdint>
 #include <memory>
@@ -21,13 +22,11 @@
 
 namespace raywalk {
 
-enum class AcceleratorKind;  // accel/accelerator.h
-
 enum class Mode { move, trace, help };
 /// How far one step goes: a line of pseudocode, to the next ray, to the next pixel; over a line with all of the SHADE
 /// that it calls, out of the SHADE under way.
 enum class Grain { line, ray, pixel, over, out };
-enum class Tab { image, tree, stack, legend, equation, cost, microscope };
+enum class Tab { image, tree, stack, legend, equation, cost, microscope, structure };
 
 /// The pane that shows the plan, in pixels.
 struct Viewport {
@@ -180,6 +179,7 @@ struct State {
   Tab tab = Tab::image;
   CostState cost;
   double magnified = 0;  ///< of the microscope: see action::Magnify
+  StructureSitting structure;
 
   LessonSitting lessons;
 

@@ -265,6 +265,10 @@ void apply(State& state, const Action& action) {
           },
           [&](const SetTab& a) {
             state.tab = a.tab;
+            if (a.tab == Tab::structure) {  // which draws into the plan of a walk
+              detail::end_drag(state);
+              state.mode = Mode::trace;
+            }
             if (a.tab == Tab::image) state.turned_last = SpaceView::image;  // what is asked for is what keys turn
           },
           [&](const DismissNotice&) { state.notice.reset(); },
@@ -274,6 +278,9 @@ void apply(State& state, const Action& action) {
           [&](const ChooseCost& a) { detail::choose_cost(state, a); },
           [&](const ShowCosts& a) { detail::show_costs(state, a); },
           [&](const ShowCostPage& a) { detail::show_cost_page(state, a.page); },
+          [&](const ChooseStructure& a) { detail::choose_structure(state, a.kind); },
+          [&](const ShowStructurePage& a) { state.structure.page = a.page; },
+          [&](const GoInStructure& a) { detail::go_in_structure(state, a.step); },
           [&](const Magnify& a) { state.magnified = std::clamp(a.part, 0.0, 1.0); },
           [&](const ShowLessons& a) { detail::show_lessons(state, a.shown); },
           [&](const OpenLesson& a) { detail::open_lesson(state, a.name); },
@@ -302,6 +309,7 @@ void update(State& state, const Action& action) {
   if (state.bugs.hunt && leaves_hunt(action)) detail::leave_hunt(state);
   apply(state, action);
   detail::follow_with_ghosts(state);
+  detail::follow_with_structure(state);
 }
 
 bool exists(const State& state, const Target& target) {

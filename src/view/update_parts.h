@@ -118,6 +118,12 @@ void guess_arrow(State& state, const Vec2d& towards);
 void reveal_lesson(State& state);
 void set_lesson_options(State& state, const action::SetLessonOptions& options);
 
+// structure_steps.cpp
+/// Keeps what the Structure tab shows that of the ray in hand.
+void follow_with_structure(State& state);
+void choose_structure(State& state, AcceleratorKind kind);
+void go_in_structure(State& state, int step);
+
 // bug_steps.cpp
 void show_bugs(State& state, bool shown);
 void hunt_bug(State& state, const action::HuntBug& hunt);

@@ -171,3 +171,40 @@ TEST_CASE("spot the bug in the window: from the list to the cure and back to one
   raywalk.key("ctrl+q");
   CHECK(raywalk.wait() == 0);
 }
+
+TEST_CASE("Structure in the window: a search stepped, another structure, how it was built", "[window]") {
+  NEEDS_A_DESKTOP
+  ClassicWalk walk;
+  Visualiser& raywalk = walk.raywalk;
+  INFO(raywalk.said());
+  REQUIRE(walk.started);
+  raywalk.click("line-6");  // Form shadow ray: something was hit
+  REQUIRE(raywalk.until([](const Json& report) { return report["position"].get<int>() > 4; }));
+  raywalk.key("ctrl+t");
+  REQUIRE(raywalk.until("tab", "structure"));
+  REQUIRE(raywalk.until([](const Json& report) { return report["structure"]["steps"].get<int>() > 2; }));
+  raywalk.click("structure-next");
+  REQUIRE(walk.until("structure", "step", 1));
+  raywalk.key("ctrl+j");
+  REQUIRE(walk.until("structure", "step", 2));
+  walk.keep_picture("p7-structure");
+  raywalk.key("ctrl+k");
+  REQUIRE(walk.until("structure", "step", 1));
+  raywalk.click("structure/kdtree");
+  REQUIRE(walk.until("structure", "kind", "kdtree"));
+  raywalk.key("ctrl+u");
+  REQUIRE(walk.until("structure", "kind", "none"));
+  raywalk.key("ctrl+u");
+  REQUIRE(walk.until("structure", "kind", "bvh"));
+  raywalk.click("structure/build");
+  REQUIRE(walk.until("structure", "build", true));
+  raywalk.key("ctrl+shift+j");
+  REQUIRE(raywalk.until([](const Json& report) {
+    return report["structure"]["step"] == report["structure"]["steps"] && report["structure"]["steps"].get<int>() > 0;
+  }));
+  walk.keep_picture("p8-structure-build");
+  raywalk.key("ctrl+i");
+  REQUIRE(walk.until("structure", "build", false));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+}

@@ -7,6 +7,7 @@
 #include "view/equation_text.h"
 #include "view/lesson_text.h"
 #include "view/microscope.h"
+#include "view/structure_text.h"
 #include "view/text.h"
 
 #include <string>
@@ -40,6 +41,7 @@ void add_family(std::vector<TextPair>& all, const std::string& family, Id last) 
   add_family(all, "EquationText", EquationText::survival);
   add_family(all, "LessonWord", LessonWord::score);
   add_family(all, "BugText", BugText::leave);
+  add_family(all, "StructureText", StructureText::note_cut_short);
   add_family(all, "AcceleratorKind", all_accelerators.back());
   add_family(all, "Integrator", Integrator::path);
   add_family(all, "Sampler", Sampler::sobol);

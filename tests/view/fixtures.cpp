@@ -134,6 +134,9 @@ std::string broken_promise(const State& state) {
   for (const TreeNode& node : tree_panel(state).nodes)
     if (!std::isfinite(node.x) || !std::isfinite(node.y)) return "a number of the tree is not finite";
   if (sentence(state).empty()) return "no sentence";
+  if (structure_step(state) < 0 || structure_step(state) > structure_steps(state))
+    return "a search goes on past its end";
+  if (shows_structure(state) && structure_panel(state).sentence.empty()) return "no sentence about the structure";
   return {};
 }
 

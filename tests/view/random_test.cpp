@@ -198,6 +198,18 @@ class RandomActions {
         return action::LeaveHunt{};
     }
   }
+  Action structure() {
+    switch (whole(0, 3)) {
+      case 0:
+        return action::SetTab{Tab::structure};
+      case 1:
+        return action::ChooseStructure{static_cast<AcceleratorKind>(whole(0, 8))};
+      case 2:
+        return action::ShowStructurePage{flip() ? StructurePage::build : StructurePage::search};
+      default:
+        return action::GoInStructure{whole(-5, 60)};
+    }
+  }
   Action other() {
     switch (whole(0, 26)) {
       case 23:
@@ -244,7 +256,7 @@ class RandomActions {
       case 25:
         return action::SetNumerics{flip() ? Numerics::naive : Numerics::robust, real(-0.01, 0.1), flip()};
       case 26:
-        return action::Magnify{real(-0.5, 1.5)};
+        return flip() ? Action(action::Magnify{real(-0.5, 1.5)}) : structure();
       case 0:
         return action::New{};
       case 1:

@@ -1,0 +1,12 @@
+#pragma once
+// What comes of the commands of the Structure tab.
+
+#include "gui/commands.h"
+
+namespace raywalk {
+
+/// `command`: one of structure_*.
+void perform_structure(Command command, const Ui& ui);
+[[nodiscard]] bool structure_enabled(Command command, const State& state);
+
+}  // namespace raywalk

@@ -1,0 +1,104 @@
+// The Structure tab by mouse and keys.
+
+#include <GLFW/glfw3.h>
+
+#include "gui/bench.h"
+#include "gui/commands.h"
+#include "support/catch.h"
+#include "timeline/search_walk.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State at_a_ray() {
+  State state = classic();
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::JumpToCell{9});
+  update(state, action::Step{true});
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("the structures take the code's place and leave the plan its room") {
+  Bench bench(at_a_ray());
+  bench.frames(2);
+  const Rect plan = bench.rect("plan");
+  bench.click("tab-structure");
+  REQUIRE(bench.state.tab == Tab::structure);
+  bench.frames(2);
+  CHECK(bench.rect("plan") == plan);
+  CHECK(bench.has("structure/sentence"));
+  CHECK(bench.has("step"));  // the walk goes on beside it
+  for (const AcceleratorKind kind : watched_accelerators) {
+    const Rect row = bench.rect("structure/" + std::string(accelerator_name(kind)));
+    CHECK(row.bottom() <= 720);
+    CHECK(row.right() <= 1280);
+  }
+  CHECK(bench.rect("structure/summary").bottom() <= 720);
+}
+
+TEST_CASE("a search is stepped by keys, buttons and the slider") {
+  Bench bench(at_a_ray());
+  bench.key(GLFW_KEY_T, true);
+  REQUIRE(bench.state.tab == Tab::structure);
+  bench.frames(2);
+  const int last = structure_steps(bench.state);
+  REQUIRE(last > 2);
+  bench.click("structure-next");
+  CHECK(structure_step(bench.state) == 1);
+  bench.key(GLFW_KEY_J, true);
+  CHECK(structure_step(bench.state) == 2);
+  bench.click("structure-back");
+  CHECK(structure_step(bench.state) == 1);
+  bench.key(GLFW_KEY_K, true);
+  CHECK(structure_step(bench.state) == 0);
+  bench.forget();
+  bench.key(GLFW_KEY_K, true);  // there is no step before the first
+  CHECK(bench.last<action::GoInStructure>() == nullptr);
+  bench.key(GLFW_KEY_J, true, true);
+  CHECK(structure_step(bench.state) == last);
+  bench.key(GLFW_KEY_K, true, true);
+  CHECK(structure_step(bench.state) == 0);
+  bench.drag("structure/slider", 400, 0);
+  CHECK(structure_step(bench.state) == last);
+  bench.key(GLFW_KEY_SPACE);  // STEP still steps the walk
+  CHECK(bench.last<action::Step>() != nullptr);
+}
+
+TEST_CASE("the structure and the page are chosen by mouse and keys") {
+  Bench bench(at_a_ray());
+  update(bench.state, action::SetTab{Tab::structure});
+  bench.frames(2);
+  bench.click("structure/octree");
+  CHECK(bench.state.structure.kind == AcceleratorKind::octree);
+  bench.key(GLFW_KEY_U, true);
+  CHECK(bench.state.structure.kind == AcceleratorKind::kdtree);
+  bench.click("structure/build");
+  CHECK(bench.state.structure.page == StructurePage::build);
+  bench.frames(2);
+  bench.click("structure-next");
+  CHECK(bench.state.structure.build_step == 1);
+  bench.key(GLFW_KEY_I, true);
+  CHECK(bench.state.structure.page == StructurePage::search);
+  // Elsewhere these keys are silent.
+  update(bench.state, action::SetTab{Tab::tree});
+  bench.forget();
+  bench.key(GLFW_KEY_U, true);
+  bench.key(GLFW_KEY_I, true);
+  bench.key(GLFW_KEY_J, true);
+  CHECK(bench.last<action::ChooseStructure>() == nullptr);
+  CHECK(bench.last<action::ShowStructurePage>() == nullptr);
+  CHECK(bench.last<action::GoInStructure>() == nullptr);
+}
+
+TEST_CASE("before a ray is formed the tab says what to do") {
+  Bench bench;
+  update(bench.state, action::SetTab{Tab::structure});
+  bench.frames(3);
+  CHECK(bench.has("structure/sentence"));
+  CHECK_FALSE(bench.has("structure-next"));
+  CHECK_FALSE(bench.has("structure/bvh"));
+}
