@@ -111,7 +111,8 @@ void walk_menu(const Ui& ui) {
   ImGui::Separator();
   for (const Command command : {Command::first, Command::last, Command::clear}) menu_item(ui, command);
   ImGui::Separator();
-  for (const Command command : {Command::lessons, Command::bugs}) menu_item(ui, command);
+  for (const Command command : {Command::predict, Command::save_predictions, Command::lessons, Command::bugs})
+    menu_item(ui, command);
 }
 
 }  // namespace

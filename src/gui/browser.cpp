@@ -52,6 +52,7 @@ void Browser::begin(const State& state, const std::string& home) {
   go_to(absolute(state.path.empty() ? home : current.parent_path().string()));
   typed_.clear();
   if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
+  if (asking_ == PathPrompt::save_predictions) typed_ = "predictions.csv";
   focus_typed_ = true;
 }
 
@@ -66,6 +67,7 @@ void Browser::accept(const Ui& ui) const {
   const std::string path = typed.is_absolute() ? typed_ : (fs::path(folder_) / typed).string();
   if (asking_ == PathPrompt::open) ui.act(action::Open{path});
   if (asking_ == PathPrompt::save_as) ui.act(action::SaveAs{path});
+  if (asking_ == PathPrompt::save_predictions) ui.act(action::SavePredictions{path});
 }
 
 void Browser::entries(const Ui& ui, float height) {
@@ -102,8 +104,10 @@ void Browser::draw(const Ui& ui, const std::string& home) {
     if (asking_ != PathPrompt::none) begin(ui.state, home);
   }
   if (asking_ == PathPrompt::none || ui.state.question) return;
-  const bool saves = asking_ == PathPrompt::save_as;
-  const std::string title = ui.say(saves ? TextId::menu_save_as : TextId::menu_open);
+  const bool saves = asking_ != PathPrompt::open;
+  const std::string title = asking_ == PathPrompt::save_predictions
+                                ? command_label(Command::save_predictions, ui.state)
+                                : ui.say(saves ? TextId::menu_save_as : TextId::menu_open);
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
   const ImVec2 extent{std::min(ui.px(640), whole.x), std::min(ui.px(470), whole.y)};
   ImGui::SetNextWindowSize(extent);

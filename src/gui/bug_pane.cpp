@@ -107,25 +107,4 @@ void bug_pane(const Ui& ui, const Rect& where) {
   end_pane();
 }
 
-float bug_banner_height(const Ui& ui) { return line_height(ui.fonts, *ui.fonts.strong) + ui.px(10); }
-
-void bug_banner_pane(const Ui& ui, const Rect& where) {
-  const bool mended = ui.state.bug->mended;
-  const Shades shades(ui.state.theme);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  if (begin_pane(ui, "bug-banner", where, mended ? shades.accent : ui.colours.error,
-                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    const std::string text = bug_banner(ui.state);
-    push_font(ui.fonts.strong);
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-    ImGui::SetCursorScreenPos(
-        {where.x + std::max((where.width - extent.x) / 2, ui.px(8)), where.y + (where.height - extent.y) / 2});
-    label(mended ? shades.on_accent : ui.colours.panel, text);
-    pop_font();
-    ui.publish("bug-banner", where);
-  }
-  end_pane();
-  ImGui::PopStyleVar();
-}
-
 }  // namespace raywalk

@@ -113,6 +113,10 @@ CommandText english(Command command) {
       return {"Lines in space", "show the scene as lines in space, or the plan again"};
     case Command::ghosts:
       return {"What was cut off", "rays that depth and threshold forbade"};
+    case Command::predict:
+      return {"Predict", "before each ray, an arrow where it will go or a click on what it will meet"};
+    case Command::save_predictions:
+      return {"Save predictions...", "write down all guesses of this sitting and how far off they were"};
     case Command::walk_strip:
       return {"Back to SCREEN", "walk the pixels of SCREEN again, in place of one of the picture"};
     case Command::reset_view:

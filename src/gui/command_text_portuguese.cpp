@@ -114,6 +114,10 @@ CommandText portuguese(Command command) {
       return {"Linhas no espaço", "mostrar a cena como linhas no espaço, ou a planta de novo"};
     case Command::ghosts:
       return {"O que foi cortado", "raios que a profundidade e o limiar proibiram"};
+    case Command::predict:
+      return {"Prever", "antes de cada raio, uma seta para onde vai ou um clique no que encontra"};
+    case Command::save_predictions:
+      return {"Salvar previsões...", "anotar todos os palpites desta sessão e o erro de cada um"};
     case Command::walk_strip:
       return {"Voltar a SCREEN", "percorrer de novo os pixels de SCREEN, em vez de um da imagem"};
     case Command::reset_view:

@@ -168,6 +168,8 @@ bool enabled(Command command, const State& state) {
     case Command::fit:
     case Command::lines:
     case Command::ghosts:
+    case Command::predict:
+    case Command::save_predictions:
     case Command::image_settings:
     case Command::heat:
     case Command::turn_left:
@@ -205,6 +207,8 @@ bool chosen(Command command, const State& state) {
       return state.playing;
     case Command::ghosts:
       return state.shows_ghosts;
+    case Command::predict:
+      return state.predictions.on;
     case Command::grain_line:
       return state.grain == Grain::line;
     case Command::grain_ray:
@@ -284,6 +288,7 @@ bool chosen(Command command, const State& state) {
     case Command::fit:
     case Command::scale_up:
     case Command::scale_down:
+    case Command::save_predictions:
     case Command::lines:
     case Command::walk_strip:
     case Command::reset_view:

@@ -66,6 +66,8 @@ enum class Command {
   fit,
   lines,
   ghosts,
+  predict,
+  save_predictions,
   walk_strip,
   reset_view,
   use_camera,

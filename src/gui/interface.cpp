@@ -117,12 +117,12 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
 
   if (!layout_.lesson.empty() && state.lessons.shown) lesson_.draw(with, layout_.lesson);
   if (!layout_.lesson.empty() && state.bugs.shown) bug_pane(with, layout_.lesson);
-  if (state.bug && state.mode != Mode::help) {
+  if (has_banner(state)) {
     Rect banner = layout_.plan;
-    banner.height = std::min(bug_banner_height(with), layout_.plan.height);
+    banner.height = std::min(banner_height(with), layout_.plan.height);
     layout_.plan.y += banner.height;
     layout_.plan.height -= banner.height;
-    bug_banner_pane(with, banner);
+    banner_pane(with, banner);
   }
   shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
   if (state.mode == Mode::help) {

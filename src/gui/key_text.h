@@ -34,6 +34,7 @@ enum class KeyText {
   zoom,
   lines,
   ghosts,
+  predict,
   turn,
   shift,
   approach,

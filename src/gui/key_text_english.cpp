@@ -62,6 +62,8 @@ std::string_view english(KeyText id) {
       return "lines in space, and the plan \u00b7 from a pixel of the picture back to SCREEN";
     case KeyText::ghosts:
       return "the rays that depth and threshold cut off";
+    case KeyText::predict:
+      return "predict each ray before it is shown \u00b7 save the predictions";
     case KeyText::turn:
       return "the 3-D picture or the lines: turn left \u00b7 right \u00b7 up \u00b7 down";
     case KeyText::shift:

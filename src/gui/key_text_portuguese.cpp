@@ -61,6 +61,8 @@ std::string_view portuguese(KeyText id) {
       return "linhas no espaço, e a planta \u00b7 de um pixel da imagem de volta a SCREEN";
     case KeyText::ghosts:
       return "os raios que a profundidade e o limiar cortam";
+    case KeyText::predict:
+      return "prever cada raio antes de vê-lo \u00b7 salvar as previsões";
     case KeyText::turn:
       return "a imagem 3-D ou as linhas: girar à esquerda \u00b7 à direita \u00b7 para cima \u00b7 para baixo";
     case KeyText::shift:

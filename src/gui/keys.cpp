@@ -157,14 +157,21 @@ int commands_on(const KeyPress& press, Mode mode) {
                                         [&](const CommandRow& row) { return asks_for(row, press, mode); }));
 }
 
-// A lesson that asks takes digits for its choices, and Enter for its answer and for the next step.
+// A lesson that asks takes digits for its choices, of a presenter as hands of the class; and Enter for its answer and
+// for the next step.
 bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
-  if (!state.lessons.shown || state.mode != Mode::trace || press.ctrl || press.alt || press.shift) return false;
+  if (!state.lessons.shown || state.mode != Mode::trace || press.ctrl || press.alt) return false;
   const LessonPanel panel = lesson_panel(state);
   const int digit = press.key - GLFW_KEY_1;
-  if (panel.asks == Asks::choice && !state.lessons.revealed && digit >= 0 &&
-      digit < static_cast<int>(panel.choices.size())) {
+  const bool picks = panel.asks == Asks::choice && !state.lessons.revealed && digit >= 0 &&
+                     digit < static_cast<int>(panel.choices.size());
+  if (picks && state.lessons.presenter) {
+    ui.act(action::ShowHands{digit, press.shift ? -1 : 1});
+    return true;
+  }
+  if (press.shift) return false;
+  if (picks) {
     ui.act(action::GuessChoice{digit});
     return true;
   }

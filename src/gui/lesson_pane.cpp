@@ -29,6 +29,34 @@ void list(const Ui& ui, const LessonPanel& panel) {
   command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say(BugText::title));
 }
 
+// How many of the class are for a choice: counted while the answer is not known, as a bar beside the others.
+void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i) {
+  int most = 1;
+  for (const LessonChoice& choice : panel.choices) most = std::max(most, choice.hands);
+  const int index = static_cast<int>(i), hands = panel.choices[i].hands;
+  const std::string key = std::to_string(i + 1);
+  const ImVec2 extent{button_height(ui), button_height(ui)};
+  if (!ui.state.lessons.revealed) {
+    if (button(ui, "hand-less/" + key, ui.say(LessonWord::hand_less), "Shift+" + key, extent,
+               {.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false}, false, hands > 0))
+      ui.act(action::ShowHands{index, -1});
+    ImGui::SameLine();
+    if (button(ui, "hand-more/" + key, ui.say(LessonWord::hand_more), key, extent,
+               {.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false}))
+      ui.act(action::ShowHands{index, 1});
+    ImGui::SameLine();
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float number = ui.px(44), room = std::max(ImGui::GetContentRegionAvail().x - number, 1.0f);
+  const float length = room * static_cast<float>(hands) / static_cast<float>(most), thick = extent.y * 0.4f;
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x + number, at.y + (extent.y - thick) / 2},
+                                            {at.x + number + length, at.y + (extent.y + thick) / 2},
+                                            to_imgui(Shades(ui.state.theme).accent), ui.px(3));
+  ImGui::SetCursorScreenPos({at.x, at.y + (extent.y - ImGui::GetFontSize()) / 2});
+  label(ui.colours.text, std::to_string(hands));
+  ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x, at.y + extent.y + ui.px(4)});
+}
+
 void choices(const Ui& ui, const LessonPanel& panel) {
   const Shades shades(ui.state.theme);
   const bool revealed = ui.state.lessons.revealed;
@@ -41,6 +69,7 @@ void choices(const Ui& ui, const LessonPanel& panel) {
     if (wide_button(ui, fmt::format("guess/{}", i + 1), text, filled ? shades.accent : shades.raised,
                     filled ? shades.on_accent : ui.colours.text, !revealed))
       ui.act(action::GuessChoice{static_cast<int>(i)});
+    if (ui.state.lessons.presenter && (!revealed || !panel.hands.empty())) show_of_hands(ui, panel, i);
   }
 }
 
@@ -90,6 +119,8 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
           prose(ui, ui.colours.text, panel.question);
           choices(ui, panel);
           push_font(ui.fonts.small);
+          if (panel.asks == Asks::choice && sitting.presenter && !sitting.revealed)
+            paragraph(ui.colours.dim_text, ui.say(LessonWord::hands_hint));
           if (panel.asks == Asks::arrow && !sitting.revealed)
             paragraph(ui.colours.dim_text, "\u2192 " + ui.say(LessonWord::drag_arrow));
           if (panel.asks == Asks::number && !sitting.revealed)
@@ -126,6 +157,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         if (!panel.verdict.empty())
           heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
                   (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+        if (!panel.hands.empty()) heading(ui, ui.colours.text, panel.hands);
         if (!panel.verdict.empty()) {
           push_font(ui.fonts.small);
           paragraph(ui.colours.dim_text, panel.score);

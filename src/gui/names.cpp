@@ -82,6 +82,8 @@ std::string_view name_of(PathPrompt prompt) {
       return "open";
     case PathPrompt::save_as:
       return "save_as";
+    case PathPrompt::save_predictions:
+      return "save_predictions";
   }
   return "";
 }

@@ -77,8 +77,10 @@ class LessonPane {
 /// Spot the bug: the list, or the bug that is hunted.
 void bug_pane(const Ui& ui, const Rect& where);
 /// What stands over the plan while the tracer has a bug.
-void bug_banner_pane(const Ui& ui, const Rect& where);
-[[nodiscard]] float bug_banner_height(const Ui& ui);
+/// A strip above the plan, while there is a reason for one.
+[[nodiscard]] bool has_banner(const State& state);
+[[nodiscard]] float banner_height(const Ui& ui);
+void banner_pane(const Ui& ui, const Rect& where);
 
 /// The 3-D image as far as it is.
 struct Picture {

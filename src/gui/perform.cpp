@@ -176,6 +176,10 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::ShowLines{!shows_lines(state)});
     case Command::ghosts:
       return ui.act(action::ShowGhosts{!state.shows_ghosts});
+    case Command::predict:
+      return ui.act(action::SetPredictions{!state.predictions.on});
+    case Command::save_predictions:
+      return ui.act(action::AskSavePredictions{});
     case Command::walk_strip:
       return ui.act(action::WalkStrip{});
     case Command::reset_view:

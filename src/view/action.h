@@ -245,6 +245,9 @@ struct GuessNumber {
   double number;
 };  ///< arrows are dragged
 struct RevealLesson {};  ///< shows the answer to the guess; a line is guessed by MarkLine
+struct ShowHands {
+  int choice, hands;
+};  ///< so many more, or fewer, of a class are for a lesson's choice
 struct SetLessonOptions {
   bool presenter = false, unlocked = false;
 };
@@ -294,9 +297,10 @@ using Action = std::variant<
     action::CancelPrompt, action::AnswerQuestion, action::Quit, action::SetTheme, action::SetLanguage,
     action::SetUiScale, action::SetTab, action::DismissNotice, action::ShowLessons, action::OpenLesson,
     action::LeaveLesson, action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
-    action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts, action::ChooseCost,
-    action::ShowCosts, action::ShowCostPage, action::ShowBugs, action::HuntBug, action::MarkLine, action::JudgeLine,
-    action::ShowCure, action::MendBug, action::LeaveHunt, action::Magnify, action::ChooseStructure,
+    action::ShowHands, action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts,
+    action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::ShowBugs, action::HuntBug, action::MarkLine,
+    action::JudgeLine, action::ShowCure, action::MendBug, action::LeaveHunt, action::Magnify, action::SetPredictions,
+    action::GuessWay, action::GuessEnd, action::AskSavePredictions, action::SavePredictions, action::ChooseStructure,
     action::ShowStructurePage, action::GoInStructure>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a

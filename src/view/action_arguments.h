@@ -219,6 +219,27 @@ void arguments(F& f, GuessNumber& a) {
   f.number(a.number);
 }
 template <class F>
+void arguments(F& f, ShowHands& a) {
+  f.number(a.choice);
+  f.number(a.hands);
+}
+template <class F>
+void arguments(F& f, SetPredictions& a) {
+  f.choice(a.on, Words<bool>(shown_words));
+}
+template <class F>
+void arguments(F& f, GuessWay& a) {
+  arguments(f, a.towards);
+}
+template <class F>
+void arguments(F& f, GuessEnd& a) {
+  arguments(f, a.met);
+}
+template <class F>
+void arguments(F& f, SavePredictions& a) {
+  f.rest(a.path);
+}
+template <class F>
 void arguments(F& f, SetLessonOptions& a) {
   f.flag(a.presenter, "presenter");
   f.flag(a.unlocked, "unlocked");

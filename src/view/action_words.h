@@ -245,6 +245,8 @@ inline constexpr std::string_view word_of<GuessNumber> = "guess-number";
 template <>
 inline constexpr std::string_view word_of<RevealLesson> = "reveal";
 template <>
+inline constexpr std::string_view word_of<ShowHands> = "hands";
+template <>
 inline constexpr std::string_view word_of<SetLessonOptions> = "lesson-options";
 template <>
 inline constexpr std::string_view word_of<ShowBugs> = "bugs";
@@ -260,5 +262,15 @@ template <>
 inline constexpr std::string_view word_of<MendBug> = "mend-bug";
 template <>
 inline constexpr std::string_view word_of<LeaveHunt> = "leave-hunt";
+template <>
+inline constexpr std::string_view word_of<SetPredictions> = "predictions";
+template <>
+inline constexpr std::string_view word_of<GuessWay> = "guess-way";
+template <>
+inline constexpr std::string_view word_of<GuessEnd> = "guess-end";
+template <>
+inline constexpr std::string_view word_of<AskSavePredictions> = "ask-save-predictions";
+template <>
+inline constexpr std::string_view word_of<SavePredictions> = "save-predictions";
 
 }  // namespace raywalk::action_text

@@ -49,6 +49,9 @@ std::vector<HelpSection> english_help() {
         {"CLEAR", "Wipes rays and pixels and starts again with the first line."},
         {"The bar", "Drag along it to see any moment of the walk. A click on the numbers beside it goes to a step."},
         {"Over, out", "The Walk menu steps over the SHADE that a line calls, and out of the one under way."},
+        {"Predict",
+         "Ctrl+P. Before each ray drag an arrow where it will go, or click what it will meet; STEP shows how far off "
+         "you were. AUTO rests wherever an arrow is asked for."},
         {"Breakpoints",
          "A click left of a line of code lets the walk rest before it; the Walk menu has more places to rest: a DEPTH, "
          "a pixel, a hit of an object, total internal reflection."}}},

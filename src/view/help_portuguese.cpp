@@ -52,6 +52,9 @@ std::vector<HelpSection> portuguese_help() {
          "Arraste ao longo dela para ver qualquer momento do percurso. Um clique nos números ao lado vai a um passo."},
         {"Por cima, para fora",
          "O menu Percurso passa por cima da SHADE que uma linha chama, e sai daquela que está em curso."},
+        {"Prever",
+         "Ctrl+P. Antes de cada raio, arraste uma seta para onde ele vai, ou clique no que ele encontra; STEP mostra o "
+         "erro. AUTO para onde uma seta é pedida."},
         {"Paradas",
          "Um clique à esquerda de uma linha do código faz o percurso parar antes dela; o menu Percurso tem outros "
          "lugares onde parar: um DEPTH, um pixel, o encontro com um objeto, a reflexão interna total."}}},

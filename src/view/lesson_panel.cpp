@@ -150,9 +150,17 @@ LessonPanel lesson_panel(const State& state) {
       panel.marked = sitting.guess.line
                          ? fill(BugText::line_marked, language, {std::string(pseudocode_of(*sitting.guess.line).text)})
                          : std::string(text(BugText::task_of_lesson, language));
-    for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i)
-      panel.choices.push_back({said_at(said->choices[i], step->asked), sitting.guess.choice == static_cast<int>(i),
-                               answered && choice_holds(sitting, choices->choices[i])});
+    int hands = 0, hands_right = 0;
+    for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i) {
+      LessonChoice choice{said_at(said->choices[i], step->asked), sitting.guess.choice == static_cast<int>(i),
+                          answered && choice_holds(sitting, choices->choices[i])};
+      if (i < sitting.hands.size()) choice.hands = sitting.hands[i];
+      hands += choice.hands;
+      hands_right += choice.right ? choice.hands : 0;
+      panel.choices.push_back(std::move(choice));
+    }
+    if (answered && hands > 0)
+      panel.hands = fill(LessonWord::hands, language, {std::to_string(hands_right), std::to_string(hands)});
     if (number != nullptr) panel.unit = number->unit;
     const std::optional<LessonVerdict> verdict = judge(sitting);
     panel.can_reveal = !sitting.revealed && (verdict || sitting.unlocked || sitting.presenter);

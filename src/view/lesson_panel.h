@@ -18,6 +18,7 @@ struct LessonChoice {
   std::string text;
   bool guessed = false;
   bool right = false;  ///< known only once the answer stands there
+  int hands = 0;       ///< of a class
 };
 /// Which control asks.
 enum class Asks { nothing, choice, number, arrow, line };
@@ -36,6 +37,7 @@ struct LessonPanel {
   bool is_right = false;
   std::string reveal, change;      ///< after the answer, or where nothing was asked
   std::string presenter, teacher;  ///< where they are shown
+  std::string hands;               ///< how a class chose; empty without a show of hands
   std::string score;               ///< of this sitting; empty before the first prediction
   bool can_reveal = false, can_go_on = false, can_go_back = false, is_last = false;
 };

@@ -45,6 +45,7 @@ struct LessonSitting {
   int first_pixel = 0;    ///< of the strip: rays of those before would only stand in the way
   bool revealed = false;  ///< the answer of this step stands there
   LessonGuess guess;
+  std::vector<int> hands;                        ///< of a class, for each choice of this step
   int right = 0, judged = 0;                     ///< predictions of this sitting
   bool presenter = false;                        ///< script and teacher's notes are shown
   bool unlocked = false;                         ///< any lesson may be opened, and no question stands in the way

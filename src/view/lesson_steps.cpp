@@ -77,6 +77,7 @@ void stage(State& state) {
   if (step.step->pixel || !stays) state.lessons.first_pixel = 0;
   if (step.step->pixel && !pixel) state.lessons.first_pixel = step.step->pixel->column;
   state.lessons.guess = {};
+  state.lessons.hands.clear();
   state.lessons.revealed = false;
   switch (step.step->pane) {
     case LessonBeside::unchanged:
@@ -166,6 +167,16 @@ void guess_choice(State& state, int choice) {
   if (panel.asks != Asks::choice || sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size()))
     return;
   sitting.guess.choice = choice;
+}
+
+void show_hands(State& state, const action::ShowHands& shown) {
+  constexpr int most = 999;
+  LessonSitting& sitting = state.lessons;
+  const LessonPanel panel = lesson_panel(state);
+  if (sitting.revealed || shown.choice < 0 || shown.choice >= static_cast<int>(panel.choices.size())) return;
+  sitting.hands.resize(panel.choices.size());
+  int& hands = sitting.hands[static_cast<std::size_t>(shown.choice)];
+  hands = std::clamp(hands + std::clamp(shown.hands, -most, most), 0, most);
 }
 
 void guess_number(State& state, double number) {

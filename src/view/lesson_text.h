@@ -26,6 +26,10 @@ enum class LessonWord {
   locked,
   done,
   score,
+  hands,       ///< {0} for what is right, {1} of how many
+  hands_hint,  ///< for presenters
+  hand_more,
+  hand_less,
 };
 
 [[nodiscard]] std::string_view english(LessonWord word);

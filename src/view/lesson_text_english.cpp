@@ -44,6 +44,14 @@ std::string_view english(LessonWord word) {
       return "finish the lesson before";
     case LessonWord::done:
       return "done";
+    case LessonWord::hands:
+      return "{0} of {1} hands were right";
+    case LessonWord::hands_hint:
+      return "Show of hands: 1, 2, ... count a hand each; with Shift one less";
+    case LessonWord::hand_more:
+      return "One hand more";
+    case LessonWord::hand_less:
+      return "One hand less";
     case LessonWord::score:
       return "predictions right";
   }

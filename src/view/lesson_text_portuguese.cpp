@@ -44,6 +44,14 @@ std::string_view portuguese(LessonWord word) {
       return "conclua a lição anterior";
     case LessonWord::done:
       return "concluída";
+    case LessonWord::hands:
+      return "{0} de {1} mãos acertaram";
+    case LessonWord::hands_hint:
+      return "Mãos levantadas: 1, 2, ... contam uma mão; com Shift, uma a menos";
+    case LessonWord::hand_more:
+      return "Mais uma mão";
+    case LessonWord::hand_less:
+      return "Menos uma mão";
     case LessonWord::score:
       return "previsões certas";
   }

@@ -111,16 +111,16 @@ int rank_of(TargetKind kind) {
   return 0;
 }
 
-}  // namespace
-
-Target pick(const State& state, const Viewport& viewport, const Vec2d& at) {
+/// The topmost of what `wanted` says yes to.
+template <class Wanted>
+Target topmost(const State& state, const Viewport& viewport, const Vec2d& at, Wanted wanted) {
   const DisplayList list = plan_view(state, viewport);
   const double reach = Sizes(state).reach;
   Target best;
   int best_rank = -1;
   double best_distance = 0;
   for (const DisplayItem& item : list) {
-    if (!item.target) continue;
+    if (!item.target || !wanted(item.target.kind)) continue;
     const double distance = distance_to(item, at);
     const int rank = rank_of(item.target.kind);
     if (!(distance <= reach) || rank < best_rank) continue;
@@ -131,6 +131,17 @@ Target pick(const State& state, const Viewport& viewport, const Vec2d& at) {
     best_distance = distance;
   }
   return best;
+}
+
+}  // namespace
+
+Target pick(const State& state, const Viewport& viewport, const Vec2d& at) {
+  return topmost(state, viewport, at, [](TargetKind) { return true; });
+}
+
+Target body_at(const State& state, const Vec2d& at) {
+  return topmost(state, state.viewport, at,
+                 [](TargetKind kind) { return kind == TargetKind::object || kind == TargetKind::light; });
 }
 
 }  // namespace raywalk

@@ -24,6 +24,8 @@ namespace raywalk {
 /// within reach, else the topmost body.
 [[nodiscard]] Target pick(const State& state, const Viewport& viewport, const Vec2d& at);
 [[nodiscard]] inline Target pick(const State& state, const Vec2d& at) { return pick(state, state.viewport, at); }
+/// The object or light there, whatever rays pass over it; nothing where there is none.
+[[nodiscard]] Target body_at(const State& state, const Vec2d& at);
 
 /// What the thing is, in a few words, for the tooltip beside the pointer; empty for nothing. In move mode it also says
 /// what dragging does.

@@ -24,11 +24,22 @@ int stepped(const Timeline& timeline, int position, Grain grain, bool forward) {
 
 namespace {
 
-/// Where a step that would lead forward to `to` comes to rest: at a breakpoint on the way there.
+/// Where a step that would lead forward to `to` comes to rest: at a breakpoint on the way there, or where a ray is to
+/// be predicted.
 int stopped(const State& state, int to) {
   const Breakpoints breakpoints = breakpoints_in_force(state);
-  if (!breakpoints.any() || to <= state.position + 1) return to;
-  return next_stop(breakpoints, state.scene(), *state.timeline, state.position, to);
+  const int stop = breakpoints.any() && to > state.position + 1
+                       ? next_stop(breakpoints, state.scene(), *state.timeline, state.position, to)
+                       : to;
+  for (int rest = state.position + 1; state.predictions.on && rest < stop; ++rest)
+    if (rests_for_prediction(state, rest)) return rest;
+  return stop;
+}
+
+/// Whether a walk that runs by itself comes to rest here.
+bool stops_here(const State& state) {
+  return stops_at(breakpoints_in_force(state), state.scene(), *state.timeline, state.position) ||
+         rests_for_prediction(state, state.position);
 }
 
 }  // namespace
@@ -55,10 +66,9 @@ void run_to_line(State& state, Line line) {
 }
 
 void run_on(State& state, bool forward) {
-  const Breakpoints breakpoints = breakpoints_in_force(state);
   const Timeline& timeline = *state.timeline;
-  go_to(state, forward ? next_stop(breakpoints, state.scene(), timeline, state.position, timeline.steps())
-                       : previous_stop(breakpoints, state.scene(), timeline, state.position));
+  go_to(state, forward ? stopped(state, timeline.steps())
+                       : previous_stop(breakpoints_in_force(state), state.scene(), timeline, state.position));
 }
 
 void toggle_breakpoint(State& state, Line line) {
@@ -70,7 +80,6 @@ namespace {
 
 void play_held(State& state, double seconds) {
   Hold& hold = *state.hold;
-  const Breakpoints breakpoints = breakpoints_in_force(state);
   hold.seconds += seconds;
   hold.owed += seconds * hold_rate(hold.seconds);
   const Timeline& timeline = *state.timeline;
@@ -80,7 +89,7 @@ void play_held(State& state, double seconds) {
     const int to = stepped(timeline, state.position, state.grain, forward);
     const int rest = forward ? stopped(state, to) : to;
     state.position = rest;
-    if (forward && (rest != to || stops_at(breakpoints, state.scene(), timeline, rest))) return state.hold.reset();
+    if (forward && (rest != to || stops_here(state))) return state.hold.reset();
   }
   if (state.position == end) state.hold.reset();
 }
@@ -93,14 +102,12 @@ void play(State& state, double seconds) {
   if (state.hold) return play_held(state, seconds);
   if (!state.playing) return;
   state.owed += seconds * state.lines_per_second;
-  const Breakpoints breakpoints = breakpoints_in_force(state);
   while (state.owed >= 1 && state.playing) {
     state.owed -= 1;
     const int to = stepped(*state.timeline, state.position, state.grain, true);
     const int rest = stopped(state, to);
     state.position = rest;
-    const bool stops = rest != to || stops_at(breakpoints, state.scene(), *state.timeline, rest);
-    if (rest == state.timeline->steps() || stops) state.playing = false;
+    if (rest == state.timeline->steps() || rest != to || stops_here(state)) state.playing = false;
   }
 }
 

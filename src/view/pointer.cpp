@@ -1,4 +1,3 @@
-#include "view/lesson_panel.h"
 #include "view/plan_geometry.h"
 #include "view/plan_view.h"
 #include "view/text.h"
@@ -68,6 +67,8 @@ Vec2d near_pane(const Vec2d& at) { return {std::clamp(at.x, -1e6, 1e6), std::cla
 /// A press and a release in one place.
 void click(State& state, const Target& target) {
   if (state.mode != Mode::trace) return;
+  if (const auto asked = prediction_asked(state); asked && asked->what == Foretold::end)
+    return guess_end(state, body_at(state, *state.pointer));
   if (target.kind == TargetKind::cell) update(state, action::JumpToCell{target.index});
   if (target.kind == TargetKind::ray) update(state, action::JumpToRay{target.index});
 }
@@ -88,10 +89,10 @@ void pointer_pressed(State& state, const action::PointerPressed& pressed) {
   const Target target = left ? state.hovered : Target{};
   if (left) state.selected = selection_of(target, state.mode);
   const Vec2d place = clamped(to_scene(state.camera, state.viewport, at));
-  if (left && arrow_origin(state)) {
+  if (left && aim_origin(state)) {
     state.drag = Drag{{}, false, at, place, state.scene(), state.camera};
     state.drag->aims = true;
-    return guess_arrow(state, place);
+    return guess_way(state, place);
   }
   if (left && pressed.double_click && state.mode == Mode::move && target.kind == TargetKind::edge)
     return insert_corner(state, {target.index, target.part, place});
@@ -107,7 +108,7 @@ void pointer_moved(State& state, const action::PointerMoved& moved) {
   if (!drag.moved && length(at - drag.grabbed_px) < click_tremble * state.ui_scale) return;
   drag.moved = true;
   const Vec2d to = clamped(to_scene(state.camera, state.viewport, at));
-  if (drag.aims) return guess_arrow(state, to);
+  if (drag.aims) return guess_way(state, to);
   if (drag.pans) {
     state.camera.centre = clamped(state.camera.centre + drag.grabbed - to);
     state.camera.fitted = false;
@@ -146,7 +147,7 @@ void cancel_drag(State& state) {
   Drag drag = std::move(*state.drag);
   state.drag.reset();
   if (drag.aims) {
-    state.lessons.guess.arrow.reset();
+    forget_aim(state);
   } else if (drag.pans) {
     state.camera = drag.camera;
   } else if (drag.scene != state.scene()) {

@@ -12,6 +12,7 @@
 #include "view/display_list.h"
 #include "view/ghosts.h"
 #include "view/lesson_sitting.h"
+#include "view/predict.h"
 #include "view/structure.h"
 
 #include <cstdint>
@@ -93,7 +94,7 @@ struct Question {
 };
 
 /// A path that the window has to ask for; answered by Open or SaveAs, or taken back by CancelPrompt.
-enum class PathPrompt { none, open, save_as };
+enum class PathPrompt { none, open, save_as, save_predictions };
 
 /// What a drag holds on to. All of it is from the moment of the press, so that a drag is a pure function of where the
 /// pointer is now and does not depend on the way there.
@@ -104,7 +105,7 @@ struct Drag {
   Vec2d grabbed{0.0};     ///< the same in scene units
   Scene scene;            ///< as it was
   PlanCamera camera;      ///< as it was
-  bool aims = false;      ///< the arrow of a lesson's question
+  bool aims = false;      ///< the arrow of a guess
   bool moved = false;     ///< beyond the few pixels that a click trembles
 };
 
@@ -182,6 +183,7 @@ struct State {
   StructureSitting structure;
 
   LessonSitting lessons;
+  Predictions predictions;
 
   std::optional<Bug> bug;  ///< what is wrong with the tracer now: put there by a hunt or by a lesson's step
   BugSitting bugs;

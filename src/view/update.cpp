@@ -39,6 +39,7 @@ bool is_finite(const Action& action) {
                         },
                         [](const ShowCosts& a) { return finite(a.split); },
                         [](const Magnify& a) { return finite(a.part); },
+                        [](const GuessWay& a) { return finite(a.towards); },
                         [](const GuessNumber& a) { return finite(a.number); },
                         [](const auto&) { return true; },
                     },
@@ -58,7 +59,7 @@ bool goes_through(const State& state, const Action& action) {
         // An autosave that nobody decided on waits for the next start.
         const bool may_leave = state.question && state.question->kind == Question::Kind::recover;
         if (state.question) return one_of<T, AnswerQuestion> || (may_leave && one_of<T, Quit>);
-        if (state.prompt != PathPrompt::none) return one_of<T, Open, SaveAs, CancelPrompt, Quit>;
+        if (state.prompt != PathPrompt::none) return one_of<T, Open, SaveAs, SavePredictions, CancelPrompt, Quit>;
         return true;
       },
       action);
@@ -289,6 +290,7 @@ void apply(State& state, const Action& action) {
           [&](const GuessChoice& a) { detail::guess_choice(state, a.choice); },
           [&](const GuessNumber& a) { detail::guess_number(state, a.number); },
           [&](const RevealLesson&) { detail::reveal_lesson(state); },
+          [&](const ShowHands& a) { detail::show_hands(state, a); },
           [&](const SetLessonOptions& a) { detail::set_lesson_options(state, a); },
           [&](const ShowBugs& a) { detail::show_bugs(state, a.shown); },
           [&](const HuntBug& a) { detail::hunt_bug(state, a); },
@@ -297,6 +299,11 @@ void apply(State& state, const Action& action) {
           [&](const ShowCure&) { detail::show_cure(state); },
           [&](const MendBug& a) { detail::mend_bug(state, a.mended); },
           [&](const LeaveHunt&) { detail::leave_hunt(state); },
+          [&](const SetPredictions& a) { detail::set_predictions(state, a.on); },
+          [&](const GuessWay& a) { detail::guess_way(state, a.towards); },
+          [&](const GuessEnd& a) { detail::guess_end(state, a.met); },
+          [&](const AskSavePredictions&) { detail::ask_save_predictions(state); },
+          [&](const SavePredictions& a) { detail::save_predictions(state, a.path); },
       },
       action);
 }
@@ -309,6 +316,7 @@ void update(State& state, const Action& action) {
   if (state.bugs.hunt && leaves_hunt(action)) detail::leave_hunt(state);
   apply(state, action);
   detail::follow_with_ghosts(state);
+  detail::follow_with_predictions(state);
   detail::follow_with_structure(state);
 }
 

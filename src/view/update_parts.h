@@ -112,6 +112,7 @@ void begin_lesson(State& state, const std::string& name);
 void leave_lesson(State& state);
 void go_to_lesson_step(State& state, int step);
 void guess_choice(State& state, int choice);
+void show_hands(State& state, const action::ShowHands& shown);
 void guess_number(State& state, double number);
 /// The arrow from the ray's origin to `towards`, in scene units.
 void guess_arrow(State& state, const Vec2d& towards);

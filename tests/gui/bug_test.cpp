@@ -36,12 +36,12 @@ TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, me
   bench.key(GLFW_KEY_F2, false, true);
   REQUIRE(bench.has("bug/1"));
   REQUIRE(bench.has("bug/8"));
-  CHECK_FALSE(bench.has("bug-banner"));
+  CHECK_FALSE(bench.has("banner"));
   bench.click("bug/2");
   REQUIRE(bench.state.bugs.hunt);
-  REQUIRE(bench.has("bug-banner"));
+  REQUIRE(bench.has("banner"));
   // The strip stands over the plan and takes nothing away from it.
-  CHECK(bench.rect("bug-banner").bottom() <= bench.interface().layout().plan.y);
+  CHECK(bench.rect("banner").bottom() <= bench.interface().layout().plan.y);
   const int position = bench.state.position;
   bench.click(row_of(Line::form_shadow_ray));
   CHECK(bench.state.position == position);  // a click marks, and does not run
@@ -61,7 +61,7 @@ TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, me
   bench.click("bugs-list");
   CHECK_FALSE(bench.state.bugs.hunt);
   CHECK(bench.state.scene() == mine);
-  CHECK_FALSE(bench.has("bug-banner"));
+  CHECK_FALSE(bench.has("banner"));
   CHECK(bench.has("bug/2"));
   bench.click("bugs-close");
   CHECK_FALSE(bench.state.bugs.shown);
@@ -141,7 +141,7 @@ TEST_CASE("a lesson's line at fault is clicked in the code") {
     update(bench.state, action::GoToLessonStep{bench.state.lessons.step + 1});
   }
   bench.frames(3);
-  REQUIRE(bench.has("bug-banner"));
+  REQUIRE(bench.has("banner"));
   const int position = bench.state.position;
   bench.click(row_of(Line::form_refract_ray));
   CHECK(bench.state.position == position);

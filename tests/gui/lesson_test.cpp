@@ -66,6 +66,36 @@ TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") 
   CHECK_FALSE(bench.state.lessons.shown);
 }
 
+TEST_CASE("a presenter counts hands by digits and by buttons") {
+  Bench bench(with_lessons());
+  bench.frames(2);
+  bench.key(GLFW_KEY_F2);
+  bench.click("lesson/01-ray-casting");
+  bench.click("lesson-presenter");
+  bench.key(GLFW_KEY_ENTER);
+  REQUIRE(bench.has("hand-more/1"));
+  bench.key(GLFW_KEY_2);
+  bench.key(GLFW_KEY_2);
+  bench.key(GLFW_KEY_1);
+  bench.key(GLFW_KEY_2, false, true);
+  bench.click("hand-more/3");
+  bench.click("hand-more/3");
+  bench.click("hand-less/3");
+  REQUIRE(bench.state.lessons.hands.size() >= 3);
+  CHECK(bench.state.lessons.hands[0] == 1);
+  CHECK(bench.state.lessons.hands[1] == 1);
+  CHECK(bench.state.lessons.hands[2] == 1);
+  CHECK_FALSE(bench.state.lessons.guess.choice);
+  const Rect pane = bench.interface().layout().lesson;
+  for (const char* item : {"hand-less/1", "hand-more/3"}) {
+    CHECK(bench.rect(item).x >= pane.x);
+    CHECK(bench.rect(item).right() <= pane.right());
+  }
+  bench.click("lesson-reveal");
+  CHECK(bench.state.lessons.revealed);
+  CHECK_FALSE(bench.has("hand-more/1"));
+}
+
 TEST_CASE("everything of a lesson fits into its pane, in both languages") {
   for (const float scale : {1.0f, 1.5f}) {
     Bench bench(with_lessons());

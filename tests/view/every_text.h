@@ -7,6 +7,7 @@
 #include "view/equation_text.h"
 #include "view/lesson_text.h"
 #include "view/microscope.h"
+#include "view/predict.h"
 #include "view/structure_text.h"
 #include "view/text.h"
 
@@ -39,7 +40,8 @@ void add_family(std::vector<TextPair>& all, const std::string& family, Id last) 
   add_family(all, "CostText", CostText::surveying);
   add_family(all, "ScopeText", ScopeText::says_alike_at_surface);
   add_family(all, "EquationText", EquationText::survival);
-  add_family(all, "LessonWord", LessonWord::score);
+  add_family(all, "LessonWord", LessonWord::hand_less);
+  add_family(all, "PredictText", PredictText::exists);
   add_family(all, "BugText", BugText::leave);
   add_family(all, "StructureText", StructureText::note_cut_short);
   add_family(all, "AcceleratorKind", all_accelerators.back());

@@ -87,6 +87,32 @@ TEST_CASE("a question holds a student until it is answered, and shows then where
   CHECK(lesson_panel(state).can_go_on);
 }
 
+TEST_CASE("a class shows hands for the choices, and the answer says how many were right") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{true, false});
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  for (const auto& [choice, hands] :
+       {std::pair(0, 3), std::pair(1, 5), std::pair(0, -1), std::pair(2, -4), std::pair(9, 1)})
+    update(state, action::ShowHands{choice, hands});
+  std::vector<int> counted;
+  for (const LessonChoice& choice : lesson_panel(state).choices) counted.push_back(choice.hands);
+  REQUIRE(counted.size() >= 3);
+  CHECK(counted[0] == 2);
+  CHECK(counted[1] == 5);
+  CHECK(counted[2] == 0);
+  CHECK(lesson_panel(state).hands.empty());  // what is right is not told yet
+  update(state, action::RevealLesson{});
+  const LessonPanel panel = lesson_panel(state);
+  int right = 0;
+  for (const LessonChoice& choice : panel.choices) right += choice.right ? choice.hands : 0;
+  CHECK(panel.hands == std::to_string(right) + " of 7 hands were right");
+  update(state, action::ShowHands{0, 1});
+  CHECK(lesson_panel(state).choices[0].hands == 2);
+  update(state, action::GoToLessonStep{state.lessons.step + 1});
+  CHECK(state.lessons.hands.empty());
+}
+
 TEST_CASE("an arrow is dragged in the plan, and judged by its angle") {
   State state = with_lessons();
   update(state, action::SetLessonOptions{false, true});

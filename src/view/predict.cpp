@@ -1,0 +1,219 @@
+#include "view/predict.h"
+
+#include "io/file.h"
+#include "view/lesson_panel.h"
+#include "view/panels.h"
+#include "view/plan_geometry.h"
+#include "view/plan_view.h"
+#include "view/text.h"
+#include "view/update_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+namespace raywalk {
+
+namespace {
+
+/// What the step after `position` answers, whoever asks.
+std::optional<PredictionAsked> answered_after(const Timeline& timeline, int position) {
+  if (position >= timeline.steps()) return std::nullopt;
+  const auto after = timeline.rays_at(position + 1);
+  const int ray = timeline.current_ray(position);
+  if (after.size() > timeline.rays_at(position).size()) {
+    // A primary ray goes where its pixel is.
+    const RayRecord& formed = after.back();
+    const bool can_be_seen = length(plan(formed.direction)) > 1e-9 * length(formed.direction);
+    if (!formed.formed || formed.kind == RayKind::primary || !can_be_seen) return std::nullopt;
+    return PredictionAsked{static_cast<int>(after.size()) - 1, Foretold::way};
+  }
+  if (ray < 0 || ray >= static_cast<int>(after.size())) return std::nullopt;
+  const RayRecord& followed = after[static_cast<std::size_t>(ray)];
+  if (!followed.formed || followed.found_at != position + 1) return std::nullopt;
+  return PredictionAsked{ray, Foretold::end};
+}
+
+const RayRecord& ray_of(const State& state, const PredictionAsked& asked) {
+  return state.timeline->rays()[static_cast<std::size_t>(asked.ray)];
+}
+
+/// From when on the answer stands on the screen.
+int answered_at(const State& state, const PredictionAsked& asked) {
+  const RayRecord& ray = ray_of(state, asked);
+  return asked.what == Foretold::way ? ray.formed_at : ray.found_at;
+}
+
+/// What a ray met, as a person would click it.
+Target met_by(const RayRecord& ray) {
+  switch (ray.ending) {
+    case Ending::hit:
+    case Ending::blocked:
+      return {TargetKind::object, ray.object};
+    case Ending::reached_light:
+      return {TargetKind::light, ray.light};
+    case Ending::missed:
+    case Ending::depth:
+    case Ending::threshold:
+    case Ending::total_internal_reflection:
+    case Ending::path_length:
+    case Ending::facing_away:
+    case Ending::outside_cone:
+      return {};
+  }
+  return {};
+}
+
+double degrees_between(const Vec2d& a, const Vec2d& b) {
+  return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
+}
+
+std::string name_of(const State& state, const Target& target) {
+  return target ? target_text(state, target) : std::string(text(PredictText::nothing, state.language));
+}
+
+std::string said(const State& state, PredictText id, const std::vector<std::string>& arguments = {}) {
+  return fill(id, state.language, arguments);
+}
+
+}  // namespace
+
+int Predictions::right() const {
+  return static_cast<int>(std::count_if(made.begin(), made.end(), [](const auto& one) { return one.right; }));
+}
+
+std::optional<PredictionAsked> prediction_asked(const State& state) {
+  const bool others_ask = state.bugs.hunt || (state.lessons.shown && state.lessons.at() != nullptr);
+  if (!state.predictions.on || state.mode != Mode::trace || others_ask || state.playing || shows_lines(state))
+    return std::nullopt;
+  return answered_after(*state.timeline, state.position);
+}
+
+bool rests_for_prediction(const State& state, int position) {
+  if (!state.predictions.on || state.bugs.hunt || (state.lessons.shown && state.lessons.at() != nullptr)) return false;
+  const auto asked = answered_after(*state.timeline, position);
+  return asked && asked->what == Foretold::way;
+}
+
+std::optional<Vec2d> aim_origin(const State& state) {
+  if (const auto of_lesson = arrow_origin(state)) return of_lesson;
+  const auto asked = prediction_asked(state);
+  if (!asked || asked->what != Foretold::way) return std::nullopt;
+  return plan(ray_of(state, *asked).origin);
+}
+
+std::string prediction_sentence(const State& state) {
+  const Predictions& predictions = state.predictions;
+  std::string verdict;
+  if (!predictions.judged.empty() && answered_at(state, predictions.judged.back().of) == state.position) {
+    const Prediction& last = predictions.judged.back();
+    const std::string truth = name_of(state, met_by(ray_of(state, last.of)));
+    if (last.of.what == Foretold::way)
+      verdict = said(state, last.right ? PredictText::off : PredictText::off_too_far,
+                     {number_text(std::round(last.degrees), state.language)});
+    else if (last.right)
+      verdict = said(state, PredictText::met_right, {truth});
+    else
+      verdict = said(state, PredictText::met_wrong, {truth, name_of(state, last.met)});
+    verdict += " ";
+  }
+  if (const auto asked = prediction_asked(state)) {
+    const std::string kind(text(ray_of(state, *asked).kind, state.language));
+    const bool guessed = predictions.open && predictions.open->of == *asked;
+    if (asked->what == Foretold::way)
+      return verdict + said(state, guessed ? PredictText::way_guessed : PredictText::ask_way, {kind});
+    return verdict + (guessed ? said(state, PredictText::end_guessed, {name_of(state, predictions.open->met)})
+                              : said(state, PredictText::ask_end, {kind}));
+  }
+  if (predictions.made.empty()) return said(state, PredictText::idle);
+  return verdict + said(state, PredictText::score,
+                        {std::to_string(predictions.right()), std::to_string(predictions.made.size())});
+}
+
+std::string prediction_table(const Predictions& predictions) {
+  std::string table = "scene,step,ray,asked,degrees_off,right\n";
+  for (const PredictionRecord& one : predictions.made) {
+    std::string scene = one.scene;
+    std::replace_if(scene.begin(), scene.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, '_');
+    const bool way = one.what == Foretold::way;
+    table += fmt::format("{},{},{},{},{},{}\n", scene, one.step, ray_kind_name(one.kind),
+                         way ? "where it goes" : "what it meets", way ? fmt::format("{:.1f}", one.degrees) : "",
+                         one.right ? 1 : 0);
+  }
+  return table;
+}
+
+}  // namespace raywalk
+
+namespace raywalk::detail {
+
+void set_predictions(State& state, bool on) {
+  state.predictions.on = on;
+  state.predictions.open.reset();
+  if (on) state.mode = Mode::trace;
+}
+
+void guess_way(State& state, const Vec2d& towards) {
+  if (arrow_origin(state)) return guess_arrow(state, towards);
+  const auto origin = aim_origin(state);
+  if (!origin || !(length(towards - *origin) > 0)) return;
+  state.predictions.open = Prediction{*prediction_asked(state), towards - *origin};
+}
+
+void guess_end(State& state, const Target& met) {
+  const auto asked = prediction_asked(state);
+  const bool can_be_met = !met || met.kind == TargetKind::object || met.kind == TargetKind::light;
+  if (!asked || asked->what != Foretold::end || !can_be_met || !exists(state, met)) return;
+  state.predictions.open = Prediction{*asked, Vec2d(0.0), {met.kind, met.index}};
+}
+
+void forget_aim(State& state) {
+  state.lessons.guess.arrow.reset();
+  state.predictions.open.reset();
+}
+
+void ask_save_predictions(State& state) {
+  if (state.predictions.made.empty())
+    return inform(state, std::string(text(PredictText::nothing_to_save, state.language)));
+  ask_path(state, PathPrompt::save_predictions);
+}
+
+void save_predictions(State& state, const std::string& path) {
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown)) return complain(state, said(state, PredictText::exists, {path}));
+  if (const auto written = write_file_atomically(path, prediction_table(state.predictions)); !written)
+    return complain(state, written.error().text());
+  state.prompt = PathPrompt::none;
+  inform(state, fill(TextId::saved_as, state.language, {path}));
+}
+
+void follow_with_predictions(State& state) {
+  Predictions& predictions = state.predictions;
+  if (predictions.of_walk != state.timeline) {
+    predictions.open.reset();
+    predictions.judged.clear();
+    predictions.of_walk = state.timeline;
+  }
+  if (!predictions.open) return;
+  const PredictionAsked asked = predictions.open->of;
+  if (state.position < answered_at(state, asked)) {
+    if (prediction_asked(state) != asked) predictions.open.reset();
+    return;
+  }
+  Prediction judged = *std::exchange(predictions.open, std::nullopt);
+  const RayRecord& ray = ray_of(state, asked);
+  if (asked.what == Foretold::way) {
+    judged.degrees = degrees_between(plan(ray.direction), judged.arrow);
+    judged.right = judged.degrees <= Predictions::right_within;
+  } else {
+    judged.right = judged.met == met_by(ray);
+  }
+  predictions.judged.push_back(judged);
+  predictions.made.push_back(
+      {state.path, answered_at(state, asked), ray.kind, asked.what, judged.degrees, judged.right});
+}
+
+}  // namespace raywalk::detail

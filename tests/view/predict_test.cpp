@@ -1,0 +1,219 @@
+// Predictions on any walk: when they are asked for, how they are judged, and what is kept of them.
+#include "view/predict.h"
+
+#include "fixtures.h"
+#include "io/file.h"
+#include "support/catch.h"
+#include "view/lesson_panel.h"
+#include "view/panels.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State predicting() {
+  State state = classic_state();
+  update(state, action::SetPredictions{true});
+  return state;
+}
+
+/// To the first position at which such a question is asked about such a ray.
+void to_question(State& state, Foretold what, RayKind kind) {
+  for (int position = state.position + 1; position < state.timeline->steps(); ++position) {
+    update(state, action::Jump{position});
+    const auto asked = prediction_asked(state);
+    if (asked && asked->what == what && state.timeline->rays()[static_cast<std::size_t>(asked->ray)].kind == kind)
+      return;
+  }
+  FAIL("nothing is asked");
+}
+
+const RayRecord& asked_ray(const State& state) {
+  return state.timeline->rays()[static_cast<std::size_t>(prediction_asked(state)->ray)];
+}
+
+Vec2d turned(const Vec2d& v, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return {v.x * std::cos(angle) - v.y * std::sin(angle), v.x * std::sin(angle) + v.y * std::cos(angle)};
+}
+
+}  // namespace
+
+TEST_CASE("nothing is asked before predictions are switched on, while AUTO plays, or outside Trace") {
+  State state = classic_state();
+  for (int position = 0; position <= state.timeline->steps(); ++position) {
+    update(state, action::Jump{position});
+    CHECK_FALSE(prediction_asked(state));
+    CHECK_FALSE(aim_origin(state));
+  }
+  update(state, action::SetPredictions{true});
+  to_question(state, Foretold::way, RayKind::shadow);
+  update(state, action::SetMode{Mode::move});
+  CHECK_FALSE(prediction_asked(state));
+  update(state, action::SetMode{Mode::trace});
+  CHECK(prediction_asked(state));
+  update(state, action::PlayPause{});
+  CHECK_FALSE(prediction_asked(state));
+}
+
+TEST_CASE("an arrow is dragged from the ring, the step that forms the ray judges it, and it stays beside the ray") {
+  const auto [degrees, right] = GENERATE(std::pair(0.0, true), std::pair(8.0, true), std::pair(-35.0, false));
+  const RayKind kind = GENERATE(RayKind::shadow, RayKind::reflect, RayKind::refract);
+  State state = predicting();
+  to_question(state, Foretold::way, kind);
+  const RayRecord ray = asked_ray(state);
+  const Vec2d origin = plan(ray.origin);
+  REQUIRE(aim_origin(state) == origin);
+  const Vec2d tip = origin + 2.0 * turned(plan(ray.direction) / length(plan(ray.direction)), degrees);
+  const std::size_t undone = state.undo.size();
+  drag(state, to_pixels(state, origin + Vec2d(0, 1)), to_pixels(state, tip));
+  REQUIRE(state.predictions.open);
+  CHECK(state.undo.size() == undone);
+  CHECK(state.predictions.judged.empty());
+  const std::size_t drawn_open = plan_view(state, state.viewport).size();
+  update(state, action::Step{});
+  CHECK_FALSE(state.predictions.open);
+  REQUIRE(state.predictions.judged.size() == 1);
+  CHECK(state.predictions.judged[0].degrees == Approx(std::abs(degrees)).margin(0.01));
+  CHECK(state.predictions.judged[0].right == right);
+  CHECK(state.predictions.right() == (right ? 1 : 0));
+  CHECK(prediction_sentence(state).find(std::to_string(static_cast<int>(std::abs(degrees)))) != std::string::npos);
+  // The ray, the guess and its angle stand there now.
+  CHECK(plan_view(state, state.viewport).size() > drawn_open);
+  // Back before the answer the guess is not shown again, nor counted twice.
+  update(state, action::Step{false});
+  update(state, action::Step{});
+  CHECK(state.predictions.made.size() == 1);
+}
+
+TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, whatever rays lie over it") {
+  State state = predicting();
+  int seen_object = 0, seen_light = 0, seen_nothing = 0;
+  for (int position = 0; position < state.timeline->steps(); ++position) {
+    update(state, action::Jump{position});
+    const auto asked = prediction_asked(state);
+    if (!asked || asked->what != Foretold::end) continue;
+    const RayRecord& ray = asked_ray(state);
+    const bool stopped = ray.ending == Ending::hit || ray.ending == Ending::blocked;
+    const Target truth = stopped                               ? Target{TargetKind::object, ray.object}
+                         : ray.ending == Ending::reached_light ? Target{TargetKind::light, ray.light}
+                                                               : Target{};
+    const std::size_t before = state.predictions.made.size();
+    update(state, action::GuessEnd{truth});
+    REQUIRE(state.predictions.open);
+    update(state, action::Step{});
+    REQUIRE(state.predictions.made.size() == before + 1);
+    CHECK(state.predictions.made.back().right);
+    (stopped ? seen_object : truth ? seen_light : seen_nothing) += 1;
+  }
+  CHECK(seen_object > 0);
+  CHECK(seen_light > 0);
+  CHECK(seen_nothing > 0);
+
+  // By mouse, and wrong.
+  update(state, action::Clear{});
+  to_question(state, Foretold::end, RayKind::primary);
+  const int glass = index_of_object(state.scene(), "Transparent Sphere");
+  REQUIRE(asked_ray(state).object != glass);
+  const Vec2d at = pixels_of(state, {TargetKind::object, glass});
+  drag(state, at, at);
+  REQUIRE(state.predictions.open);
+  CHECK(state.predictions.open->met == Target{TargetKind::object, glass});
+  CHECK(prediction_sentence(state).find("Transparent Sphere") != std::string::npos);
+  update(state, action::Step{});
+  CHECK_FALSE(state.predictions.made.back().right);
+  // What no ray can meet is no guess.
+  to_question(state, Foretold::end, RayKind::primary);
+  update(state, action::GuessEnd{{TargetKind::eye}});
+  update(state, action::GuessEnd{{TargetKind::object, 99}});
+  CHECK_FALSE(state.predictions.open);
+}
+
+TEST_CASE("AUTO, held steps, runs and large steps come to rest where a ray is to be predicted") {
+  const auto is_rest = [](const State& state) {
+    const auto asked = prediction_asked(state);
+    return asked && asked->what == Foretold::way;
+  };
+  State state = predicting();
+  update(state, action::RunOn{});
+  CHECK(is_rest(state));
+  const int first = state.position;
+  update(state, action::RunOn{});
+  CHECK(is_rest(state));
+  CHECK(state.position > first);
+  update(state, action::Clear{});
+  update(state, action::Step{true, Grain::pixel});
+  update(state, action::Step{true, Grain::pixel});
+  CHECK(is_rest(state));
+  update(state, action::Clear{});
+  update(state, action::PlayPause{});
+  for (int i = 0; i < 1000 && state.playing; ++i) update(state, action::Tick{0.1});
+  CHECK_FALSE(state.playing);
+  CHECK(state.position == first);
+  CHECK(is_rest(state));
+  update(state, action::Clear{});
+  update(state, action::Hold{true});
+  for (int i = 0; i < 1000 && state.hold; ++i) update(state, action::Tick{0.1});
+  CHECK(state.position == first);
+  // Switched off, nothing holds.
+  update(state, action::SetPredictions{false});
+  update(state, action::RunOn{});
+  CHECK(state.position == state.timeline->steps());
+}
+
+TEST_CASE("a lesson's own questions and a hunt go before; a guess that was walked away from is forgotten") {
+  State state = predicting();
+  to_question(state, Foretold::way, RayKind::reflect);
+  update(state, action::GuessWay{plan(asked_ray(state).origin) + Vec2d(1, 0)});
+  REQUIRE(state.predictions.open);
+  update(state, action::Step{false});
+  CHECK_FALSE(state.predictions.open);
+  CHECK(state.predictions.made.empty());
+  // A new walk: what was judged of the old one is not drawn, but counted.
+  to_question(state, Foretold::way, RayKind::reflect);
+  update(state, action::GuessWay{plan(asked_ray(state).origin) + Vec2d(1, 0)});
+  update(state, action::Step{});
+  REQUIRE(state.predictions.judged.size() == 1);
+  update(state, action::SetLimits{{2, 0}});
+  CHECK(state.predictions.judged.empty());
+  CHECK(state.predictions.made.size() == 1);
+  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
+  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
+  update(state, action::HuntBug{1});
+  REQUIRE(state.bugs.hunt);
+  for (int position = 0; position < state.timeline->steps(); ++position) {
+    update(state, action::Jump{position});
+    CHECK_FALSE(prediction_asked(state));
+  }
+}
+
+TEST_CASE("predictions are saved as a table, and no file is written over") {
+  const TemporaryFolder folder;
+  State state = predicting();
+  update(state, action::AskSavePredictions{});
+  CHECK(state.prompt == PathPrompt::none);  // there is none yet
+  REQUIRE(state.notice);
+  to_question(state, Foretold::way, RayKind::reflect);
+  update(state, action::GuessWay{plan(asked_ray(state).origin) + plan(asked_ray(state).direction)});
+  const int answered = state.position + 1;
+  update(state, action::Step{});
+  update(state, action::AskSavePredictions{});
+  CHECK(state.prompt == PathPrompt::save_predictions);
+  const std::string path = folder.file("predictions.csv");
+  update(state, action::SavePredictions{path});
+  CHECK(state.prompt == PathPrompt::none);
+  const auto table = read_file(path, 1 << 16);
+  REQUIRE(table);
+  CHECK(*table ==
+        "scene,step,ray,asked,degrees_off,right\n," + std::to_string(answered) + ",reflect,where it goes,0.0,1\n");
+  update(state, action::AskSavePredictions{});
+  update(state, action::SavePredictions{path});
+  CHECK(state.prompt == PathPrompt::save_predictions);  // the dialog stays and says why
+  CHECK(state.notice->kind == Notice::Kind::error);
+  update(state, action::SavePredictions{folder.file("no/such/folder.csv")});
+  CHECK(state.notice->kind == Notice::Kind::error);
+}
