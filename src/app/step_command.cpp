@@ -1,9 +1,8 @@
 #include "app/step_command.h"
 
 #include "app/scene_lookup.h"
-#include "timeline/event_json.h"
-#include "timeline/message.h"
 #include "timeline/recorder.h"
+#include "view/export.h"
 #include "view/slides.h"
 #include "view/text.h"
 
@@ -19,11 +18,8 @@ namespace raywalk {
 
 namespace {
 
-/// Prints the steps as they are put together: a whole strip's may be hundreds of megabytes.
 Result<void> print_json(const Scene& scene, const Timeline& timeline, const StepOptions& options) {
-  using Json = nlohmann::ordered_json;
-  const auto dump = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
-  Json head{{"version", RAYWALK_VERSION},
+  nlohmann::ordered_json head{{"version", RAYWALK_VERSION},
             {"scene", scene_path(options.scene)},
             {"title", scene.title},
             {"depth", scene.limits.depth},
@@ -31,20 +27,7 @@ Result<void> print_json(const Scene& scene, const Timeline& timeline, const Step
             {"precision", precision_name(options.precision)},
             {"numerics", numerics_name(scene.render.numerics)}};
   if (options.fault) head["fault"] = fault_name(*options.fault);
-  std::string text = dump(head);
-  text.pop_back();  // its closing brace
-  text += ",\"steps\":[";
-  for (int position = 1; position <= timeline.steps(); ++position) {
-    Json step{{"step", position}};
-    step.update(event_json(scene, timeline.event(position - 1)));
-    step["sentence"] = sentence_of(describe(scene, timeline, position), Language::english);
-    text += (position == 1 ? "\n" : ",\n") + dump(step);
-    constexpr std::size_t enough = 1 << 16;
-    if (text.size() < enough) continue;
-    if (const auto printed = print(text); !printed) return printed;
-    text.clear();
-  }
-  return print(text + "\n]}\n");
+  return write_steps_json(scene, timeline, head, [](const std::string& part) { return print(part); });
 }
 
 Result<void> print_text(const Scene& scene, const Timeline& timeline, Language language) {

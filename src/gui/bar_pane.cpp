@@ -48,6 +48,7 @@ void file_menu(const Ui& ui) {
   ImGui::Separator();
   menu_item(ui, Command::save);
   menu_item(ui, Command::save_as);
+  menu_item(ui, Command::export_walk);
   ImGui::Separator();
   menu_item(ui, Command::quit);
 }

@@ -22,6 +22,22 @@ std::string absolute(const std::string& path) {
   return error ? path : whole.lexically_normal().string();
 }
 
+std::string title_of(PathPrompt asking, const Ui& ui) {
+  switch (asking) {
+    case PathPrompt::none:
+      return {};
+    case PathPrompt::open:
+      return ui.say(TextId::menu_open);
+    case PathPrompt::save_as:
+      return ui.say(TextId::menu_save_as);
+    case PathPrompt::save_predictions:
+      return command_label(Command::save_predictions, ui.state);
+    case PathPrompt::export_walk:
+      return command_label(Command::export_walk, ui.state);
+  }
+  return {};
+}
+
 }  // namespace
 
 FolderListing list_folder(const std::string& folder) {
@@ -53,6 +69,7 @@ void Browser::begin(const State& state, const std::string& home) {
   typed_.clear();
   if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
   if (asking_ == PathPrompt::save_predictions) typed_ = "predictions.csv";
+  if (asking_ == PathPrompt::export_walk) typed_ = (state.path.empty() ? "walk" : current.stem().string()) + ".html";
   focus_typed_ = true;
 }
 
@@ -68,6 +85,7 @@ void Browser::accept(const Ui& ui) const {
   if (asking_ == PathPrompt::open) ui.act(action::Open{path});
   if (asking_ == PathPrompt::save_as) ui.act(action::SaveAs{path});
   if (asking_ == PathPrompt::save_predictions) ui.act(action::SavePredictions{path});
+  if (asking_ == PathPrompt::export_walk) ui.act(action::Export{path});
 }
 
 void Browser::entries(const Ui& ui, float height) {
@@ -105,9 +123,7 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   }
   if (asking_ == PathPrompt::none || ui.state.question) return;
   const bool saves = asking_ != PathPrompt::open;
-  const std::string title = asking_ == PathPrompt::save_predictions
-                                ? command_label(Command::save_predictions, ui.state)
-                                : ui.say(saves ? TextId::menu_save_as : TextId::menu_open);
+  const std::string title = title_of(asking_, ui);
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
   const ImVec2 extent{std::min(ui.px(640), whole.x), std::min(ui.px(470), whole.y)};
   ImGui::SetNextWindowSize(extent);

@@ -23,6 +23,7 @@ inline constexpr std::array view_rows{
     CommandRow{Command::ghosts, "ghosts", {{{GLFW_KEY_N}}}},
     CommandRow{Command::predict, "predict", {{{GLFW_KEY_P, true}}}},
     CommandRow{Command::save_predictions, "save-predictions", {{{GLFW_KEY_P, true, true}}}},
+    CommandRow{Command::export_walk, "export", {{{GLFW_KEY_E, true}}}},
     CommandRow{Command::walk_strip, "walk-strip", {{{GLFW_KEY_S, false, false, false, When::trace}}}},
     CommandRow{Command::reset_view, "reset-view", {{{GLFW_KEY_O}}}},
     CommandRow{Command::use_camera, "use-camera", {{{GLFW_KEY_U}}}},

@@ -117,6 +117,8 @@ CommandText english(Command command) {
       return {"Predict", "before each ray, an arrow where it will go or a click on what it will meet"};
     case Command::save_predictions:
       return {"Save predictions...", "write down all guesses of this sitting and how far off they were"};
+    case Command::export_walk:
+      return {"Export...", "write the walk as a picture, a film, slides or a transcript"};
     case Command::walk_strip:
       return {"Back to SCREEN", "walk the pixels of SCREEN again, in place of one of the picture"};
     case Command::reset_view:

@@ -118,6 +118,8 @@ CommandText portuguese(Command command) {
       return {"Prever", "antes de cada raio, uma seta para onde vai ou um clique no que encontra"};
     case Command::save_predictions:
       return {"Salvar previsões...", "anotar todos os palpites desta sessão e o erro de cada um"};
+    case Command::export_walk:
+      return {"Exportar...", "gravar o percurso como imagem, filme, slides ou transcrição"};
     case Command::walk_strip:
       return {"Voltar a SCREEN", "percorrer de novo os pixels de SCREEN, em vez de um da imagem"};
     case Command::reset_view:

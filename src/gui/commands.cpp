@@ -170,6 +170,7 @@ bool enabled(Command command, const State& state) {
     case Command::ghosts:
     case Command::predict:
     case Command::save_predictions:
+    case Command::export_walk:
     case Command::image_settings:
     case Command::heat:
     case Command::turn_left:
@@ -289,6 +290,7 @@ bool chosen(Command command, const State& state) {
     case Command::scale_up:
     case Command::scale_down:
     case Command::save_predictions:
+    case Command::export_walk:
     case Command::lines:
     case Command::walk_strip:
     case Command::reset_view:

@@ -68,6 +68,7 @@ enum class Command {
   ghosts,
   predict,
   save_predictions,
+  export_walk,
   walk_strip,
   reset_view,
   use_camera,

@@ -1,5 +1,6 @@
 #include "gui/gui.h"
 
+#include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
 #include "gui/report.h"
@@ -8,6 +9,8 @@
 #include "gui/window.h"
 #include "io/file.h"
 #include "view/action_text.h"
+
+#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -56,6 +59,7 @@ class Loop {
       if (frames_due_ > 0) frame(nullptr);
       work_on_image();
       work_on_costs();
+      work_on_export();
       if (wants_picture() && settled()) return take_picture();
     }
     const Settings now{state_.theme, state_.ui_scale, state_.tab, state_.language};
@@ -77,12 +81,12 @@ class Loop {
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
   [[nodiscard]] bool settled() const {
     return frames_due_ == 0 && image_.rests(state_) && costs_.rests(state_) && demo_.over() && !state_.playing &&
-           !state_.hold;
+           !state_.hold && !state_.window_export;
   }
 
   // Seconds that may pass before something has to be done; negative: for ever.
   [[nodiscard]] double patience() const {
-    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_)) return 0;
+    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.window_export) return 0;
     double wait = -1;
     const auto at_most = [&](double seconds) {
       wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
@@ -104,6 +108,10 @@ class Loop {
   // One press of a key holds STEP once: where a breakpoint ends that, the key has to be let go first.
   void press(const KeyPress& key) {
     if (key.repeated && key_holds_) return;
+    if (film_) {
+      if (key.key == GLFW_KEY_ESCAPE) finish_film();
+      return;
+    }
     interface_.press(state_, fonts_, unit(), dpi(), key);
     apply();
     key_holds_ = key.repeated && state_.hold;
@@ -128,7 +136,8 @@ class Loop {
     update(state_, action::Tick{seconds});
     if (state_.position != position || state_.playing != playing || notice() != said)
       frames_due_ = std::max(frames_due_, 1);
-    if (const Action* action = demo_.due(seconds)) act(*action);
+    // What is being written shows the moment at which it was asked for.
+    if (const Action* action = state_.window_export ? nullptr : demo_.due(seconds)) act(*action);
 
     if (notice() != seen_notice_) {
       seen_notice_ = notice();
@@ -170,6 +179,32 @@ class Loop {
     shown_costs_ = costs_.revision();
     costs_shown_ = now;
     frames_due_ = std::max(frames_due_, 1);
+  }
+
+  // A picture is taken once everything that it shows is there; a film goes on by a frame between two looks at the
+  // events.
+  void work_on_export() {
+    if (!state_.window_export || frames_due_ > 0) return;
+    if (!film_ && !(image_.rests(state_) && costs_.rests(state_))) return;
+    Image picture;
+    if (state_.window_export->kind == ExportKind::picture) {
+      frame(&picture);
+      const auto written = write_image(state_.window_export->path, picture);
+      return act(action::FinishExport{written ? "" : written.error().text()});
+    }
+    if (!film_) film_.emplace(state_);
+    act(action::Jump{film_->position()});
+    frame(nullptr);
+    frame(&picture);
+    if (!film_->take(picture)) finish_film();
+  }
+
+  void finish_film() {
+    const int back = film_->begun_at();
+    const Result<void> written = film_->write(state_.window_export->path);
+    film_.reset();
+    act(action::Jump{back});
+    act(action::FinishExport{written ? "" : written.error().text()});
   }
 
   // Letters and spacing for the scale and theme of now.
@@ -241,6 +276,7 @@ class Loop {
   Window& window_;
   Interface interface_;
   Demo demo_;
+  std::optional<WalkFilm> film_;  ///< being made
   LiveImage image_;
   Texture texture_;
   LiveCosts costs_;

@@ -52,7 +52,7 @@ const std::vector<KeyGroup>& groups() {
       {KeyText::select, {select_next, select_previous}},
       {KeyText::edit, {edit_properties, remove}},
       {KeyText::undo, {undo, redo}},
-      {KeyText::files, {new_scene, open, save, save_as, quit}},
+      {KeyText::files, {new_scene, open, save, save_as, export_walk, quit}},
       {KeyText::theme, {theme}},
       {KeyText::language, {language}},
       {KeyText::scale, {scale_up, scale_down, scale_reset}},

@@ -84,6 +84,8 @@ std::string_view name_of(PathPrompt prompt) {
       return "save_as";
     case PathPrompt::save_predictions:
       return "save_predictions";
+    case PathPrompt::export_walk:
+      return "export";
   }
   return "";
 }

@@ -180,6 +180,8 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::SetPredictions{!state.predictions.on});
     case Command::save_predictions:
       return ui.act(action::AskSavePredictions{});
+    case Command::export_walk:
+      return ui.act(action::AskExport{});
     case Command::walk_strip:
       return ui.act(action::WalkStrip{});
     case Command::reset_view:

@@ -150,8 +150,10 @@ const Action* Demo::due(double seconds) {
   if (over()) return nullptr;
   waited_ += seconds;
   if (waited_ < pause) return nullptr;
-  waited_ = 0;
-  return &actions_[next_++];
+  const Action& action = actions_[next_++];
+  const auto* wait = std::get_if<action::Wait>(&action);
+  waited_ = wait == nullptr ? 0 : -std::clamp(wait->seconds, 0.0, most_wait);
+  return &action;
 }
 
 }  // namespace raywalk

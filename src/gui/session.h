@@ -62,7 +62,7 @@ class Demo {
   const Action* due(double seconds);
 
  private:
-  static constexpr double pause = 0.25;  // seconds between actions
+  static constexpr double pause = 0.25, most_wait = 3600;  // seconds between actions
   std::vector<Action> actions_;
   std::size_t next_ = 0;
   double waited_ = 0;

@@ -66,6 +66,16 @@ std::size_t count_nan_pixels(const Image& image) {
   return static_cast<std::size_t>(std::count_if(image.pixels.begin(), image.pixels.end(), has_nan));
 }
 
+std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.pixels.size() * 3);
+  for (const Rgb<float>& pixel : image.pixels) {
+    const Rgb<float> c = has_nan(pixel) ? Rgb<float>(1, 0, 1) : pixel;
+    for (const float channel : {c.x, c.y, c.z}) bytes.push_back(to_byte(channel, encoding));
+  }
+  return bytes;
+}
+
 Result<std::string> encode_png(const Image& image, Encoding encoding) {
   constexpr std::size_t most_pixels = std::size_t{1} << 28;
   if (image.pixels.empty() || image.pixels.size() > most_pixels)
@@ -73,12 +83,7 @@ Result<std::string> encode_png(const Image& image, Encoding encoding) {
                                 "a PNG of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                                     " pixels cannot be made (expected 1 to " + std::to_string(most_pixels) + " pixels)",
                                 "choose another size"});
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels.size() * 3);
-  for (const Rgb<float>& pixel : image.pixels) {
-    const Rgb<float> c = has_nan(pixel) ? Rgb<float>(1, 0, 1) : pixel;
-    for (const float channel : {c.x, c.y, c.z}) bytes.push_back(to_byte(channel, encoding));
-  }
+  const std::vector<std::uint8_t> bytes = bytes_of(image, encoding);
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width), header.height = static_cast<png_uint_32>(image.height);

@@ -37,6 +37,8 @@ enum class ImageFormat { png, pfm, exr };
 [[nodiscard]] std::size_t count_nan_pixels(const Image& image);
 
 /// 8 bits a channel. A pixel that is not a number is painted in full magenta, so that it is seen.
+/// Three bytes a pixel, row by row from the top; magenta for what is not a number.
+[[nodiscard]] std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding);
 [[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb);
 /// Portable float map: linear, bottom row first, little-endian; what is not a number stays so.
 [[nodiscard]] std::string encode_pfm(const Image& image);

@@ -1,6 +1,7 @@
 #pragma once
 // What a person can do. A window turns clicks and keys into actions; a demo file and the tests hand them over directly.
 
+#include "view/export.h"
 #include "view/microscope.h"
 #include "view/state.h"
 
@@ -211,6 +212,9 @@ struct AnswerQuestion {
   Answer answer;
 };
 struct Quit {};
+struct Wait {
+  double seconds;
+};  ///< nothing happens: in a demo, for so long
 
 // Appearance.
 struct SetTheme {
@@ -300,8 +304,9 @@ using Action = std::variant<
     action::ShowHands, action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts,
     action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::ShowBugs, action::HuntBug, action::MarkLine,
     action::JudgeLine, action::ShowCure, action::MendBug, action::LeaveHunt, action::Magnify, action::SetPredictions,
-    action::GuessWay, action::GuessEnd, action::AskSavePredictions, action::SavePredictions, action::ChooseStructure,
-    action::ShowStructurePage, action::GoInStructure>;
+    action::GuessWay, action::GuessEnd, action::AskSavePredictions, action::AskExport, action::Export,
+    action::FinishExport, action::Wait, action::SavePredictions, action::ChooseStructure, action::ShowStructurePage,
+    action::GoInStructure>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

@@ -224,6 +224,18 @@ void arguments(F& f, ShowHands& a) {
   f.number(a.hands);
 }
 template <class F>
+void arguments(F& f, Export& a) {
+  f.rest(a.path);
+}
+template <class F>
+void arguments(F& f, FinishExport& a) {
+  f.rest(a.why_not);
+}
+template <class F>
+void arguments(F& f, Wait& a) {
+  f.number(a.seconds);
+}
+template <class F>
 void arguments(F& f, SetPredictions& a) {
   f.choice(a.on, Words<bool>(shown_words));
 }

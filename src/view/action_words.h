@@ -263,6 +263,14 @@ inline constexpr std::string_view word_of<MendBug> = "mend-bug";
 template <>
 inline constexpr std::string_view word_of<LeaveHunt> = "leave-hunt";
 template <>
+inline constexpr std::string_view word_of<AskExport> = "ask-export";
+template <>
+inline constexpr std::string_view word_of<Export> = "export";
+template <>
+inline constexpr std::string_view word_of<FinishExport> = "finish-export";
+template <>
+inline constexpr std::string_view word_of<Wait> = "wait";
+template <>
 inline constexpr std::string_view word_of<SetPredictions> = "predictions";
 template <>
 inline constexpr std::string_view word_of<GuessWay> = "guess-way";

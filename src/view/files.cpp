@@ -60,6 +60,21 @@ bool write_to(State& state, const std::string& path) {
   return true;
 }
 
+void overwrite(State& state, const Question& question) {
+  switch (question.file) {
+    case PathPrompt::none:
+    case PathPrompt::open:
+      return;
+    case PathPrompt::save_as:
+      static_cast<void>(write_to(state, question.path));
+      return;
+    case PathPrompt::save_predictions:
+      return write_predictions(state, question.path);
+    case PathPrompt::export_walk:
+      return export_over(state, question.path);
+  }
+}
+
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code failed;
   return a == b || std::filesystem::equivalent(a, b, failed);
@@ -157,7 +172,7 @@ void answer(State& state, action::Answer answer) {
       if (answer == action::Answer::discard || answer == action::Answer::recover) return;
       state.question.reset();
       if (answer == action::Answer::save) {
-        static_cast<void>(write_to(state, question.path));
+        overwrite(state, question);
       } else if (state.prompt == PathPrompt::none) {  // else the dialog asks for another
         state.after_save.reset();
       }

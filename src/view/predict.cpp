@@ -182,8 +182,15 @@ void ask_save_predictions(State& state) {
 }
 
 void save_predictions(State& state, const std::string& path) {
-  std::error_code unknown;
-  if (std::filesystem::exists(path, unknown)) return complain(state, said(state, PredictText::exists, {path}));
+  if (path.empty()) return;
+  if (state.prompt == PathPrompt::save_predictions) state.notice.reset();
+  std::error_code failed;
+  if (!std::filesystem::exists(path, failed)) return write_predictions(state, path);
+  state.question = Question{Question::Kind::overwrite, Intent::quit, path};
+  state.question->file = PathPrompt::save_predictions;
+}
+
+void write_predictions(State& state, const std::string& path) {
   if (const auto written = write_file_atomically(path, prediction_table(state.predictions)); !written)
     return complain(state, written.error().text());
   state.prompt = PathPrompt::none;

@@ -103,7 +103,6 @@ enum class PredictText {
   score,        ///< {0} right, {1} of how many
   idle,
   nothing_to_save,
-  exists,  ///< {0} file
 };
 [[nodiscard]] std::string_view english(PredictText id);
 [[nodiscard]] std::string_view portuguese(PredictText id);
@@ -115,6 +114,8 @@ void guess_end(State& state, const Target& met);
 void forget_aim(State& state);
 void ask_save_predictions(State& state);
 void save_predictions(State& state, const std::string& path);
+/// Whatever stands at the path is written over.
+void write_predictions(State& state, const std::string& path);
 /// Judges the guess whose answer has come into sight, and forgets those of another walk.
 void follow_with_predictions(State& state);
 }  // namespace detail

@@ -26,8 +26,6 @@ std::string_view english(PredictText id) {
       return "{0} of {1} right.";
     case PredictText::idle:
       return "Walk on: before each ray you are asked.";
-    case PredictText::exists:
-      return "{0} exists already: choose another name";
     case PredictText::nothing_to_save:
       return "There is no prediction yet to be saved";
   }

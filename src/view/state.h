@@ -10,6 +10,7 @@
 #include "view/bugs.h"
 #include "view/cost.h"
 #include "view/display_list.h"
+#include "view/export.h"
 #include "view/ghosts.h"
 #include "view/lesson_sitting.h"
 #include "view/predict.h"
@@ -79,22 +80,23 @@ struct Notice {
 /// What was asked for while there was unsaved work.
 enum class Intent { new_scene, open, lesson, quit };
 
+/// A path that the window has to ask for; answered by the action of that name, or taken back by CancelPrompt.
+enum class PathPrompt { none, open, save_as, save_predictions, export_walk };
+
 struct Question {
   enum class Kind {
     unsaved,    ///< answers: save, discard, cancel
     recover,    ///< an autosave was found at the start; answers: recover, discard, cancel (asks at the next start)
-    overwrite,  ///< SaveAs names another file that exists; answers: save, cancel
+    overwrite,  ///< a file that exists already is to be written; answers: save, cancel
   };
   Kind kind = Kind::unsaved;
   Intent intent = Intent::quit;  ///< goes on with this after save or discard
-  std::string path;        ///< of Intent::open, the name of a lesson, of the file that the autosave belongs to (may be
-                           ///< empty), or to overwrite
-  std::string autosave{};  ///< recover: the autosave
-  std::string when{};      ///< recover: the time at which it was written, for people
+  std::string path;  ///< of Intent::open, the name of a lesson, of the file that the autosave belongs to (may be
+                     ///< empty), or to overwrite
+  PathPrompt file = PathPrompt::save_as;  ///< overwrite: what the file is to hold
+  std::string autosave{};                 ///< recover: the autosave
+  std::string when{};                     ///< recover: the time at which it was written, for people
 };
-
-/// A path that the window has to ask for; answered by Open or SaveAs, or taken back by CancelPrompt.
-enum class PathPrompt { none, open, save_as, save_predictions };
 
 /// What a drag holds on to. All of it is from the moment of the press, so that a drag is a pure function of where the
 /// pointer is now and does not depend on the way there.
@@ -191,8 +193,9 @@ struct State {
   // Talk.
   std::optional<Question> question;
   PathPrompt prompt = PathPrompt::none;
-  std::optional<Intent> after_save;  ///< goes on with this once SaveAs has succeeded
-  std::string after_save_path;       ///< of Intent::open
+  std::optional<WindowExport> window_export;  ///< the window writes this as soon as it can
+  std::optional<Intent> after_save;           ///< goes on with this once SaveAs has succeeded
+  std::string after_save_path;                ///< of Intent::open
   std::optional<Notice> notice;
   bool quit = false;  ///< the window closes now
 

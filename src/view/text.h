@@ -177,6 +177,8 @@ enum class TextId {
   nothing_to_redo,
   select_first,
   too_many_steps,
+  export_endings,   ///< {0} file
+  too_many_slides,  ///< {0} most
   autosave_failed,  ///< {0} why
 };
 

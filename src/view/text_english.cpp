@@ -273,6 +273,12 @@ std::string_view english(TextId id) {
       return "Click on an object or a light first";
     case TextId::too_many_steps:
       return "The trace is too long to walk: it is shown only down to DEPTH {0}";
+    case TextId::export_endings:
+      return "{0}: the ending says what is written: .png the window, .gif a film of it, .svg the plan, .html slides, "
+             ".txt "
+             "or .json all steps";
+    case TextId::too_many_slides:
+      return "a page has at most {0} steps: walk one pixel, or go less deep";
     case TextId::autosave_failed:
       return "The work could not be autosaved: {0}";
   }

@@ -272,6 +272,11 @@ std::string_view portuguese(TextId id) {
       return "Clique primeiro num objeto ou numa luz";
     case TextId::too_many_steps:
       return "O percurso é longo demais: é mostrado só até DEPTH {0}";
+    case TextId::export_endings:
+      return "{0}: o final do nome diz o que se grava: .png a janela, .gif um filme dela, .svg a planta, .html slides, "
+             ".txt ou .json todos os passos";
+    case TextId::too_many_slides:
+      return "uma página tem no máximo {0} passos: percorra um pixel, ou vá menos fundo";
     case TextId::autosave_failed:
       return "O trabalho não pôde ser salvo automaticamente: {0}";
   }

@@ -54,12 +54,13 @@ bool goes_through(const State& state, const Action& action) {
   return std::visit(
       [&]<class T>(const T&) {
         if constexpr (one_of<T, Tick, ResizePlan, SetTheme, SetLanguage, SetUiScale, PointerLeft, PointerReleased,
-                             DismissNotice>)
+                             DismissNotice, FinishExport>)
           return true;
         // An autosave that nobody decided on waits for the next start.
         const bool may_leave = state.question && state.question->kind == Question::Kind::recover;
         if (state.question) return one_of<T, AnswerQuestion> || (may_leave && one_of<T, Quit>);
-        if (state.prompt != PathPrompt::none) return one_of<T, Open, SaveAs, SavePredictions, CancelPrompt, Quit>;
+        if (state.prompt != PathPrompt::none)
+          return one_of<T, Open, SaveAs, SavePredictions, Export, CancelPrompt, Quit>;
         return true;
       },
       action);
@@ -299,6 +300,10 @@ void apply(State& state, const Action& action) {
           [&](const ShowCure&) { detail::show_cure(state); },
           [&](const MendBug& a) { detail::mend_bug(state, a.mended); },
           [&](const LeaveHunt&) { detail::leave_hunt(state); },
+          [&](const AskExport&) { detail::ask_path(state, PathPrompt::export_walk); },
+          [&](const Export& a) { detail::export_walk(state, a.path); },
+          [&](const FinishExport& a) { detail::finish_export(state, a.why_not); },
+          [](const Wait&) {},
           [&](const SetPredictions& a) { detail::set_predictions(state, a.on); },
           [&](const GuessWay& a) { detail::guess_way(state, a.towards); },
           [&](const GuessEnd& a) { detail::guess_end(state, a.met); },

@@ -191,7 +191,7 @@ TEST_CASE("a lesson's own questions and a hunt go before; a guess that was walke
   }
 }
 
-TEST_CASE("predictions are saved as a table, and no file is written over") {
+TEST_CASE("predictions are saved as a table, and no file is written over unasked") {
   const TemporaryFolder folder;
   State state = predicting();
   update(state, action::AskSavePredictions{});
@@ -210,10 +210,21 @@ TEST_CASE("predictions are saved as a table, and no file is written over") {
   REQUIRE(table);
   CHECK(*table ==
         "scene,step,ray,asked,degrees_off,right\n," + std::to_string(answered) + ",reflect,where it goes,0.0,1\n");
+  // What stands there already is written over only when that is said.
+  update(state, action::Step{});
+  to_question(state, Foretold::way, RayKind::refract);
+  update(state, action::GuessWay{plan(asked_ray(state).origin) + plan(asked_ray(state).direction)});
+  update(state, action::Step{});
   update(state, action::AskSavePredictions{});
   update(state, action::SavePredictions{path});
-  CHECK(state.prompt == PathPrompt::save_predictions);  // the dialog stays and says why
-  CHECK(state.notice->kind == Notice::Kind::error);
+  REQUIRE(state.question);
+  CHECK(read_file(path, 1 << 16) == table);
+  update(state, action::AnswerQuestion{action::Answer::cancel});
+  CHECK(state.prompt == PathPrompt::save_predictions);
+  update(state, action::SavePredictions{path});
+  update(state, action::AnswerQuestion{action::Answer::save});
+  CHECK(state.prompt == PathPrompt::none);
+  CHECK(read_file(path, 1 << 16)->size() > table->size());
   update(state, action::SavePredictions{folder.file("no/such/folder.csv")});
   CHECK(state.notice->kind == Notice::Kind::error);
 }

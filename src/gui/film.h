@@ -1,0 +1,34 @@
+#pragma once
+// A film of the window: what WindowExport asks for, frame by frame.
+
+#include "io/gif.h"
+#include "view/state.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+class WalkFilm {
+ public:
+  /// Of the walk from here on: film_positions of view/export.h, as fast as AUTO goes.
+  explicit WalkFilm(const State& state);
+
+  /// What the next frame is to show.
+  [[nodiscard]] int position() const { return positions_[next_]; }
+  [[nodiscard]] int begun_at() const { return positions_.front(); }
+  /// The window as it shows position(). Whether a further frame follows; a window of another size ends the film.
+  bool take(const Image& window);
+  /// Writes the frames taken so far.
+  [[nodiscard]] Result<void> write(const std::string& path);
+
+ private:
+  std::vector<int> positions_;
+  std::size_t next_ = 0;
+  double seconds_;  ///< of a frame
+  ImageSize size_{0, 0};
+  std::unique_ptr<GifFilm> gif_;
+};
+
+}  // namespace raywalk

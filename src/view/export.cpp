@@ -1,0 +1,154 @@
+#include "view/export.h"
+
+#include "io/file.h"
+#include "timeline/event_json.h"
+#include "timeline/message.h"
+#include "view/plan_view.h"
+#include "view/slides.h"
+#include "view/svg.h"
+#include "view/text.h"
+#include "view/update_parts.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, ExportKind>, 6> endings{{{".png", ExportKind::picture},
+                                                                          {".gif", ExportKind::film},
+                                                                          {".svg", ExportKind::plan},
+                                                                          {".html", ExportKind::slides},
+                                                                          {".txt", ExportKind::transcript},
+                                                                          {".json", ExportKind::steps}}};
+
+/// What is written without the window.
+Result<std::string> exported(const State& state, ExportKind kind) {
+  const Scene& scene = state.scene();
+  switch (kind) {
+    case ExportKind::plan:
+      return svg_file(plan_view(state, state.viewport), state.viewport.width, state.viewport.height,
+                      palette(state.theme).plan, scene.title.empty() ? "Raywalk" : scene.title);
+    case ExportKind::slides:
+      if (state.timeline->steps() > most_slides)
+        return tl::unexpected(
+            Error{"", 0, 0, fill(TextId::too_many_slides, state.language, {std::to_string(most_slides)}), ""});
+      return slides_page(scene, state.timeline, state.language, state.theme);
+    case ExportKind::transcript:
+      return transcript(scene, *state.timeline, state.language);
+    case ExportKind::steps: {
+      std::string all;
+      const auto written = write_steps_json(scene, *state.timeline,
+                                            {{"scene", state.path},
+                                             {"title", scene.title},
+                                             {"depth", scene.limits.depth},
+                                             {"threshold", scene.limits.threshold}},
+                                            [&](const std::string& part) -> Result<void> {
+                                              all += part;
+                                              return {};
+                                            });
+      if (!written) return tl::unexpected(written.error());
+      return all;
+    }
+    case ExportKind::picture:
+    case ExportKind::film:
+      break;
+  }
+  return std::string();
+}
+
+}  // namespace
+
+std::optional<ExportKind> export_kind_of(std::string_view path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto& [each, kind] : endings)
+    if (ending == each) return kind;
+  return std::nullopt;
+}
+
+std::vector<int> film_positions(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  const bool whole = state.grain == Grain::pixel;
+  const int last = whole ? timeline.steps() : timeline.next_pixel(state.position);
+  std::vector<int> positions{state.position};
+  while (positions.back() < last) {
+    const int next = std::min(detail::stepped(timeline, positions.back(), state.grain, true), last);
+    positions.push_back(next);
+  }
+  if (static_cast<int>(positions.size()) > most_frames) {
+    positions.resize(most_frames - 1);
+    positions.push_back(last);
+  }
+  return positions;
+}
+
+Result<void> write_steps_json(const Scene& scene, const Timeline& timeline, const nlohmann::ordered_json& head,
+                              const std::function<Result<void>(const std::string&)>& print) {
+  using Json = nlohmann::ordered_json;
+  const auto dump = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
+  std::string text = dump(head);
+  text.pop_back();  // its closing brace
+  text += ",\"steps\":[";
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    Json step{{"step", position}};
+    step.update(event_json(scene, timeline.event(position - 1)));
+    step["sentence"] = sentence_of(describe(scene, timeline, position), Language::english);
+    text += (position == 1 ? "\n" : ",\n") + dump(step);
+    constexpr std::size_t enough = 1 << 16;
+    if (text.size() < enough) continue;
+    if (auto printed = print(text); !printed) return printed;
+    text.clear();
+  }
+  return print(text + "\n]}\n");
+}
+
+}  // namespace raywalk
+
+namespace raywalk::detail {
+
+void export_over(State& state, const std::string& path) {
+  const ExportKind kind = *export_kind_of(path);
+  if (kind == ExportKind::picture || kind == ExportKind::film) {
+    // The window is shown as it is meant to be seen, without the dialog.
+    state.prompt = PathPrompt::none;
+    state.notice.reset();
+    state.playing = false;
+    if (kind == ExportKind::film) state.mode = Mode::trace;
+    state.window_export = WindowExport{kind, path};
+    return;
+  }
+  const auto text = exported(state, kind);
+  const auto written = text ? write_file_atomically(path, *text) : tl::unexpected(text.error());
+  finish_export(state, written ? "" : written.error().text());
+  if (written) inform(state, fill(TextId::saved_as, state.language, {path}));
+}
+
+void export_walk(State& state, const std::string& path) {
+  if (path.empty()) return;
+  if (state.prompt == PathPrompt::export_walk) state.notice.reset();
+  if (!export_kind_of(path)) return complain(state, fill(TextId::export_endings, state.language, {path}));
+  std::error_code failed;
+  if (std::filesystem::exists(path, failed)) {
+    state.question = Question{Question::Kind::overwrite, Intent::quit, path};
+    state.question->file = PathPrompt::export_walk;
+    return;
+  }
+  export_over(state, path);
+}
+
+void finish_export(State& state, const std::string& why_not) {
+  const auto done = std::exchange(state.window_export, std::nullopt);
+  if (!why_not.empty()) return complain(state, why_not);
+  state.prompt = PathPrompt::none;
+  if (done) inform(state, fill(TextId::saved_as, state.language, {done->path}));
+}
+
+}  // namespace raywalk::detail
