@@ -44,8 +44,7 @@ class Reader {
       } else if (Passage* const to = target()) {
         add_line(*to, line, line_, after_empty);
       } else if (!line.empty()) {
-        fail("words stand before the title (expected a first line such as \"# Shadows\")",
-             "begin the file with # and the lesson's title");
+        fail_before_title();
       }
       after_empty = line.empty();
       at = end + 1;
@@ -58,6 +57,11 @@ class Reader {
  private:
   void fail(std::string message, std::string hint) {
     if (!error_) error_ = Error{words_.file, line_, 0, std::move(message), std::move(hint)};
+  }
+
+  void fail_before_title() {
+    fail("words stand before the title (expected a first line such as \"# Shadows\")",
+         "begin the file with # and the lesson's title");
   }
 
   /// Where the words go that come next; null before the title.
@@ -81,7 +85,8 @@ class Reader {
     const std::string_view text = order == std::string_view::npos ? "" : trimmed(line.substr(order));
     into_choices_ = false;
     if (text.empty()) return fail("a heading without words (expected some after the #)", "");
-    if (order == 1 && words_.title.empty()) {
+    if (words_.title.empty()) {
+      if (order != 1) return fail_before_title();
       words_.title = text;
     } else if (order == 2) {
       section(text);

@@ -213,6 +213,14 @@ TEST_CASE("a lesson's file is refused with line and hint") {
   CHECK_THAT(faults("step = 3"), raywalk::test::contains("has no steps"));
 }
 
+TEST_CASE("words that begin without a title are refused") {
+  for (const std::string begins : {"Text.", "## teacher", "## a: Heading", "### predict", "- a choice"}) {
+    const auto words = parse_words("\n" + begins + "\n# Title\n", "en.md");  // a heading of ## was a fuzzer's finding
+    REQUIRE_FALSE(words);
+    CHECK_THAT(words.error().text(), raywalk::test::contains("en.md:2: words stand before the title"));
+  }
+}
+
 TEST_CASE("a step changes values of its scene") {
   std::string steps = replaced(good_steps, "pixel = 3",
                                "pixel = 3\nset.\"Solid Sphere\".material.reflection = 0.5\n"
