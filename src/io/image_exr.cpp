@@ -60,16 +60,16 @@ class StringIn : public Imf::IStream {
   std::size_t at_ = 0;
 };
 
-/// Where the channels of pixel (0, 0) lie, and how far it is to the next ones. The library wants no const.
-Imf::FrameBuffer frame_of(Image& image, std::ptrdiff_t first) {
+/// Where the channels of the pixels of `window` lie. The library wants no const.
+Imf::FrameBuffer frame_of(const Image& image, const Imath::Box2i& window) {
   static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
   constexpr std::size_t pixel = sizeof(Rgb<float>);
-  char* base = reinterpret_cast<char*>(image.pixels.data() - first);
+  const char* base = reinterpret_cast<const char*>(image.pixels.data());
   const std::size_t row = pixel * static_cast<std::size_t>(image.width);
   Imf::FrameBuffer frame;
-  frame.insert("R", Imf::Slice(Imf::FLOAT, base, pixel, row, 1, 1, 0));
-  frame.insert("G", Imf::Slice(Imf::FLOAT, base + sizeof(float), pixel, row, 1, 1, 0));
-  frame.insert("B", Imf::Slice(Imf::FLOAT, base + 2 * sizeof(float), pixel, row, 1, 1, 0));
+  frame.insert("R", Imf::Slice::Make(Imf::FLOAT, base, window, pixel, row));
+  frame.insert("G", Imf::Slice::Make(Imf::FLOAT, base + sizeof(float), window, pixel, row));
+  frame.insert("B", Imf::Slice::Make(Imf::FLOAT, base + 2 * sizeof(float), window, pixel, row));
   return frame;
 }
 
@@ -86,7 +86,7 @@ Result<std::string> encode_exr(const Image& image) {
     StringOut stream(bytes);
     {
       Imf::OutputFile file(stream, header, 0);
-      file.setFrameBuffer(frame_of(const_cast<Image&>(image), 0));  // NOLINT: only read from
+      file.setFrameBuffer(frame_of(image, header.dataWindow()));
       file.writePixels(image.height);
     }  // the table of lines is written on closing
   } catch (const std::exception& error) {
@@ -103,14 +103,16 @@ Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
     const auto window = file.header().dataWindow();
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+    // No method packs tighter than this, so that a few bytes cannot ask for all memory.
+    const auto most_pixels = std::min(std::int64_t{1} << 28, 4096 * static_cast<std::int64_t>(bytes.size()));
     if (width < 1 || height < 1 || width > most_pixels / height)
-      return tl::unexpected(Error{file_name, 0, 0, "the size of the picture is wrong (expected at most 2^28 pixels)",
+      return tl::unexpected(Error{file_name, 0, 0,
+                                  "the size of the picture is wrong (expected at most 2^28 pixels, and a file that can "
+                                  "hold them)",
                                   "is this the right file?"});
     Image image{static_cast<int>(width), static_cast<int>(height), {}};
     image.pixels.resize(static_cast<std::size_t>(width * height));
-    const std::ptrdiff_t first = window.min.y * static_cast<std::ptrdiff_t>(width) + window.min.x;
-    file.setFrameBuffer(frame_of(image, first));
+    file.setFrameBuffer(frame_of(image, window));
     file.readPixels(window.min.y, window.max.y);
     return image;
   } catch (const std::exception& error) {

@@ -67,6 +67,29 @@ TEST_CASE("what is no whole OpenEXR picture is refused with a message") {
   CHECK(!decode_exr("PF\n1 1\n-1.0\n123456789012", "a.pfm"));
 }
 
+TEST_CASE("a window that lies far away, or is larger than its file can fill") {  // a fuzzer's findings
+  if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
+  const Image image = sample();
+  const std::string bytes = encode_exr(image).value();
+  const std::string name("dataWindow\0box2i", 17);
+  const std::size_t window = bytes.find(name) + name.size() + 4;  // min x, min y, max x, max y
+  const auto put = [](std::string& to, std::size_t at, std::int32_t number) {
+    for (int i = 0; i < 4; ++i) to[at + static_cast<std::size_t>(i)] = static_cast<char>(number >> 8 * i);
+  };
+  std::string far = bytes;
+  put(far, window, 0x19191919);
+  put(far, window + 8, 0x19191919 + image.width - 1);
+  const auto moved = decode_exr(far, "far.exr");
+  REQUIRE(moved);
+  CHECK(moved->pixels == image.pixels);
+  std::string large = bytes;
+  put(large, window + 8, 16383);
+  put(large, window + 12, 16383);
+  const auto refused = decode_exr(large, "large.exr");
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().message, contains("a file that can hold them"));
+}
+
 TEST_CASE("without the library, asking for .exr says how to get it") {
   const auto format = image_format_of("a.exr");
   CHECK(format.has_value() == has_exr());
