@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "gui/desktop.h"
 #include "support/catch.h"
@@ -205,6 +206,38 @@ TEST_CASE("Structure in the window: a search stepped, another structure, how it 
   walk.keep_picture("p8-structure-build");
   raywalk.key("ctrl+i");
   REQUIRE(walk.until("structure", "build", false));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
+}
+
+TEST_CASE("exports of the window: a picture by the dialog, a film, and the demo goes on after it", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  const auto file = [&](const std::string& name) { return (desktop.folder() / name).string(); };
+  const auto starts_with = [&](const std::string& name, const std::string& bytes) {
+    std::ifstream in(file(name), std::ios::binary);
+    std::string first(bytes.size(), '\0');
+    in.read(first.data(), static_cast<std::streamsize>(first.size()));
+    return first == bytes;
+  };
+  std::ofstream(file("show.demo")) << "mode trace\njump 11\ngrain ray\nspeed 10\nexport " << file("walk.gif")
+                                   << "\nwait 0.5\nexport " << file("walk.png") << "\njump 0\n";
+  Visualiser raywalk(desktop, {std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml", "--demo", file("show.demo")});
+  INFO(raywalk.said());
+  // The film leaves the walk where it was; the demo then leads back to the start.
+  REQUIRE(raywalk.until(
+      [&](const Json& report) { return std::filesystem::exists(file("walk.png")) && report["position"] == 0; }, 120));
+  CHECK(starts_with("walk.gif", "GIF89a"));
+  CHECK(std::filesystem::file_size(file("walk.gif")) > 20000);
+  CHECK(starts_with("walk.png", "\x89PNG"));
+
+  raywalk.key("ctrl+e");
+  REQUIRE(raywalk.until("prompt", "export"));
+  raywalk.key("ctrl+a");
+  raywalk.type(file("slides.html"));
+  raywalk.key("Return");
+  REQUIRE(raywalk.until("prompt", ""));
+  CHECK(starts_with("slides.html", "<!DOCTYPE html>"));
   raywalk.key("ctrl+q");
   CHECK(raywalk.wait() == 0);
 }
