@@ -19,7 +19,7 @@ std::string_view english(PredictText id) {
     case PredictText::off_too_far:
       return "\u2717 {0}\u00b0 off.";
     case PredictText::met_right:
-      return "\u2713 {0}.";
+      return "\u2713 Right: {0}.";
     case PredictText::met_wrong:
       return "\u2717 {0}, not {1}.";
     case PredictText::score:

@@ -19,7 +19,7 @@ std::string_view portuguese(PredictText id) {
     case PredictText::off_too_far:
       return "\u2717 Erro de {0}\u00b0.";
     case PredictText::met_right:
-      return "\u2713 {0}.";
+      return "\u2713 Certo: {0}.";
     case PredictText::met_wrong:
       return "\u2717 {0}, n\u00e3o {1}.";
     case PredictText::score:

@@ -68,8 +68,7 @@ void ask_to_recover(State& state) {
   if (found.empty()) return;
   const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), most_bytes);
   if (!autosaved) return;
-  state.question = Question{Question::Kind::recover, Intent::open, {}};
-  state.question->autosave = found;
+  state.question = Question{Question::Kind::recover, Intent::open, {}, found, {}};
   std::size_t next = 0;
   if (const auto line = head_line(*autosaved, 0, autosave_head)) {
     state.question->path = line->value;

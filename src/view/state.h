@@ -91,11 +91,11 @@ struct Question {
   };
   Kind kind = Kind::unsaved;
   Intent intent = Intent::quit;  ///< goes on with this after save or discard
-  std::string path;  ///< of Intent::open, the name of a lesson, of the file that the autosave belongs to (may be
-                     ///< empty), or to overwrite
+  std::string path;        ///< of Intent::open, the name of a lesson, of the file that the autosave belongs to (may be
+                           ///< empty), or to overwrite
+  std::string autosave{};  ///< recover: the autosave
+  std::string when{};      ///< recover: the time at which it was written, for people
   PathPrompt file = PathPrompt::save_as;  ///< overwrite: what the file is to hold
-  std::string autosave{};                 ///< recover: the autosave
-  std::string when{};                     ///< recover: the time at which it was written, for people
 };
 
 /// What a drag holds on to. All of it is from the moment of the press, so that a drag is a pure function of where the

@@ -83,8 +83,7 @@ TEST_CASE("a window that lies far away, or is larger than its file can fill") { 
   REQUIRE(moved);
   CHECK(moved->pixels == image.pixels);
   std::string large = bytes;
-  put(large, window + 8, 16383);
-  put(large, window + 12, 16383);
+  put(large, window + 8, 9999999);
   const auto refused = decode_exr(large, "large.exr");
   REQUIRE_FALSE(refused);
   CHECK_THAT(refused.error().message, contains("a file that can hold them"));

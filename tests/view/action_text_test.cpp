@@ -99,6 +99,16 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ShowStructurePage{StructurePage::build}, "structure-page build"},
       {GoInStructure{7}, "structure-go 7"},
       {Magnify{0.5}, "magnify 0.5"},
+      {ShowHands{1, -2}, "hands 1 -2"},
+      {SetPredictions{true}, "predictions on"},
+      {GuessWay{{1.5, -2}}, "guess-way 1.5 -2"},
+      {GuessEnd{{TargetKind::object, 2, -1}}, "guess-end object 2 -1"},
+      {AskSavePredictions{}, "ask-save-predictions"},
+      {SavePredictions{"a file.csv"}, "save-predictions a file.csv"},
+      {AskExport{}, "ask-export"},
+      {Export{"a walk.gif"}, "export a walk.gif"},
+      {FinishExport{"no room"}, "finish-export no room"},
+      {Wait{0.5}, "wait 0.5"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

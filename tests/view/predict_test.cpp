@@ -50,6 +50,7 @@ TEST_CASE("nothing is asked before predictions are switched on, while AUTO plays
     CHECK_FALSE(prediction_asked(state));
     CHECK_FALSE(aim_origin(state));
   }
+  update(state, action::Clear{});
   update(state, action::SetPredictions{true});
   to_question(state, Foretold::way, RayKind::shadow);
   update(state, action::SetMode{Mode::move});
@@ -208,8 +209,8 @@ TEST_CASE("predictions are saved as a table, and no file is written over unasked
   CHECK(state.prompt == PathPrompt::none);
   const auto table = read_file(path, 1 << 16);
   REQUIRE(table);
-  CHECK(*table ==
-        "scene,step,ray,asked,degrees_off,right\n," + std::to_string(answered) + ",reflect,where it goes,0.0,1\n");
+  CHECK(*table == "scene,step,ray,asked,degrees_off,right\n" + state.path + "," + std::to_string(answered) +
+                      ",reflect,where it goes,0.0,1\n");
   // What stands there already is written over only when that is said.
   update(state, action::Step{});
   to_question(state, Foretold::way, RayKind::refract);
