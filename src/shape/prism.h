@@ -119,8 +119,8 @@ struct FaceCrossing {
 struct SideCrossings {
   bool inside = false;
   FaceCrossing in, out, out_before{-infinity<double>, no_part, 0, 0};
-  double in_error = 0;  ///< a bound of that of in.t
-  bool sure = true;     ///< no rounding can have decided on which side of the line a corner is, or of `start` an edge
+  double in_error = 0, out_error = 0;  ///< bounds of those of in.t and out.t
+  bool sure = true;  ///< no rounding can have decided on which side of the line a corner is, or of `start` an edge
 };
 
 template <class T>
@@ -172,6 +172,7 @@ SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d,
   crossings.in = after[1 - out];
   crossings.in_error = after_error[1 - out];
   crossings.out = after[out];
+  crossings.out_error = after_error[out];
   crossings.out_before = before[out];
   return crossings;
 }
@@ -276,8 +277,13 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
   const auto sides = detail::cross_sides(prism, Vec2d(plan(ray.origin)),
                                          upright ? Vec2d(1, 0) : Vec2d(plan(ray.direction)), start, departed_part);
   const bool inside = departs ? departs_in : sides.inside;
-  const bool sure_to_enter = !(std::abs(sides.in.t - slab.out) <= sides.in_error + 4 * detail::half_ulp * slab.out);
-  if (!departs && !(sides.sure && (inside || upright || sure_to_enter))) {
+  // Which comes first where the ray goes out, or might come in: a side or the far cap?
+  const auto told_from_cap = [&](const detail::FaceCrossing& side, double error) {
+    return slab.out == infinity<double> || std::abs(side.t - slab.out) > error + 4 * detail::half_ulp * slab.out;
+  };
+  const bool sure = sides.sure && (upright || (!inside ? told_from_cap(sides.in, sides.in_error)
+                                                       : slab.in > 0 || told_from_cap(sides.out, sides.out_error)));
+  if (!departs && !sure) {
     note_exact(explain);
     const auto exact = detail::intersect_exactly(prism, ray, t_max);
     if constexpr (std::decay_t<Explain>::wanted) explain.plane(exact ? static_cast<double>(exact->t) : NAN, 1);

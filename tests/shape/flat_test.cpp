@@ -127,3 +127,15 @@ TEST_CASE("a disk ends at its rim", "[shape]") {
   CHECK(box.max.x == Approx(std::sqrt(0.5)));
   CHECK(box.max.y == Approx(1));
 }
+
+TEST_CASE("t is right to a few ulps in a sliver, too") {
+  // From the full count of the hard-case suite: the weights of its corners have few digits right there.
+  const Triangle<double> sliver{{-1.4723052402458738, 2.0689060161589761, 0.36194471267697759},
+                                {1.7594399588687271, -2.3312528003055539, 3.0667789428583645},
+                                {-1.4720718053985393, 2.0685111720365121, 0.36216419671880645}};
+  const Ray<double> ray{{14.222997930832719, 18.593289406435797, -1.3026684463247231},
+                        {-13.464052281712048, -19.562345563102877, 3.532081857646983}};
+  const auto crossing = intersect(sliver, ray, infinity<double>);
+  REQUIRE(crossing);
+  CHECK(std::abs(crossing->t - 0.99999999999999967) < 64 * 0x1p-53);  // it was 10,000 half ulps off
+}

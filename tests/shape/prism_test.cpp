@@ -171,6 +171,35 @@ TEMPLATE_TEST_CASE("normals of a prism point outwards in both windings", "", flo
     }
 }
 
+TEST_CASE("a ray that runs along a side from inside leaves by it, or by the cap, whichever comes first") {
+  // From the full count of the hard-case suite: so nearly parallel to the side that rounding put the crossing with it
+  // beyond the cap's.
+  const Prism<double> prism{{{0.31882192237330254, -0.81636104524929121},
+                             {0.092025338982434868, -0.29068315470383677},
+                             {-0.7149914135656813, -0.83574246451005496},
+                             {-0.6865908377497042, -1.3964804162959203},
+                             {0.69479010579991751, -1.8899668838934827}},
+                            2.7999642021563687};
+  const Ray<double> ray{{-0.68927017225700349, -1.3435799204219241, 0.89948296478586909},
+                        {-0.0028481205549906186, 0.056232989668688838, -0.81996899386611055}};
+  const auto crossing = intersect(prism, ray, infinity<double>);
+  REQUIRE(crossing);
+  CHECK(crossing->t == 2.6738930833168291);
+  CHECK(crossing->part == 2);
+}
+
+TEST_CASE("a level ray is decided without exact arithmetic where nothing is in doubt") {
+  struct Noted : NoExplanation {
+    int times = 0;
+    void exact() { ++times; }
+  } noted;
+  const Prism<double> prism{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 2};
+  const auto crossing = intersect(prism, Ray<double>{{-3, 0.25, 0}, {1, 0.1, 0}}, infinity<double>, no_part, noted);
+  REQUIRE(crossing);
+  CHECK(crossing->t == 2);
+  CHECK(noted.times == 0);
+}
+
 TEST_CASE("coordinates of a prism's faces are lengths") {
   const auto prism = prism_of<double>(polygons[0], 2, false);
   const auto uv = [&](const Vec3d& p, int part) { return uv_at(prism, SurfacePoint<double>{p, Vec3d(0)}, part); };
