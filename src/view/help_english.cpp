@@ -52,6 +52,9 @@ std::vector<HelpSection> english_help() {
         {"Predict",
          "Ctrl+P. Before each ray drag an arrow where it will go, or click what it will meet; STEP shows how far off "
          "you were. AUTO rests wherever an arrow is asked for."},
+        {"Structure",
+         "Ctrl+T. How a ray is searched for in a BVH, a grid, an octree or a kd-tree: box by box, with what was "
+         "skipped and why, and how many tests that spares; the other page shows how each of them is built."},
         {"Breakpoints",
          "A click left of a line of code lets the walk rest before it; the Walk menu has more places to rest: a DEPTH, "
          "a pixel, a hit of an object, total internal reflection."}}},

@@ -55,6 +55,9 @@ std::vector<HelpSection> portuguese_help() {
         {"Prever",
          "Ctrl+P. Antes de cada raio, arraste uma seta para onde ele vai, ou clique no que ele encontra; STEP mostra o "
          "erro. AUTO para onde uma seta é pedida."},
+        {"Estrutura",
+         "Ctrl+T. Como um raio é procurado numa BVH, grade, octree ou kd-tree: caixa por caixa, com o que foi pulado e "
+         "por quê, e quantos testes isso poupa; a outra página mostra como cada uma é construída."},
         {"Paradas",
          "Um clique à esquerda de uma linha do código faz o percurso parar antes dela; o menu Percurso tem outros "
          "lugares onde parar: um DEPTH, um pixel, o encontro com um objeto, a reflexão interna total."}}},
