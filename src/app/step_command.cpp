@@ -20,12 +20,12 @@ namespace {
 
 Result<void> print_json(const Scene& scene, const Timeline& timeline, const StepOptions& options) {
   nlohmann::ordered_json head{{"version", RAYWALK_VERSION},
-            {"scene", scene_path(options.scene)},
-            {"title", scene.title},
-            {"depth", scene.limits.depth},
-            {"threshold", scene.limits.threshold},
-            {"precision", precision_name(options.precision)},
-            {"numerics", numerics_name(scene.render.numerics)}};
+                              {"scene", scene_path(options.scene)},
+                              {"title", scene.title},
+                              {"depth", scene.limits.depth},
+                              {"threshold", scene.limits.threshold},
+                              {"precision", precision_name(options.precision)},
+                              {"numerics", numerics_name(scene.render.numerics)}};
   if (options.fault) head["fault"] = fault_name(*options.fault);
   return write_steps_json(scene, timeline, head, [](const std::string& part) { return print(part); });
 }
