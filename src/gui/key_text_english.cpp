@@ -81,7 +81,7 @@ std::string_view english(KeyText id) {
     case KeyText::undo:
       return "undo \u00b7 redo";
     case KeyText::files:
-      return "new \u00b7 open \u00b7 save \u00b7 save as \u00b7 quit";
+      return "new \u00b7 open \u00b7 save \u00b7 save as \u00b7 export \u00b7 quit";
     case KeyText::theme:
       return "dark theme or the projector's";
     case KeyText::language:

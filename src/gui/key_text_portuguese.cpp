@@ -80,7 +80,7 @@ std::string_view portuguese(KeyText id) {
     case KeyText::undo:
       return "desfazer \u00b7 refazer";
     case KeyText::files:
-      return "nova \u00b7 abrir \u00b7 salvar \u00b7 salvar como \u00b7 sair";
+      return "nova \u00b7 abrir \u00b7 salvar \u00b7 salvar como \u00b7 exportar \u00b7 sair";
     case KeyText::theme:
       return "tema escuro ou o do projetor";
     case KeyText::language:

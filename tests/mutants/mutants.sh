@@ -72,6 +72,7 @@ mutant prism_half_open_broken Prism shape/prism.h '(side >= 0) != (next_side >= 
 mutant prism_cap_behind Prism shape/prism.h 'if (slab.out < next.t) meet_cap' 'if (slab.out > next.t) meet_cap'
 mutant prism_corners_without_bound Prism shape/prism.h '!(std::abs(side) < 4 * half_ulp * size_of_cross(d, to))' 'true'
 mutant prism_rim_without_bound Prism shape/prism.h 'std::abs(t - start) > error + 4 * half_ulp * start' 'true'
+mutant prism_far_cap_without_bound Prism shape/prism.h 'slab.in > 0 || told_from_cap(sides.out, sides.out_error)' 'true'
 mutant prism_exactly_half_open Prism shape/prism.h 'along.y).sign() >= 0) == ((qy' 'along.y).sign() > 0) == ((qy'
 mutant prism_upright_from_the_slab Prism shape/prism.h 'enters && !upright ? in' 'enters ? in'
 mutant prism_parity_forgotten Prism shape/prism.h 'crossings.inside = !crossings.inside;' 'crossings.inside = true;'
@@ -79,6 +80,7 @@ mutant prism_parity_forgotten Prism shape/prism.h 'crossings.inside = !crossings
 # --- Triangles --------------------------------------------------------------------------------------------------------
 mutant triangle_signs_without_bound Triangle shape/triangle.h \
   'std::min({std::abs(u), std::abs(v), std::abs(w)}) > error' 'true'
+mutant triangle_weights_believed Triangle shape/triangle.h '(off.z - slope) * ray.inverse' 'off.z * ray.inverse'
 mutant triangle_t_without_bound Triangle shape/triangle.h '> 4 * error * depth' '>= 0'
 mutant triangle_edges_for_both mesh shape/triangle.h 'if (side != 0) return side;' 'return side >= 0 ? 1 : -1;'
 mutant triangle_edges_for_none mesh shape/triangle.h 'if (side != 0) return side;' 'return side;'
