@@ -19,7 +19,9 @@ bool menu(const Ui& ui, std::string_view title, const char* name, bool open, con
   const bool is_open = ImGui::BeginMenu(heading.c_str());
   ui.publish(name);
   if (!is_open) return false;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(7)});
+  // So close that the longest menu fits below the bar of a window of 720 units: one that covers the bar takes the
+  // click that opens it.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(6)});
   entries();
   ImGui::PopStyleVar();
   ImGui::EndMenu();
@@ -49,6 +51,7 @@ void file_menu(const Ui& ui) {
   menu_item(ui, Command::save);
   menu_item(ui, Command::save_as);
   menu_item(ui, Command::export_walk);
+  menu_item(ui, Command::save_predictions);
   ImGui::Separator();
   menu_item(ui, Command::quit);
 }
@@ -112,8 +115,7 @@ void walk_menu(const Ui& ui) {
   ImGui::Separator();
   for (const Command command : {Command::first, Command::last, Command::clear}) menu_item(ui, command);
   ImGui::Separator();
-  for (const Command command : {Command::predict, Command::save_predictions, Command::lessons, Command::bugs})
-    menu_item(ui, command);
+  for (const Command command : {Command::predict, Command::lessons, Command::bugs}) menu_item(ui, command);
 }
 
 }  // namespace
