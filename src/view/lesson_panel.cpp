@@ -66,6 +66,10 @@ std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language langua
   return rows;
 }
 
+double degrees_between(const Vec2d& a, const Vec2d& b) {
+  return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
+}
+
 std::optional<LessonVerdict> judge(const LessonSitting& sitting) {
   const PlayedStep* step = sitting.at();
   if (step == nullptr || !step->step->question) return std::nullopt;
@@ -88,8 +92,7 @@ std::optional<LessonVerdict> judge(const LessonSitting& sitting) {
   }
   const std::optional<Vec2d> truth = direction_of(sitting);
   if (!truth || !sitting.guess.arrow) return std::nullopt;
-  const Vec2d& guess = *sitting.guess.arrow;
-  const double degrees = std::abs(std::atan2(cross(*truth, guess), dot(*truth, guess))) * 180 / std::numbers::pi;
+  const double degrees = degrees_between(*truth, *sitting.guess.arrow);
   return LessonVerdict{degrees <= std::get<ArrowQuestion>(question).tolerance, degrees};
 }
 

@@ -51,6 +51,9 @@ struct LessonPanel {
 /// Where the arrow of a guess starts, as long as the step that asked for it is on the screen.
 [[nodiscard]] std::optional<Vec2d> guess_origin(const State& state);
 
+/// The angle between two arrows, 0 to 180.
+[[nodiscard]] double degrees_between(const Vec2d& a, const Vec2d& b);
+
 /// Of a guess, when there is one: whether it counts as right, and by how much it is off: degrees of an arrow, else the
 /// question's own unit; 0 or 1 of a choice.
 struct LessonVerdict {

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 namespace raywalk {
 
@@ -67,8 +66,9 @@ Target met_by(const RayRecord& ray) {
   return {};
 }
 
-double degrees_between(const Vec2d& a, const Vec2d& b) {
-  return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
+/// Predictions are on, and neither a lesson nor a hunt asks questions of its own.
+bool may_ask(const State& state) {
+  return state.predictions.on && !state.bugs.hunt && !(state.lessons.shown && state.lessons.at() != nullptr);
 }
 
 std::string name_of(const State& state, const Target& target) {
@@ -86,14 +86,12 @@ int Predictions::right() const {
 }
 
 std::optional<PredictionAsked> prediction_asked(const State& state) {
-  const bool others_ask = state.bugs.hunt || (state.lessons.shown && state.lessons.at() != nullptr);
-  if (!state.predictions.on || state.mode != Mode::trace || others_ask || state.playing || shows_lines(state))
-    return std::nullopt;
+  if (!may_ask(state) || state.mode != Mode::trace || state.playing || shows_lines(state)) return std::nullopt;
   return answered_after(*state.timeline, state.position);
 }
 
 bool rests_for_prediction(const State& state, int position) {
-  if (!state.predictions.on || state.bugs.hunt || (state.lessons.shown && state.lessons.at() != nullptr)) return false;
+  if (!may_ask(state)) return false;
   const auto asked = answered_after(*state.timeline, position);
   return asked && asked->what == Foretold::way;
 }
