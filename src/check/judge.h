@@ -98,18 +98,29 @@ template <class S, class T>
 }
 
 /// Whether the answer is right for one of a few rays that differ from this one by an ulp or two of their origin's and
-/// direction's largest components: then it is the rounding of the input that was decided, and no defect.
+/// direction's largest components: then it is the rounding of the input that was decided, and no defect. The first of
+/// them only lacks the components smaller than such an ulp: no other goes exactly along an axis or through an apex.
 template <class S, class T>
 [[nodiscard]] bool right_nearby(const Case<S, T>& tried, const std::optional<Crossing<T>>& got, Random& random) {
+  const auto ulp_of = [](Vec3<T> v) { return ulp_at<T>(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); };
+  const auto without_tiny = [&](Vec3<T> v) {
+    const double ulp = ulp_of(v);
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(v[axis]) < ulp) v[axis] = 0;
+    return v;
+  };
   const auto moved = [&](Vec3<T> v) {
-    const double ulp = ulp_at<T>(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+    const double ulp = ulp_of(v);
     for (int axis = 0; axis < 3; ++axis) v[axis] += static_cast<T>(random.whole(-2, 2) * ulp);
     return v;
   };
-  for (int i = 0; i < 1000; ++i) {
-    Case<S, T> other{tried.shape, {moved(tried.ray.origin), moved(tried.ray.direction)}};
-    if (judge_exactly(other, got).verdict == Verdict::right) return true;
-  }
+  const auto right = [&](Vec3<T> origin, Vec3<T> direction) {
+    return judge_exactly(Case<S, T>{tried.shape, {origin, direction}}, got).verdict == Verdict::right;
+  };
+  const Vec3<T> origin = tried.ray.origin, direction = tried.ray.direction;
+  if (right(without_tiny(origin), without_tiny(direction))) return true;
+  for (int i = 0; i < 1000; ++i)
+    if (right(moved(origin), moved(direction))) return true;
   return false;
 }
 
