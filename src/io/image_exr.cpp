@@ -9,6 +9,8 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfTileDescription.h>
+#include <OpenEXR/ImfVersion.h>
 
 #include <algorithm>
 #include <cstring>
@@ -73,6 +75,41 @@ Imf::FrameBuffer frame_of(const Image& image, const Imath::Box2i& window) {
   return frame;
 }
 
+/// The header alone, which the library reads without making room for the picture.
+Imf::Header header_of(std::string_view bytes) {
+  StringIn stream(bytes);
+  char magic[4];
+  unsigned char flags[4];
+  stream.read(magic, 4);
+  stream.read(reinterpret_cast<char*>(flags), 4);
+  const int version = flags[0] | flags[1] << 8 | flags[2] << 16;
+  if (Imf::isMultiPart(version)) throw std::runtime_error("it has several parts (expected one picture)");
+  Imf::Header header;
+  int version_read = version;
+  header.readFrom(stream, version_read);
+  return header;
+}
+
+/// Whether a file of so many bytes can hold the picture of this header, and the rows that the library unpacks at once
+/// fit into memory. It makes room for them before it has read anything, so that a few bytes could ask for all memory.
+bool can_hold(std::size_t bytes, const Imf::Header& header) {
+  const auto size = static_cast<std::int64_t>(bytes);
+  const auto window = header.dataWindow();
+  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+  const std::int64_t most_pixels = std::min(std::int64_t{1} << 28, 4096 * size);  // no method packs tighter
+  if (width < 1 || height < 1 || width > most_pixels / height) return false;
+  if (height > 32 * size) return false;  // each 256 rows, or fewer, have 8 bytes in the table at the beginning
+  std::int64_t pixel = 0;                // bytes
+  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) pixel += 4;
+  constexpr std::int64_t most_of_row = 1 << 22, most_of_tile = 1 << 28;  // bytes
+  if (width * pixel > most_of_row) return false;
+  if (!header.hasTileDescription()) return true;
+  const Imf::TileDescription& tile = header.tileDescription();
+  return tile.xSize > 0 && tile.ySize > 0 && tile.xSize <= most_of_row && tile.ySize <= most_of_row &&
+         std::int64_t{tile.xSize} * tile.ySize * pixel <= most_of_tile;
+}
+
 }  // namespace
 
 bool has_exr() { return true; }
@@ -98,20 +135,17 @@ Result<std::string> encode_exr(const Image& image) {
 
 Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
   try {
+    if (!can_hold(bytes.size(), header_of(bytes)))
+      return tl::unexpected(Error{file_name, 0, 0,
+                                  "the size of the picture is wrong (expected at most 2^28 pixels, 4 MiB a row, and a "
+                                  "file that can hold them)",
+                                  "is this the right file?"});
     StringIn stream(bytes);
     Imf::InputFile file(stream, 0);
     const auto window = file.header().dataWindow();
-    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    // No method packs tighter than this, so that a few bytes cannot ask for all memory.
-    const auto most_pixels = std::min(std::int64_t{1} << 28, 4096 * static_cast<std::int64_t>(bytes.size()));
-    if (width < 1 || height < 1 || width > most_pixels / height)
-      return tl::unexpected(Error{file_name, 0, 0,
-                                  "the size of the picture is wrong (expected at most 2^28 pixels, and a file that can "
-                                  "hold them)",
-                                  "is this the right file?"});
-    Image image{static_cast<int>(width), static_cast<int>(height), {}};
-    image.pixels.resize(static_cast<std::size_t>(width * height));
+    const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+    Image image{width, height, {}};
+    image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     file.setFrameBuffer(frame_of(image, window));
     file.readPixels(window.min.y, window.max.y);
     return image;

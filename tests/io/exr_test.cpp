@@ -86,7 +86,28 @@ TEST_CASE("a window that lies far away, or is larger than its file can fill") { 
   put(large, window + 8, 9999999);
   const auto refused = decode_exr(large, "large.exr");
   REQUIRE_FALSE(refused);
-  CHECK_THAT(refused.error().message, contains("a file that can hold them"));
+  CHECK_THAT(refused.error().message, contains("file that can hold them"));
+}
+
+TEST_CASE("rows that ask for gigabytes, and files of several parts, are refused before any is made room for") {
+  if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
+  // A fuzzer's finding: the library made room for the packed rows, 2 GiB, before the window could be looked at.
+  const unsigned char found[] = {
+      0x76, 0x2f, 0x31, 0x01, 0x02, 0,   0,    0,   'c', 'h', 'a', 'n', 'n', 'e', 'l', 's', 0,    'c', 'h', 'l', 'i',
+      's',  't',  0,    0x34, 0,    0,   0,    'B', 0,   2,   0,   0,   0,   0,   0,   0,   0x99, 1,   0,   0,   0,
+      1,    0,    0,    0,    'R',  0,   2,    0,   0,   0,   0,   0,   0,   0,   1,   0,   0,    0,   1,   0,   0,
+      0,    0,    'c',  'o',  'n',  0,   'c',  'o', 'm', 'o', 'n', 0,   1,   0,   0,   0,   3,    'd', 'a', 't', 'a',
+      'W',  'i',  'n',  'd',  'o',  'w', 0,    'b', 'o', 'x', '2', 'i', 0,   16,  0,   0,   0,    0,   0,   0,   0,
+      0,    0,    0,    0,    2,    0,   0xfe, 0,   0,   0,   0,   0,   0,   0,   0,   0};
+  const std::string rows(reinterpret_cast<const char*>(found), sizeof found);
+  const auto refused = decode_exr(rows, "rows.exr");
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().message, contains("4 MiB a row"));
+  std::string parts = encode_exr(sample()).value();
+  parts[5] = 0x10;
+  const auto several = decode_exr(parts, "parts.exr");
+  REQUIRE_FALSE(several);
+  CHECK_THAT(several.error().message, contains("several parts"));
 }
 
 TEST_CASE("without the library, asking for .exr says how to get it") {
