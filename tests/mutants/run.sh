@@ -34,7 +34,7 @@ verdict() {
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "$(suspect "$2")" "$root/tests/mutants/suspects.cpp" \
     "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp -o "$work/$1.bin" -lgmpxx -lgmp >"$log" 2>&1; then
     printf 'broken'
-  elif timeout 60 "$work/$1.bin" >>"$log" 2>&1; then
+  elif (ulimit -t 60; exec "$work/$1.bin") >>"$log" 2>&1; then  # of the processor's time: nobody else's work kills
     printf 'survived'
   else
     printf 'killed'
