@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 
 # --- The compiler's liberties -----------------------------------------------------------------------------------------
-mutant contraction_on arithmetic '' '' '' '-ffp-contract=fast -mfma'
+mutant contraction_on arithmetic '' '' '' '-O2 -ffp-contract=fast -mfma'  # g++ contracts from -O2 on
 mutant reassociation_on arithmetic '' '' '' '-ffast-math'
 
 # --- Exact arithmetic -------------------------------------------------------------------------------------------------
@@ -10,7 +10,7 @@ mutant two_sum_forgets_its_error arithmetic math/double_double.h '(a - a_part) +
 mutant two_product_forgets_low_bits arithmetic math/double_double.h '+ a_lo * b_hi) + a_lo * b_lo' '+ a_lo * b_hi)'
 mutant expansion_drops_a_term arithmetic math/expansion.h \
   'if (sum.lo != 0) shorter.terms_.push_back(sum.lo);' ''
-mutant expansion_signed_by_its_least arithmetic math/expansion.h 'terms_.back() > 0 ? 1 : -1' 'terms_.front() > 0 ? 1 : -1'
+mutant expansion_signed_by_its_least arithmetic math/expansion.h 'terms_.back() > 0 ? 1 : -1' 'terms_[0] > 0 ? 1 : -1'
 mutant dot_without_bound arithmetic math/exact.h '{x + y + z, 4 * detail::half_ulp' '{x + y + z, 0 * detail::half_ulp'
 mutant difference_without_bound Plane math/exact.h '{x + y + z, 5 * detail::half_ulp' '{x + y + z, 0 * detail::half_ulp'
 
@@ -21,7 +21,7 @@ mutant sphere_sign_without_bound Sphere shape/sphere.h 'sign_bound = 32 *' 'sign
 mutant sphere_digits_without_bound Sphere shape/sphere.h 'digits_bound = 1e-8;' 'digits_bound = 0;'
 mutant sphere_exact_tier_dropped Sphere shape/sphere.h 'constexpr double cancelled = 1e-13;' 'constexpr double cancelled = -1;'
 mutant sphere_zero_is_a_crossing Sphere shape/sphere.h 'if (!(t > 0 && t < t_max))' 'if (!(t >= 0 && t < t_max))'
-mutant sphere_roots_cancel Sphere shape/sphere.h 'nearest(c / -(b + root), NAN)' 'nearest((root - b) / a, NAN)'
+mutant sphere_discriminant_cancels Sphere shape/sphere.h 'discriminant = a * r2 - dot(oxd, oxd);' 'discriminant = b * b - a * c;'
 mutant sphere_far_root_first Sphere shape/sphere.h 'return c > 0 ? nearest(c / q, q / a) :' 'return c > 0 ? nearest(q / a, c / q) :'
 mutant sphere_leaves_the_wrong_way Sphere shape/sphere.h 'root = -2 * b / a;' 'root = 2 * b / a;'
 mutant sphere_behind_is_before Sphere shape/sphere.h 'b > 0 && c > detail::sphere_digits_bound * size' \
