@@ -46,6 +46,14 @@ std::string unchecked_number(const std::string& text) {
   return "";
 }
 
+/// The formulas of a text, with their braces.
+std::vector<std::string> slots_in(const std::string& text) {
+  std::vector<std::string> slots;
+  for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1))
+    slots.push_back(text.substr(at, text.find('}', at) - at + 1));
+  return slots;
+}
+
 class WordsChecker {
  public:
   explicit WordsChecker(const PlayedLesson& played) : played_(played), lesson_(*played.lesson) {}
@@ -115,6 +123,18 @@ class WordsChecker {
     for (const Passage& each : words->choices) fill(index, played.asked, each);
     for (const Passage* after : {&words->reveal, &words->change, &words->presenter, &words->teacher})
       fill(index, played.shown, *after);
+    // What is read before the answer and again with it is one number: another line may have another ray in hand.
+    for (const std::string& slot : slots_in(words->text.text + words->question.text)) {
+      if (words->reveal.text.find(slot) == std::string::npos) continue;
+      const Passage alone{slot, words->text.line};
+      const auto before = filled(played_, index, played.asked, alone, language_);
+      const auto after = filled(played_, index, played.shown, alone, language_);
+      if (before && after && *before != *after)
+        fail(
+            words->text.line,
+            fmt::format("{} is {} before the answer of the step \"{}\" and {} with it", slot, *before, step.id, *after),
+            fmt::format("{{at(\"{}\", ...)}} has the value of the answer in both places", step.id));
+    }
   }
 
   void fill(std::size_t index, int position, const Passage& passage) {

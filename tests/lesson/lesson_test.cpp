@@ -201,6 +201,14 @@ TEST_CASE("a number that nothing checks, and a formula that means nothing, fail"
              raywalk::test::contains("en.md:4: {n1} is nothing at step "));
 }
 
+TEST_CASE("a number that is another one once the answer stands there fails") {
+  const std::string found = R"({so_far(line == "Find closest intersection")})";
+  const std::string words = replaced(replaced(good_words, "Which?", "At {steps} steps, " + found + ": which?"), "None.",
+                                     "None, at {steps} and " + found + ".");
+  CHECK(faults(good_steps, words) ==
+        "en.md:25: " + found + " is 0 before the answer of the step \"choice\" and 1 with it\n");
+}
+
 TEST_CASE("a lesson's file is refused with line and hint") {
   CHECK(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
         "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, fault, run, reveal, "
