@@ -143,7 +143,7 @@ void code_pane(const Ui& ui, const Rect& where) {
     float y = where.y + ui.px(margin) - scroll;
     const bool asks = asks_for_line(ui.state);
     std::optional<Line> pointed_at;
-    float sight_top = 0, sight_bottom = 0;
+    float ran = -1, next = -1;  // of the contents
     for (const CodeBox& box : code_panel(ui.state).boxes) {
       const Rect frame{left, y, width, box_height(ui, sizes, box)};
       const float edge = box.depth ? 1.6f : 1.0f;
@@ -170,17 +170,22 @@ void code_pane(const Ui& ui, const Rect& where) {
         ui.publish(name);
         if (asks) tooltip(ui, name, ui.say(WindowText::mark_hint));
         draw_row(ui, row, place);
-        if (row.just_run || (row.next && sight_bottom == 0)) {
-          sight_top = y - where.y + scroll - 2 * sizes.row;
-          sight_bottom = y - where.y + scroll + 3 * sizes.row;
-        }
+        if (row.just_run) ran = y - where.y + scroll;
+        if (row.next) next = y - where.y + scroll;
         y += sizes.row;
       }
       y = frame.bottom() + ui.px(between_boxes);
     }
     ImGui::SetCursorScreenPos({left, y + ui.px(margin - between_boxes)});
     ImGui::Dummy({1, 1});
-    keep_in_sight(ui, sight_top, sight_bottom);
+    // The line that has just run with some around it, and the next one where both have room.
+    const float at = ran >= 0 ? ran : next;
+    float sight_top = at - 2 * sizes.row, sight_bottom = at + 3 * sizes.row;
+    if (next >= 0 && std::abs(next - at) + 3 * sizes.row < where.height) {
+      sight_top = std::max(std::min(at, next) - sizes.row, std::max(at, next) + 2 * sizes.row - where.height);
+      sight_bottom = std::max(at, next) + 2 * sizes.row;
+    }
+    if (at >= 0) keep_in_sight(ui, sight_top, sight_bottom);
     // Said only by the pane that is pointed at, so that panes do not undo each other's words.
     bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
     if ((pointed_at || pointing) && pointed_at != ui.state.hovered_line) ui.act(action::HoverLine{pointed_at});

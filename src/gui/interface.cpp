@@ -110,6 +110,12 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   const bool wide = state.tab == Tab::cost || state.tab == Tab::microscope;
   if (exchanged_ != wide && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
   if (costs) layout_.tabs = left;
+  // The microscope has a legend of its own.
+  const bool scope = state.tab == Tab::microscope && !exchanged_ && state.mode == Mode::trace;
+  if (scope) {
+    layout_.tabs.height = layout_.strip.bottom() - layout_.tabs.y;
+    layout_.strip.height = 0;
+  }
   // The structures draw into the plan and say much beside it: they take the place of the code.
   const bool boxes = shows_structure(state) && !exchanged_;
   if (boxes)
@@ -135,7 +141,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     }
     // One strip for both modes, so that the plan stays where it is.
     if (!costs && state.mode == Mode::move) palette_pane(with, layout_.strip);
-    if (!costs && state.mode == Mode::trace) legend_pane(with, layout_.strip);
+    if (!costs && !scope && state.mode == Mode::trace) legend_pane(with, layout_.strip);
     if (!costs) transport_pane(with, layout_.transport);
   }
   if (PropertiesPane::shows(state)) {

@@ -12,11 +12,11 @@ float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, 
 
 }  // namespace
 
-float shrink_to_fit(float width, float height, float unit) {
-  const float part = std::min(width / (least_width * unit), height / (least_height * unit));
-  // In steps: fonts are made anew for each. Smaller than the least nobody could read it.
-  constexpr float steps = 32, least = 0.3f;
-  return std::clamp(std::floor(part * steps) / steps, least, 1.0f);
+float shrink_to_fit(float width, float height, float unit, float least) {
+  const float part = std::min(width / (least * unit), height / (least_height * unit));
+  // In steps: fonts are made anew for each. Smaller than that nobody could read it.
+  constexpr float steps = 32, smallest = 0.3f;
+  return std::clamp(std::floor(part * steps) / steps, smallest, 1.0f);
 }
 
 Layout lay_out(const LayoutWishes& wishes) {

@@ -38,8 +38,10 @@ struct LayoutWishes {
 inline constexpr float low_window = 430;
 /// What has room for everything, in units at scale 1. In a smaller window all is drawn smaller.
 inline constexpr float least_width = 640, least_height = 360;
+/// The same with a lesson beside the plan.
+inline constexpr float least_width_with_lesson = 900;
 /// How much smaller: 1 where nothing need be.
-[[nodiscard]] float shrink_to_fit(float width, float height, float unit);
+[[nodiscard]] float shrink_to_fit(float width, float height, float unit, float least = least_width);
 
 [[nodiscard]] Layout lay_out(const LayoutWishes& wishes);
 

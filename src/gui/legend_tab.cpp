@@ -17,7 +17,8 @@ void sample(const Ui& ui, const LegendRow& row, float x, float y, float length) 
   line.to = {x + length, y};
   line.stroke = {row.style.colour, static_cast<double>(ui.px(2.2f)), row.style.dash, 0};
   for (double& part : line.stroke.dash.lengths) part *= static_cast<double>(ui.unit);
-  line.arrow = static_cast<double>(ui.px(10));
+  // Where there is little room the dashes tell more than the arrowhead.
+  line.arrow = length < ui.px(30) ? 0.0 : static_cast<double>(ui.px(10));
   paint_line(*ImGui::GetWindowDrawList(), line);
 }
 
@@ -60,7 +61,7 @@ void legend_pane(const Ui& ui, const Rect& where) {
     push_font(ui.fonts.small);
     const Legend content = legend(ui.state);
     const float height = line_height(ui.fonts, *ui.fonts.small), gap = ui.px(7);
-    const float length = ui.px(where.width < ui.px(640) ? 24 : 34);
+    const float length = ui.px(where.width < ui.px(640) ? 26 : 34);
     const auto width_of = [&](std::string LegendRow::* name) {
       float sum = 0;
       for (const LegendRow& row : content.rays) sum += length + gap + ImGui::CalcTextSize((row.*name).c_str()).x;
@@ -69,17 +70,28 @@ void legend_pane(const Ui& ui, const Rect& where) {
     const float least_between = ui.px(8) * static_cast<float>(content.rays.size());
     const bool in_short = width_of(&LegendRow::name) + least_between > where.width - ui.px(28);
     const auto name = in_short ? &LegendRow::short_name : &LegendRow::name;
-    const float width = width_of(name);
-    // Spread, but not too far; in a narrow window as close as they must be.
-    const float room = (where.width - ui.px(28) - width) / static_cast<float>(content.rays.size());
+    // Spread, but not too far; in a narrow window as close as they must be, or in two lines.
+    const float most = where.width - ui.px(28);
+    const auto count = content.rays.size();
+    const std::size_t lines = width_of(name) + least_between > most ? 2 : 1, in_line = (count + lines - 1) / lines;
+    const float room = (most - width_of(name) / static_cast<float>(lines)) / static_cast<float>(in_line);
     const float between = std::clamp(room, ui.px(4), ui.px(22));
+    const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
+    float y = std::round(where.y + (where.height - line * static_cast<float>(lines)) / 2 + (line - height) / 2);
+    // In two lines the names stand below each other.
+    float widest = 0;
+    for (const LegendRow& row : content.rays) widest = std::max(widest, ImGui::CalcTextSize((row.*name).c_str()).x);
     float x = where.x + ui.px(14);
-    const float y = std::round(where.y + (where.height - height) / 2);
-    for (const LegendRow& row : content.rays) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const LegendRow& row = content.rays[i];
+      if (i > 0 && i % in_line == 0) {
+        x = where.x + ui.px(14);
+        y = std::round(y + line);
+      }
       sample(ui, row, x, y + height / 2, length);
       x += length + gap;
       ImGui::GetWindowDrawList()->AddText({std::round(x), y}, to_imgui(ui.colours.dim_text), (row.*name).c_str());
-      x += ImGui::CalcTextSize((row.*name).c_str()).x + between;
+      x += (lines > 1 ? widest : ImGui::CalcTextSize((row.*name).c_str()).x) + between;
     }
     pop_font();
   }

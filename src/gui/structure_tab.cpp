@@ -96,7 +96,10 @@ float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
 
 }  // namespace
 
-void structure_tab(const Ui& ui, const Rect& where) {
+void structure_tab(const Ui& ui, const Rect& pane) {
+  // Where it scrolls, the bar takes some of the width, and the contents begin above the pane.
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Rect where{at.x, at.y, ImGui::GetContentRegionAvail().x, pane.height};
   const StructurePanel panel = structure_panel(ui.state);
   const float height = ui.px(32), gap = ui.px(8);
   Rect rest = where;

@@ -64,9 +64,20 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
       }
       ImGui::EndChild();
     }
+    // Beside the picture that they change, and never over the menus.
+    const auto beside = [&] {
+      const ImVec2 whole = ImGui::GetIO().DisplaySize;
+      const float bar = ui.px(44);
+      const bool to_the_left = where.x > whole.x / 3;
+      ImGui::SetNextWindowPos({to_the_left ? where.x - ui.px(8) : where.right() + ui.px(8), whole.y - ui.px(8)},
+                              ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
+      ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(whole.y - bar - ui.px(12), 1.0f)});
+    };
     if (open_settings) ImGui::OpenPopup("image-settings");
+    beside();
     image_settings(ui, settings_);
     if (open_knobs) ImGui::OpenPopup("cost-knobs");
+    beside();
     cost_knobs_popup(ui, knobs_);
     if (pointed_at != hovering_ && pointed_at != ui.state.hovered_ray) ui.act(action::HoverRay{pointed_at});
     hovering_ = pointed_at;

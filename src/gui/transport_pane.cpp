@@ -1,3 +1,4 @@
+#include "gui/broken_lines.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "gui/window_text.h"
@@ -33,24 +34,29 @@ struct Rows {
     for (const Command command : {Command::grain_line, Command::grain_ray, Command::grain_pixel})
       grain += button_width(ui, command, {.look = Look::choice});
     inner = width - ui.px(2 * margin);
-    const float transport = big + ui.px(3 * step_width) + 3 * space, ends = ui.px(2 * small) + 2 * space;
+    const float buttons = big + ui.px(3 * step_width), transport = buttons + 3 * space,
+                ends = ui.px(2 * small) + 2 * space;
     speed = ends + ui.px(most_speed);
     beside = transport + grain + speed + ui.px(28) <= inner;
     if (compact) {
       beside = true;
-      shrink = std::clamp(inner / transport, 0.3f, 1.0f);
+      shrink = std::clamp((inner - 3 * space) / buttons, 0.3f, 1.0f);
     } else if (!beside) {
-      const float room = inner - least_shrink * transport - ui.px(usual_gap);
+      const float room = inner - least_shrink * buttons - 3 * space - ui.px(usual_gap);
       own_row = room < ends + ui.px(least_speed);
       // In a row of its own the slider takes what is left of it, if that is enough to be of use.
       const float left = own_row ? inner - grain - ui.px(usual_gap) : room;
       speed = left < ends + ui.px(least_speed) ? ends - space : std::min(left, speed);
       grain = own_row ? std::min(grain, inner - speed - ui.px(4)) : grain;
-      shrink = (inner - (own_row ? 0 : speed + ui.px(usual_gap))) / std::max(transport, 1.0f);
+      shrink = (inner - 3 * space - (own_row ? 0 : speed + ui.px(usual_gap))) / buttons;
       shrink = std::clamp(shrink, 0.3f, 1.0f);
     }
     slider = std::max(speed - ends, 0.0f);
-    sentence = 2 * line_height(ui.fonts, *ui.fonts.text) + ui.px(6);
+    // Of two lines, or where it is narrow of three small ones.
+    constexpr float narrow = 480;  // units at scale 1
+    sentence =
+        inner < ui.px(narrow) ? 3 * line_height(ui.fonts, *ui.fonts.small) : 2 * line_height(ui.fonts, *ui.fonts.text);
+    sentence += ui.px(6);
     scrub = beside ? ui.px(26) : ui.px(small);
     height = top + sentence + gap + big + gap + (own_row ? ui.px(small) + gap : 0) + scrub + bottom;
   }
@@ -88,8 +94,9 @@ void speed_control(const Ui& ui, const Rows& rows) {
     // Every doubling of the speed is as long on the slider.
     const double range = std::log(max_speed / min_speed);
     const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
-    const std::string value =
-        ui.say(TextId::speed) + " " + number_text(ui.state.lines_per_second, ui.state.language) + "/s";
+    const std::string rate = number_text(ui.state.lines_per_second, ui.state.language) + "/s";
+    const std::string in_full = ui.say(TextId::speed) + " " + rate;
+    const std::string value = ImGui::CalcTextSize(in_full.c_str()).x + ui.px(8) <= rows.slider ? in_full : rate;
     if (const auto to = slider(ui, "speed", {rows.slider, ui.px(small)}, static_cast<float>(fraction), value)) {
       const double speed = min_speed * std::exp(static_cast<double>(*to) * range);
       // Round numbers: whole ones from 2 on, quarters below.
@@ -175,17 +182,17 @@ void transport_pane(const Ui& ui, const Rect& where) {
     const float left = where.x + ui.px(margin);
     float y = where.y + rows.top;
     ImGui::SetCursorScreenPos({left, y});
-    ImGui::PushTextWrapPos(where.width - ui.px(margin));
     // A long one in a narrow window is written smaller, and clipped if that does not help.
     const std::string said = sentence(ui.state);
-    const float tall = ImGui::CalcTextSize(said.c_str(), nullptr, false, rows.inner).y;
-    push_font(tall > rows.sentence ? ui.fonts.small : ui.fonts.text);
+    std::string lines = broken_lines(said, rows.inner);
+    const bool fits = ImGui::CalcTextSize(lines.c_str()).y <= rows.sentence;
+    push_font(fits ? ui.fonts.text : ui.fonts.small);
+    if (!fits) lines = broken_lines(said, rows.inner);
     ImGui::PushClipRect({where.x, y}, {where.right(), y + rows.sentence}, true);
-    label(ui.colours.text, said);
+    label(ui.colours.text, lines);
     ImGui::PopClipRect();
     pop_font();
     ui.publish("sentence");
-    ImGui::PopTextWrapPos();
     y += rows.sentence + rows.gap;
 
     const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};

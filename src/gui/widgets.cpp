@@ -262,17 +262,24 @@ float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, flo
   }
   const ImVec2 least = ImGui::GetCursorScreenPos();
   const float low = line_height * 0.8f;
-  std::vector<std::vector<std::pair<Command, float>>> lines(1);
-  float used = 0;
-  for (const Command command : commands) {
-    const float own = button_width(ui, command_label(command, ui.state), look) - 2 * ui.px(5);
-    if (used > 0 && used + own > width) {
-      lines.emplace_back();
-      used = 0;
+  using Lines = std::vector<std::vector<std::pair<Command, float>>>;
+  const auto broken = [&](bool in_short) {
+    Lines lines(1);
+    float used = 0;
+    for (const Command command : commands) {
+      const std::string word = in_short ? short_label(command, ui.state) : command_label(command, ui.state);
+      const float own = button_width(ui, word, look) - 2 * ui.px(5);
+      if (used > 0 && used + own > width) {
+        lines.emplace_back();
+        used = 0;
+      }
+      lines.back().emplace_back(command, own);
+      used += own;
     }
-    lines.back().emplace_back(command, own);
-    used += own;
-  }
+    return lines;
+  };
+  const bool in_short = broken(true).size() < broken(false).size();
+  const Lines lines = broken(in_short);
   const float height = low * static_cast<float>(lines.size());
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
                                             to_imgui(Shades(ui.state.theme).raised), ImGui::GetStyle().FrameRounding);
@@ -283,7 +290,8 @@ float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, flo
     const float more = std::max(width - taken, 0.0f) / static_cast<float>(line.size());
     for (const auto& [command, own] : line) {
       ImGui::SetCursorScreenPos({x, y});
-      command_button(ui, command, {own + more, low}, look);
+      command_button(ui, command, {own + more, low}, look,
+                     in_short ? short_label(command, ui.state) : command_label(command, ui.state));
       x += own + more;
     }
     y += low;

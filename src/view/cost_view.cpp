@@ -72,7 +72,7 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
   CostPlot plot;
   DisplayList& list = plot.list;
   const Palette& colours = palette(state.theme);
-  const double letters = 15 * unit * theme_scale(state.theme), line = 1.2 * unit;
+  const double letters = 15 * unit, line = 1.2 * unit;
   const CostAxis axis = state.cost.axis;
 
   LogScale across, up;

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -24,6 +27,20 @@ struct BarRow {
   const study::EffectCost* effect = nullptr;  ///< of which the time is known too
 };
 
+/// Broken between words into lines of at most this width.
+std::vector<std::string> lines_of(const std::string& what, double letters, double width) {
+  std::vector<std::string> lines(1);
+  std::istringstream words(what);
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || text_width(longer, letters) <= width)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
 }  // namespace
 
 DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width, double height,
@@ -31,7 +48,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
   DisplayList list;
   if (!survey) return list;
   const Palette& colours = palette(state.theme);
-  const double letters = 15 * unit * theme_scale(state.theme), line = 1.2 * unit;
+  const double letters = 15 * unit, line = 1.2 * unit;
   const auto write = [&](const Vec2d& at, const std::string& what, Colour colour, TextAnchor anchor) {
     list.push_back({TextItem{at, what, letters, colour, anchor}});
   };
@@ -45,20 +62,24 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
 
   double y = 0.7 * letters;
   const bool none = survey->effects.empty();
-  write({0, y}, std::string(text(none ? CostText::no_effects : CostText::effects_title, state.language)), colours.text,
-        TextAnchor::start);
-  y += 1.2 * letters;
+  const std::string title(text(none ? CostText::no_effects : CostText::effects_title, state.language));
+  for (const std::string& part : lines_of(title, letters, width)) {
+    write({0, y}, part, colours.text, TextAnchor::start);
+    y += 1.2 * letters;
+  }
 
   double name_width = 0;
   for (const BarRow& row : rows) name_width = std::max(name_width, text_width(row.name, letters));
   const std::string longest = fill(CostText::of_time, state.language, {"100%", "100%", "100%"});
   const double left = name_width + letters, label_width = text_width(longest, letters) + letters;
   const double room = width - left - label_width;
-  // Without room beside them the labels stand over the bars.
+  // Without room beside them the labels stand over the bars; where there is none above them either, names and bars
+  // alone are left: the panel's text has the numbers.
   const bool beside = room > 4 * letters;
   const double full = beside ? room : std::max(width - left, letters);
   const double needed = beside ? 3.0 * letters : 4.8 * letters;
   const double row_height = std::min(needed, (height - y) / std::max<double>(1, static_cast<double>(rows.size())));
+  const bool labelled = beside || row_height > 4.4 * letters;
   const double thick = std::min(0.8 * letters, row_height * (beside ? 0.32 : 0.2));
 
   const double first = y;
@@ -73,6 +94,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     return right;
   };
   const auto label = [&](double top, double right, const std::string& what) {
+    if (!labelled) return;
     if (beside)
       write({right + 0.6 * letters, top + thick / 2}, what, colours.text, TextAnchor::start);
     else

@@ -193,13 +193,17 @@ void draw_labels(Painter& painter) {
     const Vec2d half(text_width(thing.text, size) / 2, size / 2);
     if (thing.text.empty() || box_of(thing.at, thing.half).overlap(pane) <= 0) continue;
     const double area = 4 * half.x * half.y;
-    const auto cost_of = [&](const Vec2d& place, const Target& own) {
+    const auto hidden_at = [&](const Vec2d& place, const Target& own) {
       const Box box = box_of(place, half);
-      double cost = 4 * (area - box.overlap(pane));
-      for (const Box& taken : painter.kept_free) cost += box.overlap(taken);
+      double hidden = 4 * (area - box.overlap(pane));
+      for (const Box& taken : painter.kept_free) hidden += box.overlap(taken);
       for (const Body& body : bodies)
-        if (!own || body.item.target != own) cost += 0.7 * area * covered(body, box);
-      return cost + (own ? 0 : area * mistakable(thing, bodies, box, painter.sizes.unit));
+        if (!own || body.item.target != own) hidden += 0.7 * area * covered(body, box);
+      return hidden;
+    };
+    const auto cost_of = [&](const Vec2d& place, const Target& own) {
+      return hidden_at(place, own) +
+             (own ? 0 : area * mistakable(thing, bodies, box_of(place, half), painter.sizes.unit));
     };
     Vec2d best = thing.at;
     double least = std::numeric_limits<double>::infinity();
@@ -214,6 +218,9 @@ void draw_labels(Painter& painter) {
       best = place;
     }
     const bool on_body = fits && best == thing.at;
+    // Where there is room for none it would only hide others; pointed at, the thing still says its name.
+    const bool wanted = !thing.body || painter.state.selected == thing.body || painter.state.hovered == thing.body;
+    if (!on_body && !wanted && hidden_at(best, {}) > 0.6 * area) continue;
     if (!on_body) {
       // A plate that keeps the letters readable across rays.
       const Vec2d plate = half + Vec2d(gap, 0);

@@ -75,9 +75,18 @@ void draw_samples(Painter& painter) {
   const double low = *least - air, high = *most + air;
 
   const double unit = painter.sizes.unit, letters = painter.sizes.text, gap = 8 * unit;
-  const Vec2d size(std::min(230 * unit, 0.45 * painter.viewport.width), 92 * unit);
+  const auto said_of = [&](const std::string& count, double mean, double half) {
+    return fill(PanelText::samples_mean, state.language,
+                {count, number_text(mean, state.language), number_text(half, state.language)});
+  };
+  const double longest = text_width(said_of(std::to_string(samples), 0.888, 0.888), letters);
+  const double width = std::max(std::min(230 * unit, 0.45 * painter.viewport.width), longest), tall = 92 * unit;
+  // In a small pane the plot would cover what it is about: then the mean alone is told.
+  const bool plots = width * tall < 0.2 * painter.viewport.width * painter.viewport.height;
+  if (!plots && means.size() < 2) return;
+  const Vec2d size(width, plots ? tall : 0);
   const Vec2d corner(gap, painter.viewport.height - gap - size.y - 1.5 * letters);
-  if (corner.y < gap || size.x < 60 * unit) return;
+  if (corner.y < gap || size.x > painter.viewport.width - 2 * gap) return;
   const auto rectangle = [](const Vec2d& a, const Vec2d& b) {
     return std::vector<Vec2d>{a, {b.x, a.y}, b, {a.x, b.y}};
   };
@@ -85,6 +94,13 @@ void draw_samples(Painter& painter) {
   painter.add(PolygonItem{rectangle(plate.min, plate.max), painter.colours.panel.with_alpha(235),
                           Stroke{painter.colours.dim_text.with_alpha(120), painter.sizes.line}});
   painter.kept_free.push_back(plate);
+  if (means.size() > 1)
+    painter.add(TextItem{{corner.x, corner.y + size.y + 0.85 * letters},
+                         said_of(std::to_string(means.size()), means.back().value, means.back().half),
+                         letters,
+                         painter.colours.text,
+                         TextAnchor::start});
+  if (!plots) return;
 
   const auto x_of = [&](std::size_t i) {
     return corner.x + (static_cast<double>(i) + 0.5) / static_cast<double>(samples) * size.x;
@@ -104,12 +120,6 @@ void draw_samples(Painter& painter) {
   PolylineItem line{{}, {painter.colours.next, 2.2 * painter.sizes.line}};
   for (std::size_t i = 0; i < means.size(); ++i) line.points.push_back({x_of(i), y_of(means[i].value)});
   if (line.points.size() > 1) painter.add(line);
-  if (means.size() < 2) return;
-  const std::string said = fill(PanelText::samples_mean, state.language,
-                                {std::to_string(means.size()), number_text(means.back().value, state.language),
-                                 number_text(means.back().half, state.language)});
-  painter.add(
-      TextItem{{corner.x, corner.y + size.y + 0.85 * letters}, said, letters, painter.colours.text, TextAnchor::start});
 }
 
 }  // namespace raywalk::detail

@@ -82,6 +82,8 @@ TEST_CASE("in a small window everything is drawn smaller, never below what can b
   CHECK(shrink_to_fit(1280, 720, 1) == 1);
   CHECK(shrink_to_fit(1280, 720, 2) == 1);
   CHECK(shrink_to_fit(1280, 720, 2.5f) < 1);
+  CHECK(shrink_to_fit(1280, 720, 2, raywalk::least_width_with_lesson) < 0.75f);
+  CHECK(shrink_to_fit(1280, 720, 1, raywalk::least_width_with_lesson) == 1);
   CHECK(shrink_to_fit(400, 300, 1) <= 400 / 640.0f);
   CHECK(shrink_to_fit(400, 300, 1) > 0.9f * 400 / 640);
   CHECK(shrink_to_fit(10, 10, 1) > 0.2f);
