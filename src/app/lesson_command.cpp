@@ -40,6 +40,35 @@ std::string list_text(const std::vector<std::string>& names) {
   return text;
 }
 
+/// A lesson as its presenter reads it, with the numbers of the trace filled in: plain Markdown.
+std::string script_text(const Lesson& lesson, const PlayedLesson& played, Language language) {
+  const LessonWords& words = lesson.words.find(language)->second;
+  std::string script = "# " + words.title + "\n\n" + words.summary.text + "\n";
+  for (std::size_t i = 0; i < played.steps.size(); ++i) {
+    const StepWords* said = words.find(lesson.steps[i].id);
+    if (said == nullptr) continue;
+    const auto said_at = [&](const Passage& passage, int position) {
+      return filled(played, i, position, passage, language).value_or(passage.text);
+    };
+    const auto add = [&](const char* before, const std::string& what, const char* after) {
+      if (!what.empty()) script += before + what + after;
+    };
+    const int asked = played.steps[i].asked, shown = played.steps[i].shown;
+    // What is said about the answer stands behind the first empty line.
+    const std::string presenter = said_at(said->presenter, shown);
+    const std::size_t answer = std::min(presenter.find("\n\n"), presenter.size());
+    script += fmt::format("\n## {}. {}\n", i + 1, said->heading);
+    add("\n", presenter.substr(0, answer), "\n");
+    add("\n> ", said_at(said->question, asked), "\n");
+    for (const Passage& choice : said->choices) add("> - ", said_at(choice, asked), "\n");
+    add("\n", said_at(said->reveal, shown), "\n");
+    add("\n", presenter.substr(std::min(answer + 2, presenter.size())), "\n");
+    add("\n*", said_at(said->teacher, shown), "*\n");
+  }
+  if (!words.teacher.empty()) script += "\n---\n\n" + words.teacher.text + "\n";
+  return script;
+}
+
 }  // namespace
 
 ExitCode lesson_list_command() {
@@ -83,6 +112,17 @@ ExitCode lesson_check_command(const std::vector<std::string>& names) {
                "lessons/README.md explains how a lesson is written"});
 }
 
+ExitCode lesson_script_command(const std::string& name, Language language) {
+  const auto folder = folder_of(name, lesson_names(lessons_dir()));
+  if (!folder) return refuse(folder.error());
+  const auto lesson = read_lesson(*folder);
+  if (!lesson) return fail(lesson.error());
+  const PlayedLesson played = play_lesson(*lesson, data_dir() + "/scenes");
+  if (!played.errors.empty()) return fail(played.errors.front());
+  const auto printed = print(script_text(*lesson, played, language));
+  return printed ? ExitCode::done : fail(printed.error());
+}
+
 void declare_lesson(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("lesson", "List the lessons, or play them all and check what they claim");
   command.require_subcommand(1);
@@ -98,6 +138,14 @@ void declare_lesson(CLI::App& program, Run& run) {
       "  raywalk lesson check\n"
       "  raywalk lesson check 5\n"
       "  raywalk lesson check my/lesson");
+  CLI::App& script = *command.add_subcommand("script", "Write out a lesson for its presenter, to be printed");
+  const auto name = std::make_shared<std::string>();
+  const auto language = std::make_shared<std::optional<Language>>();
+  script.add_option("NAME", *name, "A lesson, such as 5 or 05-refraction, or a folder")->required()->type_name("");
+  add_choice(script, "--language", *language, all_languages, language_code, "Of the script; left out: en");
+  script.callback([name, language, &run] {
+    run = [name, language] { return lesson_script_command(*name, language->value_or(Language::english)); };
+  });
   check.callback([names, &run] { run = [names] { return lesson_check_command(*names); }; });
 }
 

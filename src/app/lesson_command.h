@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/options.h"
+#include "lesson/language.h"
 
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace raywalk {
 /// Plays the lessons of these names (none: all), and says for each whether the trace bears it out. A name may be short:
 /// "5" or "05" for the lesson whose folder begins so.
 [[nodiscard]] ExitCode lesson_check_command(const std::vector<std::string>& names);
+
+/// Writes out what the presenter of a lesson says, asks and answers.
+[[nodiscard]] ExitCode lesson_script_command(const std::string& name, Language language);
 
 void declare_lesson(CLI::App& program, Run& run);
 

@@ -16,11 +16,13 @@ template <class Entries>
 bool menu(const Ui& ui, std::string_view title, const char* name, bool open, const Entries& entries) {
   const std::string heading(title);
   if (open) ImGui::OpenPopup(heading.c_str());
+  // A menu that is longer than the window scrolls below the bar: one that covers the bar takes the click that opens it.
+  const float bar = ImGui::GetWindowHeight(), window = ImGui::GetIO().DisplaySize.y;
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, std::max(window - bar - ui.px(4), 1.0f)});
   const bool is_open = ImGui::BeginMenu(heading.c_str());
   ui.publish(name);
   if (!is_open) return false;
-  // So close that the longest menu fits below the bar of a window of 720 units: one that covers the bar takes the
-  // click that opens it.
+  // So close that the longest menu fits below the bar of a window of 720 units.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(6)});
   entries();
   ImGui::PopStyleVar();
@@ -71,8 +73,8 @@ void view_menu(const Ui& ui) {
                                 Command::use_camera, Command::image_settings, Command::heat})
     menu_item(ui, command);
   ImGui::Separator();
-  for (const Command command :
-       {Command::theme, Command::language, Command::scale_up, Command::scale_down, Command::scale_reset})
+  for (const Command command : {Command::tweens, Command::theme, Command::language, Command::scale_up,
+                                Command::scale_down, Command::scale_reset})
     menu_item(ui, command);
   ImGui::Separator();
   for (const Command command : {Command::exchange, Command::full_screen}) menu_item(ui, command);
@@ -155,6 +157,10 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
     ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(10), y});
     const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
     command_button(ui, Command::language, {height * 1.3f, height}, small, short_label(Command::language, ui.state));
+
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(6), y});
+    if (ImGui::GetCursorScreenPos().x + button_width(ui, Command::lessons, small) < where.right() - ui.px(8))
+      command_button(ui, Command::lessons, {0, height}, small);
 
     // The document's name at the right, where there is room for it.
     const std::string title = document_title(ui.state);

@@ -65,7 +65,11 @@ FolderListing list_folder(const std::string& folder) {
 
 void Browser::begin(const State& state, const std::string& home) {
   const fs::path current(state.path);
-  go_to(absolute(state.path.empty() ? home : current.parent_path().string()));
+  // One's own work goes beside one's own scene, and not among those that come with Raywalk, which is `home`.
+  const std::string folder = current.parent_path().string();
+  std::error_code failed;
+  const bool own = !state.path.empty() && (asking_ == PathPrompt::open || !fs::equivalent(folder, home, failed));
+  go_to(absolute(own ? folder : asking_ == PathPrompt::open ? home : std::string()));
   typed_.clear();
   if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
   if (asking_ == PathPrompt::save_predictions) typed_ = "predictions.csv";

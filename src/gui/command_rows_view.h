@@ -21,6 +21,7 @@ inline constexpr std::array view_rows{
     CommandRow{Command::fit, "fit", {{{GLFW_KEY_F}}}},
     CommandRow{Command::lines, "lines", {{{GLFW_KEY_V}}}},
     CommandRow{Command::ghosts, "ghosts", {{{GLFW_KEY_N}}}},
+    CommandRow{Command::tweens, "tweens", {{{GLFW_KEY_A, false, true}}}},
     CommandRow{Command::predict, "predict", {{{GLFW_KEY_P, true}}}},
     CommandRow{Command::save_predictions, "save-predictions", {{{GLFW_KEY_P, true, true}}}},
     CommandRow{Command::export_walk, "export", {{{GLFW_KEY_E, true}}}},

@@ -46,7 +46,7 @@ CommandText english(Command command) {
     case Command::mode_help:
       return {english(TextId::mode_help), "read what everything is and does"};
     case Command::step:
-      return {english(TextId::button_step), "go one step forward: a line, a ray or a pixel, as 1, 2 and 3 choose"};
+      return {english(TextId::button_step), "one step on: a line, a ray or a pixel, as is chosen beside the speed"};
     case Command::step_back:
       return {english(TextId::button_back), "go one step back"};
     case Command::step_ray:
@@ -113,6 +113,8 @@ CommandText english(Command command) {
       return {"Lines in space", "show the scene as lines in space, or the plan again"};
     case Command::ghosts:
       return {"What was cut off", "rays that depth and threshold forbade"};
+    case Command::tweens:
+      return {"Rays in motion", "let each ray grow as it is formed, or show it at once"};
     case Command::predict:
       return {"Predict", "before each ray, an arrow where it will go or a click on what it will meet"};
     case Command::save_predictions:

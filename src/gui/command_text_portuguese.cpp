@@ -47,7 +47,7 @@ CommandText portuguese(Command command) {
       return {portuguese(TextId::mode_help), "ler o que tudo é e faz"};
     case Command::step:
       return {portuguese(TextId::button_step),
-              "dar um passo adiante: uma linha, um raio ou um pixel, como 1, 2 e 3 escolhem"};
+              "um passo adiante: uma linha, um raio ou um pixel, como se escolhe ao lado da velocidade"};
     case Command::step_back:
       return {portuguese(TextId::button_back), "dar um passo atrás"};
     case Command::step_ray:
@@ -114,6 +114,8 @@ CommandText portuguese(Command command) {
       return {"Linhas no espaço", "mostrar a cena como linhas no espaço, ou a planta de novo"};
     case Command::ghosts:
       return {"O que foi cortado", "raios que a profundidade e o limiar proibiram"};
+    case Command::tweens:
+      return {"Raios em movimento", "deixar cada raio crescer ao ser formado, ou mostrá-lo de uma vez"};
     case Command::predict:
       return {"Prever", "antes de cada raio, uma seta para onde vai ou um clique no que encontra"};
     case Command::save_predictions:
@@ -225,7 +227,7 @@ CommandText portuguese(Command command) {
     case Command::bug_surprise:
       return {"Surpreenda-me", "caçar um defeito que ainda não foi achado"};
     case Command::bug_mark:
-      return {"O defeito está nesta linha", "marcar a linha que acaba de correr; outra vez: é ela?"};
+      return {"O defeito está nesta linha", "marcar a linha recém-executada; outra vez: é ela?"};
     case Command::bug_cure:
       return {"Ver a cura", "desistir: que linha era, o que estava errado, e a cura"};
     case Command::bug_mend:

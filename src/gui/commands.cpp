@@ -168,6 +168,7 @@ bool enabled(Command command, const State& state) {
     case Command::fit:
     case Command::lines:
     case Command::ghosts:
+    case Command::tweens:
     case Command::predict:
     case Command::save_predictions:
     case Command::export_walk:
@@ -208,6 +209,8 @@ bool chosen(Command command, const State& state) {
       return state.playing;
     case Command::ghosts:
       return state.shows_ghosts;
+    case Command::tweens:
+      return state.tweens;
     case Command::predict:
       return state.predictions.on;
     case Command::grain_line:

@@ -66,6 +66,7 @@ enum class Command {
   fit,
   lines,
   ghosts,
+  tweens,
   predict,
   save_predictions,
   export_walk,

@@ -43,7 +43,7 @@ class Loop {
         interface_(options.data_dir + "/scenes"),
         demo_(std::move(demo)),
         begun_(begun),
-        settings_{state_.theme, state_.ui_scale, state_.tab, state_.language},
+        settings_(settings_of(state_)),
         fonts_found_(find_fonts(font_folders(options.data_dir))) {
     ImGui::GetIO().ConfigDragClickToInputText = true;
   }
@@ -62,7 +62,7 @@ class Loop {
       work_on_export();
       if (wants_picture() && settled()) return take_picture();
     }
-    const Settings now{state_.theme, state_.ui_scale, state_.tab, state_.language};
+    const Settings now = settings_of(state_);
     if (now != settings_) write_settings(state_.state_dir, now);
     return failure_;
   }
@@ -75,13 +75,14 @@ class Loop {
   /// Nothing is cut off in a small window: everything is drawn smaller.
   [[nodiscard]] float shrink() const {
     const auto [width, height] = window_.extent();
-    return shrink_to_fit(width, height, wished_unit());
+    const bool lesson = state_.lessons.shown || state_.bugs.shown;
+    return shrink_to_fit(width, height, wished_unit(), lesson ? least_width_with_lesson : least_width);
   }
   [[nodiscard]] float dpi() const { return shrink() * window_.scale(); }
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
   [[nodiscard]] bool settled() const {
     return frames_due_ == 0 && image_.rests(state_) && costs_.rests(state_) && demo_.over() && !state_.playing &&
-           !state_.hold && !state_.window_export;
+           !state_.hold && !state_.tween && !state_.window_export;
   }
 
   // Seconds that may pass before something has to be done; negative: for ever.
@@ -91,7 +92,7 @@ class Loop {
     const auto at_most = [&](double seconds) {
       wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
     };
-    if (state_.hold) at_most(shortest_wait);
+    if (state_.hold || state_.tween) at_most(shortest_wait);
     if (state_.playing) at_most((1 - state_.owed) / state_.lines_per_second);
     if (!demo_.over()) at_most(0.1);
     if (wants_autosave(state_)) at_most(state_.autosave_in);
@@ -130,11 +131,11 @@ class Loop {
     const double seconds = seconds_between(last_, now);
     last_ = now;
     const int position = state_.position;
-    const bool playing = state_.playing;
+    const bool playing = state_.playing, moving = state_.tween.has_value();
     const auto notice = [&] { return state_.notice ? state_.notice->text : std::string(); };
     const std::string said = notice();
     update(state_, action::Tick{seconds});
-    if (state_.position != position || state_.playing != playing || notice() != said)
+    if (state_.position != position || state_.playing != playing || moving || notice() != said)
       frames_due_ = std::max(frames_due_, 1);
     // What is being written shows the moment at which it was asked for.
     if (const Action* action = state_.window_export ? nullptr : demo_.due(seconds)) act(*action);

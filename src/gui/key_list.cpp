@@ -43,6 +43,7 @@ const std::vector<KeyGroup>& groups() {
       {KeyText::zoom, {fit, zoom_in, zoom_out}},
       {KeyText::lines, {lines, walk_strip}},
       {KeyText::ghosts, {ghosts}},
+      {KeyText::tweens, {tweens}},
       {KeyText::predict, {predict, save_predictions}},
       {KeyText::turn, {turn_left, turn_right, turn_up, turn_down}},
       {KeyText::shift, {shift_left, shift_right, shift_up, shift_down}},

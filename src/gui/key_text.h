@@ -34,6 +34,7 @@ enum class KeyText {
   zoom,
   lines,
   ghosts,
+  tweens,
   predict,
   turn,
   shift,

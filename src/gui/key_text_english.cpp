@@ -62,6 +62,8 @@ std::string_view english(KeyText id) {
       return "lines in space, and the plan \u00b7 from a pixel of the picture back to SCREEN";
     case KeyText::ghosts:
       return "the rays that depth and threshold cut off";
+    case KeyText::tweens:
+      return "rays that grow when they are formed, or stand there at once";
     case KeyText::predict:
       return "predict each ray before it is shown \u00b7 save the predictions";
     case KeyText::turn:

@@ -35,7 +35,7 @@ std::string_view portuguese(KeyText id) {
     case KeyText::bugs:
       return "ache o defeito: a lista \u00b7 uma surpresa \u00b7 é esta linha \u00b7 a cura \u00b7 consertado ou não";
     case KeyText::equation:
-      return "a equação viva: os números da linha que acaba de correr";
+      return "a equação viva: os números da linha recém-executada";
     case KeyText::tabs:
       return "imagem 3-D \u00b7 árvore de raios \u00b7 pilha \u00b7 legenda";
     case KeyText::cost:
@@ -61,6 +61,8 @@ std::string_view portuguese(KeyText id) {
       return "linhas no espaço, e a planta \u00b7 de um pixel da imagem de volta a SCREEN";
     case KeyText::ghosts:
       return "os raios que a profundidade e o limiar cortam";
+    case KeyText::tweens:
+      return "raios que crescem ao ser formados, ou aparecem de uma vez";
     case KeyText::predict:
       return "prever cada raio antes de vê-lo \u00b7 salvar as previsões";
     case KeyText::turn:

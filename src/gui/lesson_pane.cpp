@@ -21,8 +21,7 @@ void list(const Ui& ui, const LessonPanel& panel) {
     std::string title = fmt::format("{}  {}", ++number, row.title);
     if (row.done > 0) title += row.done == row.steps ? "  \u2713" : fmt::format("  {}/{}", row.done, row.steps);
     const Colour ink = row.locked ? ui.colours.dim_text.with_alpha(150) : ui.colours.text;
-    if (wide_button(ui, "lesson/" + row.name, title, shades.raised, ink, !row.locked))
-      ui.act(action::OpenLesson{row.name});
+    if (wide_button(ui, "lesson/" + row.name, title, shades.raised, ink, true)) ui.act(action::OpenLesson{row.name});
     if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say(LessonWord::locked));
   }
   ImGui::Dummy({1, ui.px(6)});
@@ -73,6 +72,15 @@ void choices(const Ui& ui, const LessonPanel& panel) {
   }
 }
 
+/// With a comma as with a point; nothing where there is more or less than a number.
+std::optional<double> number_in(std::string typed) {
+  std::replace(typed.begin(), typed.end(), ',', '.');
+  char* end = nullptr;
+  const double value = std::strtod(typed.c_str(), &end);
+  while (*end == ' ') ++end;
+  return end == typed.c_str() || *end != '\0' ? std::nullopt : std::optional(value);
+}
+
 }  // namespace
 
 void LessonPane::draw(const Ui& ui, const Rect& where) {
@@ -113,6 +121,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       if (!open) {
         list(ui, panel);
       } else {
+        if (!panel.summary.empty()) prose(ui, ui.colours.dim_text, panel.summary);
         prose(ui, ui.colours.text, panel.text);
         if (panel.asks != Asks::nothing) {
           heading(ui, Shades(ui.state.theme).accent, ui.say(LessonWord::predict));
@@ -121,13 +130,18 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
           push_font(ui.fonts.small);
           if (panel.asks == Asks::choice && sitting.presenter && !sitting.revealed)
             paragraph(ui.colours.dim_text, ui.say(LessonWord::hands_hint));
-          if (panel.asks == Asks::arrow && !sitting.revealed)
+          if (panel.asks == Asks::arrow && !sitting.revealed && !panel.astray)
             paragraph(ui.colours.dim_text, "\u2192 " + ui.say(LessonWord::drag_arrow));
           if (panel.asks == Asks::number && !sitting.revealed)
             paragraph(ui.colours.dim_text, ui.say(LessonWord::type_number));
           if (panel.asks == Asks::line && !sitting.revealed)
             paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
           pop_font();
+          if (panel.asks == Asks::line && sitting.revealed && ui.state.bug)
+            command_button(ui, Command::bug_mend, {width, height});
+          if (panel.astray && button(ui, "lesson-question", ui.say(LessonWord::back_to_question), "", {width, height},
+                                     {.look = Look::primary}))
+            ui.act(action::GoToLessonStep{panel.step - 1});
           if (panel.asks == Asks::number) {
             if (is_new && !sitting.revealed) ImGui::SetKeyboardFocusHere();
             char typed[32] = {};
@@ -139,17 +153,15 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
             ui.publish("lesson-number");
             if (number_ != typed) {
               number_ = typed;
-              std::string point = number_;
-              std::replace(point.begin(), point.end(), ',', '.');
-              char* end = nullptr;
-              const double value = std::strtod(point.c_str(), &end);
-              if (end != point.c_str()) ui.act(action::GuessNumber{value});
+              if (const auto value = number_in(number_)) ui.act(action::GuessNumber{*value});
             }
             if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
             if (!panel.unit.empty()) {
               ImGui::SameLine();
               label(ui.colours.text, panel.unit);
             }
+            if (!number_.empty() && !number_in(number_) && !sitting.revealed)
+              paragraph(ui.colours.error, ui.say(LessonWord::not_a_number));
           }
         }
         // A new answer is brought into sight, with what leads to it.
@@ -175,6 +187,11 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         if (!panel.teacher.empty()) {
           heading(ui, ui.colours.dim_text, ui.say(LessonWord::teacher));
           prose(ui, ui.colours.dim_text, panel.teacher);
+        }
+        if (!panel.notes.empty()) prose(ui, ui.colours.dim_text, panel.notes);
+        if (!panel.sources.empty()) {
+          heading(ui, ui.colours.dim_text, ui.say(LessonWord::sources));
+          prose(ui, ui.colours.dim_text, panel.sources);
         }
       }
     }
@@ -207,12 +224,14 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     action::SetLessonOptions options{sitting.presenter, sitting.unlocked};
     const ButtonLook small{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
     const float other = (width - gap) / 2;
-    if (button(ui, "lesson-presenter", ui.say(LessonWord::presenter), "", {other, height}, small, sitting.presenter)) {
+    if (button(ui, "lesson-presenter", ui.say(LessonWord::presenter), ui.say(LessonWord::presenter_hint),
+               {other, height}, small, sitting.presenter)) {
       options.presenter = !options.presenter;
       ui.act(options);
     }
     ImGui::SetCursorScreenPos({left + other + gap, y + height + gap});
-    if (button(ui, "lesson-unlock", ui.say(LessonWord::unlock), "", {other, height}, small, sitting.unlocked)) {
+    if (button(ui, "lesson-unlock", ui.say(LessonWord::unlock), ui.say(LessonWord::unlock_hint), {other, height}, small,
+               sitting.unlocked)) {
       options.unlocked = !options.unlocked;
       ui.act(options);
     }

@@ -176,6 +176,8 @@ void perform(Command command, const Ui& ui) {
       return ui.act(action::ShowLines{!shows_lines(state)});
     case Command::ghosts:
       return ui.act(action::ShowGhosts{!state.shows_ghosts});
+    case Command::tweens:
+      return ui.act(action::SetTweens{!state.tweens});
     case Command::predict:
       return ui.act(action::SetPredictions{!state.predictions.on});
     case Command::save_predictions:

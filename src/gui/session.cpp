@@ -34,6 +34,10 @@ Result<void> choose(std::initializer_list<Choice> choices, const std::string& na
 
 }  // namespace
 
+Settings settings_of(const State& state) {
+  return {state.theme, state.ui_scale, state.tab, state.language, state.tweens};
+}
+
 Settings read_settings(const std::string& state_dir) {
   Settings settings;
   if (state_dir.empty()) return settings;
@@ -50,13 +54,16 @@ Settings read_settings(const std::string& state_dir) {
   settings.language = language_of(word("language"));
   if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
     settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
+  if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
   return settings;
 }
 
 void write_settings(const std::string& state_dir, const Settings& settings) {
   if (state_dir.empty()) return;
-  nlohmann::json json{
-      {"theme", name_of(settings.theme)}, {"tab", name_of(settings.tab)}, {"ui_scale", settings.ui_scale}};
+  nlohmann::json json{{"theme", name_of(settings.theme)},
+                      {"tab", name_of(settings.tab)},
+                      {"ui_scale", settings.ui_scale},
+                      {"tweens", settings.tweens}};
   if (settings.language) json["language"] = language_code(*settings.language);
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
@@ -112,6 +119,7 @@ Result<State> start(const GuiOptions& options) {
   if (Result<void> chosen = choose(all_modes, options.start_mode, "mode", mode); !chosen)
     return tl::unexpected(chosen.error());
   if (mode != state.mode) update(state, action::SetMode{mode});
+  state.tweens = settings.tweens;
   return state;
 }
 

@@ -17,8 +17,10 @@ struct Settings {
   double ui_scale = 1;
   Tab tab = Tab::image;
   std::optional<Language> language{};  ///< absent: none was kept
+  bool tweens = true;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
+[[nodiscard]] Settings settings_of(const State& state);
 /// Defaults for what is missing or unreadable: settings are a convenience.
 [[nodiscard]] Settings read_settings(const std::string& state_dir);
 /// Fails silently for the same reason.

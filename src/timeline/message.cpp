@@ -41,12 +41,6 @@ class Describer {
   [[nodiscard]] std::string light(int index) const {
     return index < 0 ? std::string() : scene_.lights[static_cast<std::size_t>(index)].name;
   }
-  /// What was met, to the triangle of a mesh or the member of a group.
-  [[nodiscard]] std::string met(const Found& found) const {
-    std::string name = object(found.object);
-    if (!found.member.empty()) name = found.member + " of " + name;
-    return found.triangle < 0 ? name : "triangle " + std::to_string(found.triangle) + " of " + name;
-  }
   /// The object whose surface the executing SHADE shades, or at which FOLLOW PATH stands.
   [[nodiscard]] std::string shaded() const {
     if (!timeline_.of_paths()) return object(ray(frame(timeline_.current_frame(position_)).ray).object);
@@ -117,7 +111,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& /*event*/, const Found& found) const {
     const RayRecord& record = current();
-    const std::string met = this->met(found);
+    const Met met{object(found.object), found.member, found.triangle};
     switch (found.ending) {
       case Ending::hit: {
         const bool from_inside =

@@ -16,9 +16,9 @@ enum class MessageId {
   pixel_begun,              ///< [cell from 1, cells]
   sample_begun,             ///< of the same pixel: [sample from 1]
   primary_formed,           ///< [cell from 1]
-  found_hit,                ///< [ray kind, object, distance]
+  found_hit,                ///< [ray kind, what was met, distance]
   found_missed,             ///< [ray kind]
-  left_through_surface,     ///< a ray inside its own object met it from inside: [ray kind, object, distance]
+  left_through_surface,     ///< a ray inside its own object met it from inside: [ray kind, what was met, distance]
   intersected,              ///< [object]
   intersected_nothing,      ///< []
   shade_called,             ///< [depth of the call, object, ray kind]
@@ -28,8 +28,8 @@ enum class MessageId {
   shadow_outside_cone,      ///< [object, light]
   light_reached,            ///< [light]
   light_filtered,           ///< [light, share that passes, colour]
-  light_blocked,            ///< [light, blocker]
-  light_blocked_by_itself,  ///< [light, object]
+  light_blocked,            ///< [light, met]
+  light_blocked_by_itself,  ///< [light, met]
   reflective,               ///< [object, kr']
   reflective_totally,       ///< total internal reflection made it so: [object, kr']
   not_reflective,           ///< [object]
@@ -64,8 +64,8 @@ enum class MessageId {
   emission_weighted,       ///< a light's sample might have found it: [object, weight, colour]
   object_aimed_at,         ///< a shadow ray to a point of an object that emits: [object it leaves]
   object_not_aimed_at,     ///< [object it would leave]
-  object_seen,             ///< [object that emits]
-  object_hidden,           ///< [blocker]
+  object_seen,             ///< [met, which emits]
+  object_hidden,           ///< [met]
   light_adds_nothing,      ///< []
   light_added,             ///< [light or object, colour]
   light_added_weighted,    ///< the path might lead there too: [object, weight, colour]
@@ -88,8 +88,15 @@ struct Share {
   friend bool operator==(const Share&, const Share&) = default;
 };
 
+/// What a ray met: an object, or more exactly a member of the group or a triangle of the mesh that it is.
+struct Met {
+  std::string object, member{};  ///< names; no member: empty
+  int triangle = -1;             ///< from 0; none: -1
+  friend bool operator==(const Met&, const Met&) = default;
+};
+
 /// A name is a string as it stands in the scene.
-using Argument = std::variant<int, double, Rgbd, Share, RayKind, std::string>;
+using Argument = std::variant<int, double, Rgbd, Share, RayKind, std::string, Met>;
 
 struct Message {
   MessageId id = MessageId::start;

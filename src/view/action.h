@@ -117,6 +117,9 @@ struct UseImageCamera {};  ///< the picture's camera becomes the scene's; one en
 struct ShowLines {
   bool shown;
 };
+struct SetTweens {
+  bool on;
+};
 struct ShowGhosts {
   bool shown;
 };  ///< the rays that depth and threshold cut off
@@ -293,20 +296,20 @@ using Action = std::variant<
     action::SetSpeed, action::SetGrain, action::Clear, action::Tick, action::ResizePlan, action::PointerMoved,
     action::PointerPressed, action::PointerReleased, action::PointerLeft, action::CancelDrag, action::Zoom, action::Pan,
     action::FitView, action::WalkPixel, action::WalkStrip, action::Orbit, action::Shift, action::Approach,
-    action::ResetView, action::UseImageCamera, action::ShowLines, action::ShowGhosts, action::SetImageSettings,
-    action::HoverRay, action::HoverLine, action::Select, action::AddObject, action::RemoveSelected,
-    action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial, action::SetShape, action::SetLight,
-    action::SetCamera, action::SetLimits, action::SetNumerics, action::SetSurroundings, action::Nudge, action::Undo,
-    action::Redo, action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs,
-    action::CancelPrompt, action::AnswerQuestion, action::Quit, action::SetTheme, action::SetLanguage,
-    action::SetUiScale, action::SetTab, action::DismissNotice, action::ShowLessons, action::OpenLesson,
-    action::LeaveLesson, action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
-    action::ShowHands, action::SetLessonOptions, action::SetCostKnobs, action::TryCost, action::ForgetCosts,
-    action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::ShowBugs, action::HuntBug, action::MarkLine,
-    action::JudgeLine, action::ShowCure, action::MendBug, action::LeaveHunt, action::Magnify, action::SetPredictions,
-    action::GuessWay, action::GuessEnd, action::AskSavePredictions, action::AskExport, action::Export,
-    action::FinishExport, action::Wait, action::SavePredictions, action::ChooseStructure, action::ShowStructurePage,
-    action::GoInStructure>;
+    action::ResetView, action::UseImageCamera, action::ShowLines, action::ShowGhosts, action::SetTweens,
+    action::SetImageSettings, action::HoverRay, action::HoverLine, action::Select, action::AddObject,
+    action::RemoveSelected, action::InsertCorner, action::RemoveCorner, action::Rename, action::SetMaterial,
+    action::SetShape, action::SetLight, action::SetCamera, action::SetLimits, action::SetNumerics,
+    action::SetSurroundings, action::Nudge, action::Undo, action::Redo, action::New, action::Open, action::Save,
+    action::SaveAs, action::AskOpen, action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion, action::Quit,
+    action::SetTheme, action::SetLanguage, action::SetUiScale, action::SetTab, action::DismissNotice,
+    action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice,
+    action::GuessNumber, action::RevealLesson, action::ShowHands, action::SetLessonOptions, action::SetCostKnobs,
+    action::TryCost, action::ForgetCosts, action::ChooseCost, action::ShowCosts, action::ShowCostPage, action::ShowBugs,
+    action::HuntBug, action::MarkLine, action::JudgeLine, action::ShowCure, action::MendBug, action::LeaveHunt,
+    action::Magnify, action::SetPredictions, action::GuessWay, action::GuessEnd, action::AskSavePredictions,
+    action::AskExport, action::Export, action::FinishExport, action::Wait, action::SavePredictions,
+    action::ChooseStructure, action::ShowStructurePage, action::GoInStructure>;
 
 /// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
 /// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only

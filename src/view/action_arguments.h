@@ -135,6 +135,10 @@ void arguments(F& f, ShowGhosts& a) {
   f.choice(a.shown, Words<bool>(shown_words));
 }
 template <class F>
+void arguments(F& f, SetTweens& a) {
+  f.choice(a.on, Words<bool>(shown_words));
+}
+template <class F>
 void arguments(F& f, SetImageSettings& a) {
   f.choice(a.settings.accelerator, Words<AcceleratorKind>(accelerator_words));
   f.choice(a.settings.single_precision, Words<bool>(precision_words));

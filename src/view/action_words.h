@@ -157,6 +157,8 @@ inline constexpr std::string_view word_of<ShowLines> = "lines";
 template <>
 inline constexpr std::string_view word_of<ShowGhosts> = "ghosts";
 template <>
+inline constexpr std::string_view word_of<SetTweens> = "tweens";
+template <>
 inline constexpr std::string_view word_of<SetImageSettings> = "image-settings";
 template <>
 inline constexpr std::string_view word_of<HoverRay> = "hover-ray";

@@ -161,6 +161,7 @@ void remove_selected(State& state) {
       return inform(state, std::string(text(TextId::select_first, state.language)));
   }
   state.selected = {};
+  state.hovered = {};  // what comes to stand under the pointer is not what stood there
   commit(state, std::move(next));
 }
 

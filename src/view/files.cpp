@@ -80,6 +80,12 @@ bool same_file(const std::string& a, const std::string& b) {
   return a == b || std::filesystem::equivalent(a, b, failed);
 }
 
+/// Whether a file is one of the scenes that come with Raywalk: the lessons play in them.
+bool is_shipped(const State& state, const std::string& path) {
+  return !state.lessons.scenes_folder.empty() &&
+         same_file(std::filesystem::path(path).parent_path().string(), state.lessons.scenes_folder);
+}
+
 }  // namespace
 
 void show_document(State& state, SceneDocument document, std::string path) {
@@ -133,6 +139,10 @@ void save(State& state) {
   // A scene of another format is saved as one of ours, under a new name.
   const bool is_ours = !state.path.empty() && scene_format_of(state.path) == SceneFormat::toml;
   if (!is_ours) return ask_path(state, PathPrompt::save_as);
+  if (is_shipped(state, state.path)) {
+    ask_path(state, PathPrompt::save_as);
+    return inform(state, std::string(text(TextId::save_elsewhere, state.language)));
+  }
   static_cast<void>(write_to(state, state.path));
 }
 
@@ -143,7 +153,7 @@ void save_as(State& state, const std::string& path) {
   const bool has_ending = std::filesystem::path(path).has_extension();
   const std::string whole = has_ending ? path : path + ".toml";
   std::error_code failed;
-  if (std::filesystem::exists(whole, failed) && !same_file(whole, state.path)) {
+  if (std::filesystem::exists(whole, failed) && (!same_file(whole, state.path) || is_shipped(state, whole))) {
     state.question = Question{Question::Kind::overwrite, Intent::quit, whole};
     return;
   }

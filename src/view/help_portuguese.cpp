@@ -20,7 +20,8 @@ std::vector<HelpSection> portuguese_help() {
       {"O que é isto",
        {{"",
          "Um traçador de raios acha a cor de um pixel perguntando que luz volta ao longo de um raio que parte do olho. "
-         "Aqui ele trabalha numa planta, vista de cima, e corre uma linha por vez. Cada raio é desenhado quando a sua "
+         "Aqui ele trabalha numa planta, vista de cima, e executa uma linha por vez. Cada raio é desenhado quando a "
+         "sua "
          "linha o forma. O mesmo programa desenha a imagem 3-D: a coluna de pixels é a linha do meio dessa imagem."}}},
       {"O que há na planta",
        {{"EYE", "Onde começam todos os raios primários."},
@@ -38,12 +39,13 @@ std::vector<HelpSection> portuguese_help() {
          "direção da vista, e o comprimento e a distância de SCREEN. Tudo pode ser desfeito. Os raios ficam de fora "
          "para não atrapalhar."},
         {"Traçar",
-         "Percorra o algoritmo. A linha destacada acaba de correr; a contornada é a próxima. Clique num pixel ou num "
+         "Percorra o algoritmo. A linha destacada acaba de ser executada; a contornada é a próxima. Clique num pixel "
+         "ou num "
          "raio para ir ao passo em que ele começou."},
         {"Ajuda", "Esta página."}}},
       {"Botões",
        {{"STEP",
-         "Corre uma linha e desenha o raio que ela forma. Com \"um raio\" ou \"um pixel\" escolhido, corre até o "
+         "Executa uma linha e desenha o raio que ela forma. Com \"um raio\" ou \"um pixel\" escolhido, vai até o "
          "próximo raio ou até o fim do pixel."},
         {"VOLTAR", "Desfaz o último passo. STEP e VOLTAR ficam cada vez mais rápidos enquanto são mantidos apertados."},
         {"AUTO", "Dá passos sozinho na velocidade escolhida, até PAUSAR ou até o último pixel."},
@@ -70,12 +72,12 @@ std::vector<HelpSection> portuguese_help() {
       {"Ache o defeito",
        {{"",
          "Shift+F2 abre uma lista de traçadores, cada um com um defeito. Olhe a imagem, avance passo a passo, e clique "
-         "no código a linha com defeito, ou deixe-a correr e tecle Enter; outro Enter diz se é ela. Então os raios "
+         "no código a linha com defeito, ou execute-a e tecle Enter; outro Enter diz se é ela. Então os raios "
          "certos ficam ao lado dos errados, pontilhados, e Alt+Enter conserta o defeito e o traz de volta. A sua cena "
          "espera e volta como estava."}}},
       {"Painéis",
        {{"Código",
-         "MAIN ALGORITHM e SHADE. DEPTH conta quantas SHADEs estão abertas. Clique numa linha para correr até que ela "
+         "MAIN ALGORITHM e SHADE. DEPTH conta quantas SHADEs estão abertas. Clique numa linha para ir até que ela "
          "tenha corrido de novo."},
         {"Imagem 3-D",
          "A mesma cena como imagem. A linha marcada é SCREEN; o pixel marcado está sendo traçado. Clique em qualquer "
@@ -89,7 +91,7 @@ std::vector<HelpSection> portuguese_help() {
          "Todos os raios do pixel: cada um fica abaixo do raio em cujo encontro se formou. Aponte um para vê-lo na "
          "planta e no código; clique para ir até ele."},
         {"Equação",
-         "O que a linha que acaba de correr calculou, com os números deste raio: que raiz foi tomada, os ângulos da "
+         "O que a linha recém-executada calculou, com os números deste raio: que raiz foi tomada, os ângulos da "
          "lei "
          "de Snell, cada termo da soma com a sua cor."},
         {"Microscópio",

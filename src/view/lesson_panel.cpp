@@ -49,6 +49,16 @@ bool choice_holds(const LessonSitting& sitting, const Formula& choice) {
   return value && holds(*value);
 }
 
+/// A question that is answered by the walk itself, and not known yet.
+bool is_open_question(const LessonSitting& sitting) {
+  const PlayedStep* step = sitting.at();
+  return step != nullptr && step->step->question && !sitting.revealed &&
+         !std::holds_alternative<LineQuestion>(*step->step->question);
+}
+
+/// A script up to the empty line: what follows it gives the answer away.
+std::string before_answer(const std::string& script) { return script.substr(0, script.find("\n\n")); }
+
 }  // namespace
 
 std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language) {
@@ -59,7 +69,7 @@ std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language langua
     const auto title = entry.titles.find(language);
     LessonRow row{entry.name, title == entry.titles.end() ? entry.name : title->second,
                   done == sitting.done.end() ? 0 : std::min(done->second, entry.steps), entry.steps, false};
-    row.locked = !before_done && !sitting.unlocked && row.done == 0;
+    row.locked = !before_done && !sitting.unlocked && !sitting.presenter && row.done == 0;
     before_done = row.done == row.steps;
     rows.push_back(std::move(row));
   }
@@ -105,6 +115,12 @@ std::optional<Vec2d> guess_origin(const State& state) {
   return origin_of(state.lessons);
 }
 
+bool question_waits(const State& state) {
+  if (!state.lessons.shown || !is_open_question(state.lessons) || state.mode != Mode::trace) return false;
+  const PlayedStep& step = *state.lessons.at();
+  return state.position == step.asked && state.scene() == step.walk->document.scene;
+}
+
 std::optional<Vec2d> arrow_origin(const State& state) {
   const PlayedStep* step = state.lessons.at();
   if (state.lessons.revealed || step == nullptr || state.position != step->asked) return std::nullopt;
@@ -135,6 +151,7 @@ LessonPanel lesson_panel(const State& state) {
         .value_or(passage.text);
   };
   panel.heading = said->heading;
+  if (sitting.step == 0) panel.summary = words.summary.text;
   panel.text = said_at(said->text, step->asked);
   panel.is_last = panel.step == panel.steps;
   panel.can_go_back = sitting.step > 0;
@@ -155,7 +172,9 @@ LessonPanel lesson_panel(const State& state) {
                          : std::string(text(BugText::task_of_lesson, language));
     int hands = 0, hands_right = 0;
     for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i) {
-      LessonChoice choice{said_at(said->choices[i], step->asked), sitting.guess.choice == static_cast<int>(i),
+      std::string text = said_at(said->choices[i], step->asked);
+      std::erase(text, '`');
+      LessonChoice choice{std::move(text), sitting.guess.choice == static_cast<int>(i),
                           answered && choice_holds(sitting, choices->choices[i])};
       if (i < sitting.hands.size()) choice.hands = sitting.hands[i];
       hands += choice.hands;
@@ -177,13 +196,16 @@ LessonPanel lesson_panel(const State& state) {
         panel.verdict += ": " + word(LessonWord::error) + " " + text_of(verdict->error, -1, mark) + panel.unit;
     }
   }
+  panel.astray = is_open_question(sitting) && !question_waits(state);
   if (answered) {
     panel.reveal = said_at(said->reveal, step->shown);
     panel.change = said_at(said->change, step->shown);
   }
   if (sitting.presenter) {
-    panel.presenter = said_at(said->presenter, step->shown);
-    panel.teacher = said_at(said->teacher, step->shown);
+    const std::string script = said_at(said->presenter, step->shown);
+    panel.presenter = answered ? script : before_answer(script);
+    if (answered) panel.teacher = said_at(said->teacher, step->shown);
+    if (answered && panel.is_last) panel.notes = words.teacher.text, panel.sources = words.sources.text;
   }
   return panel;
 }

@@ -27,6 +27,7 @@ struct LessonPanel {
   std::vector<LessonRow> rows;  ///< the list, where no lesson is open
   std::string lesson, heading;
   int step = 0, steps = 0;  ///< from 1
+  std::string summary;      ///< of the lesson: at its first step
   std::string text;         ///< paragraphs between empty lines; items of lists begin with "- "
   Asks asks = Asks::nothing;
   std::string question;
@@ -36,14 +37,20 @@ struct LessonPanel {
   std::string verdict;  ///< after the answer: right or not, and the error
   bool is_right = false;
   std::string reveal, change;      ///< after the answer, or where nothing was asked
-  std::string presenter, teacher;  ///< where they are shown
+  std::string presenter, teacher;  ///< where they are shown; no more than what leads to the answer before it stands
+  std::string notes, sources;      ///< of the whole lesson: for presenters, at its end
   std::string hands;               ///< how a class chose; empty without a show of hands
   std::string score;               ///< of this sitting; empty before the first prediction
+  bool astray = false;             ///< a question waits at another place of the walk, or of another scene
   bool can_reveal = false, can_go_on = false, can_go_back = false, is_last = false;
 };
 /// The list: a lesson opens when the one before is done.
 [[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language);
 [[nodiscard]] LessonPanel lesson_panel(const State& state);
+
+/// Whether the walk stands where a lesson asks, and the prediction is still to be made. (Where a faulty line is looked
+/// for one walks freely.)
+[[nodiscard]] bool question_waits(const State& state);
 
 /// Whether the plan takes an arrow from the mouse now, and where it starts.
 [[nodiscard]] std::optional<Vec2d> arrow_origin(const State& state);

@@ -2,6 +2,8 @@
 
 #include "io/file.h"
 #include "view/lesson_panel.h"
+#include "view/lesson_text.h"
+#include "view/text.h"
 #include "view/update_parts.h"
 
 #include <nlohmann/json.hpp>
@@ -134,7 +136,8 @@ void open_lesson(State& state, const std::string& name) {
   show_lessons(state, true);
   const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
-  if (row == rows.end() || row->locked) return;
+  if (row == rows.end()) return;
+  if (row->locked) return inform(state, std::string(text(LessonWord::locked, state.language)));
   // What is changed during a lesson belongs to the lesson.
   if (state.lessons.open) state.dirty = false;
   ask_or_do(state, Intent::lesson, name);
@@ -210,6 +213,15 @@ void reveal_lesson(State& state) {
   const PlayedStep& step = *sitting.at();
   if (state.timeline->current_pixel(step.shown) != state.timeline->current_pixel(step.asked)) sitting.first_pixel = 0;
   go_to(state, step.shown);
+}
+
+bool answered_by_step(State& state) {
+  if (!question_waits(state)) return false;
+  if (lesson_panel(state).can_reveal)
+    reveal_lesson(state);
+  else
+    inform(state, std::string(text(LessonWord::predict_first, state.language)));
+  return true;
 }
 
 void set_lesson_options(State& state, const action::SetLessonOptions& options) {

@@ -26,8 +26,14 @@ enum class LessonWord {
   locked,
   done,
   score,
-  hands,       ///< {0} for what is right, {1} of how many
-  hands_hint,  ///< for presenters
+  hands,             ///< {0} for what is right, {1} of how many
+  hands_hint,        ///< for presenters
+  predict_first,     ///< said when STEP would show the answer
+  back_to_question,  ///< a button, once one has walked away from it
+  not_a_number,
+  presenter_hint,
+  unlock_hint,
+  sources,
   hand_more,
   hand_less,
 };

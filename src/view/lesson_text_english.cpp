@@ -41,13 +41,25 @@ std::string_view english(LessonWord word) {
     case LessonWord::of:
       return "of";
     case LessonWord::locked:
-      return "finish the lesson before";
+      return "Locked: finish the lesson above it first, or choose Unlock all";
     case LessonWord::done:
       return "done";
     case LessonWord::hands:
       return "{0} of {1} hands were right";
     case LessonWord::hands_hint:
       return "Show of hands: 1, 2, ... count a hand each; with Shift one less";
+    case LessonWord::predict_first:
+      return "Predict first, then STEP shows the answer.";
+    case LessonWord::back_to_question:
+      return "Back to the question";
+    case LessonWord::not_a_number:
+      return "This is no number: type one such as 12.5";
+    case LessonWord::presenter_hint:
+      return "The script and the notes for teachers, shows of hands, and every lesson open";
+    case LessonWord::unlock_hint:
+      return "Every lesson and every answer open, without a prediction";
+    case LessonWord::sources:
+      return "Sources";
     case LessonWord::hand_more:
       return "One hand more";
     case LessonWord::hand_less:

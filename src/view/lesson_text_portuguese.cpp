@@ -35,19 +35,31 @@ std::string_view portuguese(LessonWord word) {
     case LessonWord::right:
       return "Certo";
     case LessonWord::wrong:
-      return "Ainda não";
+      return "Não exatamente";
     case LessonWord::error:
       return "erro de";
     case LessonWord::of:
       return "de";
     case LessonWord::locked:
-      return "conclua a lição anterior";
+      return "Fechada: conclua antes a lição acima, ou escolha Liberar todas";
     case LessonWord::done:
       return "concluída";
     case LessonWord::hands:
       return "{0} de {1} mãos acertaram";
     case LessonWord::hands_hint:
       return "Mãos levantadas: 1, 2, ... contam uma mão; com Shift, uma a menos";
+    case LessonWord::predict_first:
+      return "Preveja primeiro; depois STEP mostra a resposta.";
+    case LessonWord::back_to_question:
+      return "De volta à pergunta";
+    case LessonWord::not_a_number:
+      return "Isto não é um número: digite um como 12,5";
+    case LessonWord::presenter_hint:
+      return "O roteiro e as notas do professor, a contagem de mãos e todas as lições abertas";
+    case LessonWord::unlock_hint:
+      return "Todas as lições e respostas abertas, sem previsão";
+    case LessonWord::sources:
+      return "Fontes";
     case LessonWord::hand_more:
       return "Mais uma mão";
     case LessonWord::hand_less:

@@ -5,6 +5,7 @@
 #include "view/painter.h"
 #include "view/panels.h"
 #include "view/text.h"
+#include "view/tween.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,7 +148,12 @@ class Lines {
       return draw_stub(painter_, (*ends)[0], normalize_flat((*ends)[1] - (*ends)[0]), stroke, target);
     }
     const bool ends_somewhere = known ? !ray.endless : ends_at_light(ray);
-    const Vec3d end = !ends_somewhere ? ray.origin + reach_ * along : known ? ray.end : ray.origin + ray.direction;
+    const std::optional<Growth> growth = growth_of(state, index);
+    Vec3d end = end_of(ray, known);
+    if (growth) {
+      const Vec3d start = growth->from_start ? ray.origin : end_of(ray, false);
+      end = start + growth->part * (end - start);
+    }
     const auto ends = seen_.segment(ray.origin, end);
     if (!ends || !(length((*ends)[1] - (*ends)[0]) > 0)) return;
     const auto [from, to] = *ends;
@@ -156,7 +162,14 @@ class Lines {
     LineItem item{from, to, stroke, ray_arrow(painter_, look), ends_somewhere ? 0.55 : 0.2};
     item.arrow = std::min(item.arrow, length(to - from) / 3);
     painter_.add_clipped(item, target);
-    if (known && ray.ending == Ending::blocked) draw_blocked(painter_, to, normalize_flat(to - from), stroke);
+    if (known && ray.ending == Ending::blocked && !growth)
+      draw_blocked(painter_, to, normalize_flat(to - from), stroke);
+  }
+
+  /// Where the ray is drawn to, at a position where its end may not be known yet.
+  [[nodiscard]] Vec3d end_of(const RayRecord& ray, bool known) const {
+    if (known ? ray.endless : !ends_at_light(ray)) return ray.origin + reach_ * normalize(ray.direction);
+    return known ? ray.end : ray.origin + ray.direction;
   }
 
   static Vec2d normalize_flat(const Vec2d& v) { return v / length(v); }
@@ -181,6 +194,7 @@ class Lines {
     for (int index = 0; index < count; ++index) {
       const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
       if (ray.pixel != pixel || ray.ending != Ending::hit || !ray.formed || ray.found_at > state.position) continue;
+      if (growth_of(state, index)) continue;
       const double size = 26 * painter_.sizes.unit / std::max(seen_.pixels_per_unit(ray.end), 1e-9);
       if (const auto ends = seen_.segment(ray.end, ray.end + size * ray.normal))
         painter_.add_clipped({(*ends)[0], (*ends)[1], painter_.stroke(painter_.colours.normal),

@@ -25,27 +25,40 @@ Stroke Painter::outline(const Target& target, Colour colour, double width) const
   return stroke(colour, width);
 }
 
-void Painter::add_clipped(LineItem line, const Target& target) {
+std::optional<std::array<double, 2>> Painter::seen_stretch(const Vec2d& from, const Vec2d& to) const {
   const double margin = 20 * sizes.unit;
   const Vec2d low(-margin), high = Vec2d(viewport.width, viewport.height) + margin;
-  const Vec2d along = line.to - line.from;
+  const Vec2d along = to - from;
   // Y.-D. Liang and B. Barsky, "A new concept and method for line clipping", ACM TOG 3(1), 1984.
   double begin = 0, end = 1;
   for (int axis = 0; axis < 2; ++axis) {
     if (along[axis] == 0) {
-      if (line.from[axis] < low[axis] || line.from[axis] > high[axis]) return;
+      if (from[axis] < low[axis] || from[axis] > high[axis]) return std::nullopt;
       continue;
     }
-    const double a = (low[axis] - line.from[axis]) / along[axis], b = (high[axis] - line.from[axis]) / along[axis];
+    const double a = (low[axis] - from[axis]) / along[axis], b = (high[axis] - from[axis]) / along[axis];
     begin = std::max(begin, std::min(a, b));
     end = std::min(end, std::max(a, b));
   }
-  if (!(begin < end)) return;
+  if (!(begin < end)) return std::nullopt;
+  return std::array{begin, end};
+}
+
+void Painter::add_clipped(LineItem line, const Target& target) {
+  const auto seen = seen_stretch(line.from, line.to);
+  if (!seen) return;
+  const auto [begin, end] = *seen;
+  const Vec2d along = line.to - line.from;
   LineItem clipped = line;
   clipped.from = line.from + begin * along;
   clipped.to = line.from + end * along;
   clipped.stroke.phase += begin * length(along);
   add(clipped, target);
+}
+
+Vec2d Painter::seen_end(const Vec2d& from, const Vec2d& to) const {
+  const auto seen = seen_stretch(from, to);
+  return seen ? from + (*seen)[1] * (to - from) : to;
 }
 
 void Painter::note(const Vec2d& at, const std::string& text) {

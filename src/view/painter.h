@@ -4,6 +4,7 @@
 #include "view/plan_geometry.h"
 #include "view/plan_view.h"
 
+#include <array>
 #include <optional>
 
 namespace raywalk::detail {
@@ -41,9 +42,15 @@ class Painter {
   void add_clipped(LineItem line, const Target& target = {});
   /// A text on a ground of its own that labels keep free; `at`: its middle.
   void note(const Vec2d& at, const std::string& text);
+  /// Where the way between two points leaves the pane, with a margin; `to` when it does not.
+  [[nodiscard]] Vec2d seen_end(const Vec2d& from, const Vec2d& to) const;
   /// The middle of what is seen of the way between two points, of which each may lie far outside.
   [[nodiscard]] Vec2d seen_middle(Vec2d from, Vec2d to) const;
   void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
+
+ private:
+  /// The part of the way between two points that is seen, with a margin: from and to, 0..1.
+  [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to) const;
 };
 
 // objects_view.cpp

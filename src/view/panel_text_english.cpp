@@ -64,6 +64,10 @@ std::string_view english(PanelText id) {
       return "Only {0} samples of each pixel are walked: more would be too many steps.";
     case PanelText::samples_mean:
       return "mean of {0} samples: {1} \u00b1 {2}";
+    case PanelText::member_of:
+      return "{0} of {1}";
+    case PanelText::triangle_of:
+      return "triangle {0} of {1}";
     case PanelText::ghosts_total:
       return "Dotted: what the limits cut off, so far {0} of this pixel";
     case PanelText::ghosts_none:

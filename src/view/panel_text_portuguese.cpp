@@ -64,6 +64,10 @@ std::string_view portuguese(PanelText id) {
       return "Só {0} amostras de cada pixel são percorridas: com mais, haveria passos demais.";
     case PanelText::samples_mean:
       return "média de {0} amostras: {1} \u00b1 {2}";
+    case PanelText::member_of:
+      return "{0} de {1}";
+    case PanelText::triangle_of:
+      return "triângulo {0} de {1}";
     case PanelText::ghosts_total:
       return "Pontilhado: o que os limites cortaram, até aqui {0} deste pixel";
     case PanelText::ghosts_none:
@@ -117,7 +121,7 @@ std::string_view portuguese(PanelText id) {
     case PanelText::status_none:
       return "\u2013";
     case PanelText::first_step_trace:
-      return "Aperte STEP para correr a primeira linha, ou AUTO para deixar andar sozinho.";
+      return "Aperte STEP para executar a primeira linha, ou AUTO para deixar andar sozinho.";
     case PanelText::first_step_move:
       return "Arraste os objetos, a luz e o olho; depois escolha Traçar.";
     case PanelText::first_step_help:

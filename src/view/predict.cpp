@@ -66,9 +66,10 @@ Target met_by(const RayRecord& ray) {
   return {};
 }
 
-/// Predictions are on, and neither a lesson nor a hunt asks questions of its own.
+/// Predictions are on, where an arrow can be drawn, and neither a lesson nor a hunt asks questions of its own.
 bool may_ask(const State& state) {
-  return state.predictions.on && !state.bugs.hunt && !(state.lessons.shown && state.lessons.at() != nullptr);
+  return state.predictions.on && !shows_lines(state) && !state.bugs.hunt &&
+         !(state.lessons.shown && state.lessons.at() != nullptr);
 }
 
 std::string name_of(const State& state, const Target& target) {
@@ -86,7 +87,7 @@ int Predictions::right() const {
 }
 
 std::optional<PredictionAsked> prediction_asked(const State& state) {
-  if (!may_ask(state) || state.mode != Mode::trace || state.playing || shows_lines(state)) return std::nullopt;
+  if (!may_ask(state) || state.mode != Mode::trace || state.playing) return std::nullopt;
   return answered_after(*state.timeline, state.position);
 }
 
@@ -126,7 +127,8 @@ std::string prediction_sentence(const State& state) {
     return verdict + (guessed ? said(state, PredictText::end_guessed, {name_of(state, predictions.open->met)})
                               : said(state, PredictText::ask_end, {kind}));
   }
-  if (predictions.made.empty()) return said(state, PredictText::idle);
+  const bool at_end = state.position == state.timeline->steps();
+  if (predictions.made.empty()) return said(state, at_end ? PredictText::idle_at_end : PredictText::idle);
   return verdict + said(state, PredictText::score,
                         {std::to_string(predictions.right()), std::to_string(predictions.made.size())});
 }

@@ -102,6 +102,7 @@ enum class PredictText {
   met_wrong,    ///< {0} what it meets, {1} the guess
   score,        ///< {0} right, {1} of how many
   idle,
+  idle_at_end,  ///< of the walk
   nothing_to_save,
 };
 [[nodiscard]] std::string_view english(PredictText id);

@@ -26,6 +26,8 @@ std::string_view english(PredictText id) {
       return "{0} of {1} right.";
     case PredictText::idle:
       return "Walk on: before each ray you are asked.";
+    case PredictText::idle_at_end:
+      return "CLEAR starts again: before each ray you are asked.";
     case PredictText::nothing_to_save:
       return "There is no prediction yet to be saved";
   }

@@ -26,6 +26,8 @@ std::string_view portuguese(PredictText id) {
       return "{0} de {1} certas.";
     case PredictText::idle:
       return "Avance: antes de cada raio h\u00e1 uma pergunta.";
+    case PredictText::idle_at_end:
+      return "CLEAR recome\u00e7a: antes de cada raio h\u00e1 uma pergunta.";
     case PredictText::nothing_to_save:
       return "Ainda n\u00e3o h\u00e1 previs\u00e3o para salvar";
   }

@@ -1,5 +1,7 @@
 #include "view/painter.h"
 #include "view/panels.h"
+#include "view/text.h"
+#include "view/tween.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,21 +25,45 @@ Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along)
   return from + (painter.viewport.width + painter.viewport.height + length(middle - from)) * along;
 }
 
+/// What lies outside the pane takes no time.
+Vec2d grown_end(const Painter& painter, const RayRecord& ray, const RayWay& way, const Growth& growth) {
+  const auto before = growth.from_start ? RayWay{way.from, way.from, way.along} : *ray_way(painter, ray, false);
+  const Vec2d start = painter.seen_end(before.from, before.to), end = painter.seen_end(way.from, way.to);
+  return start + growth.part * (end - start);
+}
+
+/// Why the ray was not formed, beside its stub: a ray that stops in silence teaches nothing. In a narrow pane the
+/// sentence below it has to do.
+void draw_why_not(Painter& painter, const RayRecord& ray, const Vec2d& from, const Vec2d& along) {
+  const std::string why(text(ray.ending, painter.state.language));
+  const double half = text_width(why, painter.sizes.text) / 2 + 14 * painter.sizes.unit;
+  if (2 * half > 0.5 * painter.viewport.width) return;
+  const Vec2d tip = from + 24 * painter.sizes.unit * along;
+  const bool to_the_right = along.x >= 0 ? tip.x + 2 * half < painter.viewport.width : tip.x - 2 * half < 0;
+  painter.note(tip + Vec2d(to_the_right ? half : -half, 0), why);
+}
+
 void draw_ray(Painter& painter, int index, const RayLook& look) {
   const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
   const bool known = ray.found_at <= painter.state.position;
   const std::optional<RayWay> way = ray_way(painter, ray, known);
   if (!way) return;
-  const auto [from, to, along] = *way;
+  const auto [from, end, along] = *way;
   const Stroke stroke = ray_stroke(painter, ray, look);
   const Target target{TargetKind::ray, index};
-  if (!ray.formed) return draw_stub(painter, from, along, stroke, target);
+  if (!ray.formed) {
+    draw_stub(painter, from, along, stroke, target);
+    if (look.prominence == Prominence::current) draw_why_not(painter, ray, from, along);
+    return;
+  }
+  const std::optional<Growth> growth = growth_of(painter.state, index);
+  const Vec2d to = growth ? grown_end(painter, ray, *way, *growth) : end;
   if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
   LineItem line{from, to, stroke, ray_arrow(painter, look), 0.55};
   const double visible = length(to - from);
   if (visible < 3 * line.arrow) line.arrow = visible / 3;
   painter.add_clipped(line, target);
-  if (known && ray.ending == Ending::blocked) draw_blocked(painter, to, along, stroke);
+  if (known && ray.ending == Ending::blocked && !growth) draw_blocked(painter, to, along, stroke);
 }
 
 void draw_normal(Painter& painter, const RayRecord& ray) {
@@ -134,7 +160,8 @@ void draw_rays(Painter& painter) {
   }
   for (int index = 0; index < count; ++index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-    if (ray.pixel == pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= position)
+    if (ray.pixel == pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= position &&
+        !growth_of(painter.state, index))
       draw_normal(painter, ray);
   }
   if (current >= 0 && current < count && !is_lit(painter.state, current))

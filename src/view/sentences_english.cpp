@@ -83,7 +83,7 @@ std::string_view english(MessageId id) {
     case MessageId::light_blocked_by_itself:
       return "The shadow ray is blocked by {1} itself: no light arrives from {0}.";
     case MessageId::reflective:
-      return "{0} reflects with weight {1}, so a reflect ray will be formed.";
+      return "{0} reflects with weight {1}, so a reflect ray is wanted.";
     case MessageId::reflective_totally:
       return "Total internal reflection: no light leaves {0} here, so the reflect ray gets both shares, weight {1}.";
     case MessageId::not_reflective:
@@ -95,7 +95,7 @@ std::string_view english(MessageId id) {
     case MessageId::reflect_threshold:
       return "No reflect ray is formed: it could bring only {0} of the pixel, less than the threshold of {1}.";
     case MessageId::transparent:
-      return "{0} lets light through with weight {1}, so a refract ray will be formed.";
+      return "{0} lets light through with weight {1}, so a refract ray is wanted.";
     case MessageId::not_transparent:
       return "{0} lets no light through: these lines are skipped.";
     case MessageId::totally_reflected:

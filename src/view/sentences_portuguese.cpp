@@ -83,7 +83,7 @@ std::string_view portuguese(MessageId id) {
     case MessageId::light_blocked_by_itself:
       return "O raio de sombra é bloqueado pelo próprio objeto {1}: não chega luz de {0}.";
     case MessageId::reflective:
-      return "{0} reflete com peso {1}; um raio refletido vai se formar.";
+      return "{0} reflete com peso {1}; aqui cabe um raio refletido.";
     case MessageId::reflective_totally:
       return "Reflexão interna total: nenhuma luz sai de {0} aqui, e o raio refletido leva as duas partes, peso {1}.";
     case MessageId::not_reflective:
@@ -95,7 +95,7 @@ std::string_view portuguese(MessageId id) {
     case MessageId::reflect_threshold:
       return "Nenhum raio refletido se forma: traria só {0} do pixel, menos que o limiar de {1}.";
     case MessageId::transparent:
-      return "{0} deixa passar luz com peso {1}; um raio refratado vai se formar.";
+      return "{0} deixa passar luz com peso {1}; aqui cabe um raio refratado.";
     case MessageId::not_transparent:
       return "{0} não deixa passar luz: estas linhas são puladas.";
     case MessageId::totally_reflected:

@@ -118,6 +118,13 @@ struct Hold {
   double owed = 0;     ///< steps due from ticks, below 1 between ticks
 };
 
+/// A ray grows, or shrinks to the end that was found, after a step forward; see view/tween.h.
+struct Tween {
+  int ray = 0;         ///< index in Timeline::rays()
+  int from = 0;        ///< the position that the step came from
+  double seconds = 0;  ///< so far
+};
+
 /// Which edit an entry of undo came from: edits that continue each other have equal marks.
 struct EditMark {
   std::size_t edit = 0;  ///< index in Action
@@ -151,6 +158,8 @@ struct State {
   double owed = 0;              ///< steps due from ticks, below 1 between ticks
   Grain grain = Grain::line;
   std::optional<Hold> hold;
+  bool tweens = false;  ///< steps are shown in motion, for a moment
+  std::optional<Tween> tween;
   Breakpoints breakpoints;
   bool shows_ghosts = false;             ///< in Trace: what the limits cut off of the pixel under way
   std::shared_ptr<const Ghosts> ghosts;  ///< these; null while they are not shown

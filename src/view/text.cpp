@@ -26,6 +26,13 @@ std::string fill(std::string_view pattern, const std::vector<std::string>& argum
 
 namespace {
 
+std::string met_text(const Met& met, Language language) {
+  std::string name = met.object;
+  if (!met.member.empty()) name = fill(PanelText::member_of, language, {met.member, name});
+  if (met.triangle >= 0) name = fill(PanelText::triangle_of, language, {std::to_string(met.triangle), name});
+  return name;
+}
+
 std::string argument_text(const Argument& argument, Language language) {
   return std::visit(detail::Overloaded{
                         [](int value) { return std::to_string(value); },
@@ -34,6 +41,7 @@ std::string argument_text(const Argument& argument, Language language) {
                         [&](Share share) { return percent_text(share.value, language); },
                         [&](RayKind kind) { return std::string(text(kind, language)); },
                         [](const std::string& name) { return name; },
+                        [&](const Met& met) { return met_text(met, language); },
                     },
                     argument);
 }
@@ -74,6 +82,8 @@ std::string with_decimal_mark(std::string digits, Language language) {
 
 std::string number_text(double value, Language language) {
   if (value == 0) return "0";
+  const double size = std::abs(value);
+  if (size >= 999.5 && size < 999999.5) return fmt::format("{:.0f}", value);
   return with_decimal_mark(fmt::format("{:.3g}", value), language);
 }
 

@@ -179,6 +179,7 @@ enum class TextId {
   too_many_steps,
   export_endings,   ///< {0} file
   too_many_slides,  ///< {0} most
+  save_elsewhere,   ///< a scene that comes with Raywalk
   autosave_failed,  ///< {0} why
 };
 
@@ -213,6 +214,8 @@ enum class PanelText {
   image_progress,    ///< {0} percent, {1} time left
   too_many_samples,  ///< {0} how many are walked
   samples_mean,      ///< {0} samples, {1} the mean of their grey, {2} half the 95% interval
+  member_of,         ///< {0} member, {1} group
+  triangle_of,       ///< {0} number, {1} mesh
   ghosts_total,      ///< {0} percent
   ghosts_none,
   heat_rays,  ///< {0} the number that the last colour stands for

@@ -279,6 +279,8 @@ std::string_view english(TextId id) {
              "or .json all steps";
     case TextId::too_many_slides:
       return "a page has at most {0} steps: walk one pixel, or go less deep";
+    case TextId::save_elsewhere:
+      return "This scene comes with Raywalk, and lessons use it: save your own under another name or in another folder";
     case TextId::autosave_failed:
       return "The work could not be autosaved: {0}";
   }

@@ -277,6 +277,8 @@ std::string_view portuguese(TextId id) {
              ".txt ou .json todos os passos";
     case TextId::too_many_slides:
       return "uma página tem no máximo {0} passos: percorra um pixel, ou vá menos fundo";
+    case TextId::save_elsewhere:
+      return "Esta cena vem com o Raywalk, e as lições a usam: salve a sua com outro nome ou em outra pasta";
     case TextId::autosave_failed:
       return "O trabalho não pôde ser salvo automaticamente: {0}";
   }

@@ -1,4 +1,5 @@
 #include "view/action.h"
+#include "view/lesson_panel.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 #include "view/update_parts.h"
@@ -77,6 +78,13 @@ bool leaves_drag(const Action& action) {
       action);
 }
 
+/// Actions during which a tween goes on; any other finds the walk where it is to end.
+bool leaves_tween(const Action& action) {
+  return std::visit(
+      []<class T>(const T&) { return one_of<T, Tick, ResizePlan, PointerMoved, PointerLeft, HoverRay, HoverLine>; },
+      action);
+}
+
 bool has_object(const State& state, int object) { return exists(state, {TargetKind::object, object}); }
 
 void set_material(State& state, const SetMaterial& set) {
@@ -129,7 +137,9 @@ void apply(State& state, const Action& action) {
             }
             detail::hover(state);
           },
-          [&](const Step& a) { detail::walk(state, a); },
+          [&](const Step& a) {
+            if (!a.forward || !detail::answered_by_step(state)) detail::walk(state, a);
+          },
           [&](const Jump& a) { detail::go_to(state, a.position); },
           [&](const JumpToRay& a) {
             if (exists(state, {TargetKind::ray, a.ray}))
@@ -145,6 +155,7 @@ void apply(State& state, const Action& action) {
           [&](const ToggleBreakpoint& a) { detail::toggle_breakpoint(state, a.line); },
           [&](const SetBreakpoints& a) { state.breakpoints = a.breakpoints; },
           [&](const action::Hold& a) {
+            if (a.forward && question_waits(state)) return;
             detail::go_to(state, state.position);
             state.hold = raywalk::Hold{a.forward};
           },
@@ -160,6 +171,7 @@ void apply(State& state, const Action& action) {
           [&](const SetGrain& a) { state.grain = a.grain; },
           [&](const Clear&) { detail::go_to(state, 0); },
           [&](const Tick& a) {
+            if (state.tween) state.tween->seconds += a.seconds;
             detail::play(state, a.seconds);
             detail::autosave(state, a.seconds);
           },
@@ -195,6 +207,7 @@ void apply(State& state, const Action& action) {
             state.shows_ghosts = a.shown;
             state.mode = a.shown ? Mode::trace : state.mode;
           },
+          [&](const SetTweens& a) { state.tweens = a.on; },
           [&](const SetImageSettings& a) { detail::set_image_settings(state, a.settings); },
           [&](const HoverRay& a) { state.hovered_ray = exists(state, {TargetKind::ray, a.ray}) ? a.ray : -1; },
           [&](const HoverLine& a) { state.hovered_line = a.line; },
@@ -319,7 +332,11 @@ void update(State& state, const Action& action) {
   if (!is_finite(action) || !goes_through(state, action)) return;
   if (state.drag && !leaves_drag(action)) detail::end_drag(state);
   if (state.bugs.hunt && leaves_hunt(action)) detail::leave_hunt(state);
+  if (!leaves_tween(action)) state.tween.reset();
+  const std::shared_ptr<const Timeline> walked = state.timeline;
+  const int position = state.position;
   apply(state, action);
+  detail::follow_with_tween(state, walked.get(), position);
   detail::follow_with_ghosts(state);
   detail::follow_with_predictions(state);
   detail::follow_with_structure(state);

@@ -30,6 +30,10 @@ inline constexpr double most_events = 400'000;
 /// How many samples of that pixel (an index in Timeline::pixels()) were recorded.
 [[nodiscard]] int samples_of_pixel(const Timeline& timeline, int pixel);
 
+// tween.cpp
+/// Begins a tween where the walk went a small step forward from this place, and ends one that is over.
+void follow_with_tween(State& state, const Timeline* timeline, int position);
+
 // ghosts.cpp
 /// Keeps State::ghosts those of the pixel under way.
 void follow_with_ghosts(State& state);
@@ -117,6 +121,8 @@ void guess_number(State& state, double number);
 /// The arrow from the ray's origin to `towards`, in scene units.
 void guess_arrow(State& state, const Vec2d& towards);
 void reveal_lesson(State& state);
+/// STEP while a lesson's question waits: the answer, once there is a prediction. Whether it was that.
+[[nodiscard]] bool answered_by_step(State& state);
 void set_lesson_options(State& state, const action::SetLessonOptions& options);
 
 // structure_steps.cpp

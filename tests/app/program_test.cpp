@@ -31,6 +31,21 @@ TEST_CASE("there is help at every level, with examples") {
   CHECK(folder.names().empty());
 }
 
+TEST_CASE("a lesson's script is written out with its numbers, in either language") {
+  const Folder folder;
+  const Outcome english = folder.run({"lesson", "script", "1"});
+  CHECK(english.exit_code == 0);
+  CHECK(english.err == "");
+  CHECK_THAT(english.out, contains("# Ray casting\n") && contains("\n## 2. The nearest surface wins\n"));
+  CHECK_THAT(english.out, contains("Count, then reveal.") && contains("> - the Solid Sphere\n"));
+  CHECK_THAT(english.out, contains("It meets ") && !contains("{"));
+  const Outcome portuguese = folder.run({"lesson", "script", "01", "--language", "pt"});
+  CHECK_THAT(portuguese.out, contains("# Lançamento de raios\n"));
+  const Outcome none = folder.run({"lesson", "script", "77"});
+  CHECK(none.exit_code == 2);
+  CHECK_THAT(none.err, contains("there is no lesson \"77\""));
+}
+
 TEST_CASE("--version says the version") {
   const Folder folder;
   const Outcome outcome = folder.run({"--version"});

@@ -91,11 +91,12 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
-  const Settings chosen{Theme::projector, 2.25, Tab::tree, Language::portuguese};
+  const Settings chosen{Theme::projector, 2.25, Tab::tree, Language::portuguese, false};
   write_settings(folder / "state", chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);
   CHECK(start(wanted)->theme == Theme::projector);
+  CHECK_FALSE(start(wanted)->tweens);
   wanted.theme = "dark";
   CHECK(start(wanted)->theme == Theme::dark);
   for (const std::string text : {"", "{", "[1, 2]", R"({"theme": 7, "ui_scale": "large", "tab": "x"})", "\xff\xfe"}) {

@@ -131,17 +131,17 @@ TEST_CASE("a hit is named to the triangle of a mesh and the member of a group") 
     const Timeline timeline = record_cell(scene, cell);
     for (int position = 1; position <= timeline.steps(); ++position) {
       const Message message = describe(scene, timeline, position);
-      if (message.id == MessageId::found_hit) return std::get<std::string>(message.arguments.at(1));
+      if (message.id == MessageId::found_hit) return std::get<Met>(message.arguments.at(1));
     }
-    return std::string();
+    return Met{};
   };
-  CHECK(met(0) == "Ball of Twins");
-  CHECK(met(2) == "triangle 0 of Panel");
+  CHECK(met(0) == Met{"Twins", "Ball"});
+  CHECK(met(2) == Met{"Panel", "", 0});
   scene.objects[1].transform = {TransformStep{Translate{{0, -3.3, -0.5}}}};
-  CHECK(met(2) == "triangle 1 of Panel");
+  CHECK(met(2) == Met{"Panel", "", 1});
   scene.objects[0].transform = {TransformStep{Translate{{0, 0.3, -0.7}}}};
-  CHECK(met(1) == "triangle 1 of Sheet of Twins");
+  CHECK(met(1) == Met{"Twins", "Sheet", 1});
   // What is an object by itself needs no more words.
   scene.objects = {{"Twin", Sphere<double>{{0, 0, 0}, 1}, {}}};
-  CHECK(met(1) == "Twin");
+  CHECK(met(1) == Met{"Twin"});
 }

@@ -43,6 +43,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {UseImageCamera{}, "use-camera"},
       {ShowLines{true}, "lines on"},
       {ShowGhosts{true}, "ghosts on"},
+      {SetTweens{true}, "tweens on"},
       {SetImageSettings{{AcceleratorKind::grid, true, 64, Integrator::path, 8, Heat::noise}},
        "image-settings grid float 64 8 noise path"},
       {HoverRay{-1}, "hover-ray -1"},

@@ -46,6 +46,29 @@ TEST_CASE("Save without a path asks for one") {
   CHECK(read_document(folder.file("b.toml")).scene == state.scene());
 }
 
+TEST_CASE("a scene that ships is kept as it is: Save asks for another name, and the same one for a yes") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder, "shipped.toml");
+  state.lessons.scenes_folder = folder.path();
+  make_dirty(state);
+  update(state, action::Save{});
+  CHECK(state.prompt == PathPrompt::save_as);
+  REQUIRE(state.notice);
+  CHECK(state.notice->text == text(TextId::save_elsewhere, Language::english));
+  update(state, action::SaveAs{folder.file("shipped.toml")});
+  REQUIRE(state.question);
+  CHECK(state.question->kind == Question::Kind::overwrite);
+  CHECK(read_document(folder.file("shipped.toml")).scene == state.saved);
+  update(state, action::AnswerQuestion{action::Answer::cancel});
+  const TemporaryFolder own;
+  update(state, action::SaveAs{own.file("own.toml")});
+  CHECK_FALSE(state.dirty);
+  make_dirty(state);
+  update(state, action::Save{});  // which is one's own now
+  CHECK_FALSE(state.dirty);
+  CHECK(read_document(own.file("own.toml")).scene == state.scene());
+}
+
 TEST_CASE("undoing back to what the file holds is not unsaved work") {
   const TemporaryFolder folder;
   State state = saved_state(folder);

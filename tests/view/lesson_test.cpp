@@ -1,5 +1,7 @@
 // Lessons as a student goes through them, without a window.
 #include "view/lesson_panel.h"
+#include "view/lesson_text.h"
+#include "view/text.h"
 
 #include <cmath>
 #include <filesystem>
@@ -85,6 +87,79 @@ TEST_CASE("a question holds a student until it is answered, and shows then where
   for (const LessonChoice& choice : lesson_panel(state).choices) right += choice.right ? 1 : 0;
   CHECK(right == 1);
   CHECK(lesson_panel(state).can_go_on);
+}
+
+TEST_CASE("STEP asks for the prediction first, and then shows the answer") {
+  State state = with_lessons();
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  const PlayedStep& step = *state.lessons.at();
+  REQUIRE(question_waits(state));
+  for (const Action& forward :
+       {Action(action::Step{}), Action(action::Step{true, Grain::pixel}), Action(action::Hold{})}) {
+    update(state, forward);
+    CHECK(state.position == step.asked);
+    CHECK_FALSE(state.hold);
+    CHECK_FALSE(state.lessons.revealed);
+  }
+  REQUIRE(state.notice);
+  CHECK(state.notice->text == text(LessonWord::predict_first, Language::english));
+  update(state, action::GuessChoice{0});
+  update(state, action::Step{});
+  CHECK(state.lessons.revealed);
+  CHECK(state.position == step.shown);
+  CHECK_FALSE(question_waits(state));
+  update(state, action::Step{});
+  CHECK(state.position == step.shown + 1);
+}
+
+TEST_CASE("whoever walks away from a question is shown the way back") {
+  State state = with_lessons();
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  CHECK_FALSE(lesson_panel(state).astray);
+  const int asked = state.position, step = state.lessons.step;
+  update(state, action::Step{false});
+  CHECK(lesson_panel(state).astray);
+  update(state, action::Step{});  // back to it, by foot
+  CHECK_FALSE(lesson_panel(state).astray);
+  update(state, action::Select{{TargetKind::object, 0}});
+  update(state, action::Nudge{{1, 0}});
+  CHECK(lesson_panel(state).astray);
+  update(state, action::GoToLessonStep{step});
+  CHECK(state.position == asked);
+  CHECK(question_waits(state));
+  CHECK_FALSE(lesson_panel(state).astray);
+}
+
+TEST_CASE("the script gives no answer away before it stands there, nor do the notes") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{true, false});
+  for (const LessonEntry& entry : std::vector(state.lessons.list)) {
+    update(state, action::OpenLesson{entry.name});
+    REQUIRE(state.lessons.at() != nullptr);
+    for (bool more = true; more;) {
+      const LessonPanel asked = lesson_panel(state);
+      CAPTURE(entry.name, asked.heading);
+      CHECK_FALSE(asked.presenter.empty());
+      if (asked.asks != Asks::nothing) {
+        CHECK(asked.teacher.empty());
+        update(state, action::RevealLesson{});
+      }
+      const LessonPanel shown = lesson_panel(state);
+      CHECK(shown.presenter.starts_with(asked.presenter));
+      CHECK(shown.notes.empty() == !shown.is_last);
+      more = !shown.is_last;
+      update(state, action::GoToLessonStep{shown.step});
+    }
+  }
+  update(state, action::OpenLesson{"05-refraction"});
+  update(state, action::GoToLessonStep{0});
+  CHECK(lesson_panel(state).presenter.find("Reveal") != std::string::npos);
+  update(state, action::RevealLesson{});
+  update(state, action::GoToLessonStep{1});
+  CHECK(lesson_panel(state).presenter.ends_with("Reveal."));
+  CHECK(lesson_panel(state).choices.size() == 3);
 }
 
 TEST_CASE("a class shows hands for the choices, and the answer says how many were right") {

@@ -160,7 +160,14 @@ TEST_CASE("AUTO, held steps, runs and large steps come to rest where a ray is to
   update(state, action::Hold{true});
   for (int i = 0; i < 1000 && state.hold; ++i) update(state, action::Tick{0.1});
   CHECK(state.position == first);
+  // Among lines in space no arrow can be drawn: nothing is asked, and nothing holds.
+  update(state, action::Clear{});
+  update(state, action::ShowLines{true});
+  update(state, action::RunOn{});
+  CHECK(state.position == state.timeline->steps());
+  update(state, action::ShowLines{false});
   // Switched off, nothing holds.
+  update(state, action::Clear{});
   update(state, action::SetPredictions{false});
   update(state, action::RunOn{});
   CHECK(state.position == state.timeline->steps());

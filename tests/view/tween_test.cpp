@@ -1,0 +1,157 @@
+// Steps in motion: a ray grows when it is formed and shrinks to its end when that is found, and then stands exactly
+// where it would have stood at once.
+#include "view/tween.h"
+
+#include "fixtures.h"
+#include "support/catch.h"
+#include "view/action.h"
+#include "view/plan_view.h"
+#include "view/svg.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State in_motion() {
+  State state = busy_state();
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::SetTweens{true});
+  return state;
+}
+
+int current(const State& state) { return state.timeline->current_ray(state.position); }
+
+/// How long the ray under way is drawn; 0 where it is not.
+double drawn_length(const State& state) {
+  for (const DisplayItem& item : plan_view(state))
+    if (const auto* line = std::get_if<LineItem>(&item.shape);
+        line != nullptr && item.target == Target{TargetKind::ray, current(state)} && line->arrow > 0)
+      return length(line->to - line->from);
+  return 0;
+}
+
+std::string drawn(const State& state) {
+  std::string all;
+  for (const DisplayItem& item : plan_view(state)) all += svg_element(item.shape);
+  return all;
+}
+
+/// The same place without any motion.
+std::string drawn_at_once(State state) {
+  state.tween.reset();
+  return drawn(state);
+}
+
+/// Goes by lines to where the next ray has just been formed, or its end found.
+void step_to(State& state, int RayRecord::* when) {
+  do {
+    update(state, action::Step{true, Grain::line});
+    REQUIRE(state.position < state.timeline->steps());
+  } while (current(state) < 0 ||
+           state.timeline->rays()[static_cast<std::size_t>(current(state))].*when != state.position);
+}
+
+}  // namespace
+
+TEST_CASE("a ray grows when it is formed, faster at first, and then stands as if it had stood there at once") {
+  State state = in_motion();
+  step_to(state, &RayRecord::formed_at);
+  REQUIRE(state.tween);
+  CHECK(growth_of(state, current(state))->from_start);
+  CHECK(drawn_length(state) == 0);
+  const double step = tween_seconds(state) / 5;
+  double before = 0, gained = 1e9;
+  for (int i = 1; i < 5; ++i) {
+    update(state, action::Tick{step});
+    const double now = drawn_length(state);
+    CHECK(now > before);
+    CHECK(now - before < gained);
+    gained = now - before, before = now;
+    CHECK(drawn(state) != drawn_at_once(state));
+  }
+  update(state, action::Tick{1.01 * step});
+  CHECK_FALSE(state.tween);
+  CHECK(drawn_length(state) > before);
+}
+
+TEST_CASE("a ray shrinks to the end that is found for it, and what stands there comes after it") {
+  State state = in_motion();
+  const auto has_hit = [&] {
+    return state.timeline->rays()[static_cast<std::size_t>(current(state))].ending == Ending::hit;
+  };
+  do step_to(state, &RayRecord::found_at);
+  while (!has_hit());
+  REQUIRE(state.tween);
+  CHECK_FALSE(growth_of(state, current(state))->from_start);
+  State whole = state;
+  whole.tween.reset();
+  CHECK(drawn_length(state) > drawn_length(whole));
+  CHECK(plan_view(state).size() < plan_view(whole).size());  // its normal is not there yet
+  update(state, action::Tick{tween_seconds(state) / 2});
+  CHECK(drawn_length(state) > drawn_length(whole));
+  update(state, action::Tick{tween_seconds(state)});
+  CHECK(drawn(state) == drawn(whole));
+}
+
+TEST_CASE("only a small step forward moves") {
+  State state = in_motion();
+  update(state, action::Jump{state.timeline->steps()});
+  CHECK_FALSE(state.tween);
+  update(state, action::Step{false, Grain::line});
+  CHECK_FALSE(state.tween);
+  update(state, action::Clear{});
+  CHECK_FALSE(state.tween);
+  update(state, action::Step{true, Grain::pixel});
+  CHECK_FALSE(state.tween);
+  update(state, action::Clear{});
+  update(state, action::Step{true, Grain::ray});
+  CHECK(state.tween);
+  update(state, action::SetTweens{false});
+  CHECK_FALSE(state.tween);
+  update(state, action::Step{true, Grain::ray});
+  CHECK_FALSE(state.tween);
+}
+
+TEST_CASE("whatever is done next finds the step complete, and a pointer that passes by does not hurry it") {
+  State state = in_motion();
+  step_to(state, &RayRecord::formed_at);
+  update(state, action::PointerMoved{{10, 10}});
+  CHECK(state.tween);
+  update(state, action::Undo{});
+  CHECK_FALSE(state.tween);
+  step_to(state, &RayRecord::found_at);
+  update(state, action::SetMode{Mode::move});
+  CHECK_FALSE(state.tween);
+}
+
+TEST_CASE("AUTO leaves each ray the time to arrive, and moves nothing where there is none") {
+  State state = in_motion();
+  update(state, action::SetSpeed{4});
+  update(state, action::PlayPause{});
+  CHECK(tween_seconds(state) < 1 / state.lines_per_second);
+  update(state, action::SetSpeed{2});
+  CHECK(tween_seconds(state) < 0.4);
+  bool moved = false;
+  for (int i = 0; i < 200 && state.playing; ++i) {
+    update(state, action::Tick{0.05});
+    moved |= state.tween.has_value();
+  }
+  CHECK(moved);
+  update(state, action::SetSpeed{100});
+  CHECK(tween_seconds(state) == 0);
+  for (int i = 0; i < 20 && state.playing; ++i) {
+    update(state, action::Tick{0.01});
+    CHECK_FALSE(state.tween);
+  }
+}
+
+TEST_CASE("a picture of the window is taken of what stands still") {
+  State state = in_motion();
+  step_to(state, &RayRecord::formed_at);
+  update(state, action::Export{"walk.png"});
+  CHECK(state.window_export);
+  CHECK_FALSE(state.tween);
+  update(state, action::Jump{state.position + 1});
+  CHECK_FALSE(state.tween);
+}
