@@ -206,7 +206,7 @@ TEST_CASE("a number that is another one once the answer stands there fails") {
   const std::string words = replaced(replaced(good_words, "Which?", "At {steps} steps, " + found + ": which?"), "None.",
                                      "None, at {steps} and " + found + ".");
   CHECK(faults(good_steps, words) ==
-        "en.md:25: " + found + " is 0 before the answer of the step \"choice\" and 1 with it\n");
+        "en.md:29: " + found + " is 0 before the answer of the step \"choice\" and 1 with it\n");
 }
 
 TEST_CASE("a lesson's file is refused with line and hint") {

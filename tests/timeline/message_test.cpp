@@ -37,10 +37,6 @@ Scene scene_of_all_messages() {
   return scene;
 }
 
-const std::string* name(const Message& message, std::size_t i) {
-  return i < message.arguments.size() ? std::get_if<std::string>(&message.arguments[i]) : nullptr;
-}
-
 }  // namespace
 
 TEST_CASE("position 0 is the start") {
@@ -74,15 +70,14 @@ TEST_CASE("messages name what the events say") {
     const Event& event = *timeline.just_run(position);
     if (const auto* found = std::get_if<Found>(&event.detail)) {
       if (found->ending == Ending::hit) {
-        REQUIRE(name(message, 1) != nullptr);
-        CHECK(*name(message, 1) == object(found->object));
+        CHECK(std::get<Met>(message.arguments.at(1)) == Met{object(found->object)});
         const double distance = std::get<double>(message.arguments[2]);
         const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(position))];
         CHECK(distance == Approx(length(found->point - ray.origin)));
         ++seen;
       }
       if (message.id == MessageId::light_blocked) {
-        CHECK(*name(message, 1) == object(found->object));
+        CHECK(std::get<Met>(message.arguments.at(1)) == Met{object(found->object)});
         ++seen;
       }
     }

@@ -77,11 +77,14 @@ TEST_CASE("a ray grows when it is formed, faster at first, and then stands as if
 
 TEST_CASE("a ray shrinks to the end that is found for it, and what stands there comes after it") {
   State state = in_motion();
-  const auto has_hit = [&] {
-    return state.timeline->rays()[static_cast<std::size_t>(current(state))].ending == Ending::hit;
+  const auto hits_in_sight = [&] {
+    const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(current(state))];
+    const Vec2d end = to_pixels(state, plan(ray.end));
+    return ray.ending == Ending::hit && end.x > 0 && end.x < state.viewport.width && end.y > 0 &&
+           end.y < state.viewport.height;
   };
   do step_to(state, &RayRecord::found_at);
-  while (!has_hit());
+  while (!hits_in_sight());
   REQUIRE(state.tween);
   CHECK_FALSE(growth_of(state, current(state))->from_start);
   State whole = state;
