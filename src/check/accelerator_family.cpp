@@ -91,8 +91,11 @@ Row compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::
     row.hits += expected.has_value();
     const bool any = structure->any(*ray, infinity<T>, counts);
     bool same = expected.has_value() == got.has_value() && any == expected.has_value();
-    // Of primitives at one t the lowest is met, and which is lowest the order decides.
-    if (same && got) same = got->t == expected->t && (permuted || got->primitive == expected->primitive);
+    // Of primitives at one t the lowest is met: in reverse order that is the other one.
+    const int last = all.size() - 1;
+    if (same && got)
+      same = got->t == expected->t &&
+             (permuted ? last - got->primitive >= expected->primitive : got->primitive == expected->primitive);
     if (same && got && !permuted) same = got->part == expected->part;
     row.unequal += !same;
   }
