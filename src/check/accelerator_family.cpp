@@ -3,6 +3,7 @@
 #include "check/family.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raywalk::check {
 
@@ -84,6 +85,11 @@ Row compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::
     if (!ray || !is_finite(ray->origin)) continue;
     for (int axis = 0; axis < 3; ++axis)
       if (ray->direction[axis] == 0 && random.coin()) ray->direction[axis] = -T(0);
+    // Directions are of any length, some beyond the range of a float.
+    if (random.whole(0, 15) == 0) {
+      const int most = sizeof(T) == sizeof(float) ? 30 : 140;
+      ray->direction = std::ldexp(T(1), random.whole(-most, most)) * ray->direction;
+    }
     TestCounts counts;
     const auto expected = plain->closest(*ray, infinity<T>, counts),
                got = structure->closest(*ray, infinity<T>, counts);

@@ -101,11 +101,11 @@ mutant accel_boxes_without_pad accel accel/primitives.cpp 'const T pad = 8 *' 'c
 mutant kdtree_in_the_plane accel accel/kdtree.h 'if (std::isnan(t)) {' 'if (false) {'
 mutant kdtree_one_side accel accel/kdtree.h 'boxes.box(id).max[best_axis] >= plane' 'boxes.box(id).min[best_axis] >= plane'
 mutant bvh_too_early accel accel/bvh.h 'beyond(waiting[count].in, query.reach())' 'beyond(2 * waiting[count].in, query.reach())'
-mutant lanes_rounded_inwards accel accel/box_lanes.h '-at_least(-static_cast<double>(box.min[axis]))' \
-  'at_least(static_cast<double>(box.min[axis]))'
+mutant lanes_shrunk accel accel/box_lanes.h '-at_least(-static_cast<double>(box.min[axis]))' \
+  'at_least(box.min[axis] + 1e-5 * std::abs(static_cast<double>(box.min[axis])))'
 mutant lanes_origin_without_slack accel accel/box_lanes.h '16 * epsilon * (size[0] + size[1] + size[2]) + least' '0 * epsilon * least'
 mutant lanes_without_pad accel accel/box_lanes.h 'pad = 1 + 8 * std::numeric_limits<float>::epsilon(), grain' \
-  'pad = 1 - 8 * std::numeric_limits<float>::epsilon(), grain'
+  'pad = 1 - 1000 * std::numeric_limits<float>::epsilon(), grain'
 mutant lanes_sign_of_zero_ignored accel accel/box_lanes.h 'bits_of(reinterpret_cast<LaneMask>(slope))' \
   'bits_of(slope < all_lanes(0))'
 mutant lanes_beyond_floats_range accel accel/box_lanes.h 'slope == 0 || (slope > T(1e-18) && slope < T(1e18))' 'true'
