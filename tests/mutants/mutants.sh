@@ -64,7 +64,7 @@ mutant quadric_rim_met_twice Cylinder shape/quadric.h 'first = place.below + pla
 mutant quadric_cap_open Cylinder shape/quadric.h '(wall.flipped ? -sign : sign) <= 0' '(wall.flipped ? -sign : sign) < 0'
 mutant quadric_departure_forgotten Cylinder shape/quadratic.h 'const double c = on_wall ? 0 :' 'const double c = false ? 0 :'
 mutant quadric_not_refined Cone shape/quadratic.h '<= error * std::abs(t) ? better : t' '<= error * std::abs(t) ? t : t'
-mutant quadric_moments_not_used Cylinder shape/quadratic.h 'const double a_error = 8' 'const double a_error = 0'
+mutant quadric_a_without_bound Cone shape/quadratic.h 'const double a_error = 8' 'const double a_error = 0'
 mutant quadric_inside_is_outside Cone shape/quadratic.h ': t <= near || far <= t;' ': near <= t && t <= far;'
 
 # --- Prism ------------------------------------------------------------------------------------------------------------
@@ -98,7 +98,7 @@ mutant accel_tie_to_the_higher accel accel/query.h 'id < hit_.primitive' 'id > h
 mutant accel_sign_of_zero_ignored accel accel/query.h 'negative[axis] = std::signbit(ray.direction[axis])' \
   'negative[axis] = ray.direction[axis] < 0'
 mutant accel_boxes_without_pad accel accel/primitives.cpp 'const T pad = 8 *' 'const T pad = -8 *'
-mutant kdtree_in_the_plane accel accel/kdtree.h 'if (std::isnan(t)) {' 'if (false) {'
+mutant kdtree_far_side_late accel accel/kdtree.h 'std::fmax(at.in, t - slack)' 'std::fmax(at.in, t + std::abs(t) / 64)'
 mutant kdtree_one_side accel accel/kdtree.h 'boxes.box(id).max[best_axis] >= plane' 'boxes.box(id).min[best_axis] >= plane'
 mutant bvh_too_early accel accel/bvh.h 'beyond(waiting[count].in, query.reach())' 'beyond(2 * waiting[count].in, query.reach())'
 mutant lanes_shrunk accel accel/box_lanes.h '-at_least(-static_cast<double>(box.min[axis]))' \
