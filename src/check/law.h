@@ -83,6 +83,7 @@ template <class S, class T>
             : Case<S, T>{scaled(tried->shape, k), {scaled(tried->ray.origin, k), tried->ray.direction}};
     const auto one = intersect(tried->shape, tried->ray, infinity<T>),
                other = intersect(image.shape, image.ray, infinity<T>);
+    if (one && !std::isfinite(scaled(one->t, k))) continue;  // beyond the range of numbers, and so no crossing
     ++row.rays;
     row.hits += one.has_value();
     row.unequal += one.has_value() != other.has_value() || (one && other->t != scaled(one->t, k));

@@ -215,8 +215,9 @@ void try_reversed(const Case<S, T>& tried, Row& row) {
   if (!between(one) || !between(other)) return;
   const double beyond = static_cast<double>(two_sum(static_cast<double>(one->t), -static_cast<double>(walk->length)) +
                                             DoubleDouble(other->t));
-  keep_worst(row, compare(flat ? std::abs(beyond) : std::max(0.0, beyond), there, *one, back, *other),
-             exact.taken && exact_back.taken);
+  const Comparison compared = compare(flat ? std::abs(beyond) : std::max(0.0, beyond), there, *one, back, *other);
+  if (compared.by_condition > 1 && may_differ(tried.shape, walk->there)) return;  // one face of an edge, then the other
+  keep_worst(row, compared, exact.taken && exact_back.taken);
 }
 
 template <class S, class T>
