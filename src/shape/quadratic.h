@@ -66,13 +66,21 @@ struct QuadricRoots {
   [[nodiscard]] double refined(const QuadricEquation& e, const Vec3d& o, const Vec3d& d, double t) const;
 };
 
-/// One step of Newton's method from the root t. Where a, b and c each lost digits that the root depends on (far out by
-/// the asymptotes), the equation at the point itself, a small number near the surface, has kept them.
+/// Newton's method from the root t. Where a, b and c each lost digits that the root depends on (far out by the
+/// asymptotes), the equation at the point itself, a small number near the surface, has kept them. One step does, but
+/// unless two roots lie so close together that it only doubles the digits that are right.
 inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, const Vec3d& d, double t) const {
-  const Vec3d p = o + t * d;
-  const double off = e.xx * p.x * p.x + e.yy * p.y * p.y + (e.zz * p.z + e.linear) * p.z + e.constant;
-  const double better = t - off / (2 * (b + a * t));
-  return std::abs(better - t) <= error * std::abs(t) ? better : t;
+  double best = t;
+  for (int step = 0; step < 4; ++step) {
+    const Vec3d p = o + best * d;
+    const double off = e.xx * p.x * p.x + e.yy * p.y * p.y + (e.zz * p.z + e.linear) * p.z + e.constant;
+    const double better = best - off / (2 * (b + a * best));
+    if (!(std::abs(better - t) <= error * std::abs(t))) return best;
+    const bool settled = std::abs(better - best) <= 64 * half_ulp * std::abs(t);
+    best = better;
+    if (settled) break;
+  }
+  return best;
 }
 
 [[nodiscard]] inline QuadricRoots quadric_roots(const QuadricEquation& e, const Vec3d& o, const Vec3d& d,
