@@ -3,6 +3,7 @@
 #include "app/scene_lookup.h"
 #include "io/spelling.h"
 #include "lesson/play.h"
+#include "lesson/script.h"
 
 #include <fmt/format.h>
 
@@ -54,15 +55,13 @@ std::string script_text(const Lesson& lesson, const PlayedLesson& played, Langua
       if (!what.empty()) script += before + what + after;
     };
     const int asked = played.steps[i].asked, shown = played.steps[i].shown;
-    // What is said about the answer stands behind the first empty line.
-    const std::string presenter = said_at(said->presenter, shown);
-    const std::size_t answer = std::min(presenter.find("\n\n"), presenter.size());
+    const ScriptParts presenter = parts_of_script(said_at(said->presenter, shown));
     script += fmt::format("\n## {}. {}\n", i + 1, said->heading);
-    add("\n", presenter.substr(0, answer), "\n");
+    add("\n", presenter.before, "\n");
     add("\n> ", said_at(said->question, asked), "\n");
     for (const Passage& choice : said->choices) add("> - ", said_at(choice, asked), "\n");
     add("\n", said_at(said->reveal, shown), "\n");
-    add("\n", presenter.substr(std::min(answer + 2, presenter.size())), "\n");
+    add("\n", presenter.after, "\n");
     add("\n*", said_at(said->teacher, shown), "*\n");
   }
   if (!words.teacher.empty()) script += "\n---\n\n" + words.teacher.text + "\n";

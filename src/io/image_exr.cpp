@@ -82,11 +82,10 @@ Imf::Header header_of(std::string_view bytes) {
   unsigned char flags[4];
   stream.read(magic, 4);
   stream.read(reinterpret_cast<char*>(flags), 4);
-  const int version = flags[0] | flags[1] << 8 | flags[2] << 16;
+  int version = flags[0] | flags[1] << 8 | flags[2] << 16;
   if (Imf::isMultiPart(version)) throw std::runtime_error("it has several parts (expected one picture)");
   Imf::Header header;
-  int version_read = version;
-  header.readFrom(stream, version_read);
+  header.readFrom(stream, version);
   return header;
 }
 

@@ -67,7 +67,7 @@ struct QuadricRoots {
 };
 
 /// Newton's method from the root t. Where a, b and c each lost digits that the root depends on (far out by the
-/// asymptotes), the equation at the point itself, a small number near the surface, has kept them. One step does, but
+/// asymptotes), the equation at the point itself, a small number near the surface, has kept them. One step does,
 /// unless two roots lie so close together that it only doubles the digits that are right.
 inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, const Vec3d& d, double t) const {
   double best = t;

@@ -1,5 +1,6 @@
 #include "view/lesson_panel.h"
 
+#include "lesson/script.h"
 #include "view/bug_text.h"
 #include "view/lesson_text.h"
 #include "view/plan_geometry.h"
@@ -55,9 +56,6 @@ bool is_open_question(const LessonSitting& sitting) {
   return step != nullptr && step->step->question && !sitting.revealed &&
          !std::holds_alternative<LineQuestion>(*step->step->question);
 }
-
-/// A script up to the empty line: what follows it gives the answer away.
-std::string before_answer(const std::string& script) { return script.substr(0, script.find("\n\n")); }
 
 }  // namespace
 
@@ -203,7 +201,7 @@ LessonPanel lesson_panel(const State& state) {
   }
   if (sitting.presenter) {
     const std::string script = said_at(said->presenter, step->shown);
-    panel.presenter = answered ? script : before_answer(script);
+    panel.presenter = answered ? script : parts_of_script(script).before;
     if (answered) panel.teacher = said_at(said->teacher, step->shown);
     if (answered && panel.is_last) panel.notes = words.teacher.text, panel.sources = words.sources.text;
   }
