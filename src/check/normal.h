@@ -66,10 +66,7 @@ template <class N, class T, QuadricKind Kind>
   if (part == s.high_cap) return {{none, none, N(1.0)}};
   const QuadricForm<N> f = form_of<N>(s);
   const Vec<N> p = exactly<N>(place);
-  const Vec<N> gradient{N(f.xx * p.x), N(f.yy * p.y), N(f.zz * p.z + f.linear * N(0.5))};
-  const Vec3d g(approximate(gradient.x), approximate(gradient.y), approximate(gradient.z));
-  const double most = std::max({approximate(f.xx), approximate(f.yy), std::abs(approximate(f.zz))});
-  return {gradient, 1, most / length(g)};
+  return {{N(f.xx * p.x), N(f.yy * p.y), N(f.zz * p.z + f.linear * N(0.5))}};
 }
 
 /// How far a unit normal is off, its direction or its length, in ulps of 1; half a turn when it points the wrong way.

@@ -208,13 +208,17 @@ SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, C
   if (crossing.part == Quadric<T, Kind>::low_cap) return {{position.x, position.y, quadric.z_min}, {0, 0, -1}};
   if (crossing.part == Quadric<T, Kind>::high_cap) return {{position.x, position.y, quadric.z_max}, {0, 0, 1}};
   const detail::QuadricEquation e = detail::equation_of(quadric);
-  Vec3d gradient(2 * e.xx * position.x, 2 * e.yy * position.y, 2 * e.zz * position.z + e.linear);
-  const double size = length(gradient);
-  if (!(size > 0)) return {position, {0, 0, 1}};  // a cone's apex has no normal: any will do
+  const auto gradient_at = [&e](const Vec3d& p) {
+    return Vec3d(2 * e.xx * p.x, 2 * e.yy * p.y, 2 * e.zz * p.z + e.linear);
+  };
   // One Newton step onto the wall along the gradient: a ray may meet it far away, at a slant.
-  const Vec3d p(position);
+  const Vec3d p(position), slope = gradient_at(p);
   const double off = e.xx * p.x * p.x + e.yy * p.y * p.y + (e.zz * p.z + e.linear) * p.z + e.constant;
-  return {Vec3<T>(p - off / (size * size) * gradient), Vec3<T>(gradient / size)};
+  if (const double square = dot(slope, slope); square > 0) position = Vec3<T>(p - off / square * slope);
+  // The gradient anew: beside a narrow apex it turns by more in that step than a unit of rounding.
+  const Vec3d gradient = gradient_at(Vec3d(position));
+  const double size = length(gradient);
+  return {position, size > 0 ? Vec3<T>(gradient / size) : Vec3<T>(0, 0, 1)};  // a cone's apex has none: any will do
 }
 
 template <class T, QuadricKind Kind>
