@@ -112,10 +112,45 @@ void Browser::entries(const Ui& ui, float height) {
       ui.publish("browser/" + name);
     }
     if (!listing_.readable) paragraph(ui.colours.error, ui.say(WindowText::folder_unreadable));
-    if (listing_.readable && listing_.files.empty()) paragraph(ui.colours.dim_text, ui.say(WindowText::no_scene_here));
+    if (listing_.readable && listing_.files.empty() && asking_ == PathPrompt::open)
+      paragraph(ui.colours.dim_text, ui.say(WindowText::no_scene_here));
     if (!into.empty()) go_to((fs::path(folder_) / into).string());
   }
   ImGui::EndChild();
+}
+
+void Browser::kinds(const Ui& ui) {
+  struct Words {
+    WindowText label, hint;
+  };
+  const auto words = [](ExportKind kind) -> Words {
+    switch (kind) {
+      case ExportKind::slides:
+        return {WindowText::export_slides, WindowText::export_slides_hint};
+      case ExportKind::picture:
+        return {WindowText::export_picture, WindowText::export_picture_hint};
+      case ExportKind::film:
+        return {WindowText::export_film, WindowText::export_film_hint};
+      case ExportKind::plan:
+        return {WindowText::export_plan, WindowText::export_plan_hint};
+      case ExportKind::transcript:
+        return {WindowText::export_transcript, WindowText::export_transcript_hint};
+      case ExportKind::steps:
+        return {WindowText::export_steps, WindowText::export_steps_hint};
+    }
+    return {};
+  };
+  const std::optional<ExportKind> chosen = export_kind_of(typed_);
+  const float gap = ui.px(6), count = static_cast<float>(export_endings.size());
+  const ImVec2 extent{(ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count, ImGui::GetFrameHeight()};
+  const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
+  for (const ExportEnding& each : export_endings) {
+    const Words of = words(each.kind);
+    if (&each != &export_endings.front()) ImGui::SameLine(0, gap);
+    if (button(ui, "export" + std::string(each.ending), ui.say(of.label), ui.say(of.hint), extent, look,
+               chosen == each.kind))
+      typed_ = fs::path(typed_).replace_extension(each.ending).string();
+  }
 }
 
 void Browser::draw(const Ui& ui, const std::string& home) {
@@ -149,7 +184,9 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   label(ui.colours.dim_text, folder_);
   const bool complains = ui.state.notice && ui.state.notice->kind == Notice::Kind::error;
   const float message = complains ? 3 * ImGui::GetFontSize() : 0;
-  entries(ui, std::max(ImGui::GetContentRegionAvail().y - 2 * (line + gap) - message, ui.px(40)));
+  const bool exports = asking_ == PathPrompt::export_walk;
+  entries(ui, std::max(ImGui::GetContentRegionAvail().y - (exports ? 3 : 2) * (line + gap) - message, ui.px(40)));
+  if (exports) kinds(ui);
   if (complains) paragraph(ui.colours.error, ui.state.notice->text);
 
   if (std::exchange(focus_typed_, false)) ImGui::SetKeyboardFocusHere();

@@ -26,6 +26,8 @@ class Browser {
   void begin(const State& state, const std::string& home);
   void go_to(const std::string& folder);
   void entries(const Ui& ui, float height);
+  /// What an export is to be: the buttons give the name its ending.
+  void kinds(const Ui& ui);
   void accept(const Ui& ui) const;
 
   PathPrompt asking_ = PathPrompt::none;

@@ -35,10 +35,17 @@ void question_dialog(const Ui& ui) {
     const std::string keys = first                                     ? "Enter, " + digit
                              : choice.answer == action::Answer::cancel ? "Esc, " + digit
                                                                        : digit;
-    if (button(ui, name, choice.label, keys, extent, {.look = first ? Look::primary : Look::plain}))
+    if (button(ui, name, choice.label, "", extent, {.look = first ? Look::primary : Look::plain}))
       ui.act(action::AnswerQuestion{choice.answer});
     first = false;
+    // Below the button: a hint that comes up beside the pointer would lie on the next one.
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    push_font(ui.fonts.small);
+    const float x = (low.x + high.x - ImGui::CalcTextSize(keys.c_str()).x) / 2;
+    ImGui::GetWindowDrawList()->AddText({x, high.y + ui.px(4)}, to_imgui(ui.colours.dim_text), keys.c_str());
+    pop_font();
   }
+  ImGui::Dummy({1, ui.px(16)});
   ImGui::EndPopup();
 }
 

@@ -13,6 +13,7 @@ Ui Interface::ui(const State& state, const Fonts& fonts, float unit, float dpi) 
 }
 
 void Interface::grant(const Ui& ui) {
+  constexpr float beyond = 1e6f;  // any end of the help text
   for (const WindowWish wish : std::exchange(wishes_, {})) {
     switch (wish) {
       case WindowWish::full_screen:
@@ -49,6 +50,12 @@ void Interface::grant(const Ui& ui) {
         break;
       case WindowWish::page_down:
         scroll_help_ += layout_.plan.height * 0.8f;
+        break;
+      case WindowWish::top:
+        scroll_help_ -= beyond;
+        break;
+      case WindowWish::bottom:
+        scroll_help_ += beyond;
         break;
     }
   }

@@ -88,6 +88,8 @@ std::optional<WindowWish> scrolling(int key) {
   if (key == GLFW_KEY_DOWN) return WindowWish::line_down;
   if (key == GLFW_KEY_PAGE_UP) return WindowWish::page_up;
   if (key == GLFW_KEY_PAGE_DOWN) return WindowWish::page_down;
+  if (key == GLFW_KEY_HOME) return WindowWish::top;
+  if (key == GLFW_KEY_END) return WindowWish::bottom;
   return std::nullopt;
 }
 

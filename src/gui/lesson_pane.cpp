@@ -104,9 +104,11 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
                     width - 2 * height));
     pop_font();
     ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
-    if (button(ui, "lesson-close", "", "", {height, height},
-               {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
+    if (button(ui, "lesson-close", "", open ? ui.say(LessonWord::close) : "", {height, height},
+               {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false})) {
+      if (open) ui.act(action::LeaveLesson{});
       ui.act(action::ShowLessons{false});
+    }
     ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + height});
     push_font(ui.fonts.title);
     paragraph(ui.colours.text, open ? panel.heading : ui.say(LessonWord::lessons));

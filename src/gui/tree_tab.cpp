@@ -117,10 +117,12 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
     const auto columns = static_cast<float>(std::max(tree.columns, 1.0));
     const auto levels = static_cast<float>(std::max(tree.levels, 1));
     const float margin = ui.px(10);
-    const float column = std::clamp((where.width - 2 * margin) / columns, ui.px(least_column), ui.px(most_column));
+    // A unit less than there is: a sum of rounded numbers a hair too long would bring scroll bars along.
+    const float column =
+        std::clamp((where.width - ui.px(1) - 2 * margin) / columns, ui.px(least_column), ui.px(most_column));
     // The lowest nodes have their labels below them.
     const float below = line_height(ui.fonts, *ui.fonts.small) + ui.px(4);
-    const float level = std::clamp((where.height - below) / levels, ui.px(least_level), ui.px(most_level));
+    const float level = std::clamp((where.height - ui.px(1) - below) / levels, ui.px(least_level), ui.px(most_level));
     const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(most_radius));
     const float width = column * columns + 2 * margin, height = level * levels + below;
     const ImVec2 origin = ImGui::GetCursorScreenPos();

@@ -30,6 +30,8 @@ enum class WindowWish {
   line_down,
   page_up,
   page_down,
+  top,
+  bottom,
 };
 
 /// What the pointer rests on, for tooltips that wait a moment before they show.

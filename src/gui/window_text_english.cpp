@@ -92,6 +92,30 @@ std::string_view english(WindowText id) {
       return "No scene (*.toml, *.nff, *.test) in this folder";
     case WindowText::folder_unreadable:
       return "This folder cannot be read";
+    case WindowText::export_slides:
+      return "Slides";
+    case WindowText::export_slides_hint:
+      return "A web page that steps through the walk, without a network";
+    case WindowText::export_picture:
+      return "Picture";
+    case WindowText::export_picture_hint:
+      return "The window as it stands";
+    case WindowText::export_film:
+      return "Film";
+    case WindowText::export_film_hint:
+      return "The window step by step, to the end of the pixel";
+    case WindowText::export_plan:
+      return "Plan";
+    case WindowText::export_plan_hint:
+      return "The plan as a drawing of lines, sharp at any size";
+    case WindowText::export_transcript:
+      return "Text";
+    case WindowText::export_transcript_hint:
+      return "Every step as a sentence, for reading aloud";
+    case WindowText::export_steps:
+      return "Data";
+    case WindowText::export_steps_hint:
+      return "Every step with its numbers, for programs";
     case WindowText::swatch_hint:
       return "Choose the colour";
     case WindowText::breakpoints:

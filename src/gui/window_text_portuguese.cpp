@@ -93,6 +93,30 @@ std::string_view portuguese(WindowText id) {
       return "Nenhuma cena (*.toml, *.nff, *.test) nesta pasta";
     case WindowText::folder_unreadable:
       return "Esta pasta não pode ser lida";
+    case WindowText::export_slides:
+      return "Slides";
+    case WindowText::export_slides_hint:
+      return "Uma página que percorre os passos, sem rede";
+    case WindowText::export_picture:
+      return "Imagem";
+    case WindowText::export_picture_hint:
+      return "A janela como está";
+    case WindowText::export_film:
+      return "Filme";
+    case WindowText::export_film_hint:
+      return "A janela passo a passo, até o fim do pixel";
+    case WindowText::export_plan:
+      return "Planta";
+    case WindowText::export_plan_hint:
+      return "A planta como desenho de linhas, nítida em qualquer tamanho";
+    case WindowText::export_transcript:
+      return "Texto";
+    case WindowText::export_transcript_hint:
+      return "Cada passo como frase, para ler em voz alta";
+    case WindowText::export_steps:
+      return "Dados";
+    case WindowText::export_steps_hint:
+      return "Cada passo com os seus números, para programas";
     case WindowText::swatch_hint:
       return "Escolher a cor";
     case WindowText::breakpoints:

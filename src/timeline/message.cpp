@@ -202,7 +202,9 @@ class Describer {
   [[nodiscard]] Message describe(const Event& /*event*/, const ShadeCalled& called) const {
     const RayRecord& record = current();
     if (called.missed) return {MessageId::shade_missed, {record.kind, called.background}};
-    return {MessageId::shade_called, {called.depth, object(record.object), record.kind}};
+    // The lines of shadow rays run once for each light: without any, the walk passes over them.
+    const MessageId id = scene_.lights.empty() ? MessageId::shade_called_unlit : MessageId::shade_called;
+    return {id, {called.depth, object(record.object), record.kind}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const ShadeComputed& computed) const {

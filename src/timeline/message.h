@@ -22,6 +22,7 @@ enum class MessageId {
   intersected,              ///< [object]
   intersected_nothing,      ///< []
   shade_called,             ///< [depth of the call, object, ray kind]
+  shade_called_unlit,       ///< the same in a scene without lights
   shade_missed,             ///< a secondary ray that missed: the background returns: [ray kind, colour]
   shadow_formed,            ///< [object, light]
   shadow_facing_away,       ///< [object, light]

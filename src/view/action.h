@@ -241,7 +241,7 @@ struct ShowLessons {
 struct OpenLesson {
   std::string name;
 };  ///< at the first step not done yet; asks first where there is unsaved work
-struct LeaveLesson {};  ///< back to the list
+struct LeaveLesson {};  ///< back to the list, and to the scene that was open before
 struct GoToLessonStep {
   int step;
 };  ///< from 0; past the last: done, back to the list. Not past a question without an answer

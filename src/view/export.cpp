@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <utility>
@@ -21,13 +20,6 @@
 namespace raywalk {
 
 namespace {
-
-constexpr std::array<std::pair<std::string_view, ExportKind>, 6> endings{{{".png", ExportKind::picture},
-                                                                          {".gif", ExportKind::film},
-                                                                          {".svg", ExportKind::plan},
-                                                                          {".html", ExportKind::slides},
-                                                                          {".txt", ExportKind::transcript},
-                                                                          {".json", ExportKind::steps}}};
 
 /// What is written without the window.
 Result<std::string> exported(const State& state, ExportKind kind) {
@@ -69,8 +61,8 @@ Result<std::string> exported(const State& state, ExportKind kind) {
 std::optional<ExportKind> export_kind_of(std::string_view path) {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const auto& [each, kind] : endings)
-    if (ending == each) return kind;
+  for (const ExportEnding& each : export_endings)
+    if (ending == each.ending) return each.kind;
   return std::nullopt;
 }
 

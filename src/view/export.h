@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "timeline/timeline.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,6 +26,16 @@ enum class ExportKind {
   transcript,  ///< .txt
   steps,       ///< .json
 };
+struct ExportEnding {
+  std::string_view ending;  ///< ".png"
+  ExportKind kind;
+};
+inline constexpr std::array<ExportEnding, 6> export_endings{{{".html", ExportKind::slides},
+                                                             {".png", ExportKind::picture},
+                                                             {".gif", ExportKind::film},
+                                                             {".svg", ExportKind::plan},
+                                                             {".txt", ExportKind::transcript},
+                                                             {".json", ExportKind::steps}}};
 /// By the ending of a path; none for other endings.
 [[nodiscard]] std::optional<ExportKind> export_kind_of(std::string_view path);
 

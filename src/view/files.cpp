@@ -15,6 +15,7 @@ void open_file(State& state, const std::string& path) {
   if (!document) return complain(state, document.error());
   const std::string warning = document->warnings.empty() ? std::string() : document->warnings.front();
   forget_autosave(state);
+  close_lesson(state);
   show_document(state, std::move(*document), path);
   add_recent(state, path);
   inform(state, warning.empty() ? fill(TextId::opened, state.language, {path}) : warning);
@@ -25,6 +26,7 @@ void carry_out(State& state, Intent intent, const std::string& path) {
   switch (intent) {
     case Intent::new_scene:
       forget_autosave(state);
+      close_lesson(state);
       show_document(state, {new_scene(state.language), {}, {}}, {});
       return;
     case Intent::open:

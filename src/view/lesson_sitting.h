@@ -1,6 +1,7 @@
 #pragma once
 // The lessons as a person goes through them: which is open, where in it they are, what they guessed. Part of the state.
 
+#include "io/scene_file.h"
 #include "lesson/play.h"
 
 #include <map>
@@ -36,11 +37,18 @@ struct LessonGuess {
   friend bool operator==(const LessonGuess&, const LessonGuess&) = default;
 };
 
+/// The scene that was open before a lesson was.
+struct OwnScene {
+  SceneDocument document;
+  std::string path;  ///< empty: never saved
+};
+
 struct LessonSitting {
   std::string folder, scenes_folder;  ///< where the lessons are, and the scenes that ship; empty: there are none
   bool shown = false;
   std::vector<LessonEntry> list;  ///< read when the lessons are first shown
   std::shared_ptr<const OpenedLesson> open;
+  std::shared_ptr<const OwnScene> own;  ///< comes back when the lesson is left; null: none is waiting
   int step = 0;           ///< of `open`
   int first_pixel = 0;    ///< of the strip: rays of those before would only stand in the way
   bool revealed = false;  ///< the answer of this step stands there

@@ -124,6 +124,12 @@ void begin_lesson(State& state, const std::string& name) {
   opened->played = play_lesson(opened->lesson, sitting.scenes_folder);
   if (opened->played.steps.empty())
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
+  if (!sitting.open && !state.saved.objects.empty()) {
+    // What is unsaved was asked about, and given up.
+    OwnScene own{state.document, state.path};
+    own.document.scene = state.saved;
+    sitting.own = std::make_shared<const OwnScene>(std::move(own));
+  }
   sitting.open = opened;
   const auto done = sitting.done.find(name);
   const int steps = static_cast<int>(opened->played.steps.size());
@@ -143,11 +149,21 @@ void open_lesson(State& state, const std::string& name) {
   ask_or_do(state, Intent::lesson, name);
 }
 
-void leave_lesson(State& state) {
+void close_lesson(State& state) {
   if (state.lessons.open) set_bug(state, std::nullopt);
   state.lessons.open.reset();
+  state.lessons.own.reset();
   state.lessons.guess = {};
   state.lessons.revealed = false;
+}
+
+void leave_lesson(State& state) {
+  const std::shared_ptr<const OwnScene> own = state.lessons.own;
+  close_lesson(state);
+  if (!own) return;
+  // Whoever made something of the lesson's scene keeps it.
+  if (state.dirty || !state.path.empty()) return inform(state, std::string(text(LessonWord::scene_kept, state.language)));
+  show_document(state, own->document, own->path);
 }
 
 void go_to_lesson_step(State& state, int step) {

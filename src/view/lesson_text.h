@@ -36,6 +36,8 @@ enum class LessonWord {
   sources,
   hand_more,
   hand_less,
+  scene_kept,  ///< said when a lesson is left whose scene was changed
+  close,
 };
 
 [[nodiscard]] std::string_view english(LessonWord word);

@@ -66,6 +66,8 @@ std::string_view portuguese(MessageId id) {
       return "Não encontrou nada, e não há o que sombrear: o pixel recebe o fundo.";
     case MessageId::shade_called:
       return "SHADE é chamada com DEPTH {0} para o ponto de {1} que o {2} encontrou.";
+    case MessageId::shade_called_unlit:
+      return "SHADE é chamada com DEPTH {0} para o ponto de {1} que o {2} encontrou; sem luz não há raios de sombra.";
     case MessageId::shade_missed:
       return "O {0} saiu da cena; por isso SHADE devolve o fundo {1}.";
     case MessageId::shadow_formed:

@@ -113,7 +113,10 @@ void show_lessons(State& state, bool shown);
 void open_lesson(State& state, const std::string& name);
 /// The same, now that nothing unsaved stands in its way.
 void begin_lesson(State& state, const std::string& name);
+/// Back to the list, and to the scene that was open before.
 void leave_lesson(State& state);
+/// The same, where another scene takes its place.
+void close_lesson(State& state);
 void go_to_lesson_step(State& state, int step);
 void guess_choice(State& state, int choice);
 void show_hands(State& state, const action::ShowHands& shown);

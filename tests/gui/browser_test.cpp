@@ -87,6 +87,25 @@ TEST_CASE("saving begins with the file's own name and folder") {
   CHECK(bench.last<action::SaveAs>()->path == scenes / "b.toml");
 }
 
+TEST_CASE("an export's kinds can be seen, and give the name its ending") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "b.toml", action::AskExport{}));
+  bench.frames(3);
+  for (const ExportEnding& each : export_endings) {
+    CAPTURE(each.ending);
+    update(bench.state, action::CancelPrompt{});
+    bench.frames(2);
+    update(bench.state, action::AskExport{});
+    bench.frames(3);
+    bench.obedient = true;
+    bench.click("export" + std::string(each.ending));
+    bench.obedient = false;
+    bench.click("browser-accept");
+    REQUIRE(bench.last<action::Export>() != nullptr);
+    CHECK(bench.last<action::Export>()->path == scenes / ("b" + std::string(each.ending)));
+  }
+}
+
 TEST_CASE("the dialog is taken back by its button and by Escape, also while a path is typed") {
   const Scenes scenes;
   Bench bench(asking(scenes / "a.toml", action::AskOpen{}));

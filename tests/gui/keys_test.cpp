@@ -170,9 +170,11 @@ TEST_CASE("keys scroll the help text") {
   bench.key(GLFW_KEY_F1);
   REQUIRE(bench.state.mode == Mode::help);
   bench.forget();
-  bench.key(GLFW_KEY_PAGE_DOWN);
-  CHECK(bench.state.mode == Mode::help);
-  CHECK(bench.actions.empty());
+  for (const int key : {GLFW_KEY_PAGE_DOWN, GLFW_KEY_END, GLFW_KEY_HOME}) {
+    bench.key(key);
+    CHECK(bench.state.mode == Mode::help);
+    CHECK(bench.actions.empty());
+  }
   bench.key(GLFW_KEY_ESCAPE);
   CHECK(bench.state.mode == Mode::trace);
 }

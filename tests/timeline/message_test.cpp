@@ -44,15 +44,22 @@ TEST_CASE("position 0 is the start") {
   CHECK(describe(scene, record_strip(scene), 0).id == MessageId::start);
 }
 
-TEST_CASE("one scene reaches every message but that of the path tracer") {
+TEST_CASE("one scene, lit and unlit, reaches every message but that of the path tracer") {
   std::set<MessageId> found;
-  for (const TraceLimits& limits : {TraceLimits{2, 0}, TraceLimits{4, 0.02}, TraceLimits{9, 0.7}}) {
-    Scene scene = scene_of_all_messages();
-    scene.limits = limits;
+  const auto gather = [&found](const Scene& scene) {
     const Timeline timeline = record_strip(scene, {Precision::double_, {2}});
     for (int position = 0; position <= timeline.steps(); ++position)
       found.insert(describe(scene, timeline, position).id);
+  };
+  for (const TraceLimits& limits : {TraceLimits{2, 0}, TraceLimits{4, 0.02}, TraceLimits{9, 0.7}}) {
+    Scene scene = scene_of_all_messages();
+    scene.limits = limits;
+    gather(scene);
+    CHECK(found.count(MessageId::shade_called_unlit) == 0);
   }
+  Scene dark = scene_of_all_messages();
+  dark.lights.clear();
+  gather(dark);
   for (int i = 0; i <= static_cast<int>(MessageId::pixel_put); ++i) {
     const auto id = static_cast<MessageId>(i);
     INFO("message " << i);

@@ -40,7 +40,7 @@ void add_family(std::vector<TextPair>& all, const std::string& family, Id last) 
   add_family(all, "CostText", CostText::surveying);
   add_family(all, "ScopeText", ScopeText::says_alike_at_surface);
   add_family(all, "EquationText", EquationText::survival);
-  add_family(all, "LessonWord", LessonWord::hand_less);
+  add_family(all, "LessonWord", LessonWord::close);
   add_family(all, "PredictText", PredictText::nothing_to_save);
   add_family(all, "BugText", BugText::leave);
   add_family(all, "StructureText", StructureText::note_cut_short);
