@@ -52,10 +52,21 @@ void draw_slide(const Ui& ui, const Rect& where, const Specimen& specimen) {
     ui.act(action::Magnify{ui.state.magnified + notch * static_cast<double>(wheel)});
 }
 
+// A number that leaves digits out ("7.857\u202611") leaves out as many as the column asks for: its last ones matter.
+std::string with_fewer_digits(std::string words, float width) {
+  const std::string ellipsis = "\u2026";
+  while (ImGui::CalcTextSize(words.c_str()).x > width) {
+    const std::size_t at = words.find(ellipsis);
+    if (at == std::string::npos || at < 2) break;
+    words.erase(at - 1, 1);
+  }
+  return words;
+}
+
 // Words wrapped within a column; where the column's next cell may begin.
 float cell(Colour colour, const std::string& words, float x, float y, float width) {
   ImGui::SetCursorScreenPos({x, y});
-  label(colour, broken_lines(words, width));
+  label(colour, broken_lines(with_fewer_digits(words, width), width));
   return ImGui::GetItemRectMax().y;
 }
 

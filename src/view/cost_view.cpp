@@ -53,7 +53,7 @@ class LogScale {
 
 std::string tick_text(double value, Language language) {
   const auto short_text = [&](double number, const char* unit) {
-    return with_decimal_mark(fmt::format("{:g}", number), language) + unit;
+    return typeset_number(fmt::format("{:g}", number), language) + unit;
   };
   if (value >= 0.999e9) return short_text(value / 1e9, " G");
   if (value >= 0.999e6) return short_text(value / 1e6, " M");

@@ -307,7 +307,7 @@ class Writer {
 }  // namespace
 
 std::string equation_number(double value, Language language) {
-  return value == 0 ? "0" : with_decimal_mark(fmt::format("{:.4g}", value), language);
+  return value == 0 ? "0" : typeset_number(fmt::format("{:.4g}", value), language);
 }
 
 EquationPanel equation_panel(const State& state) { return Writer(state).panel(); }
@@ -322,7 +322,7 @@ HitNotes hit_notes(const State& state) {
   HitNotes notes{"t = " + equation_number(found.t, state.language), {}};
   if (ray.ending != Ending::hit) return notes;
   const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
-  notes.angle = "θ = " + with_decimal_mark(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
+  notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
   return notes;
 }
 

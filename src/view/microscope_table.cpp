@@ -16,7 +16,7 @@ namespace {
 /// "2.3e11"
 std::string in_powers(double large, Language language) {
   const int power = static_cast<int>(std::floor(std::log10(large)));
-  return with_decimal_mark(fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power), language);
+  return typeset_number(fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power), language);
 }
 
 std::string off_text(const Specimen& specimen, const std::optional<double>& off, Language language) {
@@ -29,7 +29,7 @@ std::string off_text(const Specimen& specimen, const std::optional<double>& off,
 /// All digits that tell it from its neighbours; of many the first and the last.
 std::string number_of(double t, Precision precision, Language language) {
   const bool single = precision == Precision::float_;
-  const std::string digits = with_decimal_mark(single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t), language);
+  const std::string digits = typeset_number(single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t), language);
   constexpr std::size_t most = 13, first = 7, last = 5;
   if (digits.size() <= most) return digits;
   return digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
@@ -89,8 +89,8 @@ std::string sentence_on(const Specimen& specimen, Language language) {
 }  // namespace
 
 std::string ulps_text(double ulps, Language language) {
-  if (ulps < 0.05) return with_decimal_mark(fmt::format("{:.1g}", ulps), language);
-  if (ulps < 9.95) return with_decimal_mark(fmt::format("{:.1f}", ulps), language);
+  if (ulps < 0.05) return typeset_number(fmt::format("{:.1g}", ulps), language);
+  if (ulps < 9.95) return typeset_number(fmt::format("{:.1f}", ulps), language);
   if (ulps < 99999.5) return fmt::format("{:.0f}", ulps);
   return in_powers(ulps, language);
 }

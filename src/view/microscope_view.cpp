@@ -288,7 +288,10 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
   for (const double farther : {1.0, 2.2, 3.6})
     for (const Vec2d& side : {Vec2d(1, 0), Vec2d(1, -1), Vec2d(1, 1), Vec2d(-1, 0), Vec2d(-1, -1), Vec2d(-1, 1),
                               Vec2d(0, -1), Vec2d(0, 1)}) {
-      const Vec2d middle = at + side * (half + Vec2d(farther * clear));
+      Vec2d middle = at + side * (half + Vec2d(farther * clear));
+      for (const int axis : {0, 1})  // whole, where the pane is large enough for that
+        if (half[axis] <= middle_[axis])
+          middle[axis] = std::clamp(middle[axis], half[axis], 2 * middle_[axis] - half[axis]);
       const detail::Box box{middle - half, middle + half};
       double covered = 4 * half.x * half.y - box.overlap(pane);
       covered *= 10;

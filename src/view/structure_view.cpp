@@ -118,7 +118,38 @@ Stroke stroke_of(const Painter& painter, const Mark& mark) {
   return {};
 }
 
-void draw_mark(Painter& painter, const Mark& mark) {
+constexpr int most_bodies = 500;  ///< among more of them there is no room for words
+
+/// Where in the plan the things lie that the boxes hold.
+std::vector<Box> bodies_of(const Painter& painter) {
+  std::vector<Box> bodies;
+  const SearchWalks& walks = *painter.state.structure.walks;
+  for (int i = 0; i < std::min(walks.primitives(), most_bodies); ++i) {
+    const Bounds<double> box = walks.box(i);
+    if (!box.bounded() || is_off_plan(painter.state, box)) continue;
+    const Vec2d a = painter.pixels(plan(box.min)), b = painter.pixels(plan(box.max));
+    bodies.push_back({{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+  }
+  return bodies;
+}
+
+/// Why a box was skipped, in a corner of it where nothing else is; else it is left to the list of steps.
+void draw_reason(Painter& painter, const Mark& mark, const Box& box, const std::vector<Box>& bodies) {
+  const double size = 0.8 * painter.sizes.text, margin = 2 * painter.sizes.unit;
+  const Vec2d half(text_width(mark.label, size) / 2 + 0.2 * size, 0.6 * size);
+  const Vec2d low = box.min + half + margin, high = box.max - half - margin;
+  if (low.x > high.x || low.y > high.y) return;
+  for (const Vec2d& at : {low, Vec2d(high.x, low.y), Vec2d(low.x, high.y), high, (low + high) / 2.0}) {
+    const Box place{at - half, at + half};
+    const auto covers = [&](const Box& taken) { return place.overlap(taken) > 0; };
+    if (std::any_of(painter.kept_free.begin(), painter.kept_free.end(), covers)) continue;
+    if (std::any_of(bodies.begin(), bodies.end(), covers)) continue;
+    painter.add(TextItem{at, mark.label, size, painter.colours.dim_text, TextAnchor::middle});
+    return painter.kept_free.push_back(place);
+  }
+}
+
+void draw_mark(Painter& painter, const Mark& mark, const std::vector<Box>& bodies) {
   // Boxes share their edges: what is skipped is drawn a little smaller, so that its dashes are not drawn over.
   const double inset = (mark.dashed ? 3 : 0) * painter.sizes.unit;
   const Vec2d a = painter.pixels(plan(mark.box.min)), b = painter.pixels(plan(mark.box.max));
@@ -137,18 +168,11 @@ void draw_mark(Painter& painter, const Mark& mark) {
   }
   for (std::size_t i = 0; i < 4; ++i) painter.add_clipped({corners[i], corners[(i + 1) % 4], stroke});
   if (mark.label.empty()) return;
-  const bool now = mark.manner == Manner::current;
-  const double size = (now ? 1 : 0.8) * painter.sizes.text;
-  const Vec2d half(text_width(mark.label, size) / 2 + 0.2 * size, 0.6 * size);
-  const Vec2d at = low + half + 2 * painter.sizes.unit;
-  const Box place{at - half, at + half};
-  const bool fits = 2 * half.x <= high.x - low.x && 2 * half.y <= high.y - low.y;
-  const bool free = std::none_of(painter.kept_free.begin(), painter.kept_free.end(),
-                                 [&](const Box& taken) { return place.overlap(taken) > 0; });
-  if (now) return painter.note({(low.x + high.x) / 2, low.y - 0.8 * size}, mark.label);
-  if (!fits || !free) return;
-  painter.add(TextItem{at, mark.label, size, painter.colours.dim_text, TextAnchor::middle});
-  painter.kept_free.push_back(place);
+  if (mark.manner != Manner::current) {
+    if (painter.state.structure.walks->primitives() <= most_bodies) draw_reason(painter, mark, {low, high}, bodies);
+    return;
+  }
+  painter.note({(low.x + high.x) / 2, low.y - 0.8 * painter.sizes.text}, mark.label);
 }
 
 /// A cross on what was tested in vain, a disc where something was hit.
@@ -179,7 +203,8 @@ void draw_tests(Painter& painter) {
 void draw_structure(Painter& painter) {
   const std::vector<Mark> marks = marks_of(painter.state);
   if (marks.empty()) return;
-  for (const Mark& mark : marks) draw_mark(painter, mark);
+  const std::vector<Box> bodies = bodies_of(painter);
+  for (const Mark& mark : marks) draw_mark(painter, mark, bodies);
   if (painter.state.structure.page == StructurePage::search && painter.state.structure.searches) draw_tests(painter);
 }
 

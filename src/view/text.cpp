@@ -75,16 +75,18 @@ std::string_view symbol(Ending ending) {
   return "";
 }
 
-std::string with_decimal_mark(std::string digits, Language language) {
+std::string typeset_number(std::string digits, Language language) {
+  constexpr std::string_view minus = "\u2212";
   std::replace(digits.begin(), digits.end(), '.', decimal_mark(language));
+  for (std::size_t at = 0; (at = digits.find('-', at)) != std::string::npos;) digits.replace(at, 1, minus);
   return digits;
 }
 
 std::string number_text(double value, Language language) {
   if (value == 0) return "0";
   const double size = std::abs(value);
-  if (size >= 999.5 && size < 999999.5) return fmt::format("{:.0f}", value);
-  return with_decimal_mark(fmt::format("{:.3g}", value), language);
+  const bool whole = size >= 999.5 && size < 999999.5;
+  return typeset_number(whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value), language);
 }
 
 std::string percent_text(double share, Language language) {
@@ -92,7 +94,7 @@ std::string percent_text(double share, Language language) {
   if (percent == 0) return "0%";
   constexpr double least = 0.001;
   if (percent < least) return fill(PanelText::percent_under, language, {number_text(least, language)});
-  return with_decimal_mark(percent < 1 ? fmt::format("{:.1g}%", percent) : fmt::format("{:.0f}%", percent), language);
+  return typeset_number(percent < 1 ? fmt::format("{:.1g}%", percent) : fmt::format("{:.0f}%", percent), language);
 }
 
 std::string colour_text(const Rgbd& c, Language language) {

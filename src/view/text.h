@@ -268,8 +268,8 @@ enum class PanelText {
 [[nodiscard]] std::string_view symbol(Ending ending);  ///< one or two characters for the tree
 
 // Numbers as the language writes them.
-/// Digits with a point, with the mark of the language in its place.
-[[nodiscard]] std::string with_decimal_mark(std::string digits, Language language);
+/// Digits as they are printed: with the language's mark for the point, with a minus that is as wide as a plus.
+[[nodiscard]] std::string typeset_number(std::string digits, Language language);
 [[nodiscard]] std::string number_text(double value, Language language);   ///< 3 significant digits, no trailing zeros
 [[nodiscard]] std::string percent_text(double share, Language language);  ///< "45%", "0.2%"
 /// "(0.2, 0.5, 1)", in Portuguese "(0,2; 0,5; 1)", or one number when it is a grey.

@@ -149,7 +149,7 @@ TEST_CASE("each effect has a bar as long as its share of the rays, and one of th
   CHECK(widths[3] == 0);
   CHECK(widths[4] == Approx(widths[0] / 2));
   for (const char* expected : {"penumbra", "50% of the rays", "25% of the time (20% to 30%)", "textures",
-                               "0% of the rays", "-1% of the time (-2% to 1%)", "25% of the rays"})
+                               "0% of the rays", "\u22121% of the time (\u22122% to 1%)", "25% of the rays"})
     CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
   CHECK(survey_text(survey, 1, Language::english) ==
         "All together: 1000 rays in 0.5 s. Every effect, called for or not: 9 times the rays, 4 times the time.");
