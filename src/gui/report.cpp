@@ -105,6 +105,10 @@ std::string report(const State& state, const Interface& interface, const Preview
                       {"judged", sitting.judged}};
   if (state.bug)
     json["bug"] = {{"mended", state.bug->mended}, {"known", state.bug->known}, {"hunted", state.bugs.hunt.has_value()}};
+  json["predictions"] = {{"on", state.predictions.on},
+                         {"asks", aim_origin(state).has_value()},
+                         {"open", state.predictions.open.has_value()},
+                         {"made", state.predictions.made.size()}};
   json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
   json["window"] = {{"width", window.width},
                     {"height", window.height},

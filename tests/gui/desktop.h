@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gui/folder.h"
+#include "support/catch.h"
 
 namespace raywalk::test {
 
@@ -89,5 +90,11 @@ class Visualiser {
   Child program_;
   nlohmann::json report_;
 };
+
+// At the beginning of a test: passes over it where there can be no desktop.
+#define NEEDS_A_DESKTOP                                                                     \
+  if (const std::string missing = Desktop::missing(); !missing.empty()) {                   \
+    RAYWALK_SKIP("the window was not tried: " << missing << " (apt install xvfb xdotool)"); \
+  }
 
 }  // namespace raywalk::test

@@ -121,8 +121,7 @@ TEST_CASE("everything of a lesson fits into its pane, in both languages") {
 }
 
 TEST_CASE("lesson 1 in the real window: choice, arrow, number, language, and progress at the next start", "[window]") {
-  if (const std::string missing = Desktop::missing(); !missing.empty())
-    RAYWALK_SKIP("the window was not tried: " << missing << " (apt install xvfb xdotool)");
+  NEEDS_A_DESKTOP
   const Desktop desktop(1280, 800);
   const auto lesson = [](const char* member, const Json& value) {
     return

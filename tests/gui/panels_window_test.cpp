@@ -4,47 +4,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "gui/desktop.h"
+#include "gui/classic_walk.h"
 #include "support/catch.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
 
 using Json = nlohmann::json;
-
-namespace {
-
-/// The classic scene in the window, at the first line of the walk.
-class ClassicWalk {
- public:
-  ClassicWalk() : raywalk(desktop_, {std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"}) {
-    started = raywalk.until([](const Json& report) { return report["window"]["frames"].get<int>() >= 3; }, 60);
-    raywalk.key("t");
-    started = started && raywalk.until("mode", "trace");
-  }
-  void keep_picture(const std::string& name) const {
-    desktop_.picture(std::filesystem::path(std::getenv("RAYWALK_BIN")).parent_path() / "window-test" / (name + ".png"));
-  }
-  /// Waits until a member of one of the report's parts is that.
-  bool until(const std::string& part, const std::string& member, const Json& value, double seconds = 60) {
-    return raywalk.until([&](const Json& report) { return report.contains(part) && report[part][member] == value; },
-                         seconds);
-  }
-
- private:
-  Desktop desktop_{1280, 800};
-
- public:
-  Visualiser raywalk;
-  bool started = false;
-};
-
-#define NEEDS_A_DESKTOP                                                                     \
-  if (const std::string missing = Desktop::missing(); !missing.empty()) {                   \
-    RAYWALK_SKIP("the window was not tried: " << missing << " (apt install xvfb xdotool)"); \
-  }
-
-}  // namespace
 
 TEST_CASE("Cost in the window: knobs, tries, marks, two pictures, what each effect adds", "[window]") {
   NEEDS_A_DESKTOP

@@ -40,11 +40,6 @@ bool started(Visualiser& raywalk) {
   return raywalk.until([](const Json& report) { return report["window"]["frames"].get<int>() >= 3; }, 60);
 }
 
-#define NEEDS_A_DESKTOP                                                                     \
-  if (const std::string missing = Desktop::missing(); !missing.empty()) {                   \
-    RAYWALK_SKIP("the window was not tried: " << missing << " (apt install xvfb xdotool)"); \
-  }
-
 }  // namespace
 
 TEST_CASE("the classic walk with the mouse: Move, STEP, back, AUTO, PAUSE, CLEAR, Help", "[window]") {
