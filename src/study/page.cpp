@@ -16,7 +16,7 @@ constexpr const char* style = R"(<style>
 body{font:17px/1.55 Inter,'Segoe UI','Liberation Sans',sans-serif;color:var(--fg);background:var(--bg);
 max-width:54rem;margin:2.5rem auto;padding:0 1.2rem}
 h1{font-size:2rem;line-height:1.2}h2{font-size:1.45rem;margin-top:3.2rem;border-top:1px solid var(--line);padding-top:1.4rem}
-p.ask{font-size:1.12rem;font-style:italic}p.soft,td.soft,figcaption{color:var(--soft)}
+sup{line-height:0;font-size:.75em}p.ask{font-size:1.12rem;font-style:italic}p.soft,td.soft,figcaption{color:var(--soft)}
 figure{margin:1.4rem 0}svg{max-width:100%;height:auto;border:1px solid var(--line);border-radius:6px}
 table{border-collapse:collapse;width:100%;font-size:.92rem}td,th{text-align:left;padding:.35rem .6rem;
 border-bottom:1px solid var(--line);vertical-align:top}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
@@ -40,10 +40,13 @@ std::string base64(const std::string& bytes) {
   return out;
 }
 
+std::string prose(const std::string& text) { return escaped_with_powers(text, "<sup>", "</sup>"); }
+
 std::string number(double value) {
   if (value == 0) return "0";
   const double size = std::abs(value);
-  return size >= 0.01 && size < 1e5 ? fmt::format("{:.4f}", value) : fmt::format("{:.2e}", value);
+  const std::string digits = size >= 0.01 && size < 1e5 ? fmt::format("{:.4f}", size) : fmt::format("{:.2e}", size);
+  return value < 0 ? "\u2212" + digits : digits;
 }
 
 std::string expected_text(const Law& law) {
@@ -73,9 +76,8 @@ std::string law_rows(const Concluded& c) {
     rows += fmt::format(
         "<tr><td>{}</td><td class='soft'>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td>"
         "<td class='{}'>{}</td></tr>\n",
-        escaped(law.name), escaped(law.says), expected_text(law), number(law.measured.value),
-        interval_text(law, verdict), verdict.holds ? "yes" : "no",
-        verdict.holds ? "✓ holds" : "✗ does not hold. " + escaped(law.otherwise));
+        escaped(law.name), prose(law.says), expected_text(law), number(law.measured.value), interval_text(law, verdict),
+        verdict.holds ? "yes" : "no", verdict.holds ? "✓ holds" : "✗ does not hold. " + prose(law.otherwise));
   }
   return rows;
 }
@@ -89,7 +91,7 @@ std::string section(const Concluded& c) {
   std::string html = fmt::format("<h2 id='{}'>{} · {}</h2>\n<p class='ask'>{}</p>\n", e.name, e.number,
                                  escaped(e.title), escaped(e.question));
   for (const Figure& figure : c.report.figures)
-    html += fmt::format("<figure>\n{}</figure>\n<p>{}</p>\n", svg_of(figure.plot), escaped(figure.text));
+    html += fmt::format("<figure>\n{}</figure>\n<p>{}</p>\n", svg_of(figure.plot), prose(figure.text));
   if (!c.report.pictures.empty()) {
     html += "<div class='strips'>\n";
     for (const Picture& picture : c.report.pictures) {

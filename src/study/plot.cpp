@@ -53,6 +53,11 @@ std::string mark(std::size_t look, double x, double y) {
   }
 }
 
+/// A power stands higher and smaller; what follows is back on the line.
+std::string prose(const std::string& text) {
+  return escaped_with_powers(text, "<tspan dy='-4' font-size='75%'>", "</tspan><tspan dy='4'> </tspan>");
+}
+
 /// Numbers along one side.
 class Axis {
  public:
@@ -95,7 +100,8 @@ class Axis {
     if (!logarithmic_ || (tick >= 0.009 && tick <= 20000)) return fmt::format("{:.6g}", tick);
     const int power = static_cast<int>(std::floor(std::log10(tick) + 1e-9));
     const double times = tick / std::pow(10.0, power);
-    const std::string exponent = fmt::format("10<tspan dy='-5' font-size='10'>{}</tspan>", power);
+    const std::string exponent =
+        fmt::format("10<tspan dy='-5' font-size='10'>{}{}</tspan>", power < 0 ? "\u2212" : "", std::abs(power));
     return times > 1.5 ? fmt::format("{:.0f}·", times) + exponent : exponent;
   }
 
@@ -186,7 +192,7 @@ svg{font-family:Inter,'Segoe UI','Liberation Sans','DejaVu Sans',sans-serif;font
 std::string level_line(double level, const std::string& name, const Axis& x, const Axis& y) {
   return fmt::format(
       "<path class='floor' d='M{:.2f} {:.2f}H{:.2f}'/>\n<text class='note' x='{:.2f}' y='{:.2f}'>{}</text>\n",
-      x.at(x.low()), y.at(level), x.at(x.high()), x.at(x.low()) + 8, y.at(level) - 5, escaped(name));
+      x.at(x.low()), y.at(level), x.at(x.high()), x.at(x.low()) + 8, y.at(level) - 5, prose(name));
 }
 
 }  // namespace
@@ -263,7 +269,7 @@ std::string svg_of(const Plot& plot) {
                        at + (series.law_name.empty() ? 5 : -1), escaped(series.name));
     if (!series.law_name.empty())
       svg += fmt::format("<text class='note' x='{}' y='{:.2f}'>law: {}</text>", side + 50, at + 14,
-                         escaped(series.law_name));
+                         prose(series.law_name));
     svg += "\n";
   }
   return svg + "</svg>\n";

@@ -52,7 +52,8 @@ TEST_CASE("a plot is an SVG of its own, with axes, names, marks, intervals and l
   const std::string svg = svg_of(sample_plot());
   CHECK(svg.starts_with("<svg xmlns='http://www.w3.org/2000/svg'"));
   CHECK(is_well_formed(svg));
-  for (const char* word : {"Error &amp; cost", "error &lt; 1", ">random<", ">jittered<", "law: N^-1", ">1000<"})
+  for (const char* word :
+       {"Error &amp; cost", "error &lt; 1", ">random<", ">jittered<", "law: N<tspan", ">\u22121</tspan>", ">1000<"})
     CHECK_THAT(svg, contains(word));
   CHECK(count(svg, "class='law'") == 2);
   CHECK(count(svg, "class='e s0'") == 6);  // each point's interval
