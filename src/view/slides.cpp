@@ -18,9 +18,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr Viewport viewport{960, 640};
+constexpr Viewport picture_size{960, 640};
+constexpr Viewport page_size{750, 500};  // less, so that its letters are larger where it is shown as wide
 
-State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
+State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme,
+             const Viewport& viewport) {
   SceneDocument document;
   document.scene = scene;
   State state = make_state(std::move(document));
@@ -84,7 +86,7 @@ std::string code_of(const State& state) {
 
 constexpr std::string_view script = R"(
 const box = id => document.getElementById(id);
-let at = 0;
+let at = +location.hash.slice(1) || 0;
 function show(step) {
   at = Math.min(Math.max(step, 0), W.steps.length - 1);
   const s = W.steps[at];
@@ -97,25 +99,36 @@ function show(step) {
   box('bar').value = at;
   box('count').textContent = at + ' / ' + (W.steps.length - 1) + (s.l ? '  DEPTH ' + s.l : '');
 }
-box('first').onclick = () => show(0);
-box('back').onclick = () => show(at - 1);
-box('step').onclick = () => show(at + 1);
-box('last').onclick = () => show(W.steps.length - 1);
-box('bar').oninput = e => show(+e.target.value);
+const auto = box('auto'), words = [auto.textContent, box('pause').innerHTML];
+let clock = 0;
+function play(on) {
+  clearInterval(clock);
+  clock = on && at < W.steps.length - 1 ? setInterval(() => at < W.steps.length - 1 ? show(at + 1) : play(false), 250) : 0;
+  auto.textContent = words[clock ? 1 : 0];
+}
+function go(step) { play(false); show(step); }
+auto.onclick = () => play(!clock);
+box('first').onclick = () => go(0);
+box('back').onclick = () => go(at - 1);
+box('step').onclick = () => go(at + 1);
+box('last').onclick = () => go(W.steps.length - 1);
+box('bar').oninput = e => go(+e.target.value);
 document.onkeydown = e => {
-  const go = {ArrowRight: at + 1, ' ': at + 1, PageDown: at + 1, ArrowLeft: at - 1, PageUp: at - 1,
+  if (e.ctrlKey || e.altKey || e.metaKey || (e.key === ' ' && e.target.tagName === 'BUTTON')) return;
+  if (e.key === 'a') return play(!clock);
+  const to = {ArrowRight: at + 1, ' ': at + 1, PageDown: at + 1, ArrowLeft: at - 1, PageUp: at - 1,
               Home: 0, End: W.steps.length - 1}[e.key];
-  if (go === undefined || e.ctrlKey || e.altKey || e.metaKey) return;
+  if (to === undefined) return;
   e.preventDefault();
-  show(go);
+  go(to);
 };
-show(0);
+show(at);
 )";
 
 }  // namespace
 
 std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
-  State state = walked(scene, std::move(timeline), language, theme);
+  State state = walked(scene, std::move(timeline), language, theme, page_size);
   const Palette& colours = palette(theme);
   Dictionary drawn, said;
   const auto say = [&](auto id) { return text(id, language); };
@@ -135,7 +148,7 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
   page += fmt::format(
       "body{{margin:1rem;background:{0};color:{1};font:16px Inter,Helvetica,Arial,sans-serif}}"
       "main{{display:grid;grid-template-columns:minmax(0,2fr) minmax(20rem,1fr);gap:1rem}}"
-      "svg{{width:100%;height:auto;background:{2};border-radius:6px}}"
+      "#picture{{width:100%;height:auto;background:{2};border-radius:6px}}"
       "ol{{list-style:none;margin:0;padding:0;font:14px 'JetBrains Mono',Menlo,Consolas,monospace}}"
       "li{{padding:.12em .4em;border:2px solid transparent;border-radius:4px;white-space:pre}}"
       "li.ran{{background:{3};font-weight:bold}}li.next{{border-color:{4}}}"
@@ -143,31 +156,35 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
       "#said{{min-height:3em;font-size:1.1rem}}#equation{{font:14px 'JetBrains Mono',Menlo,Consolas,monospace}}"
       "#equation p{{margin:.25em 0}}.dim{{color:{5}}}"
       "i{{display:inline-block;width:1.6em;height:1em;border:1px solid;margin-right:.5em;vertical-align:-.1em}}"
-      "button{{font:inherit;min-width:3.2rem;min-height:2.8rem;margin-right:.4rem}}#bar{{width:100%}}"
+      "button{{font:inherit;font-weight:bold;color:{1};background:{6};border:0;border-radius:8px;min-width:4.6rem;"
+      "height:2.8rem;margin:0 .4rem .6rem 0;vertical-align:middle}}#step{{background:{3}}}"
+      "button svg{{width:1.4rem;height:1.4rem;fill:{1};vertical-align:middle}}"
+      "button:focus-visible{{outline:3px solid {4}}}#bar{{width:100%;accent-color:{4}}}"
       "@media(max-width:50rem){{main{{grid-template-columns:1fr}}}}\n</style></head>\n",
       css_colour(colours.window), css_colour(colours.text), css_colour(colours.plan), css_colour(colours.just_run),
-      css_colour(colours.next), css_colour(colours.dim_text));
+      css_colour(colours.next), css_colour(colours.dim_text), css_colour(mix(colours.panel, colours.text, 0.12)));
   page += fmt::format(
       "<body><h1>{}</h1>\n<main><div>"
-      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"said\" "
+      "<svg id=\"picture\" viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"said\" "
       "font-family=\"Inter, Helvetica, Arial, sans-serif\"><g id=\"plan\"></g></svg>\n"
       "<p id=\"said\" aria-live=\"polite\"></p>\n"
-      "<div><button id=\"first\" aria-label=\"{}\">\u23ee</button><button id=\"back\">{}</button>"
-      "<button id=\"step\">{}</button><button id=\"last\" aria-label=\"{}\">\u23ed</button>"
-      "<span id=\"count\"></span></div>\n"
+      "<div><button id=\"first\" aria-label=\"{}\"><svg viewBox=\"0 0 24 24\"><path d=\"M5 5h3v14H5zM20 5v14L9 12z\"/>"
+      "</svg></button><button id=\"back\">{}</button><button id=\"step\">{}</button><button id=\"auto\">{}</button>"
+      "<button id=\"last\" aria-label=\"{}\"><svg viewBox=\"0 0 24 24\"><path d=\"M16 5h3v14h-3zM4 5l11 7-11 7z\"/>"
+      "</svg></button><span id=\"count\"></span></div>\n"
       "<input id=\"bar\" type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"{}\"/></div>\n"
-      "<div>{}<div id=\"equation\"></div></div></main>\n",
-      title, viewport.width, viewport.height, say(PanelText::to_start), say(TextId::button_back),
-      say(TextId::button_step), say(PanelText::to_end), state.timeline->steps(), say(PanelText::step_bar),
-      code_of(state));
+      "<div>{}<div id=\"equation\"></div></div></main><template id=\"pause\">{}</template>\n",
+      title, page_size.width, page_size.height, say(PanelText::to_start), say(TextId::button_back),
+      say(TextId::button_step), say(TextId::button_auto), say(PanelText::to_end), state.timeline->steps(),
+      say(PanelText::step_bar), code_of(state), say(TextId::button_pause));
   return page + "<script>\nconst W = " + data + ";" + std::string(script) + "</script></body></html>\n";
 }
 
 std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
-  State state = walked(scene, std::move(timeline), language, theme);
+  State state = walked(scene, std::move(timeline), language, theme, picture_size);
   state.position = state.timeline->steps();
   state.tab = Tab::image;
-  return svg_file(plan_view(state), viewport.width, viewport.height, palette(theme).plan,
+  return svg_file(plan_view(state), picture_size.width, picture_size.height, palette(theme).plan,
                   scene.title.empty() ? "Raywalk" : scene.title);
 }
 
