@@ -17,8 +17,8 @@ namespace raywalk {
 [[nodiscard]] std::string_view name_of(PathPrompt prompt);  ///< empty for none
 
 inline constexpr std::initializer_list<Mode> all_modes{Mode::move, Mode::trace, Mode::help};
-inline constexpr std::initializer_list<Tab> all_tabs{Tab::image,  Tab::tree,     Tab::stack,
-                                                     Tab::legend, Tab::equation, Tab::cost};
+inline constexpr std::initializer_list<Tab> all_tabs{Tab::image,    Tab::tree, Tab::stack,      Tab::legend,
+                                                     Tab::equation, Tab::cost, Tab::microscope, Tab::structure};
 inline constexpr std::initializer_list<Theme> all_themes{Theme::dark, Theme::projector};
 
 /// The one of `choices` that has this name.

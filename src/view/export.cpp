@@ -127,13 +127,7 @@ void export_walk(State& state, const std::string& path) {
   if (path.empty()) return;
   if (state.prompt == PathPrompt::export_walk) state.notice.reset();
   if (!export_kind_of(path)) return complain(state, fill(TextId::export_endings, state.language, {path}));
-  std::error_code failed;
-  if (std::filesystem::exists(path, failed)) {
-    state.question = Question{Question::Kind::overwrite, Intent::quit, path};
-    state.question->file = PathPrompt::export_walk;
-    return;
-  }
-  export_over(state, path);
+  if (!asks_to_overwrite(state, path, PathPrompt::export_walk)) export_over(state, path);
 }
 
 void finish_export(State& state, const std::string& why_not) {

@@ -137,6 +137,14 @@ void ask_or_do(State& state, Intent intent, const std::string& path) {
   state.question = Question{Question::Kind::unsaved, intent, path};
 }
 
+bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
+  std::error_code failed;
+  if (!std::filesystem::exists(path, failed)) return false;
+  state.question = Question{Question::Kind::overwrite, Intent::quit, path};
+  state.question->file = what;
+  return true;
+}
+
 void save(State& state) {
   // A scene of another format is saved as one of ours, under a new name.
   const bool is_ours = !state.path.empty() && scene_format_of(state.path) == SceneFormat::toml;
@@ -154,12 +162,8 @@ void save_as(State& state, const std::string& path) {
   if (state.prompt == PathPrompt::save_as) state.notice.reset();
   const bool has_ending = std::filesystem::path(path).has_extension();
   const std::string whole = has_ending ? path : path + ".toml";
-  std::error_code failed;
-  if (std::filesystem::exists(whole, failed) && (!same_file(whole, state.path) || is_shipped(state, whole))) {
-    state.question = Question{Question::Kind::overwrite, Intent::quit, whole};
-    return;
-  }
-  static_cast<void>(write_to(state, whole));
+  const bool is_own = same_file(whole, state.path) && !is_shipped(state, whole);
+  if (is_own || !asks_to_overwrite(state, whole, PathPrompt::save_as)) static_cast<void>(write_to(state, whole));
 }
 
 void answer(State& state, action::Answer answer) {

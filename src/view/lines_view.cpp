@@ -147,7 +147,6 @@ class Lines {
       if (!ends || !(length((*ends)[1] - (*ends)[0]) > 0)) return;
       return draw_stub(painter_, (*ends)[0], normalize_flat((*ends)[1] - (*ends)[0]), stroke, target);
     }
-    const bool ends_somewhere = known ? !ray.endless : ends_at_light(ray);
     const std::optional<Growth> growth = growth_of(state, index);
     Vec3d end = end_of(ray, known);
     if (growth) {
@@ -159,16 +158,19 @@ class Lines {
     const auto [from, to] = *ends;
     if (look.hovered)
       painter_.add_clipped({from, to, {painter_.colours.hovered.with_alpha(90), 8 * painter_.sizes.unit}});
-    LineItem item{from, to, stroke, ray_arrow(painter_, look), ends_somewhere ? 0.55 : 0.2};
+    LineItem item{from, to, stroke, ray_arrow(painter_, look), ends_seen(ray, known) ? 0.55 : 0.2};
     item.arrow = std::min(item.arrow, length(to - from) / 3);
     painter_.add_clipped(item, target);
     if (known && ray.ending == Ending::blocked && !growth)
       draw_blocked(painter_, to, normalize_flat(to - from), stroke);
   }
 
-  /// Where the ray is drawn to, at a position where its end may not be known yet.
+  /// Whether the ray is drawn to an end, at a position where that may not be known yet, and where to.
+  [[nodiscard]] bool ends_seen(const RayRecord& ray, bool known) const {
+    return known ? !ray.endless : ends_at_light(ray);
+  }
   [[nodiscard]] Vec3d end_of(const RayRecord& ray, bool known) const {
-    if (known ? ray.endless : !ends_at_light(ray)) return ray.origin + reach_ * normalize(ray.direction);
+    if (!ends_seen(ray, known)) return ray.origin + reach_ * normalize(ray.direction);
     return known ? ray.end : ray.origin + ray.direction;
   }
 

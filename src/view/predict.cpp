@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace raywalk {
 
@@ -184,10 +183,7 @@ void ask_save_predictions(State& state) {
 void save_predictions(State& state, const std::string& path) {
   if (path.empty()) return;
   if (state.prompt == PathPrompt::save_predictions) state.notice.reset();
-  std::error_code failed;
-  if (!std::filesystem::exists(path, failed)) return write_predictions(state, path);
-  state.question = Question{Question::Kind::overwrite, Intent::quit, path};
-  state.question->file = PathPrompt::save_predictions;
+  if (!asks_to_overwrite(state, path, PathPrompt::save_predictions)) write_predictions(state, path);
 }
 
 void write_predictions(State& state, const std::string& path) {

@@ -96,6 +96,8 @@ void show_document(State& state, SceneDocument document, std::string path);
 void ask_path(State& state, PathPrompt prompt);
 void open(State& state, const std::string& path);
 void ask_or_do(State& state, Intent intent, const std::string& path);
+/// Asks before a file that is there already is written over. Whether it has to.
+[[nodiscard]] bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what);
 void save(State& state);
 void save_as(State& state, const std::string& path);
 void answer(State& state, action::Answer answer);

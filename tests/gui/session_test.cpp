@@ -1,3 +1,4 @@
+#include "gui/names.h"
 #include "gui/session.h"
 
 #include <cstdlib>
@@ -55,6 +56,12 @@ TEST_CASE("options choose mode, tab, theme, scale and position") {
   const auto at_end = start(wanted);
   REQUIRE(at_end.has_value());
   CHECK(at_end->position == at_end->timeline->steps());
+  for (const char* tab : {"microscope", "structure", "cost", "equation"}) {
+    wanted.start_tab = tab;
+    const auto there = start(wanted);
+    REQUIRE(there.has_value());
+    CHECK(name_of(there->tab) == tab);
+  }
   wanted.ui_scale = 99;
   CHECK(start(wanted)->ui_scale == max_ui_scale);
 }
