@@ -63,7 +63,8 @@ mutant quadric_other_way_round Cone shape/quadratic.h 'const bool flip = a.sign(
 mutant quadric_rim_met_twice Cylinder shape/quadric.h 'first = place.below + place.at;' 'first = place.below;'
 mutant quadric_cap_open Cylinder shape/quadric.h '(wall.flipped ? -sign : sign) <= 0' '(wall.flipped ? -sign : sign) < 0'
 mutant quadric_departure_forgotten Cylinder shape/quadratic.h 'const double c = on_wall ? 0 :' 'const double c = false ? 0 :'
-mutant quadric_not_refined Cone shape/quadratic.h '<= error * std::abs(t) ? better : t' '<= error * std::abs(t) ? t : t'
+mutant quadric_not_refined Cone shape/quadratic.h 'step < 4' 'step < 0'
+mutant quadric_normal_of_another_place HyperboloidTwoSheets shape/quadric.h 'gradient_at(Vec3d(position));' 'slope;'
 mutant quadric_a_without_bound Cone shape/quadratic.h 'const double a_error = 8' 'const double a_error = 0'
 mutant quadric_inside_is_outside Cone shape/quadratic.h ': t <= near || far <= t;' ': near <= t && t <= far;'
 

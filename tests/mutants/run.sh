@@ -4,6 +4,7 @@
 #
 #   tests/mutants/run.sh [NAME...]     all mutants, or those named; what is done already is not done again
 #   tests/mutants/run.sh --fresh       forgets what is done
+#   tests/mutants/run.sh --check       only looks whether each still has its line in the source
 #
 # Results are kept in build/mutants. CXX chooses the compiler.
 set -uo pipefail
@@ -12,8 +13,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$root/build/mutants
 results=$work/results
 cxx=${CXX:-g++}
+only_check=0
 [[ ${1:-} == --fresh ]] && { rm -rf "$work"; shift; }
-mkdir -p "$work" && touch "$results"
+[[ ${1:-} == --check ]] && { only_check=1; shift; }
+((only_check)) || { mkdir -p "$work" && touch "$results"; }
 wanted=("$@")
 survived=0
 killed=0
@@ -42,22 +45,28 @@ verdict() {
   rm -f "$work/$1.bin"
 }
 
+# applies NAME FILE OLD: whether OLD stands exactly once in src/FILE, or no FILE is named; else says so.
+applies() {
+  local text
+  [[ -n $2 ]] || return 0
+  text=$(<"$root/src/$2")
+  [[ $text == *"$3"* && ${text#*"$3"} != *"$3"* ]] && return
+  printf '%-40s does not apply: src/%s does not have its line exactly once\n' "$1" "$2"
+  return 1
+}
+
 # mutant NAME WHO FILE OLD NEW [FLAGS]: OLD stands exactly once in src/FILE. No FILE: only the compiler's FLAGS differ.
 mutant() {
   local name=$1 who=$2 file=$3 old=$4 new=$5 flags=${6:-} known text copy result
   if ((${#wanted[@]} > 0)) && [[ " ${wanted[*]} " != *" $name "* ]]; then return; fi
+  applies "$name" "$file" "$old" || { survived=$((survived + 1)); return; }
+  ((only_check)) && { killed=$((killed + 1)); return; }
   known=$(sed -n "s/^$name //p" "$results")
   if [[ -z $known ]]; then
     copy=$work/$name
     rm -rf "$copy" && mkdir -p "$copy" && cp -r "$root/src" "$copy/src"
     if [[ -n $file ]]; then
       text=$(<"$copy/src/$file")
-      if [[ $text != *"$old"* || ${text#*"$old"} == *"$old"* ]]; then
-        printf '%-40s does not apply: src/%s does not have its line exactly once\n' "$name" "$file"
-        survived=$((survived + 1))
-        rm -rf "$copy"
-        return
-      fi
       printf '%s\n' "${text/"$old"/"$new"}" >"$copy/src/$file"
     fi
     known=$(verdict "$name" "$who" "$flags" "$copy")
@@ -71,7 +80,7 @@ mutant() {
 # Unchanged, the suite must find nothing, or the deaths below mean nothing.
 innocent() {
   local who result
-  for who in Sphere Plane Disk Box Cone Cylinder Polygon Prism mesh accel transform arithmetic; do
+  for who in Sphere Plane Disk Box Cone Cylinder HyperboloidTwoSheets Polygon Prism mesh accel transform arithmetic; do
     ((${#wanted[@]} > 0)) && [[ " ${wanted[*]} " != *" $who "* ]] && continue
     grep -qx "unchanged_$who survived" "$results" && continue
     result=$(verdict "unchanged_$who" "$who" "" "$root")
@@ -84,7 +93,8 @@ innocent() {
   done
 }
 
-innocent
+((only_check)) || innocent
 source "$root/tests/mutants/mutants.sh"
+((only_check)) && { printf '%s apply, %s do not\n' "$killed" "$survived"; exit $((survived > 0)); }
 printf '%s killed, %s survived\n' "$killed" "$survived"
 ((survived == 0))

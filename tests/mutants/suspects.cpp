@@ -3,6 +3,7 @@
 
 #include "check/family.h"
 #include "check/law.h"
+#include "check/normal.h"
 #include "check/spawn.h"
 
 #include <cstdio>
@@ -56,6 +57,8 @@ template <template <class> class S>
 [[maybe_unused]] void whole_shape(std::uint64_t count) {
   aimed<S<float>, float>(count);
   aimed<S<double>, double>(count);
+  expect_clean(try_normals<S<float>, float>(1, 0, count), "normals");
+  expect_clean(try_normals<S<double>, double>(1, 0, count), "normals");
   expect_clean(spawn<S<double>, double>(1, 0, count), "spawned");
   expect_clean(obey<S<double>, double>(Law::mirrored, 1, 0, count), "mirrored");
   expect_clean(obey<S<double>, double>(Law::scaled, 1, 0, count), "scaled");
