@@ -15,8 +15,14 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
+#ifdef __OPTIMIZE__
+inline constexpr bool optimized = true;
+#else
+inline constexpr bool optimized = false;
+#endif
+
 /// `count` rounds of the same with other numbers; an eighth of them under sanitizers, which make each ten times slower
-/// and watch the memory, not the odds.
-[[nodiscard]] constexpr int rounds(int count) { return sanitized ? count / 8 : count; }
+/// and watch the memory, not the odds, and without optimisation.
+[[nodiscard]] constexpr int rounds(int count) { return sanitized || !optimized ? count / 8 : count; }
 
 }  // namespace raywalk::test

@@ -4,12 +4,12 @@
 # (invariants 1 to 3 of the design are among them), and the shipped scenes give the same pictures, bit for bit. A ninth
 # build lets the compiler fuse multiplications and additions: what meshes promise must hold even so.
 #
-#   tests/builds.sh [NAME...]      all builds, or those named: g++-O0, g++-O0-fma, g++-O3, ... clang-O3-fma, contracted
+#   tests/builds/run.sh [NAME...]  all builds, or those named: g++-O0, g++-O0-fma, g++-O3, ... clang-O3-fma, contracted
 #
 # RAYS: of each family of the suite, 300000 when left out. CLANG: the name of clang. Built in build/builds.
 set -uo pipefail
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$root/build/builds
 rays=${RAYS:-300000}
 clang=${CLANG:-clang++-19}
@@ -20,23 +20,11 @@ floors='^(math|shape|accel|trace|render|check)$'
 
 # build NAME COMPILER FLAGS [OPTIONS...]: configures and builds without the window.
 build() {
-  local build=$work/$1
+  local build=$work/$1 targets=(numbers)
+  [[ $1 == contracted ]] || targets+=(test_math test_shape test_accel test_trace test_render test_check)
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER="$2" -DCMAKE_BUILD_TYPE=Measured \
     -DCMAKE_CXX_FLAGS_MEASURED="$3" -DRAYWALK_GUI=OFF -DRAYWALK_TESTS=ON "${@:4}" >"$build.log" 2>&1 &&
-    cmake --build "$build" --target raywalk test_math test_shape test_accel test_trace test_render test_check \
-      >>"$build.log" 2>&1
-}
-
-# pictures NAME: one checksum of the small pictures of all shipped scenes, in double and float.
-pictures() {
-  local scene precision
-  for scene in "$root"/scenes/*.toml "$root"/scenes/hard/*.toml; do
-    for precision in double float; do
-      "$work/$1/raywalk" render "$scene" --size 42x31 --spp 1 --precision "$precision" -o "$work/$1/picture.pfm" \
-        >/dev/null 2>&1 || return 1
-      cat "$work/$1/picture.pfm"
-    done
-  done | sha256sum
+    cmake --build "$build" --target "${targets[@]}" >>"$build.log" 2>&1
 }
 
 # verdict NAME WHAT: prints and counts.
@@ -47,27 +35,27 @@ verdict() {
 
 # try NAME COMPILER FLAGS [OPTIONS...]
 try() {
-  local name=$1 sum
+  local name=$1
   ((${#wanted[@]} == 0)) || [[ " ${wanted[*]} " == *" $name "* ]] || return 0
   mkdir -p "$work"
   if ! build "$@"; then
     verdict "$name" "does not build: see $work/$name.log"
   elif [[ $name == contracted ]]; then
-    if "$work/$name/raywalk" check numerics mesh --rays "$rays" >>"$work/$name.log" 2>&1; then
+    if "$work/$name/tests/numbers" suite "$rays" mesh >>"$work/$name.log" 2>&1; then
       verdict "$name" ok
     else
       verdict "$name" "meshes leak: see $work/$name.log"
     fi
-  elif ! "$work/$name/raywalk" check numerics --rays "$rays" >>"$work/$name.log" 2>&1; then
+  elif ! "$work/$name/tests/numbers" suite "$rays" >>"$work/$name.log" 2>&1; then
     verdict "$name" "the hard-case suite broke: see $work/$name.log"
   elif ! ctest --test-dir "$work/$name" -R "$floors" --output-on-failure >>"$work/$name.log" 2>&1; then
     verdict "$name" "a test failed: see $work/$name.log"
-  elif ! sum=$(pictures "$name"); then
+  elif ! "$work/$name/tests/numbers" pictures "$root"/scenes/*.toml "$root"/scenes/hard/*.toml >"$work/$name.sums"; then
     verdict "$name" "a scene could not be rendered"
-  elif [[ -n $first && $sum != "$first" ]]; then
-    verdict "$name" "its pictures are not those of the first build"
+  elif [[ -n $first ]] && ! diff "$first" "$work/$name.sums" >>"$work/$name.log"; then
+    verdict "$name" "its pictures are not those of the first build: see $work/$name.log"
   else
-    first=${first:-$sum}
+    first=${first:-$work/$name.sums}
     verdict "$name" ok
   fi
 }
