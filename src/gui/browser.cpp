@@ -141,12 +141,12 @@ void Browser::kinds(const Ui& ui) {
     return {};
   };
   const std::optional<ExportKind> chosen = export_kind_of(typed_);
-  const float gap = ui.px(6), count = static_cast<float>(export_endings.size());
+  const float gap = ui.px(6), count = static_cast<float>(kinds_of_export.size());
   const ImVec2 extent{(ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count, ImGui::GetFrameHeight()};
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
-  for (const ExportEnding& each : export_endings) {
+  for (const ExportEnding& each : kinds_of_export) {
     const Words of = words(each.kind);
-    if (&each != &export_endings.front()) ImGui::SameLine(0, gap);
+    if (&each != &kinds_of_export.front()) ImGui::SameLine(0, gap);
     if (button(ui, "export" + std::string(each.ending), ui.say(of.label), ui.say(of.hint), extent, look,
                chosen == each.kind))
       typed_ = fs::path(typed_).replace_extension(each.ending).string();

@@ -61,7 +61,7 @@ Result<std::string> exported(const State& state, ExportKind kind) {
 std::optional<ExportKind> export_kind_of(std::string_view path) {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const ExportEnding& each : export_endings)
+  for (const ExportEnding& each : kinds_of_export)
     if (ending == each.ending) return each.kind;
   return std::nullopt;
 }

@@ -30,12 +30,12 @@ struct ExportEnding {
   std::string_view ending;  ///< ".png"
   ExportKind kind;
 };
-inline constexpr std::array<ExportEnding, 6> export_endings{{{".html", ExportKind::slides},
-                                                             {".png", ExportKind::picture},
-                                                             {".gif", ExportKind::film},
-                                                             {".svg", ExportKind::plan},
-                                                             {".txt", ExportKind::transcript},
-                                                             {".json", ExportKind::steps}}};
+inline constexpr std::array<ExportEnding, 6> kinds_of_export{{{".html", ExportKind::slides},
+                                                              {".png", ExportKind::picture},
+                                                              {".gif", ExportKind::film},
+                                                              {".svg", ExportKind::plan},
+                                                              {".txt", ExportKind::transcript},
+                                                              {".json", ExportKind::steps}}};
 /// By the ending of a path; none for other endings.
 [[nodiscard]] std::optional<ExportKind> export_kind_of(std::string_view path);
 

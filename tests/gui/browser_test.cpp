@@ -91,7 +91,7 @@ TEST_CASE("an export's kinds can be seen, and give the name its ending") {
   const Scenes scenes;
   Bench bench(asking(scenes / "b.toml", action::AskExport{}));
   bench.frames(3);
-  for (const ExportEnding& each : export_endings) {
+  for (const ExportEnding& each : kinds_of_export) {
     CAPTURE(each.ending);
     update(bench.state, action::CancelPrompt{});
     bench.frames(2);
