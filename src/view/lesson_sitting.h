@@ -49,9 +49,9 @@ struct LessonSitting {
   std::vector<LessonEntry> list;  ///< read when the lessons are first shown
   std::shared_ptr<const OpenedLesson> open;
   std::shared_ptr<const OwnScene> own;  ///< comes back when the lesson is left; null: none is waiting
-  int step = 0;           ///< of `open`
-  int first_pixel = 0;    ///< of the strip: rays of those before would only stand in the way
-  bool revealed = false;  ///< the answer of this step stands there
+  int step = 0;                         ///< of `open`
+  int first_pixel = 0;                  ///< of the strip: rays of those before would only stand in the way
+  bool revealed = false;                ///< the answer of this step stands there
   LessonGuess guess;
   std::vector<int> hands;                        ///< of a class, for each choice of this step
   int right = 0, judged = 0;                     ///< predictions of this sitting

@@ -162,7 +162,8 @@ void leave_lesson(State& state) {
   close_lesson(state);
   if (!own) return;
   // Whoever made something of the lesson's scene keeps it.
-  if (state.dirty || !state.path.empty()) return inform(state, std::string(text(LessonWord::scene_kept, state.language)));
+  if (state.dirty || !state.path.empty())
+    return inform(state, std::string(text(LessonWord::scene_kept, state.language)));
   show_document(state, own->document, own->path);
 }
 
