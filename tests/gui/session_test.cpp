@@ -1,5 +1,5 @@
-#include "gui/names.h"
 #include "gui/session.h"
+#include "gui/names.h"
 
 #include <cstdlib>
 #include <filesystem>
