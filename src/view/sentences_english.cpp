@@ -68,8 +68,7 @@ std::string_view english(MessageId id) {
       return "SHADE is called with DEPTH {0} for the point of {1} that the {2} hit.";
     case MessageId::shade_called_unlit:
       return "SHADE is called with DEPTH {0} for the point of {1} that the {2} hit; without a light there are no "
-             "shadow "
-             "rays.";
+             "shadow rays.";
     case MessageId::shade_missed:
       return "The {0} left the scene, so SHADE returns the background {1}.";
     case MessageId::shadow_formed:
