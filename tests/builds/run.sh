@@ -41,16 +41,16 @@ try() {
   if ! build "$@"; then
     verdict "$name" "does not build: see $work/$name.log"
   elif [[ $name == contracted ]]; then
-    if "$work/$name/tests/numbers" suite "$rays" mesh >>"$work/$name.log" 2>&1; then
+    if "$work/$name/numbers" suite "$rays" mesh >>"$work/$name.log" 2>&1; then
       verdict "$name" ok
     else
       verdict "$name" "meshes leak: see $work/$name.log"
     fi
-  elif ! "$work/$name/tests/numbers" suite "$rays" >>"$work/$name.log" 2>&1; then
+  elif ! "$work/$name/numbers" suite "$rays" >>"$work/$name.log" 2>&1; then
     verdict "$name" "the hard-case suite broke: see $work/$name.log"
   elif ! ctest --test-dir "$work/$name" -R "$floors" --output-on-failure >>"$work/$name.log" 2>&1; then
     verdict "$name" "a test failed: see $work/$name.log"
-  elif ! "$work/$name/tests/numbers" pictures "$root"/scenes/*.toml "$root"/scenes/hard/*.toml >"$work/$name.sums"; then
+  elif ! "$work/$name/numbers" pictures "$root"/scenes/*.toml "$root"/scenes/hard/*.toml >"$work/$name.sums"; then
     verdict "$name" "a scene could not be rendered"
   elif [[ -n $first ]] && ! diff "$first" "$work/$name.sums" >>"$work/$name.log"; then
     verdict "$name" "its pictures are not those of the first build: see $work/$name.log"
