@@ -40,8 +40,8 @@ class Drawing {
     draw_ray();
     draw_leaving(specimen_.robust, false);
     draw_leaving(specimen_.naive, true);
+    draw_scale();  // before the labels, which keep off it
     draw_marks();
-    draw_scale();
     return std::move(painter_.list);
   }
 
@@ -336,6 +336,7 @@ void Drawing::draw_scale() {
                             at + Vec2d(width, 6 * unit_), at + Vec2d(-6 * unit_, 6 * unit_)},
                            painter_.colours.plan.with_alpha(225),
                            std::nullopt});
+  painter_.kept_free.push_back({at + Vec2d(-6 * unit_, -1.7 * size), at + Vec2d(width, 6 * unit_)});
   const Stroke stroke{painter_.colours.text, 2 * unit_};
   painter_.add(LineItem{at, at + Vec2d(bar, 0), stroke});
   for (const double end : {0.0, bar})
