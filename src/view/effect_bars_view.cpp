@@ -18,7 +18,9 @@ namespace raywalk {
 namespace {
 
 /// "61%"; time may be negative by chance, 0 has no sign.
-std::string whole_percent(double share) { return fmt::format("{:.0f}%", std::round(100 * share) + 0.0); }
+std::string whole_percent(double share, Language language) {
+  return typeset_number(fmt::format("{:.0f}%", std::round(100 * share) + 0.0), language);
+}
 
 /// A name to the left; to the right of it, one above the other, what it adds of the rays and of the time.
 struct BarRow {
@@ -105,7 +107,8 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     double top = y + (beside ? 0 : 0.6 * letters);
     const double lowest = row.effect != nullptr ? top + step + thick : top + thick;
     write({name_width, (top + lowest) / 2}, row.name, colours.text, TextAnchor::end);
-    label(top, bar(top, row.rays, true), fill(CostText::of_rays, state.language, {whole_percent(row.rays)}));
+    label(top, bar(top, row.rays, true),
+          fill(CostText::of_rays, state.language, {whole_percent(row.rays, state.language)}));
     if (row.effect != nullptr) {
       top += step;
       const study::EffectCost& effect = *row.effect;
@@ -119,10 +122,11 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
           list.push_back({LineItem{{x, middle - thick / 3}, {x, middle + thick / 3}, whisker}});
         right = std::max(right, high);
       }
-      label(top, right,
-            fill(CostText::of_time, state.language,
-                 {whole_percent(effect.seconds_share), whole_percent(effect.seconds_low),
-                  whole_percent(effect.seconds_high)}));
+      label(
+          top, right,
+          fill(CostText::of_time, state.language,
+               {whole_percent(effect.seconds_share, state.language), whole_percent(effect.seconds_low, state.language),
+                whole_percent(effect.seconds_high, state.language)}));
     }
     y += row_height;
   }

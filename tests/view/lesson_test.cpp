@@ -389,11 +389,11 @@ TEST_CASE("whoever changes the scene of a bug gets it back with the answer") {
   update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"04-reflection"});
   go_to_question(state, Asks::line);
-  update(state, action::New{});
-  update(state, action::AnswerQuestion{action::Answer::discard});
-  CHECK_FALSE(state.bug);
+  const Scene asked = state.scene();
+  make_dirty(state);
   update(state, action::MarkLine{Line::form_reflect_ray});
   update(state, action::RevealLesson{});
+  CHECK(state.scene() == asked);
   CHECK(fault_at_work(state) == Fault::reflection_flipped);
   CHECK(state.bug->known);
   CHECK(lesson_panel(state).is_right);

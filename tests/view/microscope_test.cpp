@@ -137,7 +137,7 @@ TEST_CASE("fully magnified a cell is an ulp, and says so; at the whole scene not
     CHECK(magnification(state, *seen, pane) == 1);
     update(state, action::Magnify{1});
     const DisplayList list = microscope_view(state, *seen, pane);
-    CHECK(says(list, "1 cell = 1 ulp = " + std::string(single ? "2.38e-07" : "4.44e-16")));
+    CHECK(says(list, "1 cell = 1 ulp = " + std::string(single ? "2.38e\u221207" : "4.44e\u221216")));
     // Upright lines of the grid stand one spacing apart.
     std::set<double> upright;
     for (const DisplayItem& item : list)
