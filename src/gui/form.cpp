@@ -135,7 +135,8 @@ bool Form::whole(const FormLabel& of, int& value, int least, int most) {
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);
   int next = value;
-  const bool now = ImGui::InputInt(id.c_str(), &next), good = next >= least && next <= most;
+  const bool now = ImGui::InputInt(id.c_str(), &next, 1, 100, ImGuiInputTextFlags_AutoSelectAll);
+  const bool good = next >= least && next <= most;
   ui_.publish(name_);
   if (now && good) value = next;
   const bool is_change = changed(now && good, id);

@@ -17,7 +17,8 @@ using namespace raywalk::test;
 namespace {
 
 /// The applet's own words, and what the field calls the same in both languages.
-const std::set<std::string> same_in_both{"STEP", "AUTO", "CLEAR", "Double", "Float", "double", "float", "3-D", "Menus"};
+const std::set<std::string> same_in_both{"STEP",   "AUTO",  "CLEAR", "Double", "Float",
+                                         "double", "float", "3-D",   "Menus",  "Slides"};
 
 std::vector<TextPair> every_text_of_window() {
   std::vector<TextPair> all;
