@@ -57,37 +57,35 @@ void Form::before_field(const std::string& field, float width) {
   if (focus_) ImGui::SetKeyboardFocusHere();
   focus_ = false;
   ImGui::SetNextItemWidth(std::max(width, ui_.px(24)));
-  reddened_ = memory_.refused == ImGui::GetID(field.c_str()) && memory_.refused != 0;
+  reddened_ = memory_.refused == field;
   if (reddened_) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(ui_.colours.error));
 }
 
 void Form::before_number(const std::string& field) {
-  if (memory_.number != ImGui::GetID(field.c_str())) return;
+  if (memory_.number != field) return;
   for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters)
     if (letter == ',') letter = '.';
 }
 
 void Form::after_number(const std::string& field) {
-  const unsigned id = ImGui::GetID(field.c_str());
   if (ImGui::IsItemActive())
-    memory_.number = id;
-  else if (memory_.number == id)
-    memory_.number = 0;
+    memory_.number = field;
+  else if (memory_.number == field)
+    memory_.number.clear();
 }
 
 void Form::after_field(const std::string& field, bool refused, double least, double most) {
   if (reddened_) ImGui::PopStyleColor();
   reddened_ = false;
-  const unsigned id = ImGui::GetID(field.c_str());
   // The next thing that is done, here or in another field, ends the talk about it.
   if (refused) {
-    memory_.refused = id;
+    memory_.refused = field;
     memory_.why = ui_.say(TextId::refused_number,
                           {number_text(least, ui_.state.language), number_text(most, ui_.state.language)});
   } else if (ImGui::IsItemActivated()) {
-    memory_.refused = 0;
+    memory_.refused.clear();
   }
-  refused_in_row_ |= memory_.refused == id;
+  refused_in_row_ |= memory_.refused == field;
 }
 
 void Form::end_row() {
@@ -97,13 +95,12 @@ void Form::end_row() {
 }
 
 bool Form::changed(bool now, const std::string& field) {
-  const unsigned id = ImGui::GetID(field.c_str());
   if (now) {
-    continues_ = memory_.edited == id;
-    memory_.edited = id;
-    memory_.refused = 0;
+    continues_ = memory_.edited == field;
+    memory_.edited = field;
+    memory_.refused.clear();
   }
-  if (!ImGui::IsItemActive() && memory_.edited == id) memory_.edited = 0;
+  if (!ImGui::IsItemActive() && memory_.edited == field) memory_.edited.clear();
   return now;
 }
 
@@ -238,18 +235,18 @@ bool Form::text(const FormLabel& of, std::string& value) {
   row(of);
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);
-  const bool naming = memory_.naming == ImGui::GetID(id.c_str());
+  const bool naming = memory_.naming == id;
   std::array<char, 256> buffer{};
   const std::string& shown = naming ? memory_.typed : value;
   std::strncpy(buffer.data(), shown.c_str(), buffer.size() - 1);
   ImGui::InputText(id.c_str(), buffer.data(), buffer.size());
   ui_.publish(name_);
   if (ImGui::IsItemActive()) {
-    memory_.naming = ImGui::GetID(id.c_str());
+    memory_.naming = id;
     memory_.typed = buffer.data();
   }
   if (!ImGui::IsItemDeactivated()) return false;
-  memory_.naming = 0;
+  memory_.naming.clear();
   // Escape has put the old text back by now.
   if (!ImGui::IsItemDeactivatedAfterEdit() || value == buffer.data()) return false;
   value = buffer.data();

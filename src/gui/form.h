@@ -12,12 +12,14 @@ namespace raywalk {
 
 /// What a form remembers between frames.
 struct FormMemory {
-  unsigned edited = 0;   ///< ImGui's id of the field whose edits continue each other; 0: none
-  unsigned naming = 0;   ///< the text field being typed in
-  std::string typed;     ///< what stands in it
-  unsigned number = 0;   ///< the field of a number being typed in
-  unsigned refused = 0;  ///< the field whose last input was refused; 0: none
-  std::string why;       ///< what is said below it
+  // Fields by their names; empty: none. (Not by ImGui's ids: to ask for one keeps it alive, and then a group, which a
+  // number with buttons is, does not find its own.)
+  std::string edited;   ///< whose edits continue each other
+  std::string naming;   ///< the text field being typed in
+  std::string typed;    ///< what stands in it
+  std::string number;   ///< the field of a number being typed in
+  std::string refused;  ///< whose last input was refused
+  std::string why;      ///< what is said below it
 };
 
 /// The words beside a field, and what they mean.

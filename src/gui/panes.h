@@ -52,6 +52,7 @@ class PropertiesPane {
 
  private:
   FormMemory memory_;
+  Target shown_;  ///< whose fields the memory speaks of
   bool focus_field_ = false;
 };
 

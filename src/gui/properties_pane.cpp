@@ -205,6 +205,7 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
     // Fields of different things are different fields, although they look alike.
     ImGui::PushID(static_cast<int>(target.kind));
     ImGui::PushID(target.index);
+    if (std::exchange(shown_, target) != target) memory_ = {};
     Form form(ui, memory_, width);
     // First the pane, a frame later its field: newer versions of ImGui look for the field only where the focus is.
     if (std::exchange(focus_field_, false)) form.focus_next();

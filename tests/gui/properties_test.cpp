@@ -185,4 +185,11 @@ TEST_CASE("lights, the camera and the scene have properties") {
   CHECK(bench.state.scene().background.x == 0.5);
   type_into(bench, field(TextId::threshold), "0.01");
   CHECK(bench.state.scene().limits.threshold == 0.01);
+  // Whole numbers have buttons beside them, and what is typed takes the place of what stood there.
+  type_into(bench, field(TextId::depth_limit), "12");
+  CHECK(bench.state.scene().limits.depth == 12);
+  type_into(bench, field(TextId::screen_cells), "33");
+  CHECK(bench.state.scene().camera.screen.cells == 33);
+  type_into(bench, field(TextId::depth_limit), "0");
+  CHECK(bench.state.scene().limits.depth == 12);
 }

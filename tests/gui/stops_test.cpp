@@ -99,4 +99,12 @@ TEST_CASE("the popup goes to a step and sets conditions") {
   CHECK(bench.state.breakpoints.total_internal_reflection);
   bench.click("remove-breakpoints");
   CHECK_FALSE(bench.state.breakpoints.any());
+  bench.key(GLFW_KEY_ESCAPE);
+  bench.frames(2);
+  bench.key(GLFW_KEY_J);
+  bench.frames(3);
+  REQUIRE(bench.has("breakpoints-popup"));
+  bench.type("100");
+  bench.enter();
+  CHECK(bench.state.position == 100);
 }
