@@ -48,7 +48,7 @@ try() {
     fi
   elif ! "$work/$name/numbers" suite "$rays" >>"$work/$name.log" 2>&1; then
     verdict "$name" "the hard-case suite broke: see $work/$name.log"
-  elif ! ctest --test-dir "$work/$name" -R "$floors" --output-on-failure >>"$work/$name.log" 2>&1; then
+  elif ! ctest --test-dir "$work/$name" -R "$floors" -j "$(nproc)" --output-on-failure >>"$work/$name.log" 2>&1; then
     verdict "$name" "a test failed: see $work/$name.log"
   elif ! "$work/$name/numbers" pictures "$root"/scenes/*.toml "$root"/scenes/hard/*.toml >"$work/$name.sums"; then
     verdict "$name" "a scene could not be rendered"
