@@ -1,5 +1,6 @@
 // What accuracy costs in this scene: knobs, error against cost, and two pictures side by side.
 
+#include "gui/broken_lines.h"
 #include "gui/choices.h"
 #include "gui/live_costs.h"
 #include "gui/painter.h"
@@ -46,8 +47,12 @@ void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
 void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
   const ImageSize extent = picture.costs->size();
   if (picture.cost_texture == 0 || extent.width == 0) return;
-  const float line = line_height(ui.fonts, *ui.fonts.small);
-  const float legend = line + ui.px(4);
+  const CostState& cost = ui.state.cost;
+  const std::string right = cost.against < 0 ? ui.say(WindowText::cost_reference) : "B";
+  const std::string difference = broken_lines(
+      ui.say(CostText::difference, {right, number_text(picture.costs->largest(), ui.state.language)}), room.width);
+  const bool differs = cost.picture == CostPicture::difference;
+  const float legend = ImGui::CalcTextSize(differs ? difference.c_str() : "A").y + ui.px(4);
   const float scale = std::min(room.width / static_cast<float>(extent.width),
                                (room.height - legend) / static_cast<float>(extent.height));
   if (scale <= 0) return;
@@ -56,14 +61,10 @@ void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddImage((ImTextureID)picture.cost_texture, corner(image), opposite(image));
   ui.publish("cost-picture", image);
-  const CostState& cost = ui.state.cost;
-  const std::string right = cost.against < 0 ? ui.say(WindowText::cost_reference) : "B";
   const ImU32 ink = to_imgui(ui.colours.text);
   const float y = image.bottom() + ui.px(3);
-  if (cost.picture == CostPicture::difference) {
-    const std::string what =
-        ui.say(CostText::difference, {right, number_text(picture.costs->largest(), ui.state.language)});
-    draw.AddText({image.x, y}, ink, shortened(what, room.width).c_str());
+  if (differs) {
+    draw.AddText({image.x, y}, ink, difference.c_str());
   } else {
     const float border = image.x + static_cast<float>(cost.split) * image.width;
     draw.AddLine({border, image.y}, {border, image.bottom()}, IM_COL32(0, 0, 0, 255), ui.px(3));
@@ -137,7 +138,6 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
 void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   if (picture.costs == nullptr) return;
   push_font(ui.fonts.small);
-  const float line = line_height(ui.fonts, *ui.fonts.small);
   const study::Workbench& bench = picture.costs->bench();
   const CostFindings findings{bench.attempts(), bench.floor(), bench.reference_samples()};
 
@@ -154,7 +154,13 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   row.add(Command::cost_kind);
   row.add(Command::cost_forget);
 
-  const float text_height = 2 * line + ui.px(6), gap = ui.px(8);
+  const std::string chosen = broken_lines("A: " + attempt_text(ui.state, findings, ui.state.cost.chosen), where.width);
+  const std::string other =
+      broken_lines(ui.state.cost.against < 0 ? reference_text(findings, ui.state.language)
+                                             : "B: " + attempt_text(ui.state, findings, ui.state.cost.against),
+                   where.width);
+  const auto height_of = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).y; };
+  const float text_height = height_of(chosen) + height_of(other) + ui.px(6), gap = ui.px(8);
   Rect body{where.x, row.bottom() + gap, where.width, where.bottom() - row.bottom() - text_height - 2 * gap};
   if (ui.state.cost.tried.empty()) {
     ImGui::SetCursorScreenPos({where.x, body.y});
@@ -178,11 +184,9 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
 
   const float y = where.bottom() - text_height;
   ImGui::SetCursorScreenPos({where.x, y});
-  label(ui.colours.text, shortened("A: " + attempt_text(ui.state, findings, ui.state.cost.chosen), where.width));
-  ImGui::SetCursorScreenPos({where.x, y + line});
-  const std::string other = ui.state.cost.against < 0 ? reference_text(findings, ui.state.language)
-                                                      : "B: " + attempt_text(ui.state, findings, ui.state.cost.against);
-  label(ui.colours.dim_text, shortened(other, where.width));
+  label(ui.colours.text, chosen);
+  ImGui::SetCursorScreenPos({where.x, y + height_of(chosen)});
+  label(ui.colours.dim_text, other);
   pop_font();
 }
 

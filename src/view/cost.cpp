@@ -180,7 +180,7 @@ std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left,
     largest = std::max(largest, differences[i]);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const auto colour = heat_colour(largest > 0 ? differences[i] / largest : 0);
+    const auto colour = heat_colour(largest > 0 ? std::sqrt(differences[i] / largest) : 0);
     std::copy(colour.begin(), colour.end(), rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
   }
   return rgba;

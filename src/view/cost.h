@@ -113,7 +113,8 @@ struct CostPlot {
 [[nodiscard]] std::string reference_text(const CostFindings& findings, Language language);
 
 /// The pictures as they are to be shown, width * height pixels of four bytes. `right` of another size (there is none
-/// yet) is left out. `largest`: for a difference, what the last colour stands for.
+/// yet) is left out. `largest`: for a difference, what the last colour stands for; a quarter of it has
+/// the middle one, so that small differences are seen too.
 [[nodiscard]] std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right,
                                                      Encoding encoding, double& largest);
 
@@ -143,6 +144,8 @@ enum class CostText {
   rays_axis,
   tests_axis,
   floor,
+  key_rays,  ///< what the bars of an effect are
+  key_time,
   difference,  ///< {0} what from, {1} the largest
   effects_title,
   no_effects,

@@ -53,6 +53,10 @@ std::string_view english(CostText id) {
       return "tests of boxes, cells and surfaces";
     case CostText::floor:
       return "the reference's own error";
+    case CostText::key_rays:
+      return "of the rays";
+    case CostText::key_time:
+      return "of the time";
     case CostText::difference:
       return "A to {0}, largest difference {1}";
     case CostText::effects_title:

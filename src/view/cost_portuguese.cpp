@@ -55,6 +55,10 @@ std::string_view portuguese(CostText id) {
       return "testes de caixas, células e superfícies";
     case CostText::floor:
       return "o erro da própria referência";
+    case CostText::key_rays:
+      return "dos raios";
+    case CostText::key_time:
+      return "do tempo";
     case CostText::difference:
       return "A para {0}, maior diferença {1}";
     case CostText::effects_title:

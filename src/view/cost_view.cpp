@@ -34,9 +34,16 @@ class LogScale {
   [[nodiscard]] double part(double value) const { return (std::log10(value) - low_) / (high_ - low_); }
   /// 1, 2, 5 of each decade where there are few, else the decades, no more than `most`.
   [[nodiscard]] std::vector<double> ticks(int most) const {
+    const double span = high_ - low_;
+    if (span * 3 > most)
+      if (std::vector<double> decades = ticks(most, false); decades.size() >= 2) return decades;
+    return ticks(most, true);  // one number makes no scale
+  }
+
+ private:
+  [[nodiscard]] std::vector<double> ticks(int most, bool fine) const {
     std::vector<double> all;
     const double span = high_ - low_;
-    const bool fine = span * 3 <= most;
     const int stride = std::max(1, static_cast<int>(std::ceil(span / most)));
     for (int decade = static_cast<int>(std::floor(low_)); decade <= static_cast<int>(std::ceil(high_)); ++decade)
       for (const double digit : {1.0, 2.0, 5.0}) {
@@ -47,7 +54,6 @@ class LogScale {
     return all;
   }
 
- private:
   double low_ = 1e300, high_ = -1e300;
 };
 
@@ -58,8 +64,8 @@ std::string tick_text(double value, Language language) {
   if (value >= 0.999e9) return short_text(value / 1e9, " G");
   if (value >= 0.999e6) return short_text(value / 1e6, " M");
   if (value >= 0.999e3) return short_text(value / 1e3, " k");
-  if (value >= 0.999e-3) return short_text(value, "");
-  return fmt::format("{:.0e}", value);
+  if (value >= 0.999e-4) return short_text(value, "");
+  return typeset_number(fmt::format("{:.0e}", value), language);
 }
 
 TextItem words(const Vec2d& at, std::string what, double size, Colour colour, TextAnchor anchor) {

@@ -50,7 +50,8 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
   DisplayList list;
   if (!survey) return list;
   const Palette& colours = palette(state.theme);
-  const double letters = 15 * unit, line = 1.2 * unit;
+  double letters = 15 * unit;
+  const double line = 1.2 * unit;
   const auto write = [&](const Vec2d& at, const std::string& what, Colour colour, TextAnchor anchor) {
     list.push_back({TextItem{at, what, letters, colour, anchor}});
   };
@@ -70,19 +71,39 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     y += 1.2 * letters;
   }
 
-  double name_width = 0;
-  for (const BarRow& row : rows) name_width = std::max(name_width, text_width(row.name, letters));
+  const auto percent = [&](double share) { return whole_percent(share, state.language); };
   const std::string longest = fill(CostText::of_time, state.language, {"100%", "100%", "100%"});
-  const double left = name_width + letters, label_width = text_width(longest, letters) + letters;
-  const double room = width - left - label_width;
-  // Without room beside them the labels stand over the bars; where there is none above them either, names and bars
-  // alone are left: the panel's text has the numbers.
-  const bool beside = room > 4 * letters;
-  const double full = beside ? room : std::max(width - left, letters);
-  const double needed = beside ? 3.0 * letters : 4.8 * letters;
-  const double row_height = std::min(needed, (height - y) / std::max<double>(1, static_cast<double>(rows.size())));
-  const bool labelled = beside || row_height > 4.4 * letters;
-  const double thick = std::min(0.8 * letters, row_height * (beside ? 0.32 : 0.2));
+  const auto names_width = [&] {
+    double widest = 0;
+    for (const BarRow& row : rows) widest = std::max(widest, text_width(row.name, letters));
+    return widest;
+  };
+  const auto room_beside = [&](const std::string& words) {
+    return width - names_width() - 2.2 * letters - text_width(words, letters);
+  };
+  // Where the room does not allow words, the numbers alone stand beside the bars, and a line above says what is what.
+  const bool in_words = room_beside(longest) > 4 * letters;
+  if (!in_words && !rows.empty()) {
+    double x = 0;
+    for (const bool filled : {true, false}) {
+      const Vec2d low(x, y - 0.3 * letters), high(x + letters, y + 0.3 * letters);
+      list.push_back({PolygonItem{{low, {high.x, low.y}, high, {low.x, high.y}},
+                                  filled ? std::optional(colours.selected) : std::nullopt,
+                                  Stroke{filled ? colours.selected : colours.ink, 1.5 * line}}});
+      const std::string words(text(filled ? CostText::key_rays : CostText::key_time, state.language));
+      write({high.x + 0.4 * letters, y}, words, colours.text, TextAnchor::start);
+      x = high.x + 1.6 * letters + text_width(words, letters);
+    }
+    y += 1.5 * letters;
+  }
+  const double row_height =
+      std::min(3.0 * letters, (height - y) / std::max<double>(1, static_cast<double>(rows.size())));
+  // Many rows: smaller letters; where even those do not fit one above the other, one number stands for both bars.
+  letters = std::clamp(row_height / 1.2, 0.6 * letters, letters);
+  const bool apart = row_height > 2.3 * letters;
+  const double name_width = names_width(), left = name_width + letters;
+  const double full = std::max(room_beside(in_words ? longest : apart ? "100%" : "100% \u00b7 100%"), letters);
+  const double thick = std::min(0.8 * letters, row_height * 0.32);
 
   const double first = y;
   double last = y;
@@ -92,41 +113,44 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     const std::vector<Vec2d> corners{{left, top}, {right, top}, {right, top + thick}, {left, top + thick}};
     // Rays are a full bar, time an open one: told apart without colour.
     list.push_back({PolygonItem{corners, filled ? std::optional(colours.selected) : std::nullopt,
-                                Stroke{filled ? colours.selected : colours.ink, 1.5 * line}}});
+                                Stroke{filled ? colours.selected : colours.ink, std::min(1.5 * line, thick / 4)}}});
     return right;
   };
-  const auto label = [&](double top, double right, const std::string& what) {
-    if (!labelled) return;
-    if (beside)
-      write({right + 0.6 * letters, top + thick / 2}, what, colours.text, TextAnchor::start);
-    else
-      write({left, top - 0.6 * letters}, what, colours.text, TextAnchor::start);
+  const auto label = [&](double middle, double right, const std::string& what) {
+    write({right + 0.6 * letters, middle}, what, colours.text, TextAnchor::start);
   };
   for (const BarRow& row : rows) {
     const double step = row_height * 0.45;
-    double top = y + (beside ? 0 : 0.6 * letters);
+    double top = y;
     const double lowest = row.effect != nullptr ? top + step + thick : top + thick;
-    write({name_width, (top + lowest) / 2}, row.name, colours.text, TextAnchor::end);
-    label(top, bar(top, row.rays, true),
-          fill(CostText::of_rays, state.language, {whole_percent(row.rays, state.language)}));
+    const double centre = (top + lowest) / 2;
+    write({name_width, centre}, row.name, colours.text, TextAnchor::end);
+    double right = bar(top, row.rays, true);
+    if (apart || row.effect == nullptr)
+      label(top + thick / 2, right,
+            in_words && apart ? fill(CostText::of_rays, state.language, {percent(row.rays)}) : percent(row.rays));
     if (row.effect != nullptr) {
       top += step;
       const study::EffectCost& effect = *row.effect;
-      double right = bar(top, effect.seconds_share, false);
+      const double of_time = bar(top, effect.seconds_share, false);
+      right = apart ? of_time : std::max(right, of_time);
       const auto x_of = [&](double share) { return left + std::clamp(share, 0.0, 1.0) * full; };
       const double low = x_of(effect.seconds_low), high = x_of(effect.seconds_high), middle = top + thick / 2;
       if (high > low) {
-        const Stroke whisker{colours.ink, 1.5 * line};
+        const Stroke whisker{colours.ink, std::min(1.5 * line, thick / 4)};
         list.push_back({LineItem{{low, middle}, {high, middle}, whisker}});
         for (const double x : {low, high})
-          list.push_back({LineItem{{x, middle - thick / 3}, {x, middle + thick / 3}, whisker}});
+          list.push_back({LineItem{{x, middle - thick / 2}, {x, middle + thick / 2}, whisker}});
         right = std::max(right, high);
       }
-      label(
-          top, right,
-          fill(CostText::of_time, state.language,
-               {whole_percent(effect.seconds_share, state.language), whole_percent(effect.seconds_low, state.language),
-                whole_percent(effect.seconds_high, state.language)}));
+      const std::string time = percent(effect.seconds_share);
+      if (!apart)
+        label(centre, right, percent(row.rays) + " \u00b7 " + time);
+      else
+        label(middle, right,
+              in_words ? fill(CostText::of_time, state.language,
+                              {time, percent(effect.seconds_low), percent(effect.seconds_high)})
+                       : time);
     }
     y += row_height;
   }

@@ -42,6 +42,7 @@ class Drawing {
     draw_leaving(specimen_.naive, true);
     draw_scale();  // before the labels, which keep off it
     draw_marks();
+    draw_factor();
     return std::move(painter_.list);
   }
 
@@ -73,6 +74,7 @@ class Drawing {
   void draw_leaving(const std::optional<Reading>& reading, bool naive);
   void draw_marks();
   void draw_scale();
+  void draw_factor();
   void draw_sign(const Mark& mark);
   void point_at(const Mark& mark);
   void label(const Vec2d& at, double clear, const std::string& words);
@@ -303,7 +305,7 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
   painter_.note(*best, words);
 }
 
-/// How long something is, in the lower left corner; by how much it is magnified, in the upper one.
+/// How long something is, in the lower left corner.
 void Drawing::draw_scale() {
   const double size = painter_.sizes.text;
   const double cells = specimen_.ulp * scale_;
@@ -342,9 +344,17 @@ void Drawing::draw_scale() {
   for (const double end : {0.0, bar})
     painter_.add(LineItem{at + Vec2d(end, -4 * unit_), at + Vec2d(end, 4 * unit_), stroke});
   painter_.add(TextItem{at + Vec2d(0, -0.95 * size), words, size, painter_.colours.text, TextAnchor::start});
+}
+
+/// By how much it is magnified, in the upper left corner where nothing else is.
+void Drawing::draw_factor() {
+  const double size = painter_.sizes.text;
   const std::string factor =
       magnification_text(magnification(painter_.state, specimen_, painter_.viewport), painter_.state.language);
-  painter_.note({12 * unit_ + text_width(factor, size) / 2, 0.9 * size + 4 * unit_}, factor);
+  const Vec2d half(text_width(factor, size) / 2 + 0.2 * size, 0.6 * size);
+  const Vec2d at(12 * unit_ + half.x, 0.9 * size + 4 * unit_);
+  const auto covers = [&](const detail::Box& kept) { return kept.overlap({at - half, at + half}) > 0; };
+  if (std::none_of(painter_.kept_free.begin(), painter_.kept_free.end(), covers)) painter_.note(at, factor);
 }
 
 }  // namespace
