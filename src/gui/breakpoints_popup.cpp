@@ -41,7 +41,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   Form form(ui, memory_, width);
   int step = state.position;
   if (open) form.focus_next();
-  if (form.whole(WindowText::go_to_step, step, 0, state.timeline->steps())) ui.act(action::Jump{step});
+  if (form.whole(WindowText::go_to_step, step, 0, state.timeline->steps(), true)) ui.act(action::Jump{step});
 
   form.heading(WindowText::breakpoints);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);

@@ -151,6 +151,7 @@ void Browser::kinds(const Ui& ui) {
                chosen == each.kind))
       typed_ = fs::path(typed_).replace_extension(each.ending).string();
   }
+  label(ui.colours.dim_text, chosen ? ui.say(words(*chosen).hint) : std::string(" "));
 }
 
 void Browser::draw(const Ui& ui, const std::string& home) {
@@ -185,7 +186,7 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   const bool complains = ui.state.notice && ui.state.notice->kind == Notice::Kind::error;
   const float message = complains ? 3 * ImGui::GetFontSize() : 0;
   const bool exports = asking_ == PathPrompt::export_walk;
-  entries(ui, std::max(ImGui::GetContentRegionAvail().y - (exports ? 3 : 2) * (line + gap) - message, ui.px(40)));
+  entries(ui, std::max(ImGui::GetContentRegionAvail().y - (exports ? 4 : 2) * (line + gap) - message, ui.px(40)));
   if (exports) kinds(ui);
   if (complains) paragraph(ui.colours.error, ui.state.notice->text);
 

@@ -1,5 +1,6 @@
 #include "gui/form.h"
 
+#include "gui/broken_lines.h"
 #include "gui/widgets.h"
 #include "gui/window_text.h"
 #include "io/srgb.h"
@@ -90,8 +91,16 @@ void Form::after_field(const std::string& field, bool refused, double least, dou
 
 void Form::end_row() {
   if (!refused_in_row_) return;
-  paragraph(ui_.colours.error, memory_.why);
-  ui_.publish(name_ + "/refused");
+  // Over the rows below and not between them: what moves away under the pointer cannot be clicked.
+  const float pad = ui_.px(6);
+  const std::string words = broken_lines(memory_.why, width_ - 2 * pad);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), extent = ImGui::CalcTextSize(words.c_str());
+  const Rect where{at.x, at.y, width_, extent.y + 2 * pad};
+  ImDrawList& draw = *ImGui::GetForegroundDrawList();
+  draw.AddRectFilled(corner(where), opposite(where), to_imgui(ui_.colours.panel), ui_.px(4));
+  draw.AddRect(corner(where), opposite(where), to_imgui(ui_.colours.error), ui_.px(4));
+  draw.AddText({at.x + pad, at.y + pad}, to_imgui(ui_.colours.error), words.c_str());
+  ui_.publish(name_ + "/refused", where);
 }
 
 bool Form::changed(bool now, const std::string& field) {
@@ -127,12 +136,14 @@ bool Form::number(const FormLabel& of, double& value, double step, double least,
   return now;
 }
 
-bool Form::whole(const FormLabel& of, int& value, int least, int most) {
+bool Form::whole(const FormLabel& of, int& value, int least, int most, bool at_enter) {
   row(of);
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);
   int next = value;
-  const bool now = ImGui::InputInt(id.c_str(), &next, 1, 100, ImGuiInputTextFlags_AutoSelectAll);
+  const bool now =
+      ImGui::InputInt(id.c_str(), &next, 1, 100,
+                      ImGuiInputTextFlags_AutoSelectAll | (at_enter ? ImGuiInputTextFlags_EnterReturnsTrue : 0));
   const bool good = next >= least && next <= most;
   ui_.publish(name_);
   if (now && good) value = next;

@@ -51,7 +51,8 @@ class Form {
   void heading(const FormLabel& label);
   /// `step`: change for each unit of dragging.
   bool number(const FormLabel& label, double& value, double step, double least, double most);
-  bool whole(const FormLabel& label, int& value, int least, int most);
+  /// `at_enter`: what is typed counts when it is finished, not digit by digit.
+  bool whole(const FormLabel& label, int& value, int least, int most, bool at_enter = false);
   /// x, y and z, or the first `count` of them.
   bool vector(const FormLabel& label, double* values, int count, double step, double least = -1e6);
   /// Linear RGB as three numbers, and a field of its colour that opens a palette.

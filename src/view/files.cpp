@@ -34,6 +34,9 @@ void carry_out(State& state, Intent intent, const std::string& path) {
     case Intent::lesson:
       forget_autosave(state);
       return begin_lesson(state, path);
+    case Intent::leave_lesson:
+      forget_autosave(state);
+      return end_lesson(state);
     case Intent::quit:
       forget_autosave(state);
       state.quit = true;

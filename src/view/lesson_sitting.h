@@ -7,10 +7,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
+
+enum class Mode;  // view/state.h
 
 /// A lesson of the list.
 struct LessonEntry {
@@ -41,6 +45,7 @@ struct LessonGuess {
 struct OwnScene {
   SceneDocument document;
   std::string path;  ///< empty: never saved
+  Mode mode{};
 };
 
 struct LessonSitting {
@@ -53,11 +58,12 @@ struct LessonSitting {
   int first_pixel = 0;                  ///< of the strip: rays of those before would only stand in the way
   bool revealed = false;                ///< the answer of this step stands there
   LessonGuess guess;
-  std::vector<int> hands;                        ///< of a class, for each choice of this step
-  int right = 0, judged = 0;                     ///< predictions of this sitting
-  bool presenter = false;                        ///< script and teacher's notes are shown
-  bool unlocked = false;                         ///< any lesson may be opened, and no question stands in the way
-  std::map<std::string, int, std::less<>> done;  ///< how many steps of each lesson have been finished
+  std::vector<int> hands;                         ///< of a class, for each choice of this step
+  int right = 0, judged = 0;                      ///< predictions of this sitting, of each question the first
+  std::set<std::pair<std::string, int>> counted;  ///< lessons and steps whose questions these are
+  bool presenter = false;                         ///< script and teacher's notes are shown
+  bool unlocked = false;                          ///< any lesson may be opened, and no question stands in the way
+  std::map<std::string, int, std::less<>> done;   ///< how many steps of each lesson have been finished
 
   [[nodiscard]] const PlayedStep* at() const {
     return open && step < static_cast<int>(open->played.steps.size())

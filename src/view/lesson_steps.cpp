@@ -120,13 +120,14 @@ void begin_lesson(State& state, const std::string& name) {
   LessonSitting& sitting = state.lessons;
   auto lesson = read_lesson(sitting.folder + "/" + name);
   if (!lesson) return complain(state, lesson.error().text());
+  const Mode mode = state.mode;
   const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
   opened->played = play_lesson(opened->lesson, sitting.scenes_folder);
   if (opened->played.steps.empty())
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
   if (!sitting.open && !state.saved.objects.empty()) {
     // What is unsaved was asked about, and given up.
-    OwnScene own{state.document, state.path};
+    OwnScene own{state.document, state.path, mode};
     own.document.scene = state.saved;
     sitting.own = std::make_shared<const OwnScene>(std::move(own));
   }
@@ -158,13 +159,15 @@ void close_lesson(State& state) {
 }
 
 void leave_lesson(State& state) {
+  if (state.lessons.open) ask_or_do(state, Intent::leave_lesson, {});
+}
+
+void end_lesson(State& state) {
   const std::shared_ptr<const OwnScene> own = state.lessons.own;
   close_lesson(state);
   if (!own) return;
-  // Whoever made something of the lesson's scene keeps it.
-  if (state.dirty || !state.path.empty())
-    return inform(state, std::string(text(LessonWord::scene_kept, state.language)));
   show_document(state, own->document, own->path);
+  state.mode = own->mode;
 }
 
 void go_to_lesson_step(State& state, int step) {
@@ -214,7 +217,8 @@ void reveal_lesson(State& state) {
   LessonSitting& sitting = state.lessons;
   if (!lesson_panel(state).can_reveal) return;
   sitting.revealed = true;
-  if (const auto verdict = judge(sitting)) {
+  const bool is_first = sitting.counted.emplace(sitting.open->lesson.name, sitting.step).second;
+  if (const auto verdict = judge(sitting); verdict && is_first) {
     ++sitting.judged;
     sitting.right += verdict->right ? 1 : 0;
   }

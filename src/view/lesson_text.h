@@ -36,7 +36,6 @@ enum class LessonWord {
   sources,
   hand_more,
   hand_less,
-  scene_kept,  ///< said when a lesson is left whose scene was changed
   close,
 };
 

@@ -64,8 +64,6 @@ std::string_view english(LessonWord word) {
       return "One hand more";
     case LessonWord::hand_less:
       return "One hand less";
-    case LessonWord::scene_kept:
-      return "You changed the lesson's scene, so it stays; Save as keeps it.";
     case LessonWord::close:
       return "Close the lesson: your own scene comes back";
     case LessonWord::score:

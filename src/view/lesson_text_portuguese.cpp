@@ -64,8 +64,6 @@ std::string_view portuguese(LessonWord word) {
       return "Mais uma mão";
     case LessonWord::hand_less:
       return "Menos uma mão";
-    case LessonWord::scene_kept:
-      return "A cena da lição foi alterada e por isso fica; Salvar como a guarda.";
     case LessonWord::close:
       return "Fechar a lição: a sua cena volta";
     case LessonWord::score:

@@ -78,7 +78,7 @@ struct Notice {
 };
 
 /// What was asked for while there was unsaved work.
-enum class Intent { new_scene, open, lesson, quit };
+enum class Intent { new_scene, open, lesson, leave_lesson, quit };
 
 /// A path that the window has to ask for; answered by the action of that name, or taken back by CancelPrompt.
 enum class PathPrompt { none, open, save_as, save_predictions, export_walk };

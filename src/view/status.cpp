@@ -220,6 +220,9 @@ QuestionPanel question_panel(const State& state) {
         case Intent::open:
           panel.text = fill(TextId::ask_unsaved_open, state.language, {file, question.path});
           break;
+        case Intent::leave_lesson:
+          panel.text = str(state, TextId::ask_unsaved_lesson);
+          break;
         case Intent::quit:
           panel.text = fill(TextId::ask_unsaved_quit, state.language, {file});
           break;

@@ -115,9 +115,10 @@ enum class TextId {
   answer_later,
   answer_overwrite,
   answer_cancel,
-  ask_unsaved_new,    ///< {0} file
-  ask_unsaved_open,   ///< {0} file, {1} the file to open
-  ask_unsaved_quit,   ///< {0} file
+  ask_unsaved_new,   ///< {0} file
+  ask_unsaved_open,  ///< {0} file, {1} the file to open
+  ask_unsaved_quit,  ///< {0} file
+  ask_unsaved_lesson,
   ask_recover,        ///< {0} file, {1} when
   ask_recover_other,  ///< {0} file, {1} when, {2} the file that is open now
   ask_overwrite,      ///< {0} file

@@ -160,6 +160,8 @@ std::string_view english(TextId id) {
       return "{0} has changes that are not saved. Save them before opening {1}?";
     case TextId::ask_unsaved_quit:
       return "{0} has changes that are not saved. Save them before leaving?";
+    case TextId::ask_unsaved_lesson:
+      return "You changed the lesson's scene. Save it as a scene of your own before yours comes back?";
     case TextId::ask_recover:
       return "Raywalk ended on {1} before the changes to {0} were saved. Recover them? Later asks again at the next "
              "start.";

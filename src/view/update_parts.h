@@ -117,7 +117,9 @@ void open_lesson(State& state, const std::string& name);
 void begin_lesson(State& state, const std::string& name);
 /// Back to the list, and to the scene that was open before.
 void leave_lesson(State& state);
-/// The same, where another scene takes its place.
+/// The same, now that nothing unsaved stands in its way.
+void end_lesson(State& state);
+/// Back to the list, where another scene is about to take the lesson's place.
 void close_lesson(State& state);
 void go_to_lesson_step(State& state, int step);
 void guess_choice(State& state, int choice);

@@ -108,6 +108,7 @@ TEST_CASE("the popup's key puts the keyboard into the step to go to") {
   bench.frames(4);
   REQUIRE(bench.has("breakpoints-popup"));
   bench.type("100");
+  CHECK(bench.state.position == 20);
   bench.enter();
   CHECK(bench.state.position == 100);
 }

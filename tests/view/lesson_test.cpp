@@ -13,7 +13,6 @@
 
 using namespace raywalk;
 using raywalk::test::make_dirty;
-using raywalk::test::TemporaryFolder;
 
 namespace {
 
@@ -61,59 +60,6 @@ TEST_CASE("a locked lesson opens when the one before is done, or when a teacher 
   update(state, action::SetLanguage{Language::portuguese});
   CHECK(lesson_panel(state).rows[12].title == "De Whitted ao traçado de caminhos");
   CHECK_FALSE(lesson_panel(state).rows[12].locked);
-}
-
-TEST_CASE("whoever leaves a lesson has the scene back that was open before") {
-  const TemporaryFolder folder;
-  State state = with_lessons();
-  update(state, action::New{});
-  make_dirty(state);
-  update(state, action::SaveAs{folder.file("mine.toml")});
-  const Scene mine = state.scene();
-  const std::string first = state.lessons.list[0].name;
-  update(state, action::OpenLesson{first});
-  REQUIRE(state.lessons.at() != nullptr);
-  REQUIRE(state.scene() != mine);
-
-  SECTION("as it was") {
-    update(state, action::LeaveLesson{});
-    CHECK(state.scene() == mine);
-    CHECK(state.path == folder.file("mine.toml"));
-    CHECK_FALSE(state.dirty);
-  }
-  SECTION("after another lesson too") {
-    state.lessons.unlocked = true;
-    update(state, action::OpenLesson{state.lessons.list[4].name});
-    update(state, action::LeaveLesson{});
-    CHECK(state.scene() == mine);
-  }
-  SECTION("without what was given up before the lesson") {
-    update(state, action::LeaveLesson{});
-    make_dirty(state);
-    update(state, action::OpenLesson{first});
-    REQUIRE(state.question.has_value());
-    update(state, action::AnswerQuestion{action::Answer::discard});
-    REQUIRE(state.lessons.at() != nullptr);
-    update(state, action::LeaveLesson{});
-    CHECK(state.scene() == mine);
-    CHECK_FALSE(state.dirty);
-  }
-  SECTION("unless the lesson's scene was changed: that is kept") {
-    make_dirty(state);
-    const Scene changed = state.scene();
-    update(state, action::LeaveLesson{});
-    CHECK(state.scene() == changed);
-    CHECK(state.dirty);
-    REQUIRE(state.notice.has_value());
-    CHECK(state.notice->text == text(LessonWord::scene_kept, Language::english));
-  }
-  SECTION("unless another scene was opened: that is where one is") {
-    update(state, action::New{});
-    CHECK(state.lessons.at() == nullptr);
-    const Scene other = state.scene();
-    update(state, action::LeaveLesson{});
-    CHECK(state.scene() == other);
-  }
 }
 
 TEST_CASE("a question holds a student until it is answered, and shows then where its line leads") {

@@ -1,0 +1,96 @@
+// What a lesson gives back.
+#include "view/lesson_panel.h"
+
+#include <string>
+
+#include "fixtures.h"
+#include "support/catch.h"
+#include "view/action.h"
+
+using namespace raywalk;
+using raywalk::test::make_dirty;
+using raywalk::test::TemporaryFolder;
+
+namespace {
+
+const std::string root = RAYWALK_SOURCE_DIR;
+
+}  // namespace
+
+TEST_CASE("whoever leaves a lesson has the scene back that was open before") {
+  const TemporaryFolder folder;
+  State state = make_state(read_scene(root + "/scenes/classic.toml").value());
+  state.lessons.folder = root + "/lessons";
+  state.lessons.scenes_folder = root + "/scenes";
+  update(state, action::ShowLessons{true});
+  update(state, action::New{});
+  make_dirty(state);
+  update(state, action::SaveAs{folder.file("mine.toml")});
+  const Scene mine = state.scene();
+  const std::string first = state.lessons.list[0].name;
+  update(state, action::OpenLesson{first});
+  REQUIRE(state.lessons.at() != nullptr);
+  REQUIRE(state.scene() != mine);
+
+  SECTION("as it was") {
+    update(state, action::LeaveLesson{});
+    CHECK(state.scene() == mine);
+    CHECK(state.path == folder.file("mine.toml"));
+    CHECK_FALSE(state.dirty);
+    CHECK(state.mode == Mode::move);
+  }
+  SECTION("after another lesson too") {
+    state.lessons.unlocked = true;
+    update(state, action::OpenLesson{state.lessons.list[4].name});
+    update(state, action::LeaveLesson{});
+    CHECK(state.scene() == mine);
+  }
+  SECTION("without what was given up before the lesson") {
+    update(state, action::LeaveLesson{});
+    make_dirty(state);
+    update(state, action::OpenLesson{first});
+    REQUIRE(state.question.has_value());
+    update(state, action::AnswerQuestion{action::Answer::discard});
+    REQUIRE(state.lessons.at() != nullptr);
+    update(state, action::LeaveLesson{});
+    CHECK(state.scene() == mine);
+    CHECK_FALSE(state.dirty);
+  }
+  SECTION("asked first, where the lesson's scene was changed") {
+    make_dirty(state);
+    const Scene changed = state.scene();
+    update(state, action::LeaveLesson{});
+    REQUIRE(state.question.has_value());
+    CHECK(state.scene() == changed);
+    update(state, action::AnswerQuestion{action::Answer::cancel});
+    CHECK(state.lessons.at() != nullptr);
+    update(state, action::LeaveLesson{});
+    update(state, action::AnswerQuestion{action::Answer::save});
+    update(state, action::SaveAs{folder.file("theirs.toml")});
+    CHECK(read_scene(folder.file("theirs.toml"))->scene == changed);
+    CHECK(state.lessons.at() == nullptr);
+    CHECK(state.scene() == mine);
+    CHECK_FALSE(state.dirty);
+  }
+  SECTION("unless another scene was opened: that is where one is") {
+    update(state, action::New{});
+    CHECK(state.lessons.at() == nullptr);
+    const Scene other = state.scene();
+    update(state, action::LeaveLesson{});
+    CHECK(state.scene() == other);
+  }
+  SECTION("and its questions count once") {
+    state.lessons.unlocked = true;
+    const auto answer = [&] {
+      while (lesson_panel(state).asks != Asks::choice) update(state, action::GoToLessonStep{lesson_panel(state).step});
+      update(state, action::GuessChoice{0});
+      update(state, action::RevealLesson{});
+    };
+    answer();
+    const int step = state.lessons.step;
+    update(state, action::GoToLessonStep{step});
+    answer();
+    CHECK(state.lessons.step == step);
+    CHECK(state.lessons.judged == 1);
+  }
+}
