@@ -114,7 +114,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     paragraph(ui.colours.text, open ? panel.heading : ui.say(LessonWord::lessons));
     pop_font();
 
-    const float foot = 2 * height + ui.px(26);
+    const float foot = open ? 2 * height + ui.px(26) : height + ui.px(18);
     const float top = ImGui::GetCursorScreenPos().y;
     const float room = std::max(where.bottom() - top - foot, 1.0f);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
@@ -222,7 +222,8 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         ui.act(action::GoToLessonStep{panel.step});
       }
     }
-    ImGui::SetCursorScreenPos({left, y + height + gap});
+    const float below = where.bottom() - ui.px(10) - height;
+    ImGui::SetCursorScreenPos({left, below});
     action::SetLessonOptions options{sitting.presenter, sitting.unlocked};
     const ButtonLook small{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
     const float other = (width - gap) / 2;
@@ -231,7 +232,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       options.presenter = !options.presenter;
       ui.act(options);
     }
-    ImGui::SetCursorScreenPos({left + other + gap, y + height + gap});
+    ImGui::SetCursorScreenPos({left + other + gap, below});
     if (button(ui, "lesson-unlock", ui.say(LessonWord::unlock), ui.say(LessonWord::unlock_hint), {other, height}, small,
                sitting.unlocked)) {
       options.unlocked = !options.unlocked;
