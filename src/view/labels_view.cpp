@@ -157,16 +157,18 @@ double mistakable(const Labelled& thing, const std::vector<Body>& bodies, const 
   return std::max(other < enough ? 0.9 * (1 - other / enough) : 0.0, 0.3 * std::max(0.0, 1 - other / crowded));
 }
 
-/// How far from the middle of its thing, in this direction, a label stands clear of it: 0..1 of the way beside the box
-/// around it. A slanted wall's box is mostly empty, so its label may stand nearer.
+/// How far from the middle of its thing, in this direction, a label stands clear of it, as part of the way beside the
+/// box around it. A slanted wall's box is mostly empty, so its label may stand nearer; at a slant the way may be too
+/// short.
 double clear_at(const Labelled& thing, const std::vector<Body>& bodies, const Vec2d& half, const Vec2d& way) {
   if (!thing.body) return 1;
   constexpr int steps = 16;
-  for (int i = 0; i < steps; ++i) {
+  constexpr double most = 1.5;
+  for (int i = 0; i < most * steps; ++i) {
     const double t = static_cast<double>(i) / steps;
     if (covered_by(bodies, thing.body, box_of(thing.at + t * way, half)) == 0) return t;
   }
-  return 1;
+  return most;
 }
 
 /// Middles that a label of this half size can have beside its thing, the best first.
