@@ -125,6 +125,8 @@ TEST_CASE("an object is added, named, moved by a number, removed, and all of it 
   raywalk.key("Return");
   REQUIRE(raywalk.until([](const Json& report) { return report["objects"]["Moon"]["plan"][0] == 3.0; }));
   walk.keep_picture("w4-moon");
+  // The number counted before Enter; the keyboard is the plan's again a frame after it.
+  walk.hand({"sleep", "0.5"});
   raywalk.key("Right");
   REQUIRE(raywalk.until([](const Json& report) { return report["objects"]["Moon"]["plan"][0].get<double>() > 3; }));
   raywalk.key("Delete");
