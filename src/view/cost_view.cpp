@@ -37,7 +37,10 @@ class LogScale {
     const double span = high_ - low_;
     if (span * 3 > most)
       if (std::vector<double> decades = ticks(most, false); decades.size() >= 2) return decades;
-    return ticks(most, true);  // one number makes no scale
+    std::vector<double> all = ticks(most, true);  // one number makes no scale
+    while (static_cast<int>(all.size()) > std::max(most, 2))
+      for (std::size_t i = 1; i < all.size(); ++i) all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+    return all;
   }
 
  private:
