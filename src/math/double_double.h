@@ -24,14 +24,21 @@ struct DoubleDouble {
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-/// a * b exactly, short of over- and underflow. Dekker's splitting: no fused multiply-add is assumed.
+/// a * b exactly, short of over- and underflow: by Dekker's splitting, or by a fused multiply-add where the target has
+/// one. Only such a target can contract, and there neither the split nor the product itself may be fused with anything.
 [[nodiscard]] inline DoubleDouble two_product(double a, double b) {
+#if defined(__FMA__) && defined(__x86_64__)
+  double product = a * b;
+  asm("" : "+x"(product));  // rounded here
+  return {product, std::fma(a, b, -product)};
+#else
   constexpr double splitter = 134217729.0;  // 2^27 + 1
   const double a_big = splitter * a, b_big = splitter * b;
   const double a_hi = a_big - (a_big - a), b_hi = b_big - (b_big - b);
   const double a_lo = a - a_hi, b_lo = b - b_hi;
   const double product = a * b;
   return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
+#endif
 }
 
 [[nodiscard]] inline DoubleDouble operator-(DoubleDouble x) { return {-x.hi, -x.lo}; }
