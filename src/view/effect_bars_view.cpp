@@ -56,6 +56,13 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     list.push_back({TextItem{at, what, letters, colour, anchor}});
   };
 
+  // Rays are a full bar, time an open one: told apart without colour.
+  const auto draw_bar = [&](const Vec2d& low, const Vec2d& high, bool filled, double stroke) {
+    list.push_back({PolygonItem{{low, {high.x, low.y}, high, {low.x, high.y}},
+                                filled ? std::optional(colours.selected) : std::nullopt,
+                                Stroke{filled ? colours.selected : colours.ink, stroke}}});
+  };
+
   std::vector<BarRow> rows;
   for (const study::EffectCost& effect : survey->effects)
     rows.push_back({std::string(text(effect.effect, state.language)), effect.rays_share, &effect});
@@ -87,9 +94,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     double x = 0;
     for (const bool filled : {true, false}) {
       const Vec2d low(x, y - 0.3 * letters), high(x + letters, y + 0.3 * letters);
-      list.push_back({PolygonItem{{low, {high.x, low.y}, high, {low.x, high.y}},
-                                  filled ? std::optional(colours.selected) : std::nullopt,
-                                  Stroke{filled ? colours.selected : colours.ink, 1.5 * line}}});
+      draw_bar(low, high, filled, 1.5 * line);
       const std::string words(text(filled ? CostText::key_rays : CostText::key_time, state.language));
       write({high.x + 0.4 * letters, y}, words, colours.text, TextAnchor::start);
       x = high.x + 1.6 * letters + text_width(words, letters);
@@ -110,10 +115,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
   const auto bar = [&](double top, double share, bool filled) {
     last = top + thick;
     const double right = left + std::clamp(share, 0.0, 1.0) * full;
-    const std::vector<Vec2d> corners{{left, top}, {right, top}, {right, top + thick}, {left, top + thick}};
-    // Rays are a full bar, time an open one: told apart without colour.
-    list.push_back({PolygonItem{corners, filled ? std::optional(colours.selected) : std::nullopt,
-                                Stroke{filled ? colours.selected : colours.ink, std::min(1.5 * line, thick / 4)}}});
+    draw_bar({left, top}, {right, last}, filled, std::min(1.5 * line, thick / 4));
     return right;
   };
   const auto label = [&](double middle, double right, const std::string& what) {
