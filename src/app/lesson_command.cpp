@@ -1,9 +1,11 @@
 #include "app/lesson_command.h"
 
+#include "app/render_command.h"
 #include "app/scene_lookup.h"
+#include "io/file.h"
 #include "io/spelling.h"
 #include "lesson/play.h"
-#include "lesson/script.h"
+#include "view/lesson_script.h"
 
 #include <fmt/format.h>
 
@@ -39,33 +41,6 @@ std::string list_text(const std::vector<std::string>& names) {
     text += fmt::format("{:<28}{}\n", name, titles);
   }
   return text;
-}
-
-/// A lesson as its presenter reads it, with the numbers of the trace filled in: plain Markdown.
-std::string script_text(const Lesson& lesson, const PlayedLesson& played, Language language) {
-  const LessonWords& words = lesson.words.find(language)->second;
-  std::string script = "# " + words.title + "\n\n" + words.summary.text + "\n";
-  for (std::size_t i = 0; i < played.steps.size(); ++i) {
-    const StepWords* said = words.find(lesson.steps[i].id);
-    if (said == nullptr) continue;
-    const auto said_at = [&](const Passage& passage, int position) {
-      return filled(played, i, position, passage, language).value_or(passage.text);
-    };
-    const auto add = [&](const char* before, const std::string& what, const char* after) {
-      if (!what.empty()) script += before + what + after;
-    };
-    const int asked = played.steps[i].asked, shown = played.steps[i].shown;
-    const ScriptParts presenter = parts_of_script(said_at(said->presenter, shown));
-    script += fmt::format("\n## {}. {}\n", i + 1, said->heading);
-    add("\n", presenter.before, "\n");
-    add("\n> ", said_at(said->question, asked), "\n");
-    for (const Passage& choice : said->choices) add("> - ", said_at(choice, asked), "\n");
-    add("\n", said_at(said->reveal, shown), "\n");
-    add("\n", presenter.after, "\n");
-    add("\n*", said_at(said->teacher, shown), "*\n");
-  }
-  if (!words.teacher.empty()) script += "\n---\n\n" + words.teacher.text + "\n";
-  return script;
 }
 
 }  // namespace
@@ -111,15 +86,19 @@ ExitCode lesson_check_command(const std::vector<std::string>& names) {
                "lessons/README.md explains how a lesson is written"});
 }
 
-ExitCode lesson_script_command(const std::string& name, Language language) {
+ExitCode lesson_script_command(const std::string& name, Language language, const std::string& path) {
+  if (!path.empty())
+    if (const auto error = why_not_writable(path)) return fail(*error);
   const auto folder = folder_of(name, lesson_names(lessons_dir()));
   if (!folder) return refuse(folder.error());
   const auto lesson = read_lesson(*folder);
   if (!lesson) return fail(lesson.error());
   const PlayedLesson played = play_lesson(*lesson, data_dir() + "/scenes");
   if (!played.errors.empty()) return fail(played.errors.front());
-  const auto printed = print(script_text(*lesson, played, language));
-  return printed ? ExitCode::done : fail(printed.error());
+  const bool page = path.ends_with(".html") || path.ends_with(".htm");
+  const std::string script = lesson_script(played, language, page ? ScriptForm::page : ScriptForm::markdown);
+  const auto written = path.empty() ? print(script) : write_file_atomically(path, script);
+  return written ? ExitCode::done : fail(written.error());
 }
 
 void declare_lesson(CLI::App& program, Run& run) {
@@ -142,8 +121,18 @@ void declare_lesson(CLI::App& program, Run& run) {
   const auto language = std::make_shared<std::optional<Language>>();
   script.add_option("NAME", *name, "A lesson, such as 5 or 05-refraction, or a folder")->required()->type_name("");
   add_choice(script, "--language", *language, all_languages, language_code, "Of the script; left out: en");
-  script.callback([name, language, &run] {
-    run = [name, language] { return lesson_script_command(*name, language->value_or(Language::english)); };
+  const auto path = std::make_shared<std::string>();
+  script
+      .add_option("-o,--output", *path,
+                  "The file: .html, a page to print or to read on a telephone, or .md; left out: printed here")
+      ->type_name("FILE");
+  script.footer(
+      "The script holds what stands on the screen, what to say and to ask, the answers, and when each step begins.\n\n"
+      "Examples:\n"
+      "  raywalk lesson script 5 -o refraction.html\n"
+      "  raywalk lesson script 5 --language pt");
+  script.callback([name, language, path, &run] {
+    run = [name, language, path] { return lesson_script_command(*name, language->value_or(Language::english), *path); };
   });
   check.callback([names, &run] { run = [names] { return lesson_check_command(*names); }; });
 }

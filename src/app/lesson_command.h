@@ -14,8 +14,8 @@ namespace raywalk {
 /// "5" or "05" for the lesson whose folder begins so.
 [[nodiscard]] ExitCode lesson_check_command(const std::vector<std::string>& names);
 
-/// Writes out what the presenter of a lesson says, asks and answers.
-[[nodiscard]] ExitCode lesson_script_command(const std::string& name, Language language);
+/// Writes out what the presenter of a lesson says, asks and answers: to a path as its ending says, or prints it.
+[[nodiscard]] ExitCode lesson_script_command(const std::string& name, Language language, const std::string& path);
 
 void declare_lesson(CLI::App& program, Run& run);
 

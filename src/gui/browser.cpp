@@ -8,6 +8,7 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 namespace raywalk {
@@ -73,7 +74,11 @@ void Browser::begin(const State& state, const std::string& home) {
   typed_.clear();
   if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
   if (asking_ == PathPrompt::save_predictions) typed_ = "predictions.csv";
-  if (asking_ == PathPrompt::export_walk) typed_ = (state.path.empty() ? "walk" : current.stem().string()) + ".html";
+  if (asking_ == PathPrompt::export_walk) {
+    const LessonSitting& lessons = state.lessons;
+    typed_ = lessons.open ? lessons.open->lesson.name : state.path.empty() ? "walk" : current.stem().string();
+    typed_ = with_ending(typed_, lessons.open && lessons.presenter ? ExportKind::script : ExportKind::slides);
+  }
   focus_typed_ = true;
 }
 
@@ -137,19 +142,23 @@ void Browser::kinds(const Ui& ui) {
         return {WindowText::export_transcript, WindowText::export_transcript_hint};
       case ExportKind::steps:
         return {WindowText::export_steps, WindowText::export_steps_hint};
+      case ExportKind::script:
+        return {WindowText::export_script, WindowText::export_script_hint};
     }
     return {};
   };
   const std::optional<ExportKind> chosen = export_kind_of(typed_);
-  const float gap = ui.px(6), count = static_cast<float>(kinds_of_export.size());
+  // The script of a lesson stands last: without one it is not to be had.
+  const std::size_t shown = kinds_of_export.size() - (ui.state.lessons.open ? 0 : 1);
+  const float gap = ui.px(6), count = static_cast<float>(shown);
   const ImVec2 extent{(ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count, ImGui::GetFrameHeight()};
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
-  for (const ExportEnding& each : kinds_of_export) {
+  for (const ExportEnding& each : std::span(kinds_of_export).first(shown)) {
     const Words of = words(each.kind);
     if (&each != &kinds_of_export.front()) ImGui::SameLine(0, gap);
     if (button(ui, "export" + std::string(each.ending), ui.say(of.label), ui.say(of.hint), extent, look,
                chosen == each.kind))
-      typed_ = fs::path(typed_).replace_extension(each.ending).string();
+      typed_ = with_ending(typed_, each.kind);
   }
   label(ui.colours.dim_text, chosen ? ui.say(words(*chosen).hint) : std::string(" "));
 }

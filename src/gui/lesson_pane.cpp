@@ -72,6 +72,32 @@ void choices(const Ui& ui, const LessonPanel& panel) {
   }
 }
 
+// How the lessons are shown: to a student, or by a presenter, who may hide the notes and take them along on paper.
+void options(const Ui& ui, float width, bool open) {
+  const LessonSitting& sitting = ui.state.lessons;
+  const bool presents = sitting.presenter && open;
+  const float gap = ui.px(8), count = presents ? 3 : 2;
+  const ImVec2 extent{(width - (count - 1) * gap) / count, button_height(ui)};
+  action::SetLessonOptions wanted{sitting.presenter, sitting.unlocked, !sitting.notes};
+  const auto toggle = [&](const char* name, LessonWord label, LessonWord hint, bool& value, bool is_on) {
+    const ButtonLook look{is_on ? Look::choice : Look::plain, Icon::none, ui.fonts.small};
+    if (!button(ui, name, ui.say(label), ui.say(hint), extent, look, is_on)) return;
+    value = !value;
+    ui.act(wanted);
+  };
+  toggle("lesson-presenter", LessonWord::presenter, LessonWord::presenter_hint, wanted.presenter, sitting.presenter);
+  ImGui::SameLine(0, gap);
+  if (!presents) {
+    toggle("lesson-unlock", LessonWord::unlock, LessonWord::unlock_hint, wanted.unlocked, sitting.unlocked);
+    return;
+  }
+  toggle("lesson-notes", LessonWord::notes, LessonWord::notes_hint, wanted.without_notes, sitting.notes);
+  ImGui::SameLine(0, gap);
+  if (button(ui, "lesson-script", ui.say(LessonWord::script), ui.say(LessonWord::script_hint), extent,
+             {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
+    ui.act(action::AskExport{});
+}
+
 /// With a comma as with a point; nothing where there is more or less than a number.
 std::optional<double> number_in(std::string typed) {
   std::replace(typed.begin(), typed.end(), ',', '.');
@@ -183,7 +209,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
           prose(ui, ui.colours.text, panel.change);
         }
         if (!panel.presenter.empty()) {
-          heading(ui, ui.colours.dim_text, ui.say(LessonWord::presenter));
+          heading(ui, ui.colours.dim_text, ui.say(LessonWord::presenter) + " \u00b7 " + panel.time);
           prose(ui, ui.colours.dim_text, panel.presenter);
         }
         if (!panel.teacher.empty()) {
@@ -222,22 +248,8 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         ui.act(action::GoToLessonStep{panel.step});
       }
     }
-    const float below = where.bottom() - ui.px(10) - height;
-    ImGui::SetCursorScreenPos({left, below});
-    action::SetLessonOptions options{sitting.presenter, sitting.unlocked};
-    const ButtonLook small{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
-    const float other = (width - gap) / 2;
-    if (button(ui, "lesson-presenter", ui.say(LessonWord::presenter), ui.say(LessonWord::presenter_hint),
-               {other, height}, small, sitting.presenter)) {
-      options.presenter = !options.presenter;
-      ui.act(options);
-    }
-    ImGui::SetCursorScreenPos({left + other + gap, below});
-    if (button(ui, "lesson-unlock", ui.say(LessonWord::unlock), ui.say(LessonWord::unlock_hint), {other, height}, small,
-               sitting.unlocked)) {
-      options.unlocked = !options.unlocked;
-      ui.act(options);
-    }
+    ImGui::SetCursorScreenPos({left, where.bottom() - ui.px(10) - height});
+    options(ui, width, open);
   }
   end_pane();
 }

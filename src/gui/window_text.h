@@ -61,6 +61,8 @@ enum class WindowText {
   export_transcript_hint,
   export_steps,
   export_steps_hint,
+  export_script,
+  export_script_hint,
   swatch_hint,
   breakpoints,
   breakpoints_hint,

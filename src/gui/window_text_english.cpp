@@ -112,6 +112,10 @@ std::string_view english(WindowText id) {
       return "Text";
     case WindowText::export_transcript_hint:
       return "Every step as a sentence, for reading aloud";
+    case WindowText::export_script:
+      return "Script";
+    case WindowText::export_script_hint:
+      return "The lesson for its presenter, to print or to read apart from the class";
     case WindowText::export_steps:
       return "Data";
     case WindowText::export_steps_hint:

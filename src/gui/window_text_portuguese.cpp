@@ -113,6 +113,10 @@ std::string_view portuguese(WindowText id) {
       return "Texto";
     case WindowText::export_transcript_hint:
       return "Cada passo como frase, para ler em voz alta";
+    case WindowText::export_script:
+      return "Roteiro";
+    case WindowText::export_script_hint:
+      return "A lição para quem apresenta, para imprimir ou ler longe da turma";
     case WindowText::export_steps:
       return "Dados";
     case WindowText::export_steps_hint:

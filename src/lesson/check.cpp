@@ -1,6 +1,7 @@
 // The words of a lesson: filled in, and checked for what is missing.
 
 #include "lesson/play.h"
+#include "lesson/script.h"
 
 #include <fmt/format.h>
 
@@ -145,15 +146,12 @@ class WordsChecker {
            "write it as a formula in braces, {t:2}, or as code between `");
   }
 
-  /// A presenter speaks some 120 words a minute, and has five minutes and a breath.
   void check_length() {
-    constexpr std::size_t least = 120, most = 720;
-    std::size_t count = 0;
-    for (const StepWords& step : words_->steps)
-      count += static_cast<std::size_t>(std::count(step.presenter.text.begin(), step.presenter.text.end(), ' ')) + 1;
-    if (count < least || count > most)
-      fail(1, fmt::format("the presenter has {} words to say (expected {} to {}: about five minutes)", count, least,
-                          most));
+    const double minutes = script_time(lesson_, *words_, lesson_.steps.size() - 1).end;
+    if (minutes < fewest_minutes || minutes > most_minutes)
+      fail(1,
+           fmt::format("the presenter needs {:.1f} minutes (expected {} to {})", minutes, fewest_minutes, most_minutes),
+           "counted: what is said and revealed, and the questions; a step with extra = true is left out");
   }
 
   const PlayedLesson& played_;

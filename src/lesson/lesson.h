@@ -78,6 +78,7 @@ struct LessonStep {
   std::vector<PictureRequest> pictures;
   LessonBeside pane = LessonBeside::unchanged;
   bool breakpoints = true;  ///< of the student: whether they stop the walk here
+  bool extra = false;       ///< not one of a presenter's five minutes: for whoever has more
   int line = 0;
 };
 

@@ -82,6 +82,14 @@ class Reader {
     return std::nullopt;
   }
 
+  std::optional<bool> yes_or_no(const toml::table& table, std::string_view key, const char* hint) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return std::nullopt;
+    if (const auto on = node->value_exact<bool>()) return on;
+    fail(line_of(*node), fmt::format("{}: expected true or false", key), hint);
+    return std::nullopt;
+  }
+
   std::optional<int> whole(const toml::table& table, std::string_view key, std::int64_t low, std::int64_t high) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return std::nullopt;
@@ -236,7 +244,7 @@ class Reader {
   LessonStep read_step(const toml::table& table) {
     known(table, "[[step]]",
           {"id", "scene", "set", "remove", "pixel", "fault", "run", "reveal", "predict", "check", "picture", "show",
-           "breakpoints"});
+           "breakpoints", "extra"});
     LessonStep step;
     step.line = line_of(table);
     step.id = text(table, "id").value_or("");
@@ -249,12 +257,9 @@ class Reader {
       for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
         step.removed.push_back(array->get(i)->value_or(std::string()));
     }
-    if (const toml::node* node = table.get("breakpoints")) {
-      if (const auto on = node->value_exact<bool>())
-        step.breakpoints = *on;
-      else
-        fail(line_of(*node), "breakpoints: expected true or false", "false: those of the student do not stop the walk");
-    }
+    step.breakpoints =
+        yes_or_no(table, "breakpoints", "false: those of the student do not stop the walk").value_or(true);
+    step.extra = yes_or_no(table, "extra", "true: the step is not one of a presenter's five minutes").value_or(false);
     step.pixel = pixel(table);
     step.fault = fault(table);
     step.run = formula(table, "run");

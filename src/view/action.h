@@ -256,7 +256,7 @@ struct ShowHands {
   int choice, hands;
 };  ///< so many more, or fewer, of a class are for a lesson's choice
 struct SetLessonOptions {
-  bool presenter = false, unlocked = false;
+  bool presenter = false, unlocked = false, without_notes = false;
 };
 
 // Spot the bug. What is done to the scene itself (open, save, new, quit, a lesson) leaves the hunt first.

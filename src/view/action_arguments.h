@@ -259,6 +259,7 @@ template <class F>
 void arguments(F& f, SetLessonOptions& a) {
   f.flag(a.presenter, "presenter");
   f.flag(a.unlocked, "unlocked");
+  f.flag(a.without_notes, "without-notes");
 }
 template <class F>
 void arguments(F& f, ShowBugs& a) {

@@ -3,6 +3,8 @@
 #include "io/file.h"
 #include "timeline/event_json.h"
 #include "timeline/message.h"
+#include "view/lesson_script.h"
+#include "view/lesson_text.h"
 #include "view/plan_view.h"
 #include "view/slides.h"
 #include "view/svg.h"
@@ -49,6 +51,10 @@ Result<std::string> exported(const State& state, ExportKind kind) {
       if (!written) return tl::unexpected(written.error());
       return all;
     }
+    case ExportKind::script:
+      if (!state.lessons.open)
+        return tl::unexpected(Error{"", 0, 0, std::string(text(LessonWord::no_lesson, state.language)), ""});
+      return lesson_script(state.lessons.open->played, state.language, ScriptForm::page);
     case ExportKind::picture:
     case ExportKind::film:
       break;
@@ -56,14 +62,32 @@ Result<std::string> exported(const State& state, ExportKind kind) {
   return std::string();
 }
 
+/// Of a path, the longest that fits; null for others.
+const ExportEnding* ending_of(std::string_view path) {
+  std::string name = std::filesystem::path(path).filename().string();
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const ExportEnding* best = nullptr;
+  for (const ExportEnding& each : kinds_of_export)
+    if (name.size() > each.ending.size() && name.ends_with(each.ending) &&
+        (best == nullptr || each.ending.size() > best->ending.size()))
+      best = &each;
+  return best;
+}
+
 }  // namespace
 
 std::optional<ExportKind> export_kind_of(std::string_view path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const ExportEnding& each : kinds_of_export)
-    if (ending == each.ending) return each.kind;
-  return std::nullopt;
+  const ExportEnding* ending = ending_of(path);
+  return ending == nullptr ? std::nullopt : std::optional(ending->kind);
+}
+
+std::string with_ending(const std::string& path, ExportKind kind) {
+  const auto wanted = std::find_if(kinds_of_export.begin(), kinds_of_export.end(),
+                                   [&](const ExportEnding& each) { return each.kind == kind; });
+  const ExportEnding* has = ending_of(path);
+  const std::string stem = has == nullptr ? std::filesystem::path(path).replace_extension().string()
+                                          : path.substr(0, path.size() - has->ending.size());
+  return stem + std::string(wanted->ending);
 }
 
 std::vector<int> film_positions(const State& state) {

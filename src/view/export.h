@@ -25,19 +25,23 @@ enum class ExportKind {
   slides,      ///< .html: a page that steps offline
   transcript,  ///< .txt
   steps,       ///< .json
+  script,      ///< .script.html: the open lesson as its presenter reads it
 };
 struct ExportEnding {
   std::string_view ending;  ///< ".png"
   ExportKind kind;
 };
-inline constexpr std::array<ExportEnding, 6> kinds_of_export{{{".html", ExportKind::slides},
+inline constexpr std::array<ExportEnding, 7> kinds_of_export{{{".html", ExportKind::slides},
                                                               {".png", ExportKind::picture},
                                                               {".gif", ExportKind::film},
                                                               {".svg", ExportKind::plan},
                                                               {".txt", ExportKind::transcript},
-                                                              {".json", ExportKind::steps}}};
+                                                              {".json", ExportKind::steps},
+                                                              {".script.html", ExportKind::script}}};
 /// By the ending of a path; none for other endings.
 [[nodiscard]] std::optional<ExportKind> export_kind_of(std::string_view path);
+/// The path with the ending of this kind in place of the one that it has.
+[[nodiscard]] std::string with_ending(const std::string& path, ExportKind kind);
 
 /// What only the window can write, until it has.
 struct WindowExport {

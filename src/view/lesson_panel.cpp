@@ -57,6 +57,16 @@ bool is_open_question(const LessonSitting& sitting) {
          !std::holds_alternative<LineQuestion>(*step->step->question);
 }
 
+/// When a presenter is through with the step, of the time that the whole takes.
+std::string time_of(const LessonSitting& sitting, const LessonWords& words, Language language) {
+  const Lesson& lesson = sitting.open->lesson;
+  const auto step = static_cast<std::size_t>(sitting.step);
+  if (lesson.steps[step].extra) return std::string(text(LessonWord::extra, language));
+  return fill(LessonWord::time, language,
+              {minutes_text(script_time(lesson, words, step).end),
+               minutes_text(script_time(lesson, words, lesson.steps.size() - 1).end)});
+}
+
 }  // namespace
 
 std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language) {
@@ -76,6 +86,13 @@ std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language langua
 
 double degrees_between(const Vec2d& a, const Vec2d& b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
+}
+
+int decimals_of(const NumberQuestion& question, double number) {
+  constexpr int some = 2, most = 6;
+  if (question.tolerance > 0)
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(question.tolerance))), 0, most);
+  return number == std::floor(number) ? 0 : some;
 }
 
 std::optional<LessonVerdict> judge(const LessonSitting& sitting) {
@@ -191,7 +208,8 @@ LessonPanel lesson_panel(const State& state) {
       if (panel.asks == Asks::arrow)
         panel.verdict += ": " + word(LessonWord::error) + " " + text_of(verdict->error, 1, mark) + "°";
       if (panel.asks == Asks::number && verdict->error > 0)
-        panel.verdict += ": " + word(LessonWord::error) + " " + text_of(verdict->error, -1, mark) + panel.unit;
+        panel.verdict += ": " + word(LessonWord::error) + " " +
+                         text_of(verdict->error, decimals_of(*number, verdict->error), mark) + panel.unit;
     }
   }
   panel.astray = is_open_question(sitting) && !question_waits(state);
@@ -200,6 +218,9 @@ LessonPanel lesson_panel(const State& state) {
     panel.change = said_at(said->change, step->shown);
   }
   if (sitting.presenter) {
+    panel.time = time_of(sitting, words, language);
+  }
+  if (sitting.presenter && sitting.notes) {
     const std::string script = said_at(said->presenter, step->shown);
     panel.presenter = answered ? script : parts_of_script(script).before;
     if (answered) panel.teacher = said_at(said->teacher, step->shown);

@@ -38,6 +38,7 @@ struct LessonPanel {
   bool is_right = false;
   std::string reveal, change;      ///< after the answer, or where nothing was asked
   std::string presenter, teacher;  ///< where they are shown; no more than what leads to the answer before it stands
+  std::string time;                ///< of a presentation, at the end of this step; empty for students
   std::string notes, sources;      ///< of the whole lesson: for presenters, at its end
   std::string hands;               ///< how a class chose; empty without a show of hands
   std::string score;               ///< of this sitting; empty before the first prediction
@@ -60,6 +61,9 @@ struct LessonPanel {
 
 /// The angle between two arrows, 0 to 180.
 [[nodiscard]] double degrees_between(const Vec2d& a, const Vec2d& b);
+
+/// How many decimals matter of the answer to a question, or of an error about it.
+[[nodiscard]] int decimals_of(const NumberQuestion& question, double number);
 
 /// Of a guess, when there is one: whether it counts as right, and by how much it is off: degrees of an arrow, else the
 /// question's own unit; 0 or 1 of a choice.

@@ -248,6 +248,7 @@ bool answered_by_step(State& state) {
 void set_lesson_options(State& state, const action::SetLessonOptions& options) {
   state.lessons.presenter = options.presenter;
   state.lessons.unlocked = options.unlocked;
+  state.lessons.notes = !options.without_notes;
   write_progress(state);
 }
 

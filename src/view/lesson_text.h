@@ -36,6 +36,17 @@ enum class LessonWord {
   sources,
   hand_more,
   hand_less,
+  extra,  ///< of a step: for whoever has time
+  time,   ///< {0} of {1}, on a clock, at the end of a step
+  notes,  ///< a button for presenters
+  notes_hint,
+  script,  ///< a button for presenters
+  script_hint,
+  no_lesson,      ///< said where a script is wanted and no lesson is open
+  script_screen,  ///< what stands on the screen
+  script_say,
+  script_ask,
+  script_keys,
   close,
 };
 

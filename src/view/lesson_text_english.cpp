@@ -64,6 +64,30 @@ std::string_view english(LessonWord word) {
       return "One hand more";
     case LessonWord::hand_less:
       return "One hand less";
+    case LessonWord::extra:
+      return "if time allows";
+    case LessonWord::time:
+      return "until {0} of {1}";
+    case LessonWord::notes:
+      return "Notes";
+    case LessonWord::notes_hint:
+      return "What to say, here in the pane. Off: the class does not see it";
+    case LessonWord::script:
+      return "Script...";
+    case LessonWord::script_hint:
+      return "The whole lesson as a page for yourself alone: to print, or to read on another screen";
+    case LessonWord::no_lesson:
+      return "A presenter's script is of a lesson: open one first (F2)";
+    case LessonWord::script_screen:
+      return "On the screen";
+    case LessonWord::script_say:
+      return "Say and do";
+    case LessonWord::script_ask:
+      return "Ask";
+    case LessonWord::script_keys:
+      return "Keys: Enter reveals the answer, then goes on to the next step. Page Down or \u2192 goes one line on, "
+             "Page Up or \u2190 back. 1 to 9 count hands for a choice, with Shift one less. F11 fills the screen, Ctrl "
+             "+ and Ctrl \u2212 make everything larger or smaller.";
     case LessonWord::close:
       return "Close the lesson: your own scene comes back";
     case LessonWord::score:

@@ -64,6 +64,30 @@ std::string_view portuguese(LessonWord word) {
       return "Mais uma mão";
     case LessonWord::hand_less:
       return "Menos uma mão";
+    case LessonWord::extra:
+      return "se houver tempo";
+    case LessonWord::time:
+      return "até {0} de {1}";
+    case LessonWord::notes:
+      return "Notas";
+    case LessonWord::notes_hint:
+      return "O que dizer, aqui no painel. Desligado: a turma não o vê";
+    case LessonWord::script:
+      return "Roteiro...";
+    case LessonWord::script_hint:
+      return "A lição inteira como página só para você: para imprimir ou ler em outra tela";
+    case LessonWord::no_lesson:
+      return "O roteiro é de uma lição: abra uma primeiro (F2)";
+    case LessonWord::script_screen:
+      return "Na tela";
+    case LessonWord::script_say:
+      return "Dizer e fazer";
+    case LessonWord::script_ask:
+      return "Perguntar";
+    case LessonWord::script_keys:
+      return "Teclas: Enter revela a resposta e depois passa ao próximo passo. Page Down ou \u2192 avança uma linha, "
+             "Page Up ou \u2190 volta. 1 a 9 contam as mãos de uma opção, com Shift uma a menos. F11 ocupa a tela "
+             "inteira, Ctrl + e Ctrl \u2212 aumentam ou diminuem tudo.";
     case LessonWord::close:
       return "Fechar a lição: a sua cena volta";
     case LessonWord::score:

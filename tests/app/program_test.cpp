@@ -36,11 +36,16 @@ TEST_CASE("a lesson's script is written out with its numbers, in either language
   const Outcome english = folder.run({"lesson", "script", "1"});
   CHECK(english.exit_code == 0);
   CHECK(english.err == "");
-  CHECK_THAT(english.out, contains("# Ray casting\n") && contains("\n## 2. The nearest surface wins\n"));
-  CHECK_THAT(english.out, contains("Count, then reveal.") && contains("> - the Solid Sphere\n"));
+  CHECK_THAT(english.out, contains("# Ray casting\n") && contains("\n## 2. The nearest surface wins (0:"));
+  CHECK_THAT(english.out, contains("Count, then reveal.") && contains("\n- the Solid Sphere\n"));
   CHECK_THAT(english.out, contains("It meets ") && !contains("{"));
   const Outcome portuguese = folder.run({"lesson", "script", "01", "--language", "pt"});
   CHECK_THAT(portuguese.out, contains("# Lançamento de raios\n"));
+  const Outcome page = folder.run({"lesson", "script", "1", "-o", "one.html"});
+  CHECK(page.exit_code == 0);
+  CHECK(page.out == "");
+  CHECK_THAT(folder.read("one.html"), contains("<h1>Ray casting</h1>") && contains("The nearest surface wins"));
+  CHECK(folder.run({"lesson", "script", "1", "-o", "no/such/folder.html"}).exit_code == 1);
   const Outcome none = folder.run({"lesson", "script", "77"});
   CHECK(none.exit_code == 2);
   CHECK_THAT(none.err, contains("there is no lesson \"77\""));

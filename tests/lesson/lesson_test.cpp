@@ -1,5 +1,6 @@
 // Lessons that are right, and lessons that say what is not so.
 #include "lesson/play.h"
+#include "lesson/script.h"
 
 #include <filesystem>
 #include <fstream>
@@ -207,6 +208,35 @@ TEST_CASE("a number that is another one once the answer stands there fails") {
                                      "None, at {steps} and " + found + ".");
   CHECK(faults(good_steps, words) ==
         "en.md:29: " + found + " is 0 before the answer of the step \"choice\" and 1 with it\n");
+}
+
+TEST_CASE("a presentation takes five minutes, without the steps that are extra") {
+  std::string words;
+  for (int i = 0; i < 600; ++i) words += "{count(formed) + 1} word ";
+  const std::string long_words = replaced(good_words, "\nThree\n", "\n" + words + "\n");
+  const std::string long_fault = faults(good_steps, long_words, good_words);
+  CHECK(long_fault.find("en.md:1: the presenter needs 12.0 minutes (expected 2 to 5.5)") != std::string::npos);
+  const std::string extra = replaced(good_steps, "id = \"count\"\n", "id = \"count\"\nextra = true\n");
+  CHECK(faults(extra, long_words, good_words) == "");
+  const std::string short_words = replaced(good_words, "word word word", "word");
+  CHECK(faults(good_steps, short_words, good_words) == "");
+  CHECK(faults(replaced(extra, "id = \"choice\"\n", "id = \"choice\"\nextra = true\n")).find("the presenter needs") !=
+        std::string::npos);
+  CHECK(faults(replaced(good_steps, "pixel = 3\n", "pixel = 3\nextra = 1\n")).find("extra: expected true or false") !=
+        std::string::npos);
+}
+
+TEST_CASE("the minutes of a step are those of its words and its question") {
+  StepWords words;
+  words.presenter.text = "one two\n\nthree {a + b} \u00b7 five";
+  words.reveal.text = "{t:2} seven";
+  LessonStep step;
+  CHECK(minutes_of(step, words) == Approx(8 / 130.0));
+  step.question = ArrowQuestion{};
+  CHECK(minutes_of(step, words) == Approx(8 / 130.0 + 25 / 60.0));
+  CHECK(minutes_text(0) == "0:00");
+  CHECK(minutes_text(1.09) == "1:05");
+  CHECK(minutes_text(4.99) == "5:00");
 }
 
 TEST_CASE("a lesson's file is refused with line and hint") {

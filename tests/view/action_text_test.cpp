@@ -78,6 +78,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {GuessNumber{41.8}, "guess-number 41.8"},
       {RevealLesson{}, "reveal"},
       {SetLessonOptions{true, false}, "lesson-options presenter"},
+      {SetLessonOptions{true, true, true}, "lesson-options presenter unlocked without-notes"},
       {SetLanguage{Language::portuguese}, "language pt"},
       {ShowBugs{true}, "bugs on"},
       {HuntBug{4}, "hunt-bug 4"},

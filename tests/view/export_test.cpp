@@ -3,7 +3,9 @@
 
 #include "fixtures.h"
 #include "io/file.h"
+#include "io/markup.h"
 #include "support/catch.h"
+#include "view/lesson_script.h"
 #include "view/slides.h"
 #include "view/text.h"
 
@@ -59,6 +61,72 @@ TEST_CASE("the ending says what is written") {
   CHECK_FALSE(std::filesystem::exists(folder.file("walk.doc")));
   update(state, action::Export{folder.file("no/folder.svg")});
   CHECK(state.notice->kind == Notice::Kind::error);
+}
+
+TEST_CASE("the script of the open lesson is written, and without one it is said what is missing") {
+  const TemporaryFolder folder;
+  State state = walked();
+  const std::string path = folder.file("notes.script.html");
+  CHECK(export_kind_of(path) == ExportKind::script);
+  CHECK(export_kind_of("notes.html") == ExportKind::slides);
+  CHECK_FALSE(export_kind_of(".html"));
+  CHECK(with_ending("a/notes.script.html", ExportKind::plan) == "a/notes.svg");
+  CHECK(with_ending("a/notes.pdf", ExportKind::script) == "a/notes.script.html");
+  CHECK(with_ending("a.b/notes", ExportKind::slides) == "a.b/notes.html");
+  update(state, action::Export{path});
+  REQUIRE(state.notice);
+  CHECK(state.notice->text.find("F2") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(path));
+
+  const std::string root = RAYWALK_SOURCE_DIR;
+  state.lessons.folder = root + "/lessons";
+  state.lessons.scenes_folder = root + "/scenes";
+  update(state, action::SetLessonOptions{true, false});
+  update(state, action::OpenLesson{"05-refraction"});
+  REQUIRE(state.lessons.open);
+  update(state, action::Export{path});
+  CHECK(contents(path) == lesson_script(state.lessons.open->played, Language::english, ScriptForm::page));
+}
+
+TEST_CASE("a script has all that its presenter needs, with the answers of the trace") {
+  const std::string root = RAYWALK_SOURCE_DIR;
+  for (const std::string& name : lesson_names(root + "/lessons")) {
+    CAPTURE(name);
+    const auto lesson = read_lesson(root + "/lessons/" + name);
+    REQUIRE(lesson);
+    const PlayedLesson played = play_lesson(*lesson, root + "/scenes");
+    REQUIRE(played.errors.empty());
+    for (const Language language : all_languages) {
+      const std::string text = lesson_script(played, language, ScriptForm::markdown);
+      const std::string page = lesson_script(played, language, ScriptForm::page);
+      std::size_t answers = 0, asked = 0;
+      for (std::size_t at = text.find(" \u2713"); at != std::string::npos; at = text.find(" \u2713", at + 1)) ++answers;
+      for (const LessonStep& step : lesson->steps)
+        asked += step.question && !std::holds_alternative<ArrowQuestion>(*step.question) ? 1U : 0U;
+      CHECK(answers == asked);
+      CHECK(text.find('{') == std::string::npos);
+      const LessonWords& words = lesson->words.at(language);
+      for (const StepWords& step : words.steps) {
+        CHECK(text.find(step.heading) != std::string::npos);
+        CHECK(page.find(escaped(step.heading)) != std::string::npos);
+      }
+      const auto count = [&](std::string_view what) {
+        std::size_t times = 0;
+        for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1)) ++times;
+        return times;
+      };
+      for (const std::string tag : {"div", "span", "p", "ul", "li", "code", "h2", "section"})
+        CHECK(count("<" + tag + ">") + count("<" + tag + " ") == count("</" + tag + ">"));
+    }
+  }
+  const auto lesson = read_lesson(root + "/lessons/05-refraction");
+  const PlayedLesson played = play_lesson(*lesson, root + "/scenes");
+  const std::string text = lesson_script(played, Language::english, ScriptForm::markdown);
+  CHECK(text.find("- larger \u2713") != std::string::npos);
+  CHECK(text.find("- 24.6\u00b0 \u2713") != std::string::npos);
+  CHECK(text.find("- Form refract ray \u2713") != std::string::npos);
+  CHECK(text.find("## 1. Slower, so steeper (0:00\u2013") != std::string::npos);
+  CHECK(text.find("(if time allows)") != std::string::npos);
 }
 
 TEST_CASE("a file that stands there is written over only when that is said") {

@@ -157,6 +157,10 @@ TEST_CASE("the script gives no answer away before it stands there, nor do the no
   }
   update(state, action::OpenLesson{"05-refraction"});
   update(state, action::GoToLessonStep{0});
+  CHECK(lesson_panel(state).time.starts_with("until 1:"));
+  update(state, action::SetLessonOptions{true, false, true});
+  CHECK(lesson_panel(state).presenter.empty());
+  update(state, action::SetLessonOptions{true, false, false});
   CHECK(lesson_panel(state).presenter.find("Reveal") != std::string::npos);
   update(state, action::RevealLesson{});
   update(state, action::GoToLessonStep{1});

@@ -1,0 +1,204 @@
+#include "view/lesson_script.h"
+
+#include "io/markup.h"
+#include "lesson/script.h"
+#include "view/lesson_panel.h"
+#include "view/lesson_text.h"
+#include "view/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace raywalk {
+
+namespace {
+
+/// What a passage is to the presenter.
+enum class Role { screen, say, ask, answer, teacher, change };
+
+LessonWord name_of(Role role) {
+  switch (role) {
+    case Role::screen:
+      return LessonWord::script_screen;
+    case Role::say:
+      return LessonWord::script_say;
+    case Role::ask:
+      return LessonWord::script_ask;
+    case Role::answer:
+      return LessonWord::reveal;
+    case Role::teacher:
+      return LessonWord::teacher;
+    case Role::change:
+      return LessonWord::change;
+  }
+  return {};
+}
+
+struct ScriptLine {
+  Role role;
+  std::string text;  ///< as a passage's: paragraphs, items of lists begin with "- "
+};
+struct ScriptStep {
+  std::string heading, time;
+  std::vector<ScriptLine> lines;  ///< none is empty
+};
+
+/// The question with its choices, and what is right.
+std::string question_of(const PlayedLesson& played, std::size_t i, const StepWords& said, Language language) {
+  const PlayedStep& step = played.steps[i];
+  const auto filled_in = [&](const Passage& passage) {
+    return filled(played, i, step.asked, passage, language).value_or(passage.text);
+  };
+  std::string question = filled_in(said.question);
+  if (const auto* choices = std::get_if<ChoiceQuestion>(&*step.step->question)) {
+    for (std::size_t c = 0; c < choices->choices.size() && c < said.choices.size(); ++c) {
+      const Outcome value = value_at(played, i, step.shown, choices->choices[c].expression);
+      question += "\n- " + filled_in(said.choices[c]) + (value && holds(*value) ? " \u2713" : "");
+    }
+  } else if (const auto* number = std::get_if<NumberQuestion>(&*step.step->question)) {
+    const Outcome value = value_at(played, i, step.shown, number->answer.expression);
+    if (const double* truth = value ? std::get_if<double>(&*value) : nullptr)
+      question +=
+          "\n- " + text_of(*truth, decimals_of(*number, *truth), decimal_mark(language)) + number->unit + " \u2713";
+  } else if (const auto* line = std::get_if<LineQuestion>(&*step.step->question)) {
+    question += "\n- " + line->answer + " \u2713";
+  }
+  return question;
+}
+
+std::vector<ScriptStep> steps_of(const PlayedLesson& played, const LessonWords& words, Language language) {
+  std::vector<ScriptStep> steps;
+  for (std::size_t i = 0; i < played.steps.size(); ++i) {
+    const PlayedStep& step = played.steps[i];
+    const StepWords* said = words.find(step.step->id);
+    if (said == nullptr) continue;
+    const auto filled_at = [&](const Passage& passage, int position) {
+      return filled(played, i, position, passage, language).value_or(passage.text);
+    };
+    const ScriptTime time = script_time(*played.lesson, words, i);
+    const ScriptParts script = parts_of_script(filled_at(said->presenter, step.shown));
+    ScriptStep written{said->heading,
+                       step.step->extra ? std::string(text(LessonWord::extra, language))
+                                        : minutes_text(time.begin) + "\u2013" + minutes_text(time.end),
+                       {{Role::screen, filled_at(said->text, step.asked)},
+                        {Role::say, script.before},
+                        {Role::ask, step.step->question ? question_of(played, i, *said, language) : ""},
+                        {Role::answer, filled_at(said->reveal, step.shown)},
+                        {Role::say, script.after},
+                        {Role::teacher, filled_at(said->teacher, step.shown)},
+                        {Role::change, filled_at(said->change, step.shown)}}};
+    std::erase_if(written.lines, [](const ScriptLine& line) { return line.text.empty(); });
+    steps.push_back(std::move(written));
+  }
+  return steps;
+}
+
+/// Words with `code` between marks as HTML.
+std::string inline_html(std::string_view text) {
+  std::string html = escaped(text);
+  bool open = false;
+  for (std::size_t at = html.find('`'); at != std::string::npos; at = html.find('`', at)) {
+    html.replace(at, 1, open ? "</code>" : "<code>");
+    open = !open;
+  }
+  return html;
+}
+
+std::string passage_html(std::string_view passage) {
+  std::string html;
+  bool list = false;
+  while (!passage.empty()) {
+    const std::size_t end = std::min(passage.find('\n'), passage.size());
+    const std::string_view line = passage.substr(0, end);
+    passage.remove_prefix(std::min(end + 1, passage.size()));
+    const bool item = line.starts_with("- ");
+    if (item != list) html += item ? "<ul>" : "</ul>";
+    list = item;
+    if (item)
+      html += "<li>" + inline_html(line.substr(2)) + "</li>";
+    else if (!line.empty())
+      html += "<p>" + inline_html(line) + "</p>";
+  }
+  return html + (list ? "</ul>" : "");
+}
+
+std::string markdown(const LessonWords& words, const std::vector<ScriptStep>& steps, Language language) {
+  std::string all = "# " + words.title + "\n\n" + words.summary.text + "\n\n" +
+                    std::string(text(LessonWord::script_keys, language)) + "\n";
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    all += fmt::format("\n## {}. {} ({})\n", i + 1, steps[i].heading, steps[i].time);
+    for (const ScriptLine& line : steps[i].lines)
+      all += fmt::format("\n**{}**\n\n{}\n", text(name_of(line.role), language), line.text);
+  }
+  for (const auto& [name, passage] :
+       {std::pair{LessonWord::teacher, words.teacher}, {LessonWord::sources, words.sources}})
+    if (!passage.empty()) all += fmt::format("\n## {}\n\n{}\n", text(name, language), passage.text);
+  return all;
+}
+
+// What is said stands largest: it is read at arm's length. Paper gets no step broken over two pages.
+constexpr std::string_view style = R"(
+body{max-width:46rem;margin:1.5rem auto;padding:0 1rem;color:#111;background:#fff;
+font:17px/1.45 Inter,Helvetica,Arial,sans-serif}
+h1{font-size:1.6rem;margin:0 0 .3rem}h2{font-size:1.2rem;margin:0;display:flex;justify-content:space-between;gap:1rem}
+time,.keys,.summary{color:#555;font-weight:normal}time{white-space:nowrap;font-size:1rem}
+section{border-top:2px solid #111;margin-top:1.4rem;padding-top:.6rem;break-inside:avoid}
+div{display:grid;grid-template-columns:7.5rem 1fr;gap:0 1rem;margin-top:.5rem}
+h3{font-size:.8rem;margin:.3rem 0;color:#555;text-transform:uppercase;letter-spacing:.03em}
+p,ul{margin:.15rem 0}ul{padding-left:1.2rem}code{font-family:'JetBrains Mono',Menlo,Consolas,monospace;font-size:.9em}
+.say{font-size:1.15rem}.ask{font-weight:600}.screen,.teacher,.change{color:#444}
+@media(max-width:34rem){div{grid-template-columns:1fr}h2{display:block}}
+@media print{body{margin:0;font-size:12px}}
+)";
+
+constexpr const char* class_of(Role role) {
+  switch (role) {
+    case Role::screen:
+      return "screen";
+    case Role::say:
+      return "say";
+    case Role::ask:
+      return "ask";
+    case Role::answer:
+      return "answer";
+    case Role::teacher:
+      return "teacher";
+    case Role::change:
+      return "change";
+  }
+  return "";
+}
+
+std::string page(const LessonWords& words, const std::vector<ScriptStep>& steps, Language language) {
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>{}</style>"
+      "</head>\n<body><h1>{}</h1>\n<p class=\"summary\">{}</p>\n<p class=\"keys\">{}</p>\n",
+      language_code(language), escaped(words.title), style, escaped(words.title), inline_html(words.summary.text),
+      inline_html(text(LessonWord::script_keys, language)));
+  const auto row = [&](const char* kind, LessonWord name, const std::string& passage) {
+    return fmt::format("<div class=\"{}\"><h3>{}</h3><span>{}</span></div>\n", kind, escaped(text(name, language)),
+                       passage_html(passage));
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    html += fmt::format("<section><h2>{}. {}<time>{}</time></h2>\n", i + 1, escaped(steps[i].heading), steps[i].time);
+    for (const ScriptLine& line : steps[i].lines) html += row(class_of(line.role), name_of(line.role), line.text);
+    html += "</section>\n";
+  }
+  html += "<section>" + row("teacher", LessonWord::teacher, words.teacher.text) +
+          row("teacher", LessonWord::sources, words.sources.text) + "</section>\n";
+  return html + "</body></html>\n";
+}
+
+}  // namespace
+
+std::string lesson_script(const PlayedLesson& played, Language language, ScriptForm form) {
+  const LessonWords& words = played.lesson->words.find(language)->second;
+  const std::vector<ScriptStep> steps = steps_of(played, words, language);
+  return form == ScriptForm::page ? page(words, steps, language) : markdown(words, steps, language);
+}
+
+}  // namespace raywalk

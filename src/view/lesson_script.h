@@ -1,0 +1,19 @@
+#pragma once
+// A lesson as its presenter has it in hand, beside the screen that the class sees.
+
+#include "lesson/play.h"
+
+#include <string>
+
+namespace raywalk {
+
+enum class ScriptForm {
+  markdown,
+  page,  ///< HTML in one file, to print or to read on a telephone
+};
+
+/// The whole lesson: what stands on the screen, what to say and to ask, the answer with the numbers of the trace, what
+/// students answer, and when each step begins. `played` has to hold every step of the lesson.
+[[nodiscard]] std::string lesson_script(const PlayedLesson& played, Language language, ScriptForm form);
+
+}  // namespace raywalk
