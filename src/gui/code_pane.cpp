@@ -190,6 +190,7 @@ void code_pane(const Ui& ui, const Rect& where) {
     bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
     if ((pointed_at || pointing) && pointed_at != ui.state.hovered_line) ui.act(action::HoverLine{pointed_at});
     pointing = pointed_at.has_value();
+    fade_edges(ui, ui.colours.panel);
   }
   end_pane();
 }

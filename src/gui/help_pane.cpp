@@ -45,6 +45,7 @@ void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
       }
       ImGui::Dummy({1, ui.px(14)});
     }
+    fade_edges(ui, ui.colours.panel);
   }
   end_pane();
 }

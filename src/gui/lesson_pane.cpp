@@ -48,9 +48,10 @@ void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float number = ui.px(44), room = std::max(ImGui::GetContentRegionAvail().x - number, 1.0f);
   const float length = room * static_cast<float>(hands) / static_cast<float>(most), thick = extent.y * 0.4f;
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x + number, at.y + (extent.y - thick) / 2},
-                                            {at.x + number + length, at.y + (extent.y + thick) / 2},
-                                            to_imgui(Shades(ui.state.theme).accent), ui.px(3));
+  if (hands > 0)
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x + number, at.y + (extent.y - thick) / 2},
+                                              {at.x + number + length, at.y + (extent.y + thick) / 2},
+                                              to_imgui(Shades(ui.state.theme).accent), ui.px(3));
   ImGui::SetCursorScreenPos({at.x, at.y + (extent.y - ImGui::GetFontSize()) / 2});
   label(ui.colours.text, std::to_string(hands));
   ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x, at.y + extent.y + ui.px(4)});
@@ -222,6 +223,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
           prose(ui, ui.colours.dim_text, panel.sources);
         }
       }
+      fade_edges(ui, ui.colours.panel);
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();

@@ -153,6 +153,7 @@ void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, For
     Form form(ui, memory, inside.width);
     epsilon_row(ui, form);
     ImGui::PopStyleVar();
+    fade_edges(ui, ui.colours.panel);
   }
   ImGui::EndChild();
   pop_font();

@@ -61,6 +61,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
             structure_tab(ui, inside);
             break;
         }
+        if (!own) fade_edges(ui, ui.colours.panel);
       }
       ImGui::EndChild();
     }

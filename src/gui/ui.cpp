@@ -1,5 +1,7 @@
 #include "gui/ui.h"
 
+#include <algorithm>
+
 namespace raywalk {
 
 void Ui::act(Action action) const { actions.push_back(std::move(action)); }
@@ -23,5 +25,19 @@ bool begin_pane(const Ui& ui, const char* name, const Rect& where, Colour ground
 }
 
 void end_pane() { ImGui::EndChild(); }
+
+void fade_edges(const Ui& ui, Colour ground) {
+  const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
+  const float bar = ImGui::GetScrollMaxY() > 0 ? ImGui::GetStyle().ScrollbarSize : 0;
+  const float right = at.x + extent.x - bar, bottom = at.y + extent.y, most = std::min(ui.px(22), extent.y / 4);
+  const float above = std::min(ImGui::GetScrollY(), most),
+              below = std::min(ImGui::GetScrollMaxY() - ImGui::GetScrollY(), most);
+  const ImU32 solid = to_imgui(ground), clear = to_imgui(ground.with_alpha(0));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(at, {right, bottom});
+  if (above > 0) draw.AddRectFilledMultiColor(at, {right, at.y + above}, solid, solid, clear, clear);
+  if (below > 0) draw.AddRectFilledMultiColor({at.x, bottom - below}, {right, bottom}, clear, clear, solid, solid);
+  draw.PopClipRect();
+}
 
 }  // namespace raywalk

@@ -101,4 +101,8 @@ struct Ui {
 bool begin_pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImGuiWindowFlags flags = 0);
 void end_pane();
 
+/// At the end of a region that scrolls: where more lies above or below, it fades into the ground, so that a line that
+/// is cut there reads as one that goes on.
+void fade_edges(const Ui& ui, Colour ground);
+
 }  // namespace raywalk

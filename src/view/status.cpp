@@ -5,6 +5,8 @@
 #include "view/plan_view.h"
 #include "view/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -202,6 +204,19 @@ std::string widest_status_line(const State& state, bool in_short) {
                digits(static_cast<int>(state.timeline->rays().size()), 3)});
 }
 
+namespace {
+
+/// A lesson as the list names it: "5 Refraction and total reflection".
+std::string lesson_title(const State& state, const std::string& name) {
+  const std::vector<LessonEntry>& list = state.lessons.list;
+  const auto entry = std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == name; });
+  if (entry == list.end()) return name;
+  const auto title = entry->titles.find(state.language);
+  return fmt::format("{} {}", entry - list.begin() + 1, title == entry->titles.end() ? name : title->second);
+}
+
+}  // namespace
+
 QuestionPanel question_panel(const State& state) {
   using action::Answer;
   QuestionPanel panel;
@@ -217,6 +232,8 @@ QuestionPanel question_panel(const State& state) {
           panel.text = fill(TextId::ask_unsaved_new, state.language, {file});
           break;
         case Intent::lesson:
+          panel.text = fill(TextId::ask_unsaved_open, state.language, {file, lesson_title(state, question.path)});
+          break;
         case Intent::open:
           panel.text = fill(TextId::ask_unsaved_open, state.language, {file, question.path});
           break;
