@@ -179,12 +179,7 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   ImGui::SetNextWindowPos({whole.x / 2, whole.y / 2}, 0, {0.5f, 0.5f});
   const std::string id = title + "###browser";
   if (!ImGui::IsPopupOpen(id.c_str())) ImGui::OpenPopup(id.c_str());
-  bool open = true;
-  if (!ImGui::BeginPopupModal(id.c_str(), &open, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
-    // Closed by its cross.
-    if (!open) ui.act(action::CancelPrompt{});
-    return;
-  }
+  if (!ImGui::BeginPopupModal(id.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
   const float line = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.y;
   if (button(ui, "browser-up", ui.say(WindowText::folder_up), ui.say(WindowText::folder_up_hint), {0, line},
              {.look = Look::plain, .icon = Icon::up}))
