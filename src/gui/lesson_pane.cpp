@@ -20,7 +20,7 @@ void list(const Ui& ui, const LessonPanel& panel) {
   for (const LessonRow& row : panel.rows) {
     std::string title = fmt::format("{}  {}", ++number, row.title);
     if (row.done > 0) title += row.done == row.steps ? "  \u2713" : fmt::format("  {}/{}", row.done, row.steps);
-    const Colour ink = row.locked ? ui.colours.dim_text.with_alpha(150) : ui.colours.text;
+    const Colour ink = row.locked ? ui.colours.dim_text : ui.colours.text;
     if (wide_button(ui, "lesson/" + row.name, title, shades.raised, ink, true)) ui.act(action::OpenLesson{row.name});
     if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say(LessonWord::locked));
   }
