@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace raywalk {
 
@@ -17,17 +19,25 @@ Vec3d turned(const Vec3d& v, const Vec3d& axis, double angle) {
   return c * v + s * cross(axis, v) + (1 - c) * dot(axis, v) * axis;
 }
 
-Bounds<double> bodies_and_eye(const Scene& scene) {
-  Bounds<double> box;
+void add_corners(const Bounds<double>& box, const Affine<double>& place, std::vector<Vec3d>& points) {
+  for (int corner = 0; corner < 8; ++corner)
+    points.push_back(place.point({(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
+                                  (corner & 4) != 0 ? box.max.z : box.min.z}));
+}
+
+/// The corners of everything that has an end, and EYE.
+std::vector<Vec3d> bodies_and_eye(const Scene& scene) {
+  std::vector<Vec3d> points{scene.camera.eye};
   for (const Object& object : scene.objects) {
     const Bounds<double> own = bounds(object.shape);
-    if (own.empty() || !own.bounded()) continue;
-    const Affine<double> place = affine_of(object.transform);
-    for (int corner = 0; corner < 8; ++corner)
-      box.include(place.point({(corner & 1) != 0 ? own.max.x : own.min.x, (corner & 2) != 0 ? own.max.y : own.min.y,
-                               (corner & 4) != 0 ? own.max.z : own.min.z}));
+    if (!own.empty() && own.bounded()) add_corners(own, affine_of(object.transform), points);
   }
-  box.include(scene.camera.eye);
+  return points;
+}
+
+Bounds<double> box_of(const std::vector<Vec3d>& points) {
+  Bounds<double> box;
+  for (const Vec3d& point : points) box.include(point);
   return box;
 }
 
@@ -42,15 +52,21 @@ Bounds<double> thick(Bounds<double> box) {
   return box;
 }
 
-/// What is to be seen at first: a light far away from everything would make all else small.
-Bounds<double> without_far_lights(const Scene& scene) {
-  const Bounds<double> things = thick(bodies_and_eye(scene));
+/// What is to be seen at first: a light far away from everything would make all else small. Of very many things the
+/// box around them has to do.
+std::vector<Vec3d> seen_at_first(const Scene& scene) {
+  constexpr std::size_t most = 1 << 14;
+  std::vector<Vec3d> points = bodies_and_eye(scene);
+  const Bounds<double> things = thick(box_of(points));
+  if (points.size() > most || points.size() == 1) {
+    points.clear();
+    add_corners(things, {}, points);
+  }
   const Vec3d middle = things.min + (things.max - things.min) / 2.0;
-  Bounds<double> box = things;
   for (const Light& light : scene.lights)
     if (const std::optional<Vec3d> at = middle_of(light); at && length(*at - middle) < length(things.max - things.min))
-      box.include(*at);
-  return box;
+      points.push_back(*at);
+  return points;
 }
 
 /// Half the width of the image at distance 1.
@@ -59,7 +75,7 @@ double half_width(const Camera& camera) { return camera.half_extent(); }
 }  // namespace
 
 Bounds<double> room_of(const Scene& scene) {
-  Bounds<double> box = bodies_and_eye(scene);
+  Bounds<double> box = box_of(bodies_and_eye(scene));
   for (const Light& light : scene.lights)
     if (const std::optional<Vec3d> middle = middle_of(light)) box.include(*middle);
   return thick(box);
@@ -128,7 +144,8 @@ Camera approached(const Camera& camera, const Vec3d& pivot, double factor) {
 
 Camera overlooking(const Scene& scene, const Viewport& viewport) {
   constexpr double aside = -0.65, above = 0.5, angle = 40;  // radians, radians, degrees
-  const Bounds<double> box = without_far_lights(scene);
+  const std::vector<Vec3d> points = seen_at_first(scene);
+  const Bounds<double> box = thick(box_of(points));
   const Vec3d middle = box.min + (box.max - box.min) / 2.0;
   const double radius = length(box.max - box.min) / 2;
   Camera camera;
@@ -142,21 +159,28 @@ Camera overlooking(const Scene& scene, const Viewport& viewport) {
   camera.eye = middle - 1.1 * radius / std::sin(angle * pi / 360) * normalize(level);
   camera.look_at = middle;
   camera = orbited(camera, middle, {aside, above});
-  // The corners of the box come nearer to the borders than the ball around it; a few steps find how much.
-  constexpr int steps = 6;
+  // What is seen comes into the middle of the pane and close to its borders, in a few steps: each changes the other.
+  constexpr int steps = 8;
   constexpr double border = 0.8;  // of the way to it
+  Camera last = camera;           // that sees all of it
   for (int step = 0; step < steps; ++step) {
-    const Projection seen(camera, viewport);
-    double reach = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const auto at = seen.point({(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
-                                  (corner & 4) != 0 ? box.max.z : box.min.z});
-      if (!at) return camera;
-      reach = std::max(reach, std::abs(at->x - viewport.width / 2) / (viewport.width / 2));
-      reach = std::max(reach, std::abs(at->y - viewport.height / 2) / (viewport.height / 2));
+    const Projection projection(camera, viewport);
+    Vec2d least(std::numeric_limits<double>::infinity()), most(-least);
+    for (const Vec3d& point : points) {
+      const auto at = projection.point(point);
+      if (!at) return last;
+      least = {std::min(least.x, at->x), std::min(least.y, at->y)};
+      most = {std::max(most.x, at->x), std::max(most.y, at->y)};
     }
-    if (!(reach > 0)) break;
-    camera = approached(camera, middle, std::clamp(border / reach, 0.6, 1.4));
+    last = camera;
+    const Vec2d pane(viewport.width, viewport.height), off = (least + most) / 2.0 - pane / 2.0;
+    const Vec2d reach = (most - least) / pane;
+    if (!(std::max(reach.x, reach.y) > 0)) break;
+    const Vec3d forward = normalize(camera.look_at - camera.eye), right = normalize(cross(forward, up));
+    const Vec3d by = (off.x * right - off.y * cross(right, forward)) / projection.pixels_per_unit(camera.look_at);
+    camera.eye += by;
+    camera.look_at += by;
+    camera = approached(camera, camera.look_at, std::clamp(border / std::max(reach.x, reach.y), 0.6, 1.4));
   }
   return camera;
 }
