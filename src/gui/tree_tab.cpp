@@ -83,8 +83,19 @@ void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spa
 void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing) {
   const float r = spacing.radius, column = spacing.column;
   if (node.future || ((column < ui.px(64) || spacing.level < ui.px(58)) && !node.current && !node.hovered)) return;
-  draw_text(ui, ui.fonts.small, {at.x, at.y + r + ui.px(12)}, ui.colours.dim_text, node.label,
-            node.current || node.hovered ? ui.px(200) : column - ui.px(6), ui.colours.panel.with_alpha(200));
+  const bool whole = node.current || node.hovered;
+  const float room = whole ? ui.px(200) : column - ui.px(6);
+  if (whole) {
+    // Beside its node rather than cut off at the border of what is seen.
+    push_font(ui.fonts.small);
+    const float half = std::min(ImGui::CalcTextSize(node.label.c_str()).x, room) / 2 + ui.px(4);
+    pop_font();
+    const float left = ImGui::GetWindowPos().x + half, right = left - half + ImGui::GetWindowWidth() - half;
+    at.x = std::clamp(at.x, left,
+                      std::max(left, right - (ImGui::GetScrollMaxY() > 0 ? ImGui::GetStyle().ScrollbarSize : 0)));
+  }
+  draw_text(ui, ui.fonts.small, {at.x, at.y + r + ui.px(12)}, ui.colours.dim_text, node.label, room,
+            ui.colours.panel.with_alpha(200));
 }
 
 // What the node's sign stands for, and what its ray could bring.
