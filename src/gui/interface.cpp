@@ -4,6 +4,8 @@
 #include "gui/dialogs.h"
 #include "gui/style.h"
 
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 
 namespace raywalk {
@@ -68,6 +70,10 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
   if (menu_open && shown_menu_ >= 0 && command_of(key, state) == Command::menu) {
     perform(Command::menu, with);
     return grant(with);
+  }
+  if (shown_menu_ >= 0 && !key.ctrl && !key.alt && (key.key == GLFW_KEY_LEFT || key.key == GLFW_KEY_RIGHT)) {
+    constexpr int until_closed = 3;  // frames
+    aside_ = {(shown_menu_ + (key.key == GLFW_KEY_LEFT ? menu_count - 1 : 1)) % menu_count, until_closed};
   }
   if (!asks && (ImGui::GetIO().WantTextInput || menu_open)) return;
   press_key(key, with);
@@ -138,6 +144,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     banner_pane(with, banner);
   }
   shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
+  if (aside_.frames > 0 && shown_menu_ < 0) wanted_menu_ = std::exchange(aside_, {}).neighbour;
+  if (aside_.frames > 0) --aside_.frames;
   if (state.mode == Mode::help) {
     help_pane(with, left, std::exchange(scroll_help_, 0.0f));
   } else {

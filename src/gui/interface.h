@@ -49,6 +49,10 @@ class Interface {
   bool full_screen_ = false, focus_properties_ = false, open_settings_ = false, open_knobs_ = false,
        open_breakpoints_ = false;
   int wanted_menu_ = -1, shown_menu_ = -1;  ///< of the bar, by number; -1: none
+  /// An arrow to the side in an open menu: when that closes, and opens no menu inside, its neighbour opens.
+  struct Aside {
+    int neighbour = -1, frames = 0;
+  } aside_;
   bool exchanged_ = false;                  ///< the tabs stand where the plan was, and the plan in their corner
   float scroll_help_ = 0;
   double next_frame_in_ = -1;

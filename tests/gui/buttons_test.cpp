@@ -139,6 +139,32 @@ TEST_CASE("F10 opens one menu after the other") {
   }
 }
 
+TEST_CASE("arrows go from one open menu to its neighbours, but into a menu inside first") {
+  Bench bench(at(0, Mode::move));
+  bench.state.recent = {"/somewhere/a.toml"};
+  bench.frames(2);
+  const auto arrow = [&](int key, ImGuiKey_ nav) {
+    bench.key(key);
+    ImGui::GetIO().KeysDown[nav] = true;
+    bench.frames(1);
+    ImGui::GetIO().KeysDown[nav] = false;
+    bench.frames(4);
+  };
+  bench.key(GLFW_KEY_F10);
+  REQUIRE(bench.has("menu/open"));
+  arrow(GLFW_KEY_LEFT, ImGuiKey_LeftArrow);
+  CHECK(bench.has("menu/magnify"));
+  arrow(GLFW_KEY_RIGHT, ImGuiKey_RightArrow);
+  CHECK(bench.has("menu/open"));
+  arrow(GLFW_KEY_RIGHT, ImGuiKey_RightArrow);
+  CHECK(bench.has("menu/undo"));
+  arrow(GLFW_KEY_LEFT, ImGuiKey_LeftArrow);
+  for (int row = 0; row < 2; ++row) arrow(GLFW_KEY_DOWN, ImGuiKey_DownArrow);
+  arrow(GLFW_KEY_RIGHT, ImGuiKey_RightArrow);
+  CHECK(bench.has("menu/recent/0"));
+  CHECK(bench.has("menu/open"));
+}
+
 TEST_CASE("a recent file is opened from its menu") {
   Bench bench(at(0, Mode::move));
   bench.state.recent = {"/somewhere/a.toml", "/somewhere/b.toml"};
