@@ -108,7 +108,121 @@ std::optional<double> number_in(std::string typed) {
   return end == typed.c_str() || *end != '\0' ? std::nullopt : std::optional(value);
 }
 
+// Where one is, how to close, and what it is about.
+void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) {
+  const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui);
+  push_font(ui.fonts.small);
+  label(ui.colours.dim_text,
+        shortened(open ? fmt::format("{}/{} \u00b7 {}", panel.step, panel.steps, panel.lesson) : panel.score,
+                  width - 2 * height));
+  pop_font();
+  ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
+  if (button(ui, "lesson-close", "", open ? ui.say(LessonWord::close) : "", {height, height},
+             {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false})) {
+    if (open) ui.act(action::LeaveLesson{});
+    ui.act(action::ShowLessons{false});
+  }
+  ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + height});
+  push_font(ui.fonts.title);
+  paragraph(ui.colours.text, open ? panel.heading : ui.say(LessonWord::lessons));
+  pop_font();
+}
+
+void answer(const Ui& ui, const LessonPanel& panel) {
+  if (!panel.verdict.empty())
+    heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
+            (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+  if (!panel.hands.empty()) heading(ui, ui.colours.text, panel.hands);
+  if (!panel.verdict.empty()) {
+    push_font(ui.fonts.small);
+    paragraph(ui.colours.dim_text, panel.score);
+    pop_font();
+  }
+  if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
+  if (panel.change.empty()) return;
+  heading(ui, ui.colours.text, ui.say(LessonWord::change));
+  prose(ui, ui.colours.text, panel.change);
+}
+
+void notes(const Ui& ui, const LessonPanel& panel) {
+  const auto part = [&](const std::string& title, const std::string& words) {
+    if (words.empty()) return;
+    heading(ui, ui.colours.dim_text, title);
+    prose(ui, ui.colours.dim_text, words);
+  };
+  part(ui.say(LessonWord::presenter) + " \u00b7 " + panel.time, panel.presenter);
+  part(ui.say(LessonWord::teacher), panel.teacher);
+  if (!panel.notes.empty()) prose(ui, ui.colours.dim_text, panel.notes);
+  part(ui.say(LessonWord::sources), panel.sources);
+}
+
+// To the list, a step back, and on: to the answer first, where one is asked for.
+void steps(const Ui& ui, const LessonPanel& panel, ImVec2 at, float width) {
+  const float height = button_height(ui), gap = ui.px(8), half = (width - height - 2 * gap) / 2;
+  ImGui::SetCursorScreenPos(at);
+  if (button(ui, "lesson-list", ui.say(LessonWord::all_lessons), ui.say(LessonWord::all_lessons), {height, height},
+             {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
+    ui.act(action::LeaveLesson{});
+  ImGui::SameLine(0, gap);
+  if (button(ui, "lesson-back", ui.say(LessonWord::back), "", {half, height}, {}, false, panel.can_go_back))
+    ui.act(action::GoToLessonStep{panel.step - 2});
+  ImGui::SameLine(0, gap);
+  if (panel.asks != Asks::nothing && !ui.state.lessons.revealed) {
+    if (button(ui, "lesson-reveal", ui.say(LessonWord::reveal), "", {half, height}, {.look = Look::primary}, false,
+               panel.can_reveal))
+      ui.act(action::RevealLesson{});
+  } else if (button(ui, "lesson-next", ui.say(panel.is_last ? LessonWord::finish : LessonWord::next), "",
+                    {half, height}, {.look = Look::primary}, false, panel.can_go_on)) {
+    ui.act(action::GoToLessonStep{panel.step});
+  }
+}
+
 }  // namespace
+
+void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
+  const bool revealed = ui.state.lessons.revealed;
+  if (is_new && !revealed) ImGui::SetKeyboardFocusHere();
+  char typed[32] = {};
+  number_.copy(typed, sizeof typed - 1);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.5f);
+  const bool entered =
+      ImGui::InputText("##number", typed, sizeof typed,
+                       ImGuiInputTextFlags_EnterReturnsTrue | (revealed ? ImGuiInputTextFlags_ReadOnly : 0));
+  ui.publish("lesson-number");
+  if (number_ != typed) {
+    number_ = typed;
+    if (const auto value = number_in(number_)) ui.act(action::GuessNumber{*value});
+  }
+  if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
+  if (!panel.unit.empty()) {
+    ImGui::SameLine();
+    label(ui.colours.text, panel.unit);
+  }
+  if (!number_.empty() && !number_in(number_) && !revealed)
+    paragraph(ui.colours.error, ui.say(LessonWord::not_a_number));
+}
+
+void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
+  const LessonSitting& sitting = ui.state.lessons;
+  const ImVec2 wide{ImGui::GetContentRegionAvail().x, button_height(ui)};
+  heading(ui, Shades(ui.state.theme).accent, ui.say(LessonWord::predict));
+  prose(ui, ui.colours.text, panel.question);
+  choices(ui, panel);
+  if (!sitting.revealed) {
+    push_font(ui.fonts.small);
+    if (panel.asks == Asks::choice && sitting.presenter) paragraph(ui.colours.dim_text, ui.say(LessonWord::hands_hint));
+    if (panel.asks == Asks::arrow && !panel.astray)
+      paragraph(ui.colours.dim_text, "\u2192 " + ui.say(LessonWord::drag_arrow));
+    if (panel.asks == Asks::number) paragraph(ui.colours.dim_text, ui.say(LessonWord::type_number));
+    if (panel.asks == Asks::line) paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
+    pop_font();
+  }
+  if (panel.asks == Asks::line && sitting.revealed && ui.state.bug) command_button(ui, Command::bug_mend, wide);
+  if (panel.astray &&
+      button(ui, "lesson-question", ui.say(LessonWord::back_to_question), "", wide, {.look = Look::primary}))
+    ui.act(action::GoToLessonStep{panel.step - 1});
+  if (panel.asks == Asks::number) number(ui, panel, is_new);
+}
 
 void LessonPane::draw(const Ui& ui, const Rect& where) {
   const LessonPanel panel = lesson_panel(ui.state);
@@ -123,133 +237,31 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     if (is_new && !sitting.revealed) number_.clear();
     shown_for_ = shown_for;
     const bool open = sitting.at() != nullptr;
-    const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui);
-
-    push_font(ui.fonts.small);
-    label(ui.colours.dim_text,
-          shortened(open ? fmt::format("{}/{} \u00b7 {}", panel.step, panel.steps, panel.lesson) : panel.score,
-                    width - 2 * height));
-    pop_font();
-    ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
-    if (button(ui, "lesson-close", "", open ? ui.say(LessonWord::close) : "", {height, height},
-               {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false})) {
-      if (open) ui.act(action::LeaveLesson{});
-      ui.act(action::ShowLessons{false});
-    }
-    ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + height});
-    push_font(ui.fonts.title);
-    paragraph(ui.colours.text, open ? panel.heading : ui.say(LessonWord::lessons));
-    pop_font();
+    const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), left = where.x + ui.px(16);
+    head(ui, panel, where, open);
 
     const float foot = open ? 2 * height + ui.px(26) : height + ui.px(18);
-    const float top = ImGui::GetCursorScreenPos().y;
-    const float room = std::max(where.bottom() - top - foot, 1.0f);
+    const float room = std::max(where.bottom() - ImGui::GetCursorScreenPos().y - foot, 1.0f);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
     if (ImGui::BeginChild("lesson-words", {width, room}, false)) {
       if (is_new) ImGui::SetScrollY(0);
-      if (!open) {
-        list(ui, panel);
-      } else {
+      if (open) {
         if (!panel.summary.empty()) prose(ui, ui.colours.dim_text, panel.summary);
         prose(ui, ui.colours.text, panel.text);
-        if (panel.asks != Asks::nothing) {
-          heading(ui, Shades(ui.state.theme).accent, ui.say(LessonWord::predict));
-          prose(ui, ui.colours.text, panel.question);
-          choices(ui, panel);
-          push_font(ui.fonts.small);
-          if (panel.asks == Asks::choice && sitting.presenter && !sitting.revealed)
-            paragraph(ui.colours.dim_text, ui.say(LessonWord::hands_hint));
-          if (panel.asks == Asks::arrow && !sitting.revealed && !panel.astray)
-            paragraph(ui.colours.dim_text, "\u2192 " + ui.say(LessonWord::drag_arrow));
-          if (panel.asks == Asks::number && !sitting.revealed)
-            paragraph(ui.colours.dim_text, ui.say(LessonWord::type_number));
-          if (panel.asks == Asks::line && !sitting.revealed)
-            paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
-          pop_font();
-          if (panel.asks == Asks::line && sitting.revealed && ui.state.bug)
-            command_button(ui, Command::bug_mend, {width, height});
-          if (panel.astray && button(ui, "lesson-question", ui.say(LessonWord::back_to_question), "", {width, height},
-                                     {.look = Look::primary}))
-            ui.act(action::GoToLessonStep{panel.step - 1});
-          if (panel.asks == Asks::number) {
-            if (is_new && !sitting.revealed) ImGui::SetKeyboardFocusHere();
-            char typed[32] = {};
-            number_.copy(typed, sizeof typed - 1);
-            ImGui::SetNextItemWidth(width * 0.5f);
-            const bool entered = ImGui::InputText(
-                "##number", typed, sizeof typed,
-                ImGuiInputTextFlags_EnterReturnsTrue | (sitting.revealed ? ImGuiInputTextFlags_ReadOnly : 0));
-            ui.publish("lesson-number");
-            if (number_ != typed) {
-              number_ = typed;
-              if (const auto value = number_in(number_)) ui.act(action::GuessNumber{*value});
-            }
-            if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
-            if (!panel.unit.empty()) {
-              ImGui::SameLine();
-              label(ui.colours.text, panel.unit);
-            }
-            if (!number_.empty() && !number_in(number_) && !sitting.revealed)
-              paragraph(ui.colours.error, ui.say(LessonWord::not_a_number));
-          }
-        }
+        if (panel.asks != Asks::nothing) question(ui, panel, is_new);
         // A new answer is brought into sight, with what leads to it.
         if (is_new && sitting.revealed) ImGui::SetScrollHereY(0.35f);
-        if (!panel.verdict.empty())
-          heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
-                  (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
-        if (!panel.hands.empty()) heading(ui, ui.colours.text, panel.hands);
-        if (!panel.verdict.empty()) {
-          push_font(ui.fonts.small);
-          paragraph(ui.colours.dim_text, panel.score);
-          pop_font();
-        }
-        if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
-        if (!panel.change.empty()) {
-          heading(ui, ui.colours.text, ui.say(LessonWord::change));
-          prose(ui, ui.colours.text, panel.change);
-        }
-        if (!panel.presenter.empty()) {
-          heading(ui, ui.colours.dim_text, ui.say(LessonWord::presenter) + " \u00b7 " + panel.time);
-          prose(ui, ui.colours.dim_text, panel.presenter);
-        }
-        if (!panel.teacher.empty()) {
-          heading(ui, ui.colours.dim_text, ui.say(LessonWord::teacher));
-          prose(ui, ui.colours.dim_text, panel.teacher);
-        }
-        if (!panel.notes.empty()) prose(ui, ui.colours.dim_text, panel.notes);
-        if (!panel.sources.empty()) {
-          heading(ui, ui.colours.dim_text, ui.say(LessonWord::sources));
-          prose(ui, ui.colours.dim_text, panel.sources);
-        }
+        answer(ui, panel);
+        notes(ui, panel);
+      } else {
+        list(ui, panel);
       }
       fade_edges(ui, ui.colours.panel);
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
 
-    // Along the bottom: where to go, and how the lessons are shown.
-    const float y = where.bottom() - foot + ui.px(8), gap = ui.px(8), left = where.x + ui.px(16);
-    if (open) {
-      ImGui::SetCursorScreenPos({left, y});
-      if (button(ui, "lesson-list", ui.say(LessonWord::all_lessons), ui.say(LessonWord::all_lessons), {height, height},
-                 {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
-        ui.act(action::LeaveLesson{});
-      const float half = (width - height - 2 * gap) / 2;
-      ImGui::SetCursorScreenPos({left + height + gap, y});
-      if (button(ui, "lesson-back", ui.say(LessonWord::back), "", {half, height}, {}, false, panel.can_go_back))
-        ui.act(action::GoToLessonStep{panel.step - 2});
-      ImGui::SetCursorScreenPos({left + height + half + 2 * gap, y});
-      const bool reveals = panel.asks != Asks::nothing && !sitting.revealed;
-      if (reveals) {
-        if (button(ui, "lesson-reveal", ui.say(LessonWord::reveal), "", {half, height}, {.look = Look::primary}, false,
-                   panel.can_reveal))
-          ui.act(action::RevealLesson{});
-      } else if (button(ui, "lesson-next", ui.say(panel.is_last ? LessonWord::finish : LessonWord::next), "",
-                        {half, height}, {.look = Look::primary}, false, panel.can_go_on)) {
-        ui.act(action::GoToLessonStep{panel.step});
-      }
-    }
+    if (open) steps(ui, panel, {left, where.bottom() - foot + ui.px(8)}, width);
     ImGui::SetCursorScreenPos({left, where.bottom() - ui.px(10) - height});
     options(ui, width, open);
   }

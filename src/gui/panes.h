@@ -9,7 +9,8 @@
 
 namespace raywalk {
 
-class LiveCosts;  // gui/live_costs.h
+class LiveCosts;     // gui/live_costs.h
+struct LessonPanel;  // view/lesson_panel.h
 
 inline constexpr int menu_count = 5;
 /// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Which
@@ -71,6 +72,9 @@ class LessonPane {
   void draw(const Ui& ui, const Rect& where);
 
  private:
+  void question(const Ui& ui, const LessonPanel& panel, bool is_new);
+  void number(const Ui& ui, const LessonPanel& panel, bool is_new);
+
   std::string number_;     ///< as typed
   std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
 };
