@@ -101,6 +101,9 @@ std::string report(const State& state, const Interface& interface, const Preview
                       {"step", sitting.step + 1},
                       {"revealed", sitting.revealed},
                       {"aimed", sitting.guess.arrow.has_value()},
+                      {"presenter", sitting.presenter},
+                      {"notes", sitting.notes},
+                      {"hands", sitting.hands},
                       {"right", sitting.right},
                       {"judged", sitting.judged}};
   if (state.bug)

@@ -21,6 +21,7 @@ class ClassicWalk {
   void keep_picture(const std::string& name) const {
     desktop_.picture(std::filesystem::path(std::getenv("RAYWALK_BIN")).parent_path() / "window-test" / (name + ".png"));
   }
+  [[nodiscard]] const std::filesystem::path& folder() const { return desktop_.folder(); }
   void hand(const std::vector<std::string>& words) const { desktop_.hand(words); }
   /// Waits until a member of one of the report's parts is that.
   bool until(const std::string& part, const std::string& member, const nlohmann::json& value, double seconds = 60) {
