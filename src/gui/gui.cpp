@@ -255,7 +255,12 @@ class Loop {
   void write_report() {
     if (options_.report_path.empty()) return;
     const ImVec2 extent = ImGui::GetIO().DisplaySize;
-    const WindowReport window{frames_drawn_, first_frame_, extent.x, extent.y, patience() != 0 && !state_.playing};
+    const WindowReport window{frames_drawn_,
+                              first_frame_,
+                              extent.x,
+                              extent.y,
+                              patience() != 0 && !state_.playing,
+                              ImGui::GetIO().WantTextInput};
     const std::string text = report(state_, interface_, image_.preview(), costs_, dpi(), window);
     if (Result<void> written = write_file_atomically(options_.report_path, text); !written && failure_) {
       failure_ = tl::unexpected(written.error());

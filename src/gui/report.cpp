@@ -117,7 +117,8 @@ std::string report(const State& state, const Interface& interface, const Preview
                     {"height", window.height},
                     {"frames", window.frames},
                     {"first_frame", window.first_frame},
-                    {"idle", window.idle}};
+                    {"idle", window.idle},
+                    {"typing", window.typing}};
   Json objects = Json::object(), lights = Json::object(), items = Json::object();
   for (const Object& object : state.scene().objects) objects[object.name] = place(middle(object.shape));
   for (const Light& light : state.scene().lights) {

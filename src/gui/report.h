@@ -14,6 +14,7 @@ struct WindowReport {
   double first_frame = 0;       ///< seconds from run_gui to the end of the first frame
   float width = 0, height = 0;  ///< units
   bool idle = false;            ///< nothing is left to do until something happens
+  bool typing = false;          ///< a field has the keyboard
 };
 
 /// The state as JSON: mode, playback, selection, files, questions, every object's and light's place in the window, and

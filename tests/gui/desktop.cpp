@@ -220,9 +220,17 @@ void Visualiser::drag(double x, double y, double to_x, double to_y) {
 
 void Visualiser::key(const std::string& name) const { desktop_.hand({"key", "--delay", "60", name, "sleep", "0.15"}); }
 
-void Visualiser::type(const std::string& text) const {
+void Visualiser::type(const std::string& text) {
+  // Before a slow frame has given it the keyboard, letters would be commands.
+  until([](const nlohmann::json& report) { return report["window"]["typing"] == true; }, 20);
   desktop_.hand({"type", "--delay", "40", text});
   desktop_.hand({"sleep", "0.2"});
+}
+
+void Visualiser::retype(const std::string& text) {
+  until([](const nlohmann::json& report) { return report["window"]["typing"] == true; }, 20);
+  key("ctrl+a");
+  type(text);
 }
 
 std::string Visualiser::said() const { return bytes_of(err_); }

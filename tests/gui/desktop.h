@@ -74,7 +74,10 @@ class Visualiser {
   // From one place of the window to another, in a few moves.
   void drag(double x, double y, double to_x, double to_y);
   void key(const std::string& name) const;
-  void type(const std::string& text) const;
+  // Into the field that has the keyboard, or is about to have it.
+  void type(const std::string& text);
+  // The same in place of what stands there.
+  void retype(const std::string& text);
   // [x, y] of the middle of an item.
   [[nodiscard]] std::pair<double, double> place(const std::string& item) const;
 

@@ -118,8 +118,7 @@ TEST_CASE("lesson 5 in the window, as a teacher presents it: hands, notes, scrip
   REQUIRE(raywalk.until("prompt", "export"));
   walk.keep_picture("l6-script");
   const std::string path = (walk.folder() / "five.script.html").string();
-  raywalk.key("ctrl+a");
-  raywalk.type(path);
+  raywalk.retype(path);
   raywalk.key("Return");
   REQUIRE(raywalk.until("prompt", ""));
   CHECK(contents(path).find("Slower, so steeper") != std::string::npos);

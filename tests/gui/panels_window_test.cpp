@@ -199,8 +199,7 @@ TEST_CASE("exports of the window: a picture by the dialog, a film, and the demo 
 
   raywalk.key("ctrl+e");
   REQUIRE(raywalk.until("prompt", "export"));
-  raywalk.key("ctrl+a");
-  raywalk.type(file("slides.html"));
+  raywalk.retype(file("slides.html"));
   raywalk.key("Return");
   REQUIRE(raywalk.until("prompt", ""));
   CHECK(starts_with("slides.html", "<!DOCTYPE html>"));

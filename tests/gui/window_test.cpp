@@ -178,8 +178,7 @@ TEST_CASE("files with mouse and keyboard: save as, open, undo, unsaved work, rec
     raywalk.key("ctrl+shift+s");
     REQUIRE(raywalk.until("prompt", "save_as"));
     desktop.picture(picture("a-save-as"));
-    raywalk.key("ctrl+a");
-    raywalk.type(other);
+    raywalk.retype(other);
     raywalk.key("Return");
     REQUIRE(raywalk.until("path", other));
     CHECK(raywalk.report()["dirty"] == false);
