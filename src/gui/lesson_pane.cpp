@@ -78,11 +78,19 @@ void options(const Ui& ui, float width, bool open) {
   const LessonSitting& sitting = ui.state.lessons;
   const bool presents = sitting.presenter && open;
   const float gap = ui.px(8), count = presents ? 3 : 2;
-  const ImVec2 extent{(width - (count - 1) * gap) / count, button_height(ui)};
+  // As wide as their words ask for, and together as wide as the pane.
+  const auto needs = [&](LessonWord label) {
+    return button_width(ui, ui.say(label), {Look::plain, Icon::none, ui.fonts.small});
+  };
+  const float needed = needs(LessonWord::presenter) +
+                       (presents ? needs(LessonWord::notes) + needs(LessonWord::script) : needs(LessonWord::unlock));
+  const auto extent = [&](LessonWord label) {
+    return ImVec2{(width - (count - 1) * gap) * needs(label) / needed, button_height(ui)};
+  };
   action::SetLessonOptions wanted{sitting.presenter, sitting.unlocked, !sitting.notes};
   const auto toggle = [&](const char* name, LessonWord label, LessonWord hint, bool& value, bool is_on) {
     const ButtonLook look{is_on ? Look::choice : Look::plain, Icon::none, ui.fonts.small};
-    if (!button(ui, name, ui.say(label), ui.say(hint), extent, look, is_on)) return;
+    if (!button(ui, name, ui.say(label), ui.say(hint), extent(label), look, is_on)) return;
     value = !value;
     ui.act(wanted);
   };
@@ -94,8 +102,8 @@ void options(const Ui& ui, float width, bool open) {
   }
   toggle("lesson-notes", LessonWord::notes, LessonWord::notes_hint, wanted.without_notes, sitting.notes);
   ImGui::SameLine(0, gap);
-  if (button(ui, "lesson-script", ui.say(LessonWord::script), ui.say(LessonWord::script_hint), extent,
-             {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
+  if (button(ui, "lesson-script", ui.say(LessonWord::script), ui.say(LessonWord::script_hint),
+             extent(LessonWord::script), {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
     ui.act(action::AskExport{});
 }
 
