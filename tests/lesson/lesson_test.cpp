@@ -215,7 +215,7 @@ TEST_CASE("a presentation takes five minutes, without the steps that are extra")
   for (int i = 0; i < 600; ++i) words += "{count(formed) + 1} word ";
   const std::string long_words = replaced(good_words, "\nThree\n", "\n" + words + "\n");
   const std::string long_fault = faults(good_steps, long_words, good_words);
-  CHECK(long_fault.find("en.md:1: the presenter needs 12.0 minutes (expected 2 to 5.5)") != std::string::npos);
+  CHECK(long_fault.find("en.md:1: the presenter needs 12.1 minutes (expected 2 to 5.5)") != std::string::npos);
   const std::string extra = replaced(good_steps, "id = \"count\"\n", "id = \"count\"\nextra = true\n");
   CHECK(faults(extra, long_words, good_words) == "");
   const std::string short_words = replaced(good_words, "word word word", "word");
@@ -243,7 +243,7 @@ TEST_CASE("a lesson's file is refused with line and hint") {
   CHECK(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
         "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, fault, run, reveal, "
         "predict, "
-        "check, picture, show or breakpoints)\n");
+        "check, picture, show, breakpoints or extra)\n");
   CHECK(faults("[[step]]\nid = \"a\"\n") ==
         "lesson.toml:1: the first step has no scene (expected scene = \"classic\" or another)\n");
   CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrun = '1 +'\n"),

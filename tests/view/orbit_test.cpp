@@ -139,7 +139,14 @@ TEST_CASE("the line view begins with the whole of each shipped scene in the pane
     least = {std::min(least.x, eye->x), std::min(least.y, eye->y)};
     most = {std::max(most.x, eye->x), std::max(most.y, eye->y)};
     CHECK((eye->x > 0 && eye->x < pane.width && eye->y > 0 && eye->y < pane.height));
-    // All of it, and as large as the pane lets it be: a light may have widened it.
+    for (const Light& light : scene.lights)
+      if (const auto middle = middle_of(light))
+        if (const auto at = seen.point(*middle);
+            at && at->x > 0 && at->x < pane.width && at->y > 0 && at->y < pane.height) {
+          least = {std::min(least.x, at->x), std::min(least.y, at->y)};
+          most = {std::max(most.x, at->x), std::max(most.y, at->y)};
+        }
+    // All of it, and as large as the pane lets it be.
     CHECK((least.x > 0 && most.x < pane.width && least.y > 0 && most.y < pane.height));
     CHECK(std::max((most.x - least.x) / pane.width, (most.y - least.y) / pane.height) > 0.6);
   }
