@@ -58,10 +58,8 @@ std::vector<Vec3d> seen_at_first(const Scene& scene) {
   constexpr std::size_t most = 1 << 14;
   std::vector<Vec3d> points = bodies_and_eye(scene);
   const Bounds<double> things = thick(box_of(points));
-  if (points.size() > most || points.size() == 1) {
-    points.clear();
-    add_corners(things, {}, points);
-  }
+  if (points.size() > most) points.clear();
+  if (points.size() < 2) add_corners(things, {}, points);
   const Vec3d middle = things.min + (things.max - things.min) / 2.0;
   for (const Light& light : scene.lights)
     if (const std::optional<Vec3d> at = middle_of(light); at && length(*at - middle) < length(things.max - things.min))
@@ -144,10 +142,11 @@ Camera approached(const Camera& camera, const Vec3d& pivot, double factor) {
 
 Camera overlooking(const Scene& scene, const Viewport& viewport) {
   constexpr double aside = -0.65, above = 0.5, angle = 40;  // radians, radians, degrees
+  constexpr double border = 0.8;                            // how much of the pane is filled
   const std::vector<Vec3d> points = seen_at_first(scene);
-  const Bounds<double> box = thick(box_of(points));
+  const Bounds<double> box = box_of(points);
   const Vec3d middle = box.min + (box.max - box.min) / 2.0;
-  const double radius = length(box.max - box.min) / 2;
+  const double size = length(box.max - box.min);
   Camera camera;
   camera.up = scene.camera.up;
   camera.fov = FieldOfView{angle, FovAxis::x};
@@ -156,32 +155,30 @@ Camera overlooking(const Scene& scene, const Viewport& viewport) {
   const Vec3d view = normalize(scene.camera.look_at - scene.camera.eye);
   Vec3d level = view - dot(view, up) * up;
   if (!(length(level) > 1e-6)) level = cross(up, std::abs(up.x) < 0.9 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0));
-  camera.eye = middle - 1.1 * radius / std::sin(angle * pi / 360) * normalize(level);
+  camera.eye = middle - size * normalize(level);
   camera.look_at = middle;
   camera = orbited(camera, middle, {aside, above});
-  // What is seen comes into the middle of the pane and close to its borders, in a few steps: each changes the other.
-  constexpr int steps = 8;
-  constexpr double border = 0.8;  // of the way to it
-  Camera last = camera;           // that sees all of it
-  for (int step = 0; step < steps; ++step) {
-    const Projection projection(camera, viewport);
-    Vec2d least(std::numeric_limits<double>::infinity()), most(-least);
-    for (const Vec3d& point : points) {
-      const auto at = projection.point(point);
-      if (!at) return last;
-      least = {std::min(least.x, at->x), std::min(least.y, at->y)};
-      most = {std::max(most.x, at->x), std::max(most.y, at->y)};
+
+  // As near as it can stand and see all: from an eye e, |across| <= k ahead for every point p. Along one axis r across
+  // the view that is e.r - k e.f >= p.r - k p.f and e.r + k e.f <= p.r + k p.f, with f forward; where the greatest and
+  // the least of the right sides meet is the nearest place, and halfway between them the middle.
+  const Vec3d forward = normalize(camera.look_at - camera.eye), right = normalize(cross(forward, up));
+  const double smaller = std::min(viewport.width, viewport.height);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vec3d& p : points) nearest = std::min(nearest, dot(p, forward) - 0.05 * size);
+  const auto halfway = [&](const Vec3d& axis, double extent) {
+    const double k = border * half_width(camera) * extent / smaller;
+    double least = -std::numeric_limits<double>::infinity(), most = -least;
+    for (const Vec3d& p : points) {
+      least = std::max(least, dot(p, axis) - k * dot(p, forward));
+      most = std::min(most, dot(p, axis) + k * dot(p, forward));
     }
-    last = camera;
-    const Vec2d pane(viewport.width, viewport.height), off = (least + most) / 2.0 - pane / 2.0;
-    const Vec2d reach = (most - least) / pane;
-    if (!(std::max(reach.x, reach.y) > 0)) break;
-    const Vec3d forward = normalize(camera.look_at - camera.eye), right = normalize(cross(forward, up));
-    const Vec3d by = (off.x * right - off.y * cross(right, forward)) / projection.pixels_per_unit(camera.look_at);
-    camera.eye += by;
-    camera.look_at += by;
-    camera = approached(camera, camera.look_at, std::clamp(border / std::max(reach.x, reach.y), 0.6, 1.4));
-  }
+    nearest = std::min(nearest, (most - least) / (2 * k));
+    return (least + most) / 2 * axis;
+  };
+  const Vec3d across = halfway(right, viewport.width), upwards = halfway(cross(right, forward), viewport.height);
+  camera.eye = across + upwards + nearest * forward;
+  camera.look_at = camera.eye + (dot(middle, forward) - nearest) * forward;
   return camera;
 }
 
