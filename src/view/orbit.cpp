@@ -144,7 +144,7 @@ Camera overlooking(const Scene& scene, const Viewport& viewport) {
   constexpr double aside = -0.65, above = 0.5, angle = 40;  // radians, radians, degrees
   constexpr double border = 0.8;                            // how much of the pane is filled
   const std::vector<Vec3d> points = seen_at_first(scene);
-  const Bounds<double> box = box_of(points);
+  const Bounds<double> box = thick(box_of(points));
   const Vec3d middle = box.min + (box.max - box.min) / 2.0;
   const double size = length(box.max - box.min);
   Camera camera;
