@@ -154,18 +154,19 @@ void Bench::type(const std::string& text) {
   frames(settle);
 }
 
-void Bench::put_key(bool down) {
+void Bench::hold(ImGuiKey_ key, bool down) {
 #if IMGUI_VERSION_NUM >= 18700
-  ImGui::GetIO().AddKeyEvent(ImGuiKey_Enter, down);
+  ImGui::GetIO().AddKeyEvent(static_cast<ImGuiKey>(key), down);
 #else
-  ImGui::GetIO().KeysDown[ImGuiKey_Enter] = down;
+  ImGui::GetIO().KeysDown[key] = down;
 #endif
-  frames(settle);
 }
 
 void Bench::enter() {
-  put_key(true);
-  put_key(false);
+  for (const bool down : {true, false}) {
+    hold(ImGuiKey_Enter, down);
+    frames(settle);
+  }
 }
 
 int Bench::vertices() const { return ImGui::GetDrawData()->TotalVtxCount; }

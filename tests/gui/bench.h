@@ -43,6 +43,8 @@ class Bench {
   void drag(const std::string& item, float dx, float dy);
   // A key as GLFW numbers it.
   void key(int key, bool ctrl = false, bool shift = false, bool alt = false);
+  // A key of ImGui's own, down or up again; seen with the next frame.
+  void hold(ImGuiKey_ key, bool down);
   // The same key, held down.
   void repeat(int key);
   // Characters into the field that has the keyboard.
@@ -72,7 +74,6 @@ class Bench {
  private:
   void frame();
   void take_actions();
-  void put_key(bool down);
 
   Interface interface_;
   LiveCosts costs_;

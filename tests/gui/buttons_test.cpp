@@ -144,11 +144,9 @@ TEST_CASE("arrows go from one open menu to its neighbours, but into a menu insid
   bench.state.recent = {"/somewhere/a.toml"};
   bench.frames(2);
   const auto arrow = [&](int key, ImGuiKey_ nav) {
+    bench.hold(nav, true);
     bench.key(key);
-    ImGui::GetIO().KeysDown[nav] = true;
-    bench.frames(1);
-    ImGui::GetIO().KeysDown[nav] = false;
-    bench.frames(4);
+    bench.hold(nav, false);
   };
   bench.key(GLFW_KEY_F10);
   REQUIRE(bench.has("menu/open"));

@@ -6,7 +6,8 @@
 #include <filesystem>
 
 #include "gui/bench.h"
-#include "gui/desktop.h"
+#include "gui/classic_walk.h"
+#include "io/file.h"
 #include "support/catch.h"
 #include "view/lesson_panel.h"
 #include "view/plan_view.h"
@@ -108,8 +109,8 @@ TEST_CASE("everything of a lesson fits into its pane, in both languages") {
       update(bench.state, action::OpenLesson{"05-refraction"});
       bench.frames(3);
       const Rect& pane = bench.interface().layout().lesson;
-      for (const std::string item :
-           {"lesson-list", "lesson-back", "lesson-reveal", "lesson-close", "lesson-presenter", "lesson-unlock"}) {
+      for (const std::string item : {"lesson-list", "lesson-back", "lesson-reveal", "lesson-close", "lesson-presenter",
+                                     "lesson-notes", "lesson-script"}) {
         CAPTURE(item, language_code(language), scale);
         const Rect where = bench.rect(item);
         CHECK(where.x >= pane.x);
@@ -183,4 +184,54 @@ TEST_CASE("lesson 1 in the real window: choice, arrow, number, language, and pro
   raywalk.click("lesson/02-ray-meets-sphere");
   REQUIRE(raywalk.until(lesson("open", "02-ray-meets-sphere")));
   CHECK(raywalk.report()["language"] == "pt");
+}
+
+TEST_CASE("lesson 5 in the window, as a teacher presents it: hands, notes, script, language, projector", "[window]") {
+  NEEDS_A_DESKTOP
+  ClassicWalk walk;
+  Visualiser& raywalk = walk.raywalk;
+  INFO(raywalk.said());
+  REQUIRE(walk.started);
+  raywalk.key("F2");
+  REQUIRE(walk.until("lesson", "open", ""));
+  raywalk.click("lesson-presenter");
+  REQUIRE(walk.until("lesson", "presenter", true));
+  raywalk.click("lesson/05-refraction");
+  REQUIRE(walk.until("lesson", "open", "05-refraction"));
+  raywalk.key("Return");
+  REQUIRE(walk.until("lesson", "revealed", true));
+  raywalk.key("Return");
+  REQUIRE(walk.until("lesson", "step", 2));
+  for (const char* hand : {"3", "3", "1", "3", "shift+3"}) raywalk.key(hand);
+  REQUIRE(walk.until("lesson", "hands", Json::array({1, 0, 2})));
+  raywalk.click("hand-more/2");
+  REQUIRE(walk.until("lesson", "hands", Json::array({1, 1, 2})));
+  raywalk.click("lesson-reveal");
+  REQUIRE(walk.until("lesson", "revealed", true));
+  walk.keep_picture("l5-presenter");
+  raywalk.click("lesson-notes");
+  REQUIRE(walk.until("lesson", "notes", false));
+  raywalk.click("lesson-script");
+  REQUIRE(raywalk.until("prompt", "export"));
+  walk.keep_picture("l6-script");
+  const std::string path = (walk.folder() / "five.script.html").string();
+  raywalk.retype(path);
+  raywalk.key("Return");
+  REQUIRE(raywalk.until("prompt", ""));
+  const auto script = read_file(path, 1 << 20);
+  REQUIRE(script);
+  CHECK(script->find("Slower, so steeper") != std::string::npos);
+  raywalk.key("ctrl+l");
+  REQUIRE(raywalk.until("language", "pt"));
+  raywalk.key("p");
+  REQUIRE(raywalk.until("theme", "projector"));
+  raywalk.key("ctrl+equal");
+  REQUIRE(raywalk.until([](const Json& report) { return report["ui_scale"].get<double>() > 1; }));
+  walk.keep_picture("l7-projector");
+  // Closed, one's own scene stands there again.
+  raywalk.click("lesson-close");
+  REQUIRE(raywalk.until([](const Json& report) { return !report.contains("lesson"); }));
+  CHECK(raywalk.report()["path"].get<std::string>().ends_with("classic.toml"));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait() == 0);
 }
