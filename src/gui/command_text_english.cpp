@@ -226,7 +226,7 @@ CommandText english(Command command) {
     case Command::bug_surprise:
       return {"Surprise me", "hunt a bug that is not found yet"};
     case Command::bug_mark:
-      return {"This line is at fault", "mark the line that has just run; once more: is it the one?"};
+      return {"Mark this line", "mark the line that has just run; once more: is it the one?"};
     case Command::bug_cure:
       return {"See the cure", "give up: which line it was, what was wrong, and the cure"};
     case Command::bug_mend:

@@ -227,7 +227,7 @@ CommandText portuguese(Command command) {
     case Command::bug_surprise:
       return {"Surpreenda-me", "caçar um defeito que ainda não foi achado"};
     case Command::bug_mark:
-      return {"O defeito está nesta linha", "marcar a linha recém-executada; outra vez: é ela?"};
+      return {"Marcar esta linha", "marcar a linha recém-executada; outra vez: é ela?"};
     case Command::bug_cure:
       return {"Ver a cura", "desistir: que linha era, o que estava errado, e a cura"};
     case Command::bug_mend:

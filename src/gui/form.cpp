@@ -120,10 +120,13 @@ bool Form::drag(const std::string& id, double& value, double step, double least,
   const bool now =
       ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &next, static_cast<float>(step), &least, &most, "%.5g");
   after_number(id);
-  // Typing may leave the limits; comparing this way round also refuses what is not a number.
-  const bool good = next >= least && next <= most;
+  if (ImGui::IsItemActivated()) memory_.before = value;
+  // Typing may leave the limits; comparing this way round also refuses what is not a number. What was typed up to then
+  // counted already, and is taken back.
+  const bool good = next >= least && next <= most, back = now && !good && value != memory_.before;
   if (now && good) value = next;
-  const bool is_change = changed(now && good, id);
+  if (back) value = memory_.before;
+  const bool is_change = changed((now && good) || back, id);
   after_field(id, now && !good, least, most);
   return is_change;
 }
@@ -179,7 +182,11 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui_.px(4), ImGui::GetStyle().FramePadding.y});
   for (std::size_t i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    now |= drag("##" + name_ + std::to_string(i), channels[i], 0.005, 0, most, each);
+    const bool grey = value.x == value.y && value.y == value.z;
+    const bool moved = drag("##" + name_ + std::to_string(i), channels[i], 0.005, 0, most, each);
+    // Most are grey: one number is then enough, the first.
+    if (moved && grey && i == 0) channels.fill(channels[0]);
+    now |= moved;
     ui_.publish(name_ + "/" + std::to_string(i));
   }
   ImGui::PopStyleVar();

@@ -20,6 +20,7 @@ struct FormMemory {
   std::string number;   ///< the field of a number being typed in
   std::string refused;  ///< whose last input was refused
   std::string why;      ///< what is said below it
+  double before = 0;    ///< the number that stood in the field when it was entered
 };
 
 /// The words beside a field, and what they mean.

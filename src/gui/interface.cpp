@@ -75,6 +75,11 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
     constexpr int until_closed = 3;  // frames
     aside_ = {(shown_menu_ + (key.key == GLFW_KEY_LEFT ? menu_count - 1 : 1)) % menu_count, until_closed};
   }
+#if IMGUI_VERSION_NUM < 18700
+  // This ImGui takes Space alone for pressing what the arrows have chosen.
+  if (shown_menu_ >= 0 && (key.key == GLFW_KEY_ENTER || key.key == GLFW_KEY_KP_ENTER))
+    ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1;
+#endif
   if (!asks && (ImGui::GetIO().WantTextInput || menu_open)) return;
   press_key(key, with);
   grant(with);

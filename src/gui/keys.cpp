@@ -177,6 +177,13 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
     ui.act(action::GuessChoice{digit});
     return true;
   }
+  if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray &&
+      (press.key == GLFW_KEY_UP || press.key == GLFW_KEY_DOWN)) {
+    const int last = static_cast<int>(panel.choices.size()) - 1, by = press.key == GLFW_KEY_UP ? -1 : 1;
+    const std::optional<int>& now = state.lessons.guess.choice;
+    ui.act(action::GuessChoice{now ? std::clamp(*now + by, 0, last) : by > 0 ? 0 : last});
+    return true;
+  }
   if (press.key != GLFW_KEY_ENTER && press.key != GLFW_KEY_KP_ENTER) return false;
   if (panel.can_reveal) {
     ui.act(action::RevealLesson{});
@@ -204,7 +211,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
     } else if (state.playing) {
       ui.act(action::PlayPause{});
     } else if (state.mode == Mode::help) {
-      ui.act(action::SetMode{Mode::trace});
+      ui.act(action::SetMode{state.before_help});
     } else if (state.selected) {
       ui.act(action::Select{});
     } else if (state.walk) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace raywalk {
 
@@ -17,11 +18,15 @@ namespace {
 void list(const Ui& ui, const LessonPanel& panel) {
   const Shades shades(ui.state.theme);
   int number = 0;
+  bool found = false;  // the one to go on with
   for (const LessonRow& row : panel.rows) {
+    const bool next = !found && !row.locked && row.done < row.steps;
+    found = found || next;
     std::string title = fmt::format("{}  {}", ++number, row.title);
     if (row.done > 0) title += row.done == row.steps ? "  \u2713" : fmt::format("  {}/{}", row.done, row.steps);
-    const Colour ink = row.locked ? ui.colours.dim_text : ui.colours.text;
-    if (wide_button(ui, "lesson/" + row.name, title, shades.raised, ink, true)) ui.act(action::OpenLesson{row.name});
+    const Colour ink = row.locked ? ui.colours.dim_text : next ? shades.on_accent : ui.colours.text;
+    if (wide_button(ui, "lesson/" + row.name, title, next ? shades.accent : shades.raised, ink, true))
+      ui.act(action::OpenLesson{row.name});
     if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say(LessonWord::locked));
   }
   ImGui::Dummy({1, ui.px(6)});
@@ -199,9 +204,11 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
   ui.publish("lesson-number");
   if (number_ != typed) {
     number_ = typed;
-    if (const auto value = number_in(number_)) ui.act(action::GuessNumber{*value});
+    ui.act(action::GuessNumber{number_in(number_).value_or(std::numeric_limits<double>::quiet_NaN())});
   }
   if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
+  // What comes next is still meant for this field, and not for the walk.
+  if (entered && !panel.can_reveal) ImGui::SetKeyboardFocusHere(-1);
   if (!panel.unit.empty()) {
     ImGui::SameLine();
     label(ui.colours.text, panel.unit);

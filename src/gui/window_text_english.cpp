@@ -131,7 +131,7 @@ std::string_view english(WindowText id) {
     case WindowText::breakpoint_hint:
       return "Come to rest before this line, or no longer";
     case WindowText::mark_hint:
-      return "This line is at fault";
+      return "Mark this line as the one at fault";
     case WindowText::breakpoints_off:
       return "This step of the lesson passes all breakpoints.";
     case WindowText::at_depth:

@@ -131,7 +131,7 @@ std::string_view portuguese(WindowText id) {
     case WindowText::breakpoint_hint:
       return "Parar antes desta linha, ou não mais";
     case WindowText::mark_hint:
-      return "O defeito está nesta linha";
+      return "Marcar esta linha como a do defeito";
     case WindowText::breakpoints_off:
       return "Este passo da lição ignora todas as paradas.";
     case WindowText::at_depth:

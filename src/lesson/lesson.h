@@ -56,7 +56,7 @@ struct PictureRequest {
 };
 
 /// What lies beside the plan at a step.
-enum class LessonBeside { unchanged, picture, tree, stack, structure };
+enum class LessonBeside { unchanged, picture, tree, stack, equation, structure };
 
 /// A pixel of the scene's image, or with row -1 a cell of the strip; both from 0.
 struct LessonPixel {

@@ -235,9 +235,10 @@ class Reader {
     if (*word == "picture") return LessonBeside::picture;
     if (*word == "tree") return LessonBeside::tree;
     if (*word == "stack") return LessonBeside::stack;
+    if (*word == "equation") return LessonBeside::equation;
     if (*word == "structure") return LessonBeside::structure;
     fail(line_of(*table.get("show")),
-         "show: \"" + *word + "\" is not known (expected picture, tree, stack or structure)", "");
+         "show: \"" + *word + "\" is not known (expected picture, tree, stack, equation or structure)", "");
     return LessonBeside::unchanged;
   }
 

@@ -30,7 +30,7 @@ ScriptParts parts_of_script(const std::string& script) {
 }
 
 double minutes_of(const LessonStep& step, const StepWords& words) {
-  constexpr double words_a_minute = 130, minutes_a_question = 25.0 / 60;
+  constexpr double words_a_minute = 130, minutes_a_question = 40.0 / 60;
   return (spoken_words(words.presenter.text) + spoken_words(words.reveal.text)) / words_a_minute +
          (step.question ? minutes_a_question : 0);
 }

@@ -17,7 +17,8 @@ struct ScriptParts {
 inline constexpr double fewest_minutes = 2, most_minutes = 5.5;
 
 /// Minutes that a step takes with a class: the script and the answer spoken at 130 words a minute, as one speaks to be
-/// followed, and 25 seconds for the hands of each question. A formula counts as one word.
+/// followed, and 40 seconds for each question: to read it, for hands or an arrow,
+/// and for a look at the answer. A formula counts as one word.
 [[nodiscard]] double minutes_of(const LessonStep& step, const StepWords& words);
 
 /// When a step begins and ends in a presentation, in minutes. Extra steps take no time of it.

@@ -163,8 +163,11 @@ class Writer {
     row(Kind::note, s.n2 > s.n1   ? EquationText::slower_beyond
                     : s.n2 < s.n1 ? EquationText::faster_beyond
                                   : EquationText::as_fast_beyond);
-    row(Kind::formula, EquationText::fresnel);
-    row(Kind::numbers, "F = ", s.fresnel);
+    const int object = parent() == nullptr ? -1 : parent()->object;
+    if (object >= 0 && scene().objects[static_cast<std::size_t>(object)].material.dielectric) {
+      row(Kind::formula, EquationText::fresnel);
+      row(Kind::numbers, "F = ", s.fresnel);
+    }
     row(Kind::numbers, "T = ", formed.direction);
   }
 
@@ -323,6 +326,28 @@ HitNotes hit_notes(const State& state) {
   if (ray.ending != Ending::hit) return notes;
   const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
   notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
+  return notes;
+}
+
+std::optional<BendNotes> bend_notes(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  if (state.position == 0) return std::nullopt;
+  const auto* formed = std::get_if<RayFormed>(&timeline.event(state.position - 1).detail);
+  if (formed == nullptr || formed->parent < 0) return std::nullopt;
+  if (formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
+  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(formed->parent)];
+  if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
+  BendNotes notes;
+  notes.at = in.end;
+  notes.back = -normalize(in.direction);
+  notes.normal = dot(in.normal, notes.back) < 0 ? -in.normal : in.normal;
+  notes.out = formed->direction;
+  const double side = formed->kind == RayKind::refract ? -1 : 1;
+  const auto angle = [&](const char* name, double cosine) {
+    return name + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
+  };
+  notes.angle_in = angle("θ₁ = ", formed->snell ? formed->snell->cos_in : dot(notes.normal, notes.back));
+  notes.angle_out = angle("θ₂ = ", formed->snell ? formed->snell->cos_out : side * dot(notes.normal, notes.out));
   return notes;
 }
 

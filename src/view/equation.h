@@ -42,4 +42,14 @@ struct HitNotes {
 };
 [[nodiscard]] HitNotes hit_notes(const State& state);
 
+/// What stands beside the place where a reflect or refract ray has just been formed: the angles of both rays to the
+/// normal there, degrees. The angles of a refract ray are those of the trace's own law of Snell.
+struct BendNotes {
+  Vec3d at{0.0};                    ///< in the scene
+  Vec3d normal{0.0};                ///< unit length, on the side that the ray came from
+  Vec3d back{0.0}, out{0.0};        ///< unit directions: to where the ray came from, and where it goes
+  std::string angle_in, angle_out;  ///< "θ₁ = 45.4°"
+};
+[[nodiscard]] std::optional<BendNotes> bend_notes(const State& state);
+
 }  // namespace raywalk

@@ -22,7 +22,7 @@ void draw_ghosts(Painter& painter) {
     const RayRecord& ray = ghost.record;
     const std::optional<RayWay> way = ray_way(painter, ray, true);
     if (!way) continue;
-    const auto& [from, to, along] = *way;
+    const auto& [from, to, along, open] = *way;
     // Dots of the kind's colour: no ray that was formed is dotted.
     const bool light = ray.kind == RayKind::shadow;
     const DashPattern dots{{1.5 * unit, 5 * unit}, 2};

@@ -90,6 +90,8 @@ double degrees_between(const Vec2d& a, const Vec2d& b) {
 
 int decimals_of(const NumberQuestion& question, double number) {
   constexpr int some = 2, most = 6;
+  constexpr double beyond_counting = 1e9;
+  if (number >= beyond_counting) return -1;
   if (question.tolerance > 0)
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(question.tolerance))), 0, most);
   return number == std::floor(number) ? 0 : some;

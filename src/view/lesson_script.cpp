@@ -56,15 +56,15 @@ std::string question_of(const PlayedLesson& played, std::size_t i, const StepWor
   if (const auto* choices = std::get_if<ChoiceQuestion>(&*step.step->question)) {
     for (std::size_t c = 0; c < choices->choices.size() && c < said.choices.size(); ++c) {
       const Outcome value = value_at(played, i, step.shown, choices->choices[c].expression);
-      question += "\n- " + filled_in(said.choices[c]) + (value && holds(*value) ? " \u2713" : "");
+      question += fmt::format("\n{}. {}{}", c + 1, filled_in(said.choices[c]), value && holds(*value) ? " \u2713" : "");
     }
   } else if (const auto* number = std::get_if<NumberQuestion>(&*step.step->question)) {
     const Outcome value = value_at(played, i, step.shown, number->answer.expression);
     if (const double* truth = value ? std::get_if<double>(&*value) : nullptr)
       question +=
-          "\n- " + text_of(*truth, decimals_of(*number, *truth), decimal_mark(language)) + number->unit + " \u2713";
+          "\n\n" + text_of(*truth, decimals_of(*number, *truth), decimal_mark(language)) + number->unit + " \u2713";
   } else if (const auto* line = std::get_if<LineQuestion>(&*step.step->question)) {
-    question += "\n- " + line->answer + " \u2713";
+    question += "\n\n" + line->answer + " \u2713";
   }
   return question;
 }
@@ -107,22 +107,30 @@ std::string inline_html(std::string_view text) {
   return html;
 }
 
+/// "- word" and "2. word" are items of lists; where the item's words begin, or 0.
+std::size_t item_at(std::string_view line) {
+  if (line.starts_with("- ")) return 2;
+  return line.size() > 3 && line[0] >= '1' && line[0] <= '9' && line.substr(1, 2) == ". " ? 3 : 0;
+}
+
 std::string passage_html(std::string_view passage) {
   std::string html;
-  bool list = false;
+  std::string_view list;  // the tag of the list under way
   while (!passage.empty()) {
     const std::size_t end = std::min(passage.find('\n'), passage.size());
     const std::string_view line = passage.substr(0, end);
     passage.remove_prefix(std::min(end + 1, passage.size()));
-    const bool item = line.starts_with("- ");
-    if (item != list) html += item ? "<ul>" : "</ul>";
-    list = item;
-    if (item)
-      html += "<li>" + inline_html(line.substr(2)) + "</li>";
+    const std::size_t item = item_at(line);
+    const std::string_view wanted = item == 0 ? "" : line[0] == '-' ? "ul" : "ol";
+    if (wanted != list && !list.empty()) html += fmt::format("</{}>", list);
+    if (wanted != list && !wanted.empty()) html += fmt::format("<{}>", wanted);
+    list = wanted;
+    if (item > 0)
+      html += "<li>" + inline_html(line.substr(item)) + "</li>";
     else if (!line.empty())
       html += "<p>" + inline_html(line) + "</p>";
   }
-  return html + (list ? "</ul>" : "");
+  return html + (list.empty() ? "" : fmt::format("</{}>", list));
 }
 
 std::string markdown(const LessonWords& words, const std::vector<ScriptStep>& steps, Language language) {
@@ -148,7 +156,7 @@ time,.keys,.summary{color:#555;font-weight:normal}time{white-space:nowrap;font-s
 section{border-top:2px solid #111;margin-top:1.4rem;padding-top:.6rem;break-inside:avoid}
 div{display:grid;grid-template-columns:7.5rem 1fr;gap:0 1rem;margin-top:.5rem}
 h3{font-size:.8rem;margin:.3rem 0;color:#555;text-transform:uppercase;letter-spacing:.03em}
-p,ul{margin:.15rem 0}ul{padding-left:1.2rem}code{font-family:'JetBrains Mono',Menlo,Consolas,monospace;font-size:.9em}
+p,ul,ol{margin:.15rem 0}ul,ol{padding-left:1.4rem}code{font-family:'JetBrains Mono',Menlo,Consolas,monospace;font-size:.9em}
 .say{font-size:1.15rem}.ask{font-weight:600}.screen,.teacher,.change{color:#444}
 @media(max-width:34rem){div{grid-template-columns:1fr}h2{display:block}}
 @media print{body{margin:0;font-size:12px}}

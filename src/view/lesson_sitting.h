@@ -62,7 +62,7 @@ struct LessonSitting {
   int right = 0, judged = 0;                      ///< predictions of this sitting, of each question the first
   std::set<std::pair<std::string, int>> counted;  ///< lessons and steps whose questions these are
   bool presenter = false;                         ///< shows of hands, every lesson open, and the notes
-  bool notes = true;                              ///< a presenter's script and the teacher's notes are in the pane
+  bool notes = false;                             ///< a presenter's script and the teacher's notes are in the pane
   bool unlocked = false;                          ///< any lesson may be opened, and no question stands in the way
   std::map<std::string, int, std::less<>> done;   ///< how many steps of each lesson have been finished
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace raywalk::detail {
@@ -57,6 +58,17 @@ void read_list(State& state) {
   }
 }
 
+/// Where the walk of this step began: at its own pixel, or at that of a step before it in the same walk.
+int first_pixel(const LessonSitting& sitting) {
+  const std::vector<PlayedStep>& steps = sitting.open->played.steps;
+  for (int i = sitting.step; i >= 0; --i) {
+    const PlayedStep& step = steps[static_cast<std::size_t>(i)];
+    if (step.walk != sitting.at()->walk) break;
+    if (step.step->pixel) return step.step->pixel->column;
+  }
+  return 0;
+}
+
 /// Puts the step's walk on the screen, at the place where it asks.
 void stage(State& state) {
   const PlayedStep& step = *state.lessons.at();
@@ -76,8 +88,7 @@ void stage(State& state) {
     set_bug(state, walk.fault);
   }
   if (state.bug) state.bug->known = false;
-  if (step.step->pixel || !stays) state.lessons.first_pixel = 0;
-  if (step.step->pixel && !pixel) state.lessons.first_pixel = step.step->pixel->column;
+  if (step.step->pixel || !stays) state.lessons.first_pixel = pixel ? 0 : first_pixel(state.lessons);
   state.lessons.guess = {};
   state.lessons.hands.clear();
   state.lessons.revealed = false;
@@ -92,6 +103,9 @@ void stage(State& state) {
       break;
     case LessonBeside::stack:
       state.tab = Tab::stack;
+      break;
+    case LessonBeside::equation:
+      state.tab = Tab::equation;
       break;
     case LessonBeside::structure:
       state.tab = Tab::structure;
@@ -203,7 +217,8 @@ void show_hands(State& state, const action::ShowHands& shown) {
 }
 
 void guess_number(State& state, double number) {
-  if (lesson_panel(state).asks == Asks::number && !state.lessons.revealed) state.lessons.guess.number = number;
+  if (lesson_panel(state).asks != Asks::number || state.lessons.revealed) return;
+  state.lessons.guess.number = std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 void guess_arrow(State& state, const Vec2d& towards) {

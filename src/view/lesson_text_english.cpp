@@ -53,9 +53,9 @@ std::string_view english(LessonWord word) {
     case LessonWord::back_to_question:
       return "Back to the question";
     case LessonWord::not_a_number:
-      return "This is no number: type one such as 12.5";
+      return "This is no number: type one such as 12";
     case LessonWord::presenter_hint:
-      return "The script and the notes for teachers, shows of hands, and every lesson open";
+      return "For teachers: shows of hands, the script and notes on request, and every lesson open";
     case LessonWord::unlock_hint:
       return "Every lesson and every answer open, without a prediction";
     case LessonWord::sources:
@@ -71,7 +71,7 @@ std::string_view english(LessonWord word) {
     case LessonWord::notes:
       return "Notes";
     case LessonWord::notes_hint:
-      return "What to say, here in the pane. Off: the class does not see it";
+      return "What to say, here in the pane, where the class sees it too";
     case LessonWord::script:
       return "Script...";
     case LessonWord::script_hint:
@@ -86,12 +86,13 @@ std::string_view english(LessonWord word) {
       return "Ask";
     case LessonWord::script_keys:
       return "Keys: Enter reveals the answer, then goes on to the next step. Page Down or \u2192 goes one line on, "
-             "Page Up or \u2190 back. 1 to 9 count hands for a choice, with Shift one less. F11 fills the screen, Ctrl "
+             "Page Up or \u2190 back. 1 to 9 count hands for a choice, with Shift one less. P makes it bright for a "
+             "projector, F11 fills the screen, Ctrl "
              "+ and Ctrl \u2212 make everything larger or smaller.";
     case LessonWord::close:
       return "Close the lesson: your own scene comes back";
     case LessonWord::score:
-      return "predictions right";
+      return "predictions right at the first try";
   }
   return {};
 }

@@ -55,7 +55,7 @@ std::string_view portuguese(LessonWord word) {
     case LessonWord::not_a_number:
       return "Isto não é um número: digite um como 12,5";
     case LessonWord::presenter_hint:
-      return "O roteiro e as notas do professor, a contagem de mãos e todas as lições abertas";
+      return "Para professores: contagem de mãos, roteiro e notas a pedido, e todas as lições abertas";
     case LessonWord::unlock_hint:
       return "Todas as lições e respostas abertas, sem previsão";
     case LessonWord::sources:
@@ -71,7 +71,7 @@ std::string_view portuguese(LessonWord word) {
     case LessonWord::notes:
       return "Notas";
     case LessonWord::notes_hint:
-      return "O que dizer, aqui no painel. Desligado: a turma não o vê";
+      return "O que dizer, aqui no painel, onde a turma também o vê";
     case LessonWord::script:
       return "Roteiro...";
     case LessonWord::script_hint:
@@ -86,12 +86,13 @@ std::string_view portuguese(LessonWord word) {
       return "Perguntar";
     case LessonWord::script_keys:
       return "Teclas: Enter revela a resposta e depois passa ao próximo passo. Page Down ou \u2192 avança uma linha, "
-             "Page Up ou \u2190 volta. 1 a 9 contam as mãos de uma opção, com Shift uma a menos. F11 ocupa a tela "
+             "Page Up ou \u2190 volta. 1 a 9 contam as mãos de uma opção, com Shift uma a menos. P clareia a tela para "
+             "o projetor, F11 ocupa a tela "
              "inteira, Ctrl + e Ctrl \u2212 aumentam ou diminuem tudo.";
     case LessonWord::close:
       return "Fechar a lição: a sua cena volta";
     case LessonWord::score:
-      return "previsões certas";
+      return "previsões certas de primeira";
   }
   return {};
 }

@@ -61,9 +61,30 @@ Vec2d Painter::seen_end(const Vec2d& from, const Vec2d& to) const {
   return seen ? from + (*seen)[1] * (to - from) : to;
 }
 
+namespace {
+
+/// Half of the ground that a note of this text has.
+Vec2d half_of_note(const std::string& text, double size) {
+  return {text_width(text, size) / 2 + 0.2 * size, 0.6 * size};
+}
+
+}  // namespace
+
+void Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
+  const Vec2d half = half_of_note(text, sizes.text);
+  const double area = 4 * half.x * half.y;
+  const auto is_free = [&](const Vec2d& at) {
+    const Box box{at - half, at + half};
+    return box.overlap(pane()) > 0.999 * area &&
+           std::none_of(kept_free.begin(), kept_free.end(), [&](const Box& taken) { return box.overlap(taken) > 0; });
+  };
+  const auto free = std::find_if(places.begin(), places.end(), is_free);
+  note(free == places.end() ? places.front() : *free, text);
+}
+
 void Painter::note(const Vec2d& at, const std::string& text) {
   const double size = sizes.text;
-  const Vec2d half(text_width(text, size) / 2 + 0.2 * size, 0.6 * size);
+  const Vec2d half = half_of_note(text, size);
   add(PolygonItem{{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}},
                   colours.plan.with_alpha(215),
                   std::nullopt});

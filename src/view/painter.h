@@ -42,6 +42,9 @@ class Painter {
   void add_clipped(LineItem line, const Target& target = {});
   /// A text on a ground of its own that labels keep free; `at`: its middle.
   void note(const Vec2d& at, const std::string& text);
+  /// The same at the first of these places where it lies in the pane and covers nothing that is kept free; else at the
+  /// very first. There is one at least.
+  void note(const std::vector<Vec2d>& places, const std::string& text);
   /// Where the way between two points leaves the pane, with a margin; `to` when it does not.
   [[nodiscard]] Vec2d seen_end(const Vec2d& from, const Vec2d& to) const;
   /// The middle of what is seen of the way between two points, of which each may lie far outside.
@@ -75,6 +78,7 @@ struct RayLook {
 /// A ray on the screen: where it starts and is drawn to, and its unit direction there.
 struct RayWay {
   Vec2d from, to, along;
+  bool open = false;  ///< it goes on to an end that is not known yet
 };
 /// `known`: whether its end is known. Nothing for a ray straight up or down, which is a point of the plan.
 [[nodiscard]] std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool known);

@@ -1,3 +1,4 @@
+#include "view/lesson_panel.h"
 #include "view/text.h"
 #include "view/update_parts.h"
 
@@ -39,7 +40,7 @@ int stopped(const State& state, int to) {
 /// Whether a walk that runs by itself comes to rest here.
 bool stops_here(const State& state) {
   return stops_at(breakpoints_in_force(state), state.scene(), *state.timeline, state.position) ||
-         rests_for_prediction(state, state.position);
+         rests_for_prediction(state, state.position) || question_waits(state);
 }
 
 }  // namespace

@@ -43,12 +43,33 @@ void draw_why_not(Painter& painter, const RayRecord& ray, const Vec2d& from, con
   painter.note(tip + Vec2d(to_the_right ? half : -half, 0), why);
 }
 
+/// A ray whose end nobody knows yet: towards the border of the pane it fades, lest it seem to go through what it meets.
+void add_fading(Painter& painter, LineItem line, const Target& target) {
+  constexpr int pieces = 8;
+  constexpr double whole = 0.5, faintest = 0.25;  // of the way, of the colour
+  const Vec2d from = line.from, to = painter.seen_end(line.from, line.to);
+  const double alpha = line.stroke.colour.a, phase = line.stroke.phase, size = length(to - from);
+  const auto piece = [&](double begin, double end, double share) {
+    LineItem part = line;
+    part.from = from + begin * (to - from);
+    part.to = from + end * (to - from);
+    part.stroke.phase = phase + begin * size;
+    part.stroke.colour.a = static_cast<std::uint8_t>(alpha * share);
+    painter.add_clipped(part, target);
+    line.arrow = 0;  // the first piece alone has one
+  };
+  piece(0, whole, 1);
+  for (int i = 0; i < pieces; ++i)
+    piece(whole + (1 - whole) * i / pieces, whole + (1 - whole) * (i + 1) / pieces,
+          1 - (1 - faintest) * (i + 1) / pieces);
+}
+
 void draw_ray(Painter& painter, int index, const RayLook& look) {
   const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
   const bool known = ray.found_at <= painter.state.position;
   const std::optional<RayWay> way = ray_way(painter, ray, known);
   if (!way) return;
-  const auto [from, end, along] = *way;
+  const auto& [from, end, along, open] = *way;
   const Stroke stroke = ray_stroke(painter, ray, look);
   const Target target{TargetKind::ray, index};
   if (!ray.formed) {
@@ -62,7 +83,10 @@ void draw_ray(Painter& painter, int index, const RayLook& look) {
   LineItem line{from, to, stroke, ray_arrow(painter, look), 0.55};
   const double visible = length(to - from);
   if (visible < 3 * line.arrow) line.arrow = visible / 3;
-  painter.add_clipped(line, target);
+  if (open && !growth)
+    add_fading(painter, line, target);
+  else
+    painter.add_clipped(line, target);
   if (known && ray.ending == Ending::blocked && !growth) draw_blocked(painter, to, along, stroke);
 }
 
@@ -84,7 +108,7 @@ std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool
   const Vec2d along = towards / size;
   const Vec2d from = painter.pixels(plan(ray.origin));
   const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
-  return RayWay{from, end ? painter.pixels(*end) : beyond_pane(painter, from, along), along};
+  return RayWay{from, end ? painter.pixels(*end) : beyond_pane(painter, from, along), along, !known && !end};
 }
 
 Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look) {

@@ -151,6 +151,7 @@ struct State {
 
   // Playback.
   Mode mode = Mode::move;
+  Mode before_help = Mode::trace;            ///< where one goes back to from the help
   std::shared_ptr<const Timeline> timeline;  ///< of the strip; never null once made by make_state
   int position = 0;                          ///< 0..timeline->steps()
   bool playing = false;

@@ -161,7 +161,7 @@ std::string_view english(TextId id) {
     case TextId::ask_unsaved_quit:
       return "{0} has changes that are not saved. Save them before leaving?";
     case TextId::ask_unsaved_lesson:
-      return "You changed the lesson's scene. Save it as a scene of your own before yours comes back?";
+      return "Your own scene comes back now. Keep a copy of the lesson's scene, as you changed it?";
     case TextId::ask_recover:
       return "Raywalk ended on {1} before the changes to {0} were saved. Recover them? Later asks again at the next "
              "start.";

@@ -161,7 +161,7 @@ std::string_view portuguese(TextId id) {
     case TextId::ask_unsaved_quit:
       return "{0} tem mudanças que não foram salvas. Salvar antes de sair?";
     case TextId::ask_unsaved_lesson:
-      return "A cena da lição foi alterada. Salvá-la como cena sua antes que a sua volte?";
+      return "A sua própria cena volta agora. Guardar uma cópia da cena da lição, como você a alterou?";
     case TextId::ask_recover:
       return "Raywalk terminou em {1} antes que as mudanças de {0} fossem salvas. Recuperar? \"Depois\" pergunta de "
              "novo na próxima vez.";

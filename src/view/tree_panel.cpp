@@ -1,3 +1,4 @@
+#include "view/lesson_panel.h"
 #include "view/panels.h"
 #include "view/text.h"
 
@@ -77,7 +78,10 @@ TreePanel tree_panel(const State& state) {
   const Timeline::Range range = timeline.rays_of_pixel(pixel);
   const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
   const int current = timeline.current_ray(state.position);
-  for (int i = range.first; i < range.last; ++i) {
+  // While something is to be predicted the rays to come would tell it.
+  const bool foretells = question_waits(state) || state.predictions.on;
+  const int last = foretells ? std::min(range.last, formed) : range.last;
+  for (int i = range.first; i < last; ++i) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
     TreeNode node{};
     node.ray = i;

@@ -130,6 +130,7 @@ void apply(State& state, const Action& action) {
   std::visit(
       Overloaded{
           [&](const SetMode& a) {
+            if (a.mode == Mode::help && state.mode != Mode::help) state.before_help = state.mode;
             state.mode = a.mode;
             if (a.mode != Mode::trace) {
               state.playing = false;
@@ -161,6 +162,7 @@ void apply(State& state, const Action& action) {
           },
           [&](const Release&) { state.hold.reset(); },
           [&](const PlayPause&) {
+            if (!state.playing && detail::answered_by_step(state)) return;
             state.owed = 0;
             state.hold.reset();
             state.mode = Mode::trace;

@@ -37,7 +37,7 @@ TEST_CASE("a lesson's script is written out with its numbers, in either language
   CHECK(english.exit_code == 0);
   CHECK(english.err == "");
   CHECK_THAT(english.out, contains("# Ray casting\n") && contains("\n## 2. The nearest surface wins (0:"));
-  CHECK_THAT(english.out, contains("Count, then reveal.") && contains("\n- the Solid Sphere\n"));
+  CHECK_THAT(english.out, contains("Count, then reveal.") && contains("\n1. the Solid Sphere\n"));
   CHECK_THAT(english.out, contains("It meets ") && !contains("{"));
   const Outcome portuguese = folder.run({"lesson", "script", "01", "--language", "pt"});
   CHECK_THAT(portuguese.out, contains("# Lançamento de raios\n"));

@@ -215,7 +215,7 @@ TEST_CASE("a presentation takes five minutes, without the steps that are extra")
   for (int i = 0; i < 600; ++i) words += "{count(formed) + 1} word ";
   const std::string long_words = replaced(good_words, "\nThree\n", "\n" + words + "\n");
   const std::string long_fault = faults(good_steps, long_words, good_words);
-  CHECK(long_fault.find("en.md:1: the presenter needs 12.1 minutes (expected 2 to 5.5)") != std::string::npos);
+  CHECK(long_fault.find("en.md:1: the presenter needs 12.8 minutes (expected 2 to 5.5)") != std::string::npos);
   const std::string extra = replaced(good_steps, "id = \"count\"\n", "id = \"count\"\nextra = true\n");
   CHECK(faults(extra, long_words, good_words) == "");
   const std::string short_words = replaced(good_words, "word word word", "word");
@@ -233,7 +233,7 @@ TEST_CASE("the minutes of a step are those of its words and its question") {
   LessonStep step;
   CHECK(minutes_of(step, words) == Approx(8 / 130.0));
   step.question = ArrowQuestion{};
-  CHECK(minutes_of(step, words) == Approx(8 / 130.0 + 25 / 60.0));
+  CHECK(minutes_of(step, words) == Approx(8 / 130.0 + 40 / 60.0));
   CHECK(minutes_text(0) == "0:00");
   CHECK(minutes_text(1.09) == "1:05");
   CHECK(minutes_text(4.99) == "5:00");

@@ -115,16 +115,16 @@ TEST_CASE("a script has all that its presenter needs, with the answers of the tr
         for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1)) ++times;
         return times;
       };
-      for (const std::string tag : {"div", "span", "p", "ul", "li", "code", "h2", "section"})
+      for (const std::string tag : {"div", "span", "p", "ul", "ol", "li", "code", "h2", "section"})
         CHECK(count("<" + tag + ">") + count("<" + tag + " ") == count("</" + tag + ">"));
     }
   }
   const auto lesson = read_lesson(root + "/lessons/05-refraction");
   const PlayedLesson played = play_lesson(*lesson, root + "/scenes");
   const std::string text = lesson_script(played, Language::english, ScriptForm::markdown);
-  CHECK(text.find("- larger \u2713") != std::string::npos);
-  CHECK(text.find("- 24.6\u00b0 \u2713") != std::string::npos);
-  CHECK(text.find("- Form refract ray \u2713") != std::string::npos);
+  CHECK(text.find("3. larger \u2713") != std::string::npos);
+  CHECK(text.find("\n24.6\u00b0 \u2713") != std::string::npos);
+  CHECK(text.find("\nForm refract ray \u2713") != std::string::npos);
   CHECK(text.find("## 1. Slower, so steeper (0:00\u2013") != std::string::npos);
   CHECK(text.find("(if time allows)") != std::string::npos);
 }
