@@ -147,6 +147,12 @@ TEST_CASE("Escape takes back one thing at a time") {
   CHECK(bench.state.selected);
   bench.key(GLFW_KEY_ESCAPE);
   CHECK_FALSE(bench.state.selected);
+  for (const Mode mode : {Mode::move, Mode::trace}) {
+    update(bench.state, action::SetMode{mode});
+    update(bench.state, action::SetMode{Mode::help});
+    bench.key(GLFW_KEY_ESCAPE);
+    CHECK(bench.state.mode == mode);
+  }
 }
 
 TEST_CASE("a question is answered by keys, and no other key does anything meanwhile") {

@@ -44,6 +44,13 @@ TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") 
   CHECK_FALSE(bench.state.lessons.revealed);
   const int position = bench.state.position;
   const Grain grain = bench.state.grain;
+  bench.key(GLFW_KEY_DOWN);
+  CHECK(bench.state.lessons.guess.choice == 0);
+  for (int press = 0; press < 5; ++press) bench.key(GLFW_KEY_DOWN);
+  CHECK(bench.state.lessons.guess.choice == 3);
+  bench.key(GLFW_KEY_UP);
+  CHECK(bench.state.lessons.guess.choice == 2);
+  CHECK(bench.state.position == position);
   bench.key(GLFW_KEY_2);
   CHECK(bench.state.lessons.guess.choice == 1);
   CHECK(bench.state.grain == grain);

@@ -70,6 +70,29 @@ TEST_CASE("numbers outside the format's limits are not taken over") {
   }
 }
 
+TEST_CASE("a number that grows too large while it is typed leaves the one that stood there") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const double before = sphere(bench).radius;
+  bench.double_click(field(TextId::radius));
+  for (const char digit : std::string("99999999")) bench.type(std::string(1, digit));
+  bench.enter();
+  CHECK(sphere(bench).radius == before);
+}
+
+TEST_CASE("of a grey the first number is enough, and the others make it coloured") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const auto reflection = [&] { return bench.state.scene().objects[0].material.reflection; };
+  REQUIRE((reflection().x == reflection().y && reflection().y == reflection().z));
+  type_into(bench, field(TextId::reflection, "/0"), "0.75");
+  CHECK(reflection() == Rgbd(0.75));
+  type_into(bench, field(TextId::reflection, "/1"), "0.5");
+  CHECK(reflection() == Rgbd(0.75, 0.5, 0.75));
+  type_into(bench, field(TextId::reflection, "/0"), "0.25");
+  CHECK(reflection() == Rgbd(0.25, 0.5, 0.75));
+}
+
 TEST_CASE("what is refused is explained below its field and gone when the field is left") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);

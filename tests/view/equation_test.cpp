@@ -5,6 +5,7 @@
 #include "timeline/event_json.h"
 #include "view/plan_view.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -234,4 +235,39 @@ TEST_CASE("beside the hit stand its t and its angle while the equation is shown,
   CHECK(shows(notes.t));
   CHECK(shows(notes.angle));
   CHECK(is_finite(plan_view(state)));
+}
+
+TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the normal, apart from each other") {
+  State state = walking("glass");
+  update(state, action::SetTab{Tab::equation});
+  int bent = 0, mirrored = 0;
+  for (int position = 1; position <= state.timeline->steps(); ++position) {
+    update(state, action::Jump{position});
+    const auto* formed = std::get_if<RayFormed>(&state.timeline->event(position - 1).detail);
+    const auto notes = bend_notes(state);
+    const bool wanted = formed != nullptr && (formed->kind == RayKind::reflect || formed->kind == RayKind::refract);
+    REQUIRE(notes.has_value() == wanted);
+    if (!wanted) continue;
+    CAPTURE(position);
+    const auto written = [](const char* name, double cosine) {
+      return name + fmt::format("{:.1f}", std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi) + "\u00b0";
+    };
+    if (formed->snell) {
+      ++bent;
+      CHECK(notes->angle_in == written("\u03b8\u2081 = ", formed->snell->cos_in));
+      CHECK(notes->angle_out == written("\u03b8\u2082 = ", formed->snell->cos_out));
+    } else {
+      ++mirrored;
+      CHECK(notes->angle_in.substr(notes->angle_in.find('=')) == notes->angle_out.substr(notes->angle_out.find('=')));
+    }
+    std::vector<TextItem> angles;
+    for (const DisplayItem& item : plan_view(state))
+      if (const auto* text = std::get_if<TextItem>(&item.shape); text != nullptr && text->text.find("\u03b8") == 0)
+        angles.push_back(*text);
+    if (angles.size() != 2) continue;  // a ray that leaves the plan has no angle there
+    const Vec2d apart = angles[0].at - angles[1].at;
+    CHECK((std::abs(apart.x) > 20 || std::abs(apart.y) > 8));
+  }
+  CHECK(bent > 20);
+  CHECK(mirrored > 20);
 }

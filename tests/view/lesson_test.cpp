@@ -9,6 +9,7 @@
 #include "fixtures.h"
 #include "support/catch.h"
 #include "view/action.h"
+#include "view/panels.h"
 #include "view/plan_view.h"
 
 using namespace raywalk;
@@ -97,9 +98,10 @@ TEST_CASE("STEP asks for the prediction first, and then shows the answer") {
   go_to_question(state, Asks::choice);
   const PlayedStep& step = *state.lessons.at();
   REQUIRE(question_waits(state));
-  for (const Action& forward :
-       {Action(action::Step{}), Action(action::Step{true, Grain::pixel}), Action(action::Hold{})}) {
+  for (const Action& forward : {Action(action::Step{}), Action(action::Step{true, Grain::pixel}),
+                                Action(action::Hold{}), Action(action::PlayPause{})}) {
     update(state, forward);
+    CHECK_FALSE(state.playing);
     CHECK(state.position == step.asked);
     CHECK_FALSE(state.hold);
     CHECK_FALSE(state.lessons.revealed);
@@ -113,6 +115,47 @@ TEST_CASE("STEP asks for the prediction first, and then shows the answer") {
   CHECK_FALSE(question_waits(state));
   update(state, action::Step{});
   CHECK(state.position == step.shown + 1);
+}
+
+TEST_CASE("AUTO comes to rest at a question that is still open") {
+  State state = with_lessons();
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  const int asked = state.position;
+  update(state, action::Jump{asked - 3});
+  update(state, action::PlayPause{});
+  REQUIRE(state.playing);
+  for (int tick = 0; tick < 20; ++tick) update(state, action::Tick{1.0});
+  CHECK(state.position == asked);
+  CHECK_FALSE(state.playing);
+}
+
+TEST_CASE("the tree does not show rays that are still to be predicted") {
+  State state = with_lessons();
+  const auto future = [&] {
+    const std::vector<TreeNode> nodes = tree_panel(state).nodes;
+    return std::count_if(nodes.begin(), nodes.end(), [](const TreeNode& node) { return node.future; });
+  };
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  CHECK(future() == 0);
+  CHECK(tree_panel(state).nodes.size() == 1);
+  update(state, action::GuessChoice{1});
+  update(state, action::RevealLesson{});
+  CHECK(future() > 0);
+  update(state, action::SetPredictions{true});
+  CHECK(future() == 0);
+}
+
+TEST_CASE("what is typed and is no number takes the guess before it back") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true});
+  update(state, action::OpenLesson{"01-ray-casting"});
+  go_to_question(state, Asks::number);
+  update(state, action::GuessNumber{12});
+  CHECK(state.lessons.guess.number == 12);
+  update(state, action::GuessNumber{std::nan("")});
+  CHECK_FALSE(state.lessons.guess.number);
 }
 
 TEST_CASE("whoever walks away from a question is shown the way back") {
@@ -269,6 +312,12 @@ TEST_CASE("a step hides the rays of pixels before its own, unless its answer tak
   update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"01-ray-casting"});
   go_to_question(state, Asks::number);
+  CHECK(state.lessons.first_pixel == 9);
+  // Also when the scene was changed before, or the lesson taken up again here.
+  const int step = state.lessons.step;
+  update(state, action::GoToLessonStep{step - 1});
+  make_dirty(state);
+  update(state, action::GoToLessonStep{step});
   CHECK(state.lessons.first_pixel == 9);
   update(state, action::GuessNumber{21});
   update(state, action::RevealLesson{});
