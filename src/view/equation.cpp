@@ -333,9 +333,11 @@ std::optional<BendNotes> bend_notes(const State& state) {
   const Timeline& timeline = *state.timeline;
   if (state.position == 0) return std::nullopt;
   const auto* formed = std::get_if<RayFormed>(&timeline.event(state.position - 1).detail);
-  if (formed == nullptr || formed->parent < 0) return std::nullopt;
+  if (formed == nullptr) return std::nullopt;
   if (formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
-  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(formed->parent)];
+  const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.position))].parent;
+  if (parent < 0) return std::nullopt;
+  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(parent)];
   if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
   BendNotes notes;
   notes.at = in.end;

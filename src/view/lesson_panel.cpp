@@ -173,7 +173,7 @@ LessonPanel lesson_panel(const State& state) {
   panel.is_last = panel.step == panel.steps;
   panel.can_go_back = sitting.step > 0;
   const bool answered = !step->step->question || sitting.revealed;
-  panel.can_go_on = answered || sitting.unlocked;
+  panel.can_go_on = answered || sitting.unlocked || sitting.presenter;
   if (step->step->question) {
     const LessonQuestion& question = *step->step->question;
     panel.question = said_at(said->question, step->asked);

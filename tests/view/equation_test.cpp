@@ -249,6 +249,9 @@ TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the n
     REQUIRE(notes.has_value() == wanted);
     if (!wanted) continue;
     CAPTURE(position);
+    CHECK(length(notes->at - formed->origin) < 1e-6);
+    CHECK(dot(notes->normal, notes->back) > 0);
+    CHECK((dot(notes->normal, notes->out) < 0) == (formed->kind == RayKind::refract));
     const auto written = [](const char* name, double cosine) {
       return name + fmt::format("{:.1f}", std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi) + "\u00b0";
     };
