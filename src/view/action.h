@@ -250,7 +250,7 @@ struct GuessChoice {
 };  ///< from 0
 struct GuessNumber {
   double number;
-};  ///< arrows are dragged
+};  ///< not finite: none any more. Arrows are dragged
 struct RevealLesson {};  ///< shows the answer to the guess; a line is guessed by MarkLine
 struct ShowHands {
   int choice, hands;

@@ -41,7 +41,6 @@ bool is_finite(const Action& action) {
                         [](const ShowCosts& a) { return finite(a.split); },
                         [](const Magnify& a) { return finite(a.part); },
                         [](const GuessWay& a) { return finite(a.towards); },
-                        [](const GuessNumber& a) { return finite(a.number); },
                         [](const auto&) { return true; },
                     },
                     action);

@@ -200,7 +200,7 @@ TEST_CASE("the script gives no answer away before it stands there, nor do the no
   }
   update(state, action::OpenLesson{"05-refraction"});
   update(state, action::GoToLessonStep{0});
-  CHECK(lesson_panel(state).time.starts_with("until 0:"));
+  CHECK(lesson_panel(state).time.starts_with("until 1:"));
   update(state, action::SetLessonOptions{true, false, true});
   CHECK(lesson_panel(state).presenter.empty());
   update(state, action::SetLessonOptions{true, false, false});

@@ -57,7 +57,17 @@ TEST_CASE("a ray is drawn when it is formed and cut when its end is found") {
   update(state, action::Jump{record.formed_at - 1});
   CHECK(items_of(plan_view(state), {TargetKind::ray, ray}).empty());
   update(state, action::Step{true, Grain::line});
-  CHECK(on_border(state, line_of(plan_view(state), ray).to));
+  // Towards its end, which is not known, it fades in pieces.
+  const DisplayList list = plan_view(state);
+  const auto pieces = items_of(list, {TargetKind::ray, ray});
+  REQUIRE(pieces.size() > 2);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const auto &before = std::get<LineItem>(pieces[i - 1].shape), &piece = std::get<LineItem>(pieces[i].shape);
+    CHECK(piece.stroke.colour.a < before.stroke.colour.a);
+    CHECK(length(piece.from - before.to) < 1e-6);
+    CHECK((before.arrow > 0) == (i == 1));
+  }
+  CHECK(on_border(state, std::get<LineItem>(pieces.back().shape).to));
   update(state, action::Step{true, Grain::line});
   REQUIRE(state.position == record.found_at);
   CHECK(length(line_of(plan_view(state), ray).to - to_pixels(state, plan(record.end))) < 1e-6);

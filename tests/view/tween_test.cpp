@@ -24,11 +24,12 @@ int current(const State& state) { return state.timeline->current_ray(state.posit
 
 /// How long the ray under way is drawn; 0 where it is not.
 double drawn_length(const State& state) {
+  double sum = 0;  // of its pieces
   for (const DisplayItem& item : plan_view(state))
     if (const auto* line = std::get_if<LineItem>(&item.shape);
-        line != nullptr && item.target == Target{TargetKind::ray, current(state)} && line->arrow > 0)
-      return length(line->to - line->from);
-  return 0;
+        line != nullptr && item.target == Target{TargetKind::ray, current(state)})
+      sum += length(line->to - line->from);
+  return sum;
 }
 
 std::string drawn(const State& state) {
