@@ -182,5 +182,5 @@ TEST_CASE("keys scroll the help text") {
     CHECK(bench.actions.empty());
   }
   bench.key(GLFW_KEY_ESCAPE);
-  CHECK(bench.state.mode == Mode::trace);
+  CHECK(bench.state.mode == Mode::move);
 }
