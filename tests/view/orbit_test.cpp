@@ -38,7 +38,7 @@ TEST_CASE("a camera turned, moved or brought nearer by nothing is the same, bit 
 TEST_CASE("a camera goes around its pivot at the same distance, and comes back") {
   const Camera camera = level_camera();
   const Vec3d pivot(2, 1, 0.5);
-  for (const Vec2d angles : {Vec2d(0.7, 0.3), Vec2d(-2.5, 0.9), Vec2d(3, -1)}) {
+  for (const Vec2d& angles : {Vec2d(0.7, 0.3), Vec2d(-2.5, 0.9), Vec2d(3, -1)}) {
     const Camera turned = orbited(camera, pivot, angles);
     CHECK(length(turned.eye - pivot) == Approx(6));
     check_near(turned.look_at, pivot);
