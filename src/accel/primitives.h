@@ -122,18 +122,17 @@ class Primitives {
     return {ray.at(crossing.t), surface_at(id, static_cast<const Ray<T>&>(ray), crossing).normal};
   }
   /// Of a point at `time`.
-  [[nodiscard]] Vec2<T> uv_at(int id, SurfacePoint<T> point, int part, T time = 0) const {
-    if (const auto* plane = plain<Plane<T>>(id)) return raywalk::uv_at(*plane, point, part);
-    take_back(id, point, time);
+  [[nodiscard]] Vec2<T> uv_at(int id, const SurfacePoint<T>& at, int part, T time = 0) const {
+    if (const auto* plane = plain<Plane<T>>(id)) return raywalk::uv_at(*plane, at, part);
+    const SurfacePoint<T> point = taken_back(id, at, time);
     if (id >= shape_count()) return triangles_.uv_at(id - shape_count(), point);
     const Placement<T>* place = place_of(id);
     return place ? raywalk::uv_at(own(id), *place, point, part) : raywalk::uv_at(own(id), point, part);
   }
   /// The normal that a smooth mesh is shaded with, on the outside as the point's own; none where they are the same.
-  [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int id, SurfacePoint<T> point, T time = 0) const {
+  [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int id, const SurfacePoint<T>& at, T time = 0) const {
     if (id < shape_count()) return std::nullopt;
-    take_back(id, point, time);
-    return triangles_.smooth_normal(id - shape_count(), point);
+    return triangles_.smooth_normal(id - shape_count(), taken_back(id, at, time));
   }
 
   /// A primitive's box in the world, widened by a few ulps so that it holds every point that rounding may report.
@@ -167,8 +166,10 @@ class Primitives {
     moved.origin -= Vec3<T>(offset_at(motion, static_cast<double>(ray.time)));
     return moved;
   }
-  void take_back(int id, SurfacePoint<T>& point, T time) const {
+  /// A point of it as it is at rest.
+  [[nodiscard]] SurfacePoint<T> taken_back(int id, SurfacePoint<T> point, T time) const {
     if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
+    return point;
   }
   template <class Explain>
   [[nodiscard]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max, Explain&& explain) const {

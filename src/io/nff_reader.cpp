@@ -25,6 +25,7 @@ constexpr scene_keys::WholeRule corner_count{3, 10'000};
 /// About z from z_min to z_max, put where `foot` is the point at z = 0 and `axis` the way along +z.
 std::vector<TransformStep> along(const Vec3d& foot, const Vec3d& axis) {
   std::vector<TransformStep> steps;
+  steps.reserve(2);
   const Vec3d z(0, 0, 1), side = cross(z, axis);
   constexpr double degrees = 180 / 3.14159265358979323846;
   if (side != Vec3d(0.0)) {

@@ -65,7 +65,7 @@ struct Tracer<Policy>::Shading {
   Rgb<T> ambient, diffuse;          ///< with the pattern's colour
   Rgb<T> reflection, transmission;  ///< kr' and kt'
   T n1 = 1, n2 = 1;
-  Refraction<T> refraction{};  ///< where the surface transmits
+  Refraction<T> refraction;    ///< where the surface transmits; else not set
   bool entering = true;        ///< the ray comes from outside
   Rgb<T> passed{1};            ///< what the ray's way through an absorbing object leaves
 };
@@ -212,7 +212,6 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
 template <class Policy>
 auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample)
     -> std::optional<Traced> {
-  std::optional<Traced> shadow;
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
   Vec3<T> to_light = lamp.directional ? lamp.place : light_point(ray, lamp, sample) - at.position;
   break_by(Fault::shadow_ray_misaimed, [&] {
@@ -227,14 +226,14 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
       return RayNotFormed{ray.number,      RayKind::shadow, why,        Vec3d(at.position),
                           Vec3d(to_light), Rgbd(ray.share), lamp.index, sample};
     });
-    return shadow;
+    return std::nullopt;
   }
-  shadow.emplace(leaving<Ray>(world_, at.position, at.side, at.departure, to_light, ray.ray.time), RayKind::shadow,
-                 ray.share, rays_formed_++);
-  break_by(Fault::epsilon_too_small, [&] { shadow->ray.origin = at.position; });
+  Traced shadow(leaving<Ray>(world_, at.position, at.side, at.departure, to_light, ray.ray.time), RayKind::shadow,
+                ray.share, rays_formed_++);
+  break_by(Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
-    RayFormed event{shadow->number,  ray.number,      RayKind::shadow, Vec3d(shadow->ray.origin),
+    RayFormed event{shadow.number,   ray.number,      RayKind::shadow, Vec3d(shadow.ray.origin),
                     Vec3d(to_light), Rgbd(ray.share), lamp.index,      !lamp.directional};
     event.light_sample = sample;
     return event;
@@ -345,7 +344,6 @@ template <class Draw>
 auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
                                         const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction)
     -> std::optional<Traced> {
-  std::optional<Traced> formed;
   const Rgb<T> share = parent.share * at.passed * weight;
   const bool too_deep = depth + 1 > world_.depth || runs_away(parent);
   if (too_deep || max_component(share) < world_.threshold) {
@@ -353,25 +351,25 @@ auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at,
     ++statistics_.ends(why);
     note(line, depth,
          [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(sharp), Rgbd(share)}; });
-    return formed;
+    return std::nullopt;
   }
   const Vec3<T> direction = draw_direction();
-  formed.emplace(leaving<Ray>(world_, at.position, at.side, at.departure, direction, parent.ray.time), kind, share,
-                 rays_formed_++);
+  Traced formed(leaving<Ray>(world_, at.position, at.side, at.departure, direction, parent.ray.time), kind, share,
+                rays_formed_++);
   break_by(Fault::epsilon_wrong_side, [&] {
-    if (kind == RayKind::reflect) formed->ray.origin = at.position - (formed->ray.origin - at.position);
+    if (kind == RayKind::reflect) formed.ray.origin = at.position - (formed.ray.origin - at.position);
   });
-  if constexpr (draws) formed->branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
-  if constexpr (Policy::faulty) formed->generation.number = parent.generation.number + 1;
+  if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
+  if constexpr (Policy::faulty) formed.generation.number = parent.generation.number + 1;
   if constexpr (Policy::effects.refraction) {
     if (kind == RayKind::refract)
-      formed->medium.surface = at.entering ? at.surface : nullptr;
+      formed.medium.surface = at.entering ? at.surface : nullptr;
     else
-      formed->medium.surface = at.entering ? parent.medium.surface : at.surface->transmits ? at.surface : nullptr;
+      formed.medium.surface = at.entering ? parent.medium.surface : at.surface->transmits ? at.surface : nullptr;
   }
   ++statistics_.formed(kind);
   note(line, depth, [&] {
-    RayFormed event{formed->number, parent.number, kind, Vec3d(formed->ray.origin), Vec3d(direction), Rgbd(share)};
+    RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(share)};
     if (kind == RayKind::refract) {
       const Refraction<T>& r = at.refraction;
       event.snell = SnellNumbers{static_cast<double>(at.n1), static_cast<double>(at.n2), static_cast<double>(r.cos_in),
