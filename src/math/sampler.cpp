@@ -64,18 +64,18 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t seed)
   return turned < count && turned >= i ? turned : turned - count;
 }
 
-/// A step of 2^-24 in cell `cell` of `cells` equal ones, chosen by a random one of the whole interval. In integers, so
-/// that rounding carries nothing into a neighbouring cell. cells <= 2^24.
-std::uint32_t within(std::uint32_t cell, std::uint32_t cells, std::uint32_t random) {
-  // i * unit / cells, rounded up. Quotients of integers below 2^48 and 2^24 lie further from the next integer than a
-  // double rounds, and are had sooner than those of integers.
-  const auto begin_of = [cells](std::uint32_t i) {
-    const std::int64_t whole = std::int64_t{i} * unit;
-    const auto below = static_cast<std::int64_t>(static_cast<double>(whole) / cells);
-    return below + (below * cells != whole);
-  };
-  const std::int64_t begin = begin_of(cell), size = begin_of(cell + 1) - begin;
-  return static_cast<std::uint32_t>(begin + (size * random >> unit_bits));
+/// i * unit / cells, rounded up: where cell i of `cells` equal ones begins. Quotients of integers below 2^48 and 2^24
+/// lie further from the next integer than a double rounds, and are had sooner than those of integers.
+std::uint32_t cell_begin(std::uint32_t i, std::uint32_t cells) {
+  const std::int64_t whole = std::int64_t{i} * unit;
+  const auto below = static_cast<std::int64_t>(static_cast<double>(whole) / cells);
+  return static_cast<std::uint32_t>(below + (below * cells != whole));
+}
+
+/// A step of 2^-24 between two, chosen by a random one of the whole interval. In integers, so that rounding carries
+/// nothing into a neighbouring cell.
+std::uint32_t between(std::uint32_t begin, std::uint32_t end, std::uint32_t random) {
+  return begin + static_cast<std::uint32_t>(std::uint64_t{end - begin} * random >> unit_bits);
 }
 
 std::uint32_t reversed(std::uint32_t x) {
@@ -117,15 +117,18 @@ std::uint32_t shuffled_index(const RandomKey& key) {
 std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count) {
   const std::uint32_t random = random_24(common_bits(key), key.dimension);
   if (key.sample >= count || count > unit) return random;
-  return within(permuted(key.sample, count, stream(key, 0)), count, random);
+  const std::uint32_t cell = permuted(key.sample, count, stream(key, 0));
+  return between(cell_begin(cell, count), cell_begin(cell + 1, count), random);
 }
 
-DrawnPair draw_jittered_pair(const RandomKey& key, std::uint32_t count) {
+DrawnPair draw_jittered_pair(const RandomKey& key, const Strata& strata) {
   const auto [u, v] = draw_random_pair(key);
-  const auto edge = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)));  // rounded right: exact
+  const std::uint32_t edge = strata.edge();
   if (key.sample >= edge * edge) return {u, v};
   const std::uint32_t cell = permuted(key.sample, edge * edge, stream(key, 0));
-  return {within(cell % edge, edge, u), within(cell / edge, edge, v)};
+  const std::uint32_t row = cell / edge, column = cell - row * edge;
+  return {between(strata.begin_of(column), strata.begin_of(column + 1), u),
+          between(strata.begin_of(row), strata.begin_of(row + 1), v)};
 }
 
 std::uint32_t draw_sobol(const RandomKey& key) {
@@ -144,5 +147,10 @@ DrawnPair draw_sobol_pair(const RandomKey& key) {
 }
 
 }  // namespace detail
+
+Strata::Strata(std::uint32_t count)
+    : count_(count), edge_(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)))) {  // rounded right: exact
+  for (std::uint32_t i = 0; i <= edge_; ++i) begins_.push_back(detail::cell_begin(i, edge_));
+}
 
 }  // namespace raywalk

@@ -6,6 +6,7 @@
 #include "math/vec.h"
 
 #include <string_view>
+#include <vector>
 
 namespace raywalk {
 
@@ -18,18 +19,37 @@ enum class Sampler {
 
 [[nodiscard]] std::string_view sampler_name(Sampler sampler);  ///< "jittered"
 
+/// How many samples there are to be spread, and what follows from that: worked out once for the many draws of a picture.
+class Strata {
+ public:
+  /// count >= 1
+  Strata(std::uint32_t count);  // NOLINT(google-explicit-constructor): any number of samples has its strata
+
+  [[nodiscard]] std::uint32_t count() const { return count_; }
+  /// The root of the count, rounded down: there are edge x edge cells, and what is left over lies anywhere.
+  [[nodiscard]] std::uint32_t edge() const { return edge_; }
+  /// Where the cells of an edge begin, in steps of 2^-24; that after the last is the end.
+  [[nodiscard]] std::uint32_t begin_of(std::uint32_t cell) const { return begins_[cell]; }
+
+ private:
+  std::uint32_t count_, edge_;
+  std::vector<std::uint32_t> begins_;
+};
+
 namespace detail {
 
 /// Numbers in [0, 2^24): the interval [0, 1) in steps of 2^-24.
 struct DrawnPair {
   std::uint32_t u, v;
 };
+[[nodiscard]] inline DrawnPair draw_random_pair(std::uint64_t common, std::uint32_t dimension) {
+  return {random_24(common, dimension), random_24(common, dimension + 1)};
+}
 [[nodiscard]] inline DrawnPair draw_random_pair(const RandomKey& key) {
-  const std::uint64_t common = common_bits(key);
-  return {random_24(common, key.dimension), random_24(common, key.dimension + 1)};
+  return draw_random_pair(common_bits(key), key.dimension);
 }
 [[nodiscard]] std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count);
-[[nodiscard]] DrawnPair draw_jittered_pair(const RandomKey& key, std::uint32_t count);
+[[nodiscard]] DrawnPair draw_jittered_pair(const RandomKey& key, const Strata& strata);
 [[nodiscard]] std::uint32_t draw_sobol(const RandomKey& key);
 [[nodiscard]] DrawnPair draw_sobol_pair(const RandomKey& key);
 
@@ -55,16 +75,16 @@ template <class T>
   return random_unit<T>(key);
 }
 
-/// A pair that fills the unit square evenly. Takes dimensions `key.dimension` and the one after it.
+/// A pair that fills the unit square evenly, one of strata.count(). Takes dimensions `key.dimension` and the one after it.
 template <class T>
-[[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, std::uint32_t count) {
+[[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, const Strata& strata) {
   detail::DrawnPair drawn{};
   switch (sampler) {
     case Sampler::random:
       drawn = detail::draw_random_pair(key);
       break;
     case Sampler::jittered:
-      drawn = detail::draw_jittered_pair(key, count);
+      drawn = detail::draw_jittered_pair(key, strata);
       break;
     case Sampler::sobol:
       drawn = detail::draw_sobol_pair(key);
@@ -72,5 +92,22 @@ template <class T>
   }
   return {detail::unit_of<T>(drawn.u), detail::unit_of<T>(drawn.v)};
 }
+
+/// The pairs of Sampler::random for one key, whatever its dimension: what they have in common is worked out once.
+class RandomPairs {
+ public:
+  RandomPairs() = default;
+  explicit RandomPairs(const RandomKey& key) : common_(detail::common_bits(key)) {}
+
+  /// As draw_pair of the key with this dimension.
+  template <class T>
+  [[nodiscard]] Vec2<T> draw(std::uint32_t dimension) const {
+    const detail::DrawnPair drawn = detail::draw_random_pair(common_, dimension);
+    return {detail::unit_of<T>(drawn.u), detail::unit_of<T>(drawn.v)};
+  }
+
+ private:
+  std::uint64_t common_ = 0;
+};
 
 }  // namespace raywalk

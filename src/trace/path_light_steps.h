@@ -56,7 +56,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_lamp(Way& way, const Vertex& at
     to_light = lamp.place - at.position;
   } else {
     const RandomKey key = key_at(at.length, lamp.first_dimension, Effect::penumbra);
-    const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.count());
+    const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
     statistics_.drew(Effect::penumbra, 2);
     to_light = lamp.point_at(unit) - at.position;
   }
@@ -86,7 +86,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_object(Way& way, const Vertex& 
     statistics_.drew(Effect::indirect_light, 1);
   }
   const Vec2<T> unit =
-      draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::light), camera_.count());
+      draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::light), camera_.strata());
   statistics_.drew(Effect::indirect_light, 2);
   const auto drawn = lights_.draw(at.position, pick, unit);
   if (!drawn) return Ending::facing_away;

@@ -210,7 +210,7 @@ auto PathTracer<Policy>::choose_direction(const Traced& ray, const Vertex& at) -
     if (at.lobes.needs_direction(lobe)) {
       const Effect effect = detail::effect_of(lobe);
       unit =
-          draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect), camera_.count());
+          draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect), camera_.strata());
       statistics_.drew(effect, 2);
     }
     choice = at.lobes.choose(lobe, unit);

@@ -25,7 +25,7 @@ Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, Statistic
 template <class T>
 Vec2<T> RayGenerator<T>::draw_for(const Pixel& pixel, Effect effect, Statistics& statistics) const {
   statistics.drew(effect, 2);
-  return draw_pair<T>(sampler_, key(pixel, effect), count());
+  return draw_pair<T>(sampler_, key(pixel, effect), strata_);
 }
 
 /// From the pixel's centre, in half pixels, each in [-1, 1).

@@ -50,7 +50,10 @@ class RayGenerator {
   }
   /// As if it were a pinhole, its shutter open for no time, the samples of a pixel jittered.
   RayGenerator(const Camera& camera, ImageSize size, ImageSize whole, Sampling sampling = {})
-      : size_(size), sampling_(sampling), eye_(camera.eye) {
+      : size_(size),
+        sampling_(sampling),
+        strata_(static_cast<std::uint32_t>(sampling.per_pixel)),
+        eye_(camera.eye) {
     const Vec3d forward = normalize(camera.look_at - camera.eye);
     const Vec3d right = normalize(cross(forward, camera.up)), up = cross(right, forward);
     const double aspect = static_cast<double>(whole.width) / whole.height;
@@ -81,8 +84,9 @@ class RayGenerator {
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] const Sampling& sampling() const { return sampling_; }
   [[nodiscard]] Sampler sampler() const { return sampler_; }
-  /// The samples of a pixel, as samplers count them.
-  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(sampling_.per_pixel); }
+  /// The samples of a pixel, as samplers spread them.
+  [[nodiscard]] const Strata& strata() const { return strata_; }
+  [[nodiscard]] std::uint32_t count() const { return strata_.count(); }
 
   /// What every draw for a sample of a pixel begins with: an effect, at the end of the primary ray.
   [[nodiscard]] RandomKey key(const Pixel& pixel, Effect effect) const {
@@ -113,6 +117,7 @@ class RayGenerator {
 
   ImageSize size_;
   Sampling sampling_;
+  Strata strata_;
   Sampler sampler_ = Sampler::jittered;
   bool draws_ = true, moves_ = false;
   bool is_sampled_ = false;  ///< not all rays go from the eye through the pixel's centre when the shutter opens

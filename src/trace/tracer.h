@@ -154,7 +154,8 @@ class Tracer {
   Nearest find_closest(Line line, int depth, const Traced& ray);
   Rgb<T> find_intersection(int depth, const Traced& shadow, const Lamp& lamp);
   [[nodiscard]] static int samples_of(const Lamp& lamp);
-  Vec3<T> light_point(const Traced& ray, const Lamp& lamp, int sample);
+  [[nodiscard]] RandomKey light_key(const Traced& ray) const;
+  Vec3<T> light_point(const Shading& at, const Traced& ray, const Lamp& lamp, int sample);
   Vec3<T> spread(const Traced& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& side, Effect effect);
   bool decide_intersected(const Nearest& nearest);
   bool decide_reflective(int depth, const Shading& at);

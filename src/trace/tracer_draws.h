@@ -14,30 +14,35 @@ int Tracer<Policy>::samples_of(const Lamp& lamp) {
     return 1;
 }
 
+/// What every draw for a light begins with at the end of this ray.
+template <class Policy>
+RandomKey Tracer<Policy>::light_key(const Traced& ray) const {
+  RandomKey key = key_;
+  key.effect = static_cast<std::uint32_t>(Effect::penumbra);
+  key.path = ray.branch.path;
+  return key;
+}
+
 /// Where on the light the shadow ray with this number goes.
 template <class Policy>
-auto Tracer<Policy>::light_point(const Traced& ray, const Lamp& lamp, int sample) -> Vec3<T> {
+auto Tracer<Policy>::light_point(const Shading& at, const Traced& ray, const Lamp& lamp, int sample) -> Vec3<T> {
   if constexpr (Policy::effects.penumbra) {
     if (lamp.extent != World<T>::Extent::none) {
       const T edge = static_cast<T>(lamp.grid);
       const Vec2<T> cell(static_cast<T>(sample % lamp.grid), static_cast<T>(sample / lamp.grid));
       if (!world_.draws) return lamp.point_at((cell + T(0.5)) / edge);
-      RandomKey key = key_;
-      key.effect = static_cast<std::uint32_t>(Effect::penumbra);
-      key.path = ray.branch.path;
-      const auto count = static_cast<std::uint32_t>(lamp.samples());
+      const auto number = static_cast<std::uint32_t>(sample);
       statistics_.drew(Effect::penumbra, 2);
-      if (camera_.sampler() == Sampler::sobol) {
-        // One sequence for all samples of the pixel: each takes a run of it.
-        key.dimension = lamp.first_dimension;
-        key.sample = key.sample * count + static_cast<std::uint32_t>(sample);
-        const Vec2<T> unit = draw_pair<T>(Sampler::sobol, key, camera_.count() * count);
-        return lamp.point_at(unit);
+      if (lamp.grid > 1 && camera_.sampler() != Sampler::sobol) {
+        const Vec2<T> unit = at.light_pairs.template draw<T>(lamp.first_dimension + 2 * number);
+        return lamp.point_at(camera_.sampler() == Sampler::jittered ? (cell + unit) / edge : unit);
       }
-      key.dimension = lamp.first_dimension + 2 * static_cast<std::uint32_t>(sample);
-      const Vec2<T> unit = draw_pair<T>(lamp.grid == 1 ? camera_.sampler() : Sampler::random, key, camera_.count());
-      const bool jitters = camera_.sampler() == Sampler::jittered;
-      return lamp.point_at(jitters && lamp.grid > 1 ? (cell + unit) / edge : unit);
+      RandomKey key = light_key(ray);
+      key.dimension = lamp.first_dimension;
+      // Of Sobol's points all samples of the pixel share one sequence: each takes a run of it.
+      key.sample = key.sample * static_cast<std::uint32_t>(lamp.samples()) + number;
+      const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
+      return lamp.point_at(unit);
     }
   }
   return lamp.place;
@@ -53,7 +58,7 @@ auto Tracer<Policy>::spread(const Traced& ray, const Vec3<T>& direction, T one_m
       RandomKey key = key_;
       key.effect = static_cast<std::uint32_t>(effect);
       key.path = ray.branch.path;
-      const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.count());
+      const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
       statistics_.drew(effect, 2);
       const Vec3<T> aside = renormalize(Basis<T>(direction).to_world(uniform_cone(unit, one_minus_cos)));
       const T above = dot(aside, side);

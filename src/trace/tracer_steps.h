@@ -68,6 +68,7 @@ struct Tracer<Policy>::Shading {
   Refraction<T> refraction;    ///< where the surface transmits; else not set
   bool entering = true;        ///< the ray comes from outside
   Rgb<T> passed{1};            ///< what the ray's way through an absorbing object leaves
+  [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< places on lights, where drawn
 };
 
 template <class Policy>
@@ -168,6 +169,7 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
     at.normal = smooth_normal_towards(ray.ray.direction, at.side, entering ? *smooth : -*smooth);
     at.smoothed = true;
   }
+  if constexpr (Policy::effects.penumbra) at.light_pairs = RandomPairs(light_key(ray));
   at.surface = &surface;
   at.ambient = surface.ambient;
   at.diffuse = surface.diffuse;
@@ -213,7 +215,7 @@ template <class Policy>
 auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample)
     -> std::optional<Traced> {
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
-  Vec3<T> to_light = lamp.directional ? lamp.place : light_point(ray, lamp, sample) - at.position;
+  Vec3<T> to_light = lamp.directional ? lamp.place : light_point(at, ray, lamp, sample) - at.position;
   break_by(Fault::shadow_ray_misaimed, [&] {
     if (!lamp.directional) to_light += at.position;
   });

@@ -237,6 +237,7 @@ TEST_CASE("float and double draw the same numbers; random is random_unit itself"
       ++second.dimension;
       if (one != random_unit<double>(key) || pair != Vec2d(random_unit<double>(key), random_unit<double>(second)))
         FAIL("not random_unit's numbers");
+      if (RandomPairs(key).draw<double>(key.dimension) != pair) FAIL("another pair where the hash is shared");
     }
 }
 
