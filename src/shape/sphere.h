@@ -104,8 +104,6 @@ std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray,
                                      Explain&& explain) {
   constexpr bool explained = std::decay_t<Explain>::wanted;
   const Vec3d o = wide(ray.origin) - wide(sphere.centre), d = wide(ray.direction);
-  const double radius = static_cast<double>(sphere.radius);
-  const double b = dot(d, o);
   // Rounded before they are compared: what is positive in double may be 0 in float, and is then no crossing.
   const auto nearest = [&](double near, double far) -> std::optional<Crossing<T>> {
     T t = static_cast<T>(near);
@@ -114,20 +112,23 @@ std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray,
     return Crossing<T>{t};
   };
   if (departed_part != no_part) {
+    const double b = dot(d, o);
     if (!explained && b >= 0) return std::nullopt;
     const double a = dot(d, d), root = -2 * b / a;
     if constexpr (explained) explain.quadratic(a, 2 * b, 0, 4 * b * b, std::min(0.0, root), std::max(0.0, root));
     return nearest(root, root);
   }
-  const double r2 = radius * radius, oo = dot(o, o);
-  const double size = oo + r2, c = oo - r2;
-  // From outside and away: both roots, if any, lie behind. (Nobody asks for them unless they are explained.)
-  if (!explained && b > 0 && c > detail::sphere_digits_bound * size) return std::nullopt;
-  const double a = dot(d, d);
+  const double radius = static_cast<double>(sphere.radius), r2 = radius * radius;
+  const double a = dot(d, d), oo = dot(o, o), size = oo + r2;
   const Vec3d oxd = cross(o, d);
   const double discriminant = a * r2 - dot(oxd, oxd);
-  if (std::abs(discriminant) <= detail::sphere_sign_bound * a * size ||
-      std::abs(c) <= detail::sphere_digits_bound * size) {
+  // Most rays pass by, and need no more than this. (Who wants an explanation is told all.)
+  const double doubt = detail::sphere_sign_bound * a * size;
+  if (!explained && discriminant < -doubt) return std::nullopt;
+  const double b = dot(d, o), c = oo - r2;
+  // From outside and away: both roots, if any, lie behind.
+  if (!explained && b > 0 && c > detail::sphere_digits_bound * size) return std::nullopt;
+  if (std::abs(discriminant) <= doubt || std::abs(c) <= detail::sphere_digits_bound * size) {
     note_exact(explain);
     const detail::Roots roots = detail::roots_exactly(sphere, ray);
     if constexpr (explained) explain.quadratic(a, 2 * b, c, 4 * roots.discriminant, roots.near, roots.far);
