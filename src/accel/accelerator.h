@@ -75,6 +75,8 @@ class Accelerator {
   bool found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const;
   template <class AnyRay, class Query>
   void search(const AnyRay& ray, Query& query) const;
+  template <class AnyRay, class Query>
+  void search_structure(const AnyRay& ray, Query& query) const;
 
   Primitives<T> primitives_;
   std::vector<int> unbounded_;  ///< ids that every ray is tested against

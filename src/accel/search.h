@@ -51,7 +51,15 @@ struct Accelerator<T>::Structure {
 
 template <class T>
 template <class AnyRay, class Query>
-void Accelerator<T>::search(const AnyRay& ray, Query& query) const {
+inline void Accelerator<T>::search(const AnyRay& ray, Query& query) const {
+  // A list, which holds all, is asked for first: its scenes are so small that a call more would show.
+  if (const auto* list = std::get_if<List<T>>(&structure_->any)) return list->search(ray, primitives_, query);
+  search_structure(ray, query);
+}
+
+template <class T>
+template <class AnyRay, class Query>
+[[gnu::noinline]] void Accelerator<T>::search_structure(const AnyRay& ray, Query& query) const {
   for (const int id : unbounded_)
     if (query.test(primitives_, id)) return;
   std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_->any);
@@ -68,7 +76,7 @@ std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCo
 
 template <class T>
 template <class AnyRay, class Query>
-bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const {
+inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const {
   if (last == nullptr || *last < 0 || !query.test(primitives_, *last)) search(ray, query);
   if (last != nullptr) *last = query.found_id();
   counts += query.counts();

@@ -27,7 +27,8 @@ struct Refraction {
 };
 
 template <class T>
-[[nodiscard]] Refraction<T> refraction_at(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal, T n1, T n2) {
+[[nodiscard]] inline Refraction<T> refraction_at(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal, T n1,
+                                                 T n2) {
   const T eta = n1 / n2;
   const T cos_in = std::clamp(-dot(unit_incident, facing_normal), T(0), T(1));
   // 1 - eta^2 (1 - cos^2), over n2^2 so that neither equal indices nor the critical angle lose digits: the difference

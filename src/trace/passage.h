@@ -47,8 +47,9 @@ template <class T, class AnyRay>
 /// The share of light that arrives over a shadow ray's (0, t_max); none when something stops it. `filters` is room for
 /// the search, handed in so that no shadow ray allocates; `last` is what hid the light before (Accelerator::any).
 template <class T, class AnyRay>
-[[nodiscard]] std::optional<Rgb<T>> light_through(const World<T>& world, const AnyRay& shadow, T t_max,
-                                                  TestCounts& tests, std::vector<int>& filters, int* last = nullptr) {
+[[nodiscard]] inline std::optional<Rgb<T>> light_through(const World<T>& world, const AnyRay& shadow, T t_max,
+                                                         TestCounts& tests, std::vector<int>& filters,
+                                                         int* last = nullptr) {
   const Accelerator<T>& accelerator = world.accelerator;
   const bool stopped = world.shadow_roles.empty()
                            ? accelerator.any(shadow, t_max, tests, last)

@@ -25,7 +25,7 @@ RandomKey Tracer<Policy>::light_key(const Traced& ray) const {
 
 /// Where on the light the shadow ray with this number goes.
 template <class Policy>
-auto Tracer<Policy>::light_point(const Shading& at, const Traced& ray, const Lamp& lamp, int sample) -> Vec3<T> {
+inline auto Tracer<Policy>::light_point(const Shading& at, const Traced& ray, const Lamp& lamp, int sample) -> Vec3<T> {
   if constexpr (Policy::effects.penumbra) {
     if (lamp.extent != World<T>::Extent::none) {
       const T edge = static_cast<T>(lamp.grid);

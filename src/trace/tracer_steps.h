@@ -65,9 +65,9 @@ struct Tracer<Policy>::Shading {
   Rgb<T> ambient, diffuse;          ///< with the pattern's colour
   Rgb<T> reflection, transmission;  ///< kr' and kt'
   T n1 = 1, n2 = 1;
-  Refraction<T> refraction;    ///< where the surface transmits; else not set
-  bool entering = true;        ///< the ray comes from outside
-  Rgb<T> passed{1};            ///< what the ray's way through an absorbing object leaves
+  Refraction<T> refraction;  ///< where the surface transmits; else not set
+  bool entering = true;      ///< the ray comes from outside
+  Rgb<T> passed{1};          ///< what the ray's way through an absorbing object leaves
   [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< places on lights, where drawn
 };
 
@@ -94,7 +94,7 @@ void Tracer<Policy>::begin(const Pixel& pixel) {
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
+inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
   const Traced primary{Ray{camera_.primary_ray(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), rays_formed_++};
   ++statistics_.formed(RayKind::primary);
   note(Line::form_primary_ray, 0, [&] {
@@ -154,7 +154,7 @@ void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& 
 }
 
 template <class Policy>
-auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
+inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
   const Primitives<T>& primitives = world_.accelerator.primitives();
   const Surface& surface = world_.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
@@ -212,8 +212,8 @@ auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample)
-    -> std::optional<Traced> {
+inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp,
+                                            int sample) -> std::optional<Traced> {
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
   Vec3<T> to_light = lamp.directional ? lamp.place : light_point(at, ray, lamp, sample) - at.position;
   break_by(Fault::shadow_ray_misaimed, [&] {
@@ -245,7 +245,7 @@ auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced&
 
 /// The share of the lamp's light that arrives: 0 behind an opaque object.
 template <class Policy>
-auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const Lamp& lamp) -> Rgb<T> {
+inline auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const Lamp& lamp) -> Rgb<T> {
   const T t_max = lamp.directional ? infinity<T> : T(1);
   int* last = world_.shadow_cache ? &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())] : nullptr;
   const std::optional<Rgb<T>> passed = light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, last);
@@ -267,8 +267,8 @@ void Tracer<Policy>::add_unlit(Direct& direct, const Lamp& lamp) {
 }
 
 template <class Policy>
-void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp,
-                               const Ray& shadow, const Rgb<T>& visible) {
+inline void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp,
+                                      const Ray& shadow, const Rgb<T>& visible) {
   if (is_black(visible)) return add_unlit(direct, lamp);
   const T distance = lamp.directional ? T(1) : length(shadow.direction);
   T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
@@ -343,9 +343,9 @@ auto Tracer<Policy>::form_refract_ray(int depth, const Shading& seen, const Trac
 /// lobe.
 template <class Policy>
 template <class Draw>
-auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
-                                        const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction)
-    -> std::optional<Traced> {
+inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent,
+                                               RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
+                                               Draw draw_direction) -> std::optional<Traced> {
   const Rgb<T> share = parent.share * at.passed * weight;
   const bool too_deep = depth + 1 > world_.depth || runs_away(parent);
   if (too_deep || max_component(share) < world_.threshold) {
