@@ -49,6 +49,17 @@ struct LanesMet {
   unsigned bits;
 };
 
+/// How far a search looks, made ready for all boxes until it is shortened.
+template <class T>
+struct LaneReach {
+  explicit LaneReach(T reach)
+      : t(reach),
+        lanes(all_lanes(reach < static_cast<T>(std::numeric_limits<float>::max()) ? static_cast<float>(reach)
+                                                                                  : infinity<float>)) {}
+  T t;
+  Lanes lanes;
+};
+
 /// The ray's terms of slab tests, as SlabRay has them, for four boxes at a time.
 template <class T>
 class LaneRay {
@@ -83,10 +94,8 @@ class LaneRay {
 
   /// The boxes that the ray meets before `reach`; all of them and, by rounding, some that it passes closely. NaN, of an
   /// origin in a face's plane without slope, is no bound.
-  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, T reach) const {
-    constexpr float most = std::numeric_limits<float>::max();
-    Lanes in = all_lanes(0),
-          out = all_lanes(reach < static_cast<T>(most) ? static_cast<float>(reach) : infinity<float>);
+  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, LaneReach<T> reach) const {
+    Lanes in = all_lanes(0), out = reach.lanes;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       in = max((boxes.planes[near_[axis]] - from_in_[axis]) * inverse_[axis], in);
       out = min((boxes.planes[far_[axis]] - from_out_[axis]) * inverse_[axis], out);
@@ -94,7 +103,8 @@ class LaneRay {
     // Either end of a slab errs by four roundings at most: of the slope, its inverse, the difference and the product.
     // Below the least normal float a rounding may be as large as the number.
     constexpr float pad = 1 + 8 * std::numeric_limits<float>::epsilon(), grain = 16 * std::numeric_limits<float>::min();
-    return {in, bits_of(in <= out * all_lanes(pad) + all_lanes(grain))};
+    constexpr Lanes pads{pad, pad, pad, pad}, grains{grain, grain, grain, grain};
+    return {in, bits_of(in <= out * pads + grains)};
   }
 
  private:
@@ -118,12 +128,12 @@ class WideLaneRay {
  public:
   explicit WideLaneRay(const Slabs& slabs) : slabs_(slabs) {}
 
-  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, T reach) const {
+  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, LaneReach<T> reach) const {
     LanesMet met{all_lanes(0), 0};
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const Bounds<float> box = boxes.box(lane);
       if (box.empty()) continue;  // naive slabs would take it for a box turned inside out
-      if (clip(slabs_, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, reach}).empty()) continue;
+      if (clip(slabs_, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, reach.t}).empty()) continue;
       met.bits |= 1U << lane;
     }
     return met;

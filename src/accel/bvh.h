@@ -94,12 +94,13 @@ class Bvh {
     std::array<Entry, 3 * max_depth + 4> waiting;
     std::size_t count = 0;
     Child at{0, 0};
+    LaneReach<T> reach(query.reach());
     [[maybe_unused]] Kept<Query, Bounds<float>> box;  // of `at`
     while (true) {
       if (at.count == 0) {
         const Node& node = nodes_[static_cast<std::size_t>(at.first)];
         query.enter_node();
-        LanesMet met = ray.meet(node.boxes, query.reach());
+        LanesMet met = ray.meet(node.boxes, reach);
         if constexpr (Watching<Query>) tell(query, node, met);
         // Those that are met wait, the nearest on top.
         for (const std::size_t before = count; met.bits != 0; met.bits &= met.bits - 1) {
@@ -113,11 +114,13 @@ class Bvh {
         if constexpr (Watching<Query>) query.record().opened(box.value, static_cast<std::size_t>(at.count));
         for (std::int32_t i = at.first; i < at.first + at.count; ++i)
           if (query.test(primitives, ids_[static_cast<std::size_t>(i)])) return;
+        if constexpr (Query::shortens) reach = LaneReach<T>(query.reach());
       }
       while (true) {
         if (count == 0) return;
         --count;
-        if (!beyond(waiting[count].in, query.reach())) break;
+        // What was met before the reach is still, unless that has become shorter.
+        if (!Query::shortens || !beyond(waiting[count].in, query.reach())) break;
         if constexpr (Watching<Query>) query.record().skipped(waiting[count].box.value);
       }
       at = waiting[count].child;

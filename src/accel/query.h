@@ -85,6 +85,7 @@ class Query {
 template <class T, class Accept, class AnyRay>
 class ClosestQuery : public Query<T, Accept, AnyRay> {
  public:
+  static constexpr bool shortens = true;  ///< the reach, with each crossing found
   ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, Accept accept)
       : Query<T, Accept, AnyRay>(primitives, ray, t_max, accept), reach_(t_max) {}
 
@@ -115,6 +116,7 @@ class ClosestQuery : public Query<T, Accept, AnyRay> {
 template <class T, class AnyRay>
 class AnyQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
+  static constexpr bool shortens = false;
   AnyQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max)
       : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, {}) {}
 
@@ -135,6 +137,7 @@ class AnyQuery : public Query<T, AnyPrimitive, AnyRay> {
 template <class T, class AnyRay>
 class ShadowQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
+  static constexpr bool shortens = false;
   ShadowQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, const std::vector<ShadowRole>& roles,
               std::vector<int>& filters)
       : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, {}), roles_(roles), filters_(filters) {}
