@@ -217,7 +217,7 @@ TEST_CASE("lesson 5 in the window, as a teacher presents it: hands, notes, scrip
   REQUIRE(walk.until("lesson", "revealed", true));
   walk.keep_picture("l5-presenter");
   raywalk.click("lesson-notes");
-  REQUIRE(walk.until("lesson", "notes", false));
+  REQUIRE(walk.until("lesson", "notes", true));
   raywalk.click("lesson-script");
   REQUIRE(raywalk.until("prompt", "export"));
   walk.keep_picture("l6-script");
