@@ -53,7 +53,7 @@ class Interface {
   struct Aside {
     int neighbour = -1, frames = 0;
   } aside_;
-  bool exchanged_ = false;                  ///< the tabs stand where the plan was, and the plan in their corner
+  bool exchanged_ = false;  ///< the tabs stand where the plan was, and the plan in their corner
   float scroll_help_ = 0;
   double next_frame_in_ = -1;
 };

@@ -113,12 +113,9 @@ std::string report(const State& state, const Interface& interface, const Preview
                          {"open", state.predictions.open.has_value()},
                          {"made", state.predictions.made.size()}};
   json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
-  json["window"] = {{"width", window.width},
-                    {"height", window.height},
-                    {"frames", window.frames},
-                    {"first_frame", window.first_frame},
-                    {"idle", window.idle},
-                    {"typing", window.typing}};
+  json["window"] = {{"width", window.width},   {"height", window.height},
+                    {"frames", window.frames}, {"first_frame", window.first_frame},
+                    {"idle", window.idle},     {"typing", window.typing}};
   Json objects = Json::object(), lights = Json::object(), items = Json::object();
   for (const Object& object : state.scene().objects) objects[object.name] = place(middle(object.shape));
   for (const Light& light : state.scene().lights) {

@@ -4,8 +4,8 @@
 // GLM is used for storage and componentwise arithmetic only. What a tracer's bits depend on (dot, length, normalize)
 // is written out here, so that the order of operations is ours and the same for every compiler and GLM version.
 
-// It copies vectors by components then, and the compiler with it whatever holds them. As a block of memory they would be
-// copied 8 bytes at a time: where the components have just been written one by one, as a tracer's mostly have, the
+// It copies vectors by components then, and the compiler with it whatever holds them. As a block of memory they would
+// be copied 8 bytes at a time: where the components have just been written one by one, as a tracer's mostly have, the
 // processor cannot forward two floats to one such load and waits (a quarter of a render in float).
 #define GLM_FORCE_CTOR_INIT
 #include <glm/vec2.hpp>

@@ -209,8 +209,8 @@ auto PathTracer<Policy>::choose_direction(const Traced& ray, const Vertex& at) -
     Vec2<T> unit(0);
     if (at.lobes.needs_direction(lobe)) {
       const Effect effect = detail::effect_of(lobe);
-      unit =
-          draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect), camera_.strata());
+      unit = draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect),
+                          camera_.strata());
       statistics_.drew(effect, 2);
     }
     choice = at.lobes.choose(lobe, unit);

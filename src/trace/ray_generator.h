@@ -50,10 +50,7 @@ class RayGenerator {
   }
   /// As if it were a pinhole, its shutter open for no time, the samples of a pixel jittered.
   RayGenerator(const Camera& camera, ImageSize size, ImageSize whole, Sampling sampling = {})
-      : size_(size),
-        sampling_(sampling),
-        strata_(static_cast<std::uint32_t>(sampling.per_pixel)),
-        eye_(camera.eye) {
+      : size_(size), sampling_(sampling), strata_(static_cast<std::uint32_t>(sampling.per_pixel)), eye_(camera.eye) {
     const Vec3d forward = normalize(camera.look_at - camera.eye);
     const Vec3d right = normalize(cross(forward, camera.up)), up = cross(right, forward);
     const double aspect = static_cast<double>(whole.width) / whole.height;
