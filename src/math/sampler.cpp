@@ -125,7 +125,7 @@ DrawnPair draw_jittered_pair(const RandomKey& key, const Strata& strata) {
   const auto [u, v] = draw_random_pair(key);
   const std::uint32_t edge = strata.edge();
   if (key.sample >= edge * edge) return {u, v};
-  const std::uint32_t cell = permuted(key.sample, edge * edge, stream(key, 0));
+  const std::uint32_t cell = strata.cell_of(key.sample, stream(key, 0));
   const std::uint32_t row = cell / edge, column = cell - row * edge;
   return {between(strata.begin_of(column), strata.begin_of(column + 1), u),
           between(strata.begin_of(row), strata.begin_of(row + 1), v)};
@@ -151,6 +151,24 @@ DrawnPair draw_sobol_pair(const RandomKey& key) {
 Strata::Strata(std::uint32_t count)
     : count_(count), edge_(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)))) {  // rounded right: exact
   for (std::uint32_t i = 0; i <= edge_; ++i) begins_.push_back(detail::cell_begin(i, edge_));
+  const std::uint32_t cells = edge_ * edge_;
+  if (cells == 1 || cells > most_listed) return;
+  listed_.reserve(std::size_t{orders} * cells);
+  for (std::uint32_t order = 0; order < orders; ++order) {
+    const auto seed = static_cast<std::uint32_t>(detail::mix(order) >> 32);
+    for (std::uint32_t i = 0; i < cells; ++i)
+      listed_.push_back(static_cast<std::uint8_t>(detail::permuted(i, cells, seed)));
+  }
+}
+
+std::uint32_t Strata::cell_of(std::uint32_t sample, std::uint32_t bits) const {
+  const std::uint32_t cells = edge_ * edge_;
+  if (cells == 1) return 0;
+  if (listed_.empty()) return detail::permuted(sample, cells, bits);
+  // Eight bits choose a list, the others where in the round it begins.
+  const auto turn = static_cast<std::uint32_t>(std::uint64_t{bits >> 8} * cells >> 24);
+  const std::uint32_t cell = listed_[(bits % orders) * cells + sample] + turn;
+  return cell < cells ? cell : cell - cells;
 }
 
 }  // namespace raywalk

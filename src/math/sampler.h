@@ -19,21 +19,27 @@ enum class Sampler {
 
 [[nodiscard]] std::string_view sampler_name(Sampler sampler);  ///< "jittered"
 
-/// How many samples there are to be spread, and what follows from that: worked out once for the many draws of a picture.
+/// How many samples there are to be spread, and what follows from that: worked out once for the many draws of a
+/// picture.
 class Strata {
  public:
-  /// count >= 1
-  Strata(std::uint32_t count);  // NOLINT(google-explicit-constructor): any number of samples has its strata
+  explicit Strata(std::uint32_t count);  ///< count >= 1
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
   /// The root of the count, rounded down: there are edge x edge cells, and what is left over lies anywhere.
   [[nodiscard]] std::uint32_t edge() const { return edge_; }
   /// Where the cells of an edge begin, in steps of 2^-24; that after the last is the end.
   [[nodiscard]] std::uint32_t begin_of(std::uint32_t cell) const { return begins_[cell]; }
+  /// The cell of a sample < edge * edge, in the order that random bits choose: each order holds every cell once, and
+  /// over all bits every sample comes into all cells alike.
+  [[nodiscard]] std::uint32_t cell_of(std::uint32_t sample, std::uint32_t bits) const;
 
  private:
+  static constexpr std::uint32_t orders = 256, most_listed = 256;
   std::uint32_t count_, edge_;
   std::vector<std::uint32_t> begins_;
+  std::vector<std::uint8_t>
+      listed_;  ///< so many orders, one after the other; empty where the cells are more than these
 };
 
 namespace detail {
@@ -75,7 +81,8 @@ template <class T>
   return random_unit<T>(key);
 }
 
-/// A pair that fills the unit square evenly, one of strata.count(). Takes dimensions `key.dimension` and the one after it.
+/// A pair that fills the unit square evenly, one of strata.count(). Takes dimensions `key.dimension` and the one after
+/// it.
 template <class T>
 [[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, const Strata& strata) {
   detail::DrawnPair drawn{};

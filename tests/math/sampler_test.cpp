@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -16,8 +17,10 @@ namespace {
 constexpr Sampler samplers[] = {Sampler::random, Sampler::jittered, Sampler::sobol};
 
 std::vector<Vec2d> points(Sampler sampler, RandomKey key, std::uint32_t count) {
+  static std::map<std::uint32_t, Strata> known;
+  const Strata& strata = known.try_emplace(count, count).first->second;
   std::vector<Vec2d> all;
-  for (key.sample = 0; key.sample < count; ++key.sample) all.push_back(draw_pair<double>(sampler, key, count));
+  for (key.sample = 0; key.sample < count; ++key.sample) all.push_back(draw_pair<double>(sampler, key, strata));
   return all;
 }
 
@@ -142,17 +145,19 @@ TEST_CASE("jittered: one sample in each cell, exactly, for any count") {
 }
 
 TEST_CASE("jittered: the samples beyond the grid lie anywhere") {
+  const Strata strata(8);
   std::vector<int> counts(64);
   for (std::uint32_t k = 0; k < 20000; ++k) {
     RandomKey key = key_number(k);
     key.sample = 4 + k % 4;
-    const Vec2d p = draw_pair<double>(Sampler::jittered, key, 8);
+    const Vec2d p = draw_pair<double>(Sampler::jittered, key, strata);
     ++counts[static_cast<std::size_t>(p.x * 8) * 8 + static_cast<std::size_t>(p.y * 8)];
   }
   CHECK(std::abs(chi_square(counts) - 63) < 5 * std::sqrt(2 * 63.0));
 }
 
 TEST_CASE("every single sample of every sampler is uniform over keys, in both coordinates together") {
+  const Strata strata(16);
   for (const Sampler sampler : samplers)
     for (const std::uint32_t sample : {0u, 1u, 5u, 15u}) {
       INFO(sampler_name(sampler) << ", sample " << sample);
@@ -160,7 +165,7 @@ TEST_CASE("every single sample of every sampler is uniform over keys, in both co
       for (std::uint32_t k = 0; k < 60000; ++k) {
         RandomKey key = key_number(k);
         key.sample = sample;
-        const Vec2d p = draw_pair<double>(sampler, key, 16);
+        const Vec2d p = draw_pair<double>(sampler, key, strata);
         ++counts[static_cast<std::size_t>(p.x * 16) * 16 + static_cast<std::size_t>(p.y * 16)];
         ++single[static_cast<std::size_t>(draw<double>(sampler, key, 16) * 256)];
         // The last eight digits as well: a scramble must reach them all.
@@ -209,6 +214,34 @@ TEST_CASE("the discrepancy of even samplers is far below that of random ones") {
   CHECK(sobol < 0.12 * random);
 }
 
+TEST_CASE(
+    "jittered: which cell a sample of one effect comes into tells nothing of another effect's, nor of its "
+    "neighbour's") {
+  for (const std::uint32_t edge : {3u, 4u}) {
+    const Strata strata(edge * edge);
+    const std::size_t cells = std::size_t{edge} * edge;
+    const auto cell = [&](const RandomKey& key) {
+      const Vec2d p = draw_pair<double>(Sampler::jittered, key, strata) * static_cast<double>(edge);
+      return static_cast<std::size_t>(p.y) * edge + static_cast<std::size_t>(p.x);
+    };
+    std::vector<int> effects(cells * cells), samples(cells * (cells - 1));
+    for (std::uint32_t k = 0; k < 60000; ++k) {
+      RandomKey key = key_number(k), other = key;
+      key.sample = other.sample = k % 7;
+      other.effect += 100;
+      RandomKey next = key;
+      ++next.sample;
+      ++effects[cell(key) * cells + cell(other)];
+      // Never the same; else all of them alike.
+      ++samples[cell(key) * (cells - 1) + (cell(next) + cells - cell(key)) % cells - 1];
+    }
+    for (const auto* held : {&effects, &samples}) {
+      const double freedom = static_cast<double>(held->size()) - 1;
+      CHECK(std::abs(chi_square(*held) - freedom) < 5 * std::sqrt(2 * freedom));
+    }
+  }
+}
+
 TEST_CASE("errors fall as theory has it: -1/2 random, about -1 jittered and below it Sobol, for a smooth function") {
   const auto smooth = [](const Vec2d& p) { return std::exp(p.x) * std::sin(2 * p.y); };
   const double truth = (std::exp(1.0) - 1) * (1 - std::cos(2.0)) / 2;
@@ -222,15 +255,16 @@ TEST_CASE("errors fall as theory has it: -1/2 random, about -1 jittered and belo
 }
 
 TEST_CASE("float and double draw the same numbers; random is random_unit itself") {
+  const Strata strata(50);
   for (const Sampler sampler : samplers)
     for (std::uint32_t k = 0; k < 3000; ++k) {
       RandomKey key = key_number(k);
       key.sample = k % 50;
-      const Vec2d pair = draw_pair<double>(sampler, key, 50);
+      const Vec2d pair = draw_pair<double>(sampler, key, strata);
       const double one = draw<double>(sampler, key, 50);
       for (const double u : {pair.x, pair.y, one})
         if (!(u >= 0 && u < 1) || std::floor(u * 0x1p24) != u * 0x1p24) FAIL("no multiple of 2^-24 in [0, 1): " << u);
-      if (Vec2d(draw_pair<float>(sampler, key, 50)) != pair) FAIL("float draws another pair");
+      if (Vec2d(draw_pair<float>(sampler, key, strata)) != pair) FAIL("float draws another pair");
       if (static_cast<double>(draw<float>(sampler, key, 50)) != one) FAIL("float draws another number");
       if (sampler != Sampler::random) continue;
       RandomKey second = key;
@@ -248,9 +282,9 @@ TEST_CASE("samples are a pure function of their key, known on every machine") {
   const auto steps = [](const Vec2d& p) { return Vec2d(p.x * 0x1p24, p.y * 0x1p24); };
   for (int again = 0; again < 2; ++again) {
     CHECK(draw<double>(Sampler::jittered, key, 9) * 0x1p24 == 9621458);
-    CHECK(steps(draw_pair<double>(Sampler::jittered, key, 9)) == Vec2d(12087157, 6880014));
+    CHECK(steps(draw_pair<double>(Sampler::jittered, key, Strata(9))) == Vec2d(6494752, 6880014));
     CHECK(draw<double>(Sampler::sobol, key, 9) * 0x1p24 == 6424665);
-    CHECK(steps(draw_pair<double>(Sampler::sobol, key, 9)) == Vec2d(6424665, 16700686));
+    CHECK(steps(draw_pair<double>(Sampler::sobol, key, Strata(9))) == Vec2d(6424665, 16700686));
   }
 }
 
@@ -259,7 +293,7 @@ TEST_CASE("more samples than there are cells, and very many, still draw") {
   key.sample = 4000000000u;
   for (const Sampler sampler : samplers)
     for (const std::uint32_t count : {1u, 5u, 4000000001u, 0xffffffffu}) {
-      const Vec2d p = draw_pair<double>(sampler, key, count);
+      const Vec2d p = draw_pair<double>(sampler, key, Strata(count));
       CHECK((p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1));
       CHECK((draw<double>(sampler, key, count) >= 0 && draw<double>(sampler, key, count) < 1));
     }

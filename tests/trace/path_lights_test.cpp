@@ -22,7 +22,7 @@ Vec2d drawn(std::uint32_t sample, std::uint32_t dimension = 0) {
   key.seed = 23;
   key.sample = sample;
   key.dimension = dimension;
-  return draw_pair<double>(Sampler::sobol, key, 1u << 20);
+  return draw_pair<double>(Sampler::sobol, key, Strata(1u << 20));
 }
 
 Scene lit_by(Shape<double> shape, std::vector<TransformStep> transform = {}) {

@@ -19,7 +19,7 @@ Vec2d drawn(std::uint32_t sample, std::uint32_t dimension = 0) {
   key.seed = 5;
   key.sample = sample;
   key.dimension = dimension;
-  return draw_pair<double>(Sampler::sobol, key, 1u << 20);
+  return draw_pair<double>(Sampler::sobol, key, Strata(1u << 20));
 }
 
 // A surface z = 0 that a ray meets at an angle to the normal.
@@ -135,7 +135,7 @@ TEST_CASE("each lobe is drawn by its density") {
     for (std::uint32_t i = 0; i < n; ++i) {
       RandomKey key{};
       key.sample = i;
-      const auto choice = lobes.choose(lobe, draw_pair<double>(Sampler::random, key, n));
+      const auto choice = lobes.choose(lobe, draw_pair<double>(Sampler::random, key, Strata(n)));
       if (is_black(choice.weight)) continue;
       const Vec3d& d = choice.direction;
       if (std::abs(length(d) - 1) > 1e-12) FAIL("not of unit length");

@@ -19,7 +19,7 @@ Vec2d drawn(std::uint32_t sample, Sampler sampler = Sampler::random) {
   RandomKey key{};
   key.seed = 17;
   key.sample = sample;
-  return draw_pair<double>(sampler, key, 1u << 20);
+  return draw_pair<double>(sampler, key, Strata(1u << 20));
 }
 
 using Draw = std::function<Vec3d(const Vec2d&)>;
