@@ -22,13 +22,25 @@ AcceleratorKind resolve(AcceleratorKind kind, const Boxes<T>& boxes, const Primi
 template <class T>
 Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind) : primitives_(std::move(primitives)) {
   const auto begin = std::chrono::steady_clock::now();
-  const Boxes<T> boxes(primitives_);
+  Boxes<T> boxes(primitives_);
   primitives_.find_equals(boxes.boxes);
   kind_ = resolve(kind, boxes, primitives_);
   structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_)});
-  if (kind_ != AcceleratorKind::none) unbounded_ = boxes.unbounded;
+  if (kind_ == AcceleratorKind::none)
+    boxes_ = std::move(boxes.boxes);
+  else
+    unbounded_ = std::move(boxes.unbounded);
   statistics_ = std::visit([](const auto& structure) { return structure.statistics(); }, structure_->any);
   statistics_.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+template <class T>
+bool Accelerator<T>::within(const Shaft& shaft, Departure departure, std::vector<int>& ids) const {
+  if (kind_ != AcceleratorKind::none) return false;
+  ids.clear();
+  for (int id = 0; id < primitives_.size(); ++id)
+    if (may_cross(shaft, primitives_, boxes_[static_cast<std::size_t>(id)], id, departure)) ids.push_back(id);
+  return true;
 }
 
 template class Accelerator<float>;

@@ -2,6 +2,7 @@
 // The one interface to all accelerators. They differ in what they cost, never in what they answer.
 
 #include "accel/query.h"
+#include "accel/shaft.h"
 
 #include <array>
 #include <memory>
@@ -40,6 +41,14 @@ inline constexpr std::array all_accelerators{
   return "";
 }
 
+/// What is known of a shadow ray before it is sent. It changes what the search costs and not what it answers.
+struct ShadowHints {
+  /// The primitive of this id (-1 for none) is tested first, and replaced by the one that is found: what hid a light
+  /// from one point often hides it from the next (E. Haines and D. Greenberg, "The light buffer", 1986).
+  int* last = nullptr;
+  const std::vector<int>* among = nullptr;  ///< no others can be crossed: what `within` found
+};
+
 /// Primitives ready to be searched by rays. A primitive's id is its place in the list it was built from. `AnyRay` is a
 /// Ray, or a NaiveRay, which may find something else in each structure.
 template <class T>
@@ -52,17 +61,19 @@ class Accelerator {
   template <class AnyRay = Ray<T>, class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
-  /// Whether any primitive is crossed in (0, t_max). With `last`, the primitive of that id (-1 for none) is
-  /// tested first, and replaced by the one that is found: what hid a light from one point often hides it from the next
-  /// (E. Haines and D. Greenberg, "The light buffer", 1986). It changes the cost and not the answer.
+  /// Whether any primitive is crossed in (0, t_max).
   template <class AnyRay = Ray<T>>
-  [[nodiscard]] bool any(const AnyRay& ray, T t_max, TestCounts& counts, int* last = nullptr) const;
+  [[nodiscard]] bool any(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints = {}) const;
 
   /// The same, of the primitives whose role it is to stop shadow rays. Where none is crossed, `filters` are the ids,
   /// ascending, of those crossed that filter. `roles`: by primitive.
   template <class AnyRay = Ray<T>>
   [[nodiscard]] bool any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
-                              std::vector<int>& filters, int* last = nullptr) const;
+                              std::vector<int>& filters, const ShadowHints& hints = {}) const;
+
+  /// Fills `ids` with all primitives, ascending, that rays which leave for the shaft's ball may cross. False, and
+  /// nothing is filled in, where a search is cheaper than to ask: with any structure but a list.
+  [[nodiscard]] bool within(const Shaft& shaft, Departure departure, std::vector<int>& ids) const;
 
   [[nodiscard]] const Primitives<T>& primitives() const { return primitives_; }
   /// What was built: never `automatic`.
@@ -72,14 +83,15 @@ class Accelerator {
  private:
   struct Structure;
   template <class AnyRay, class Query>
-  bool found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const;
+  bool found(Query& query, const AnyRay& ray, TestCounts& counts, const ShadowHints& hints) const;
   template <class AnyRay, class Query>
   void search(const AnyRay& ray, Query& query) const;
   template <class AnyRay, class Query>
   void search_structure(const AnyRay& ray, Query& query) const;
 
   Primitives<T> primitives_;
-  std::vector<int> unbounded_;  ///< ids that every ray is tested against
+  std::vector<int> unbounded_;    ///< ids that every ray is tested against
+  std::vector<Bounds<T>> boxes_;  ///< by primitive, of a list
   AcceleratorKind kind_ = AcceleratorKind::none;
   std::shared_ptr<const Structure> structure_;  ///< over the others; a list holds all
   AcceleratorStatistics statistics_;

@@ -102,11 +102,12 @@ class Bvh {
         query.enter_node();
         LanesMet met = ray.meet(node.boxes, reach);
         if constexpr (Watching<Query>) tell(query, node, met);
-        // Those that are met wait, the nearest on top.
+        // Those that are met wait, the nearest on top where that can spare others.
         for (const std::size_t before = count; met.bits != 0; met.bits &= met.bits - 1) {
           const auto lane = static_cast<std::size_t>(std::countr_zero(met.bits));
           std::size_t place = count++;
-          for (; place > before && waiting[place - 1].in < met.in[lane]; --place) waiting[place] = waiting[place - 1];
+          if constexpr (Query::shortens)
+            for (; place > before && waiting[place - 1].in < met.in[lane]; --place) waiting[place] = waiting[place - 1];
           waiting[place] = {node.children[lane], met.in[lane]};
           if constexpr (Watching<Query>) waiting[place].box.value = node.boxes.box(lane);
         }

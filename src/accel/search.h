@@ -76,27 +76,32 @@ std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCo
 
 template <class T>
 template <class AnyRay, class Query>
-inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& counts, int* last) const {
-  if (last == nullptr || *last < 0 || !query.test(primitives_, *last)) search(ray, query);
-  if (last != nullptr) *last = query.found_id();
+inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& counts, const ShadowHints& hints) const {
+  const auto seek = [&] {
+    if (hints.among == nullptr) return search(ray, query);
+    for (const int id : *hints.among)
+      if (query.test(primitives_, id)) return;
+  };
+  if (hints.last == nullptr || *hints.last < 0 || !query.test(primitives_, *hints.last)) seek();
+  if (hints.last != nullptr) *hints.last = query.found_id();
   counts += query.counts();
   return query.found();
 }
 
 template <class T>
 template <class AnyRay>
-bool Accelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, int* last) const {
+bool Accelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints) const {
   AnyQuery<T, AnyRay> query(primitives_, ray, t_max);
-  return found(query, ray, counts, last);
+  return found(query, ray, counts, hints);
 }
 
 template <class T>
 template <class AnyRay>
 bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
-                              std::vector<int>& filters, int* last) const {
+                              std::vector<int>& filters, const ShadowHints& hints) const {
   filters.clear();
   ShadowQuery<T, AnyRay> query(primitives_, ray, t_max, roles, filters);
-  const bool stopped = found(query, ray, counts, last);
+  const bool stopped = found(query, ray, counts, hints);
   if (filters.size() > 1) {
     std::sort(filters.begin(), filters.end());
     filters.erase(std::unique(filters.begin(), filters.end()), filters.end());
@@ -108,8 +113,8 @@ bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, co
 #define RAYWALK_SEARCHES(T, AnyRay)                                                                             \
   template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, AnyPrimitive) const; \
   template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, StopsShadows) const; \
-  template bool Accelerator<T>::any(const AnyRay<T>&, T, TestCounts&, int*) const;                              \
+  template bool Accelerator<T>::any(const AnyRay<T>&, T, TestCounts&, const ShadowHints&) const;                \
   template bool Accelerator<T>::any_stop(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&,      \
-                                         std::vector<int>&, int*) const;
+                                         std::vector<int>&, const ShadowHints&) const;
 
 }  // namespace raywalk

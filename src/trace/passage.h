@@ -45,15 +45,16 @@ template <class T, class AnyRay>
 }
 
 /// The share of light that arrives over a shadow ray's (0, t_max); none when something stops it. `filters` is room for
-/// the search, handed in so that no shadow ray allocates; `last` is what hid the light before (Accelerator::any).
+/// the search, handed in so that no shadow ray allocates; `hints` are the search's.
 template <class T, class AnyRay>
 [[nodiscard]] inline std::optional<Rgb<T>> light_through(const World<T>& world, const AnyRay& shadow, T t_max,
                                                          TestCounts& tests, std::vector<int>& filters,
-                                                         int* last = nullptr) {
+                                                         const ShadowHints& hints = {}) {
+  if (hints.among != nullptr && hints.among->empty()) return Rgb<T>(1);
   const Accelerator<T>& accelerator = world.accelerator;
   const bool stopped = world.shadow_roles.empty()
-                           ? accelerator.any(shadow, t_max, tests, last)
-                           : accelerator.any_stop(shadow, t_max, tests, world.shadow_roles, filters, last);
+                           ? accelerator.any(shadow, t_max, tests, hints)
+                           : accelerator.any_stop(shadow, t_max, tests, world.shadow_roles, filters, hints);
   if (stopped) return std::nullopt;
   return filters.empty() ? Rgb<T>(1) : light_filtered(world, shadow, t_max, tests, filters);
 }

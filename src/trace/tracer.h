@@ -72,6 +72,8 @@ class Tracer {
   template <bool Has, class Member>
   using Only = std::conditional_t<Has, Member, Without<Member>>;
   static constexpr bool draws = Policy::effects.penumbra || Policy::effects.lobes;
+  /// Whether what may hide a light with an extent is found once for all its samples; naive rays start elsewhere.
+  static constexpr bool culls = Policy::effects.penumbra && std::is_same_v<Ray, raywalk::Ray<T>>;
   /// A ray on its way: what it is, and the largest part of the pixel it can bring.
   struct Traced {
     Traced(const Ray& the_ray, RayKind its_kind, const Rgb<T>& its_share, int its_number)
@@ -96,6 +98,7 @@ class Tracer {
     Direct direct;
     if constexpr (Policy::effects.shadows) {
       for (const Lamp& lamp : world_.lamps) {
+        look_between(at, lamp);
         for (int sample = 0; sample < samples_of(lamp); ++sample) {
           // Form shadow ray
           const auto shadow = form_shadow_ray(depth, at, ray, lamp, sample);
@@ -153,6 +156,7 @@ class Tracer {
                                            const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction);
   Nearest find_closest(Line line, int depth, const Traced& ray);
   Rgb<T> find_intersection(int depth, const Traced& shadow, const Lamp& lamp);
+  void look_between(const Shading& at, const Lamp& lamp);
   [[nodiscard]] static int samples_of(const Lamp& lamp);
   [[nodiscard]] RandomKey light_key(const Traced& ray) const;
   Vec3<T> light_point(const Shading& at, const Traced& ray, const Lamp& lamp, int sample);
@@ -203,6 +207,8 @@ class Tracer {
   [[no_unique_address]] Only<Policy::faulty, Generation> generation_{};  ///< rays formed before the pixel under way
   std::vector<int> filters_met_;                                         ///< kept so that no shadow ray allocates
   std::vector<int> last_blockers_;                                       ///< by lamp: what the shadow cache holds
+  std::vector<int> between_;  ///< primitives that may hide the light at hand from the hit at hand
+  ShadowHints hints_;         ///< of the rays between those two
 };
 
 }  // namespace raywalk

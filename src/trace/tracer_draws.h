@@ -14,6 +14,19 @@ int Tracer<Policy>::samples_of(const Lamp& lamp) {
     return 1;
 }
 
+/// What is known of the rays from a hit to one light before any of them is formed.
+template <class Policy>
+inline void Tracer<Policy>::look_between(const Shading& at, const Lamp& lamp) {
+  if (world_.shadow_cache) hints_.last = &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())];
+  if constexpr (culls) {
+    const auto found = [&] {
+      const Shaft shaft(wide(at.position), wide(lamp.place), static_cast<double>(lamp.reach));
+      return world_.accelerator.within(shaft, at.departure, between_);
+    };
+    hints_.among = lamp.samples() > 1 && found() ? &between_ : nullptr;
+  }
+}
+
 /// What every draw for a light begins with at the end of this ray.
 template <class Policy>
 RandomKey Tracer<Policy>::light_key(const Traced& ray) const {

@@ -247,8 +247,8 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const 
 template <class Policy>
 inline auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const Lamp& lamp) -> Rgb<T> {
   const T t_max = lamp.directional ? infinity<T> : T(1);
-  int* last = world_.shadow_cache ? &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())] : nullptr;
-  const std::optional<Rgb<T>> passed = light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, last);
+  const std::optional<Rgb<T>> passed =
+      light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, hints_);
   ++statistics_.ends(passed ? Ending::reached_light : Ending::blocked);
   note(Line::find_intersection, depth, [&] {
     // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.

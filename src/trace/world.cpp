@@ -81,7 +81,7 @@ void set(typename World<T>::Lamp& lamp, const SpotLight& light) {
 template <class T>
 void set(typename World<T>::Lamp& lamp, const SphereLight& light) {
   lamp.extent = World<T>::Extent::sphere;
-  lamp.radius = static_cast<T>(light.radius);
+  lamp.reach = lamp.radius = static_cast<T>(light.radius);
   set<T>(lamp, light.attenuation);
 }
 template <class T>
@@ -90,6 +90,7 @@ void set(typename World<T>::Lamp& lamp, const RectangleLight& light) {
   lamp.corner = Vec3<T>(light.corner);
   lamp.u = Vec3<T>(light.u);
   lamp.v = Vec3<T>(light.v);
+  lamp.reach = static_cast<T>(std::max(length(light.u + light.v), length(light.u - light.v)) / 2);
   set<T>(lamp, light.attenuation);
 }
 

@@ -74,6 +74,7 @@ struct World {
     std::uint32_t first_dimension = 0;  ///< of its draws, two a point
     T radius = 0;
     Vec3<T> corner{0}, u{0}, v{0};
+    T reach = 0;  ///< of all of it from `place`, its middle
 
     [[nodiscard]] int samples() const { return grid * grid; }
     /// The point of the light at a place of the unit square, its area evenly spread.

@@ -115,14 +115,14 @@ void compare(int count, bool mixed) {
         if (!structure.any(ray, beyond, counts)) ++differing;
       }
       // What was found last is tried first; the answer is the same.
-      if (structure.any(ray, infinity<T>, remembering, &last) != expected.has_value()) ++differing;
+      if (structure.any(ray, infinity<T>, remembering, {&last}) != expected.has_value()) ++differing;
       if ((last >= 0) != expected.has_value()) ++differing;
       const StopsShadows stops{roles};
       const auto stopping = list.closest(ray, infinity<T>, brute, stops);
       if (!same(stopping, structure.closest(ray, infinity<T>, counts, stops))) ++differing;
       const bool stopped = list.any_stop(ray, infinity<T>, brute, roles, expected_filters);
       if (stopped != stopping.has_value() ||
-          structure.any_stop(ray, infinity<T>, counts, roles, filters, &last_stop) != stopped)
+          structure.any_stop(ray, infinity<T>, counts, roles, filters, {&last_stop}) != stopped)
         ++differing;
       if (!stopped && filters != expected_filters) ++differing;
     }

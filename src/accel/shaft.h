@@ -1,0 +1,70 @@
+#pragma once
+
+#include "accel/primitives.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+/// All the ways from a point to anywhere in a ball, as to a light with an extent: a cone with a rounded end. What lies
+/// outside of it need not be asked for any of those ways (E. Haines and J. Wallace, "Shaft Culling for Efficient
+/// Ray-Cast Radiosity", Eurographics Workshop on Rendering 1991). In double for rays of either precision, and taken for
+/// a millionth larger than it is, which is more than their directions are rounded by.
+class Shaft {
+ public:
+  Shaft(const Vec3d& point, const Vec3d& centre, double radius)
+      : point_(point),
+        axis_(centre - point),
+        length_(length(axis_)),
+        radius_(radius),
+        all_around_(!(length_ > radius)) {
+    if (all_around_) return;
+    axis_ /= length_;
+    sin_ = radius / length_;
+    cos_ = std::sqrt(1 - sin_ * sin_);
+  }
+
+  /// Whether a sphere may reach into it.
+  [[nodiscard]] bool meets(const Vec3d& centre, double radius) const {
+    if (all_around_) return true;
+    const Vec3d way = centre - point_;
+    const double square = dot(way, way), along = dot(way, axis_);
+    const double near = radius + slack * (std::sqrt(square) + radius + length_);
+    if (along < -near || along > length_ + radius_ + near) return false;
+    const double aside = std::sqrt(std::max(square - along * along, 0.0));
+    return !(aside * cos_ - along * sin_ > near);
+  }
+
+  /// Whether a plane may cut it: the point and the ball do not lie on the same side. NaN, of a point beyond all
+  /// numbers, is no side.
+  [[nodiscard]] bool meets_plane(const Vec3d& on_plane, const Vec3d& normal) const {
+    const Vec3d way = point_ - on_plane;
+    const double here = dot(normal, way), there = here + length_ * dot(normal, all_around_ ? Vec3d(0.0) : axis_);
+    const double size = length(normal), near = slack * size * (length(way) + length_ + radius_);
+    return all_around_ ||
+           !((here > near && there > size * radius_ + near) || (here < -near && there < -size * radius_ - near));
+  }
+
+ private:
+  static constexpr double slack = 1e-6;
+  Vec3d point_, axis_;
+  double length_, radius_;
+  double sin_ = 0, cos_ = 0;  ///< of the cone's half angle
+  bool all_around_;           ///< the point lies in the ball
+};
+
+/// Whether a ray from the shaft's point, departing from there, to anywhere in its ball may cross a primitive.
+template <class T>
+[[nodiscard]] bool may_cross(const Shaft& shaft, const Primitives<T>& primitives, const Bounds<T>& box, int id,
+                             Departure departure) {
+  if (const auto* sphere = primitives.template plain<Sphere<T>>(id))
+    return shaft.meets(wide(sphere->centre), static_cast<double>(sphere->radius));
+  if (const auto* plane = primitives.template plain<Plane<T>>(id))  // what departs from a plane never meets it again
+    return departure.primitive != id && shaft.meets_plane(wide(plane->point), wide(plane->normal));
+  if (!box.bounded()) return true;
+  const Vec3d min(box.min), max(box.max);
+  return shaft.meets((min + max) / 2.0, length(max - min) / 2);
+}
+
+}  // namespace raywalk
