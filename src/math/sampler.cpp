@@ -25,14 +25,16 @@ constexpr int unit_bits = 24;
 constexpr std::uint32_t unit = 1u << unit_bits;
 
 /// What all samples of a key have in common; `salt` tells apart what is derived from it.
-std::uint32_t stream(RandomKey key, std::uint32_t salt) {
-  key.sample = 0;
+std::uint64_t wide_stream(const RandomKey& key, std::uint32_t salt) {
   std::uint64_t bits = mix(key.seed ^ 0x5bd1e995cc9e2d51u);  // a world apart from random_unit's numbers
   bits = mix(bits ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
                      static_cast<std::uint32_t>(key.pixel_y)));
   bits = mix(bits ^ (static_cast<std::uint64_t>(key.dimension) << 32 | key.effect));
   bits = mix(bits ^ key.path);
-  return static_cast<std::uint32_t>(mix(bits ^ salt) >> 32);
+  return mix(bits ^ salt);
+}
+std::uint32_t stream(const RandomKey& key, std::uint32_t salt) {
+  return static_cast<std::uint32_t>(wide_stream(key, salt) >> 32);
 }
 
 /// Place of `i` in a permutation of 0..count-1 that `seed` chooses: a bijection of the next power of two, walked until
@@ -125,7 +127,7 @@ DrawnPair draw_jittered_pair(const RandomKey& key, const Strata& strata) {
   const auto [u, v] = draw_random_pair(key);
   const std::uint32_t edge = strata.edge();
   if (key.sample >= edge * edge) return {u, v};
-  const std::uint32_t cell = strata.cell_of(key.sample, stream(key, 0));
+  const std::uint32_t cell = strata.cell_of(key.sample, wide_stream(key, 0));
   const std::uint32_t row = cell / edge, column = cell - row * edge;
   return {between(strata.begin_of(column), strata.begin_of(column + 1), u),
           between(strata.begin_of(row), strata.begin_of(row + 1), v)};
@@ -161,14 +163,18 @@ Strata::Strata(std::uint32_t count)
   }
 }
 
-std::uint32_t Strata::cell_of(std::uint32_t sample, std::uint32_t bits) const {
+std::uint32_t Strata::cell_of(std::uint32_t sample, std::uint64_t bits) const {
   const std::uint32_t cells = edge_ * edge_;
   if (cells == 1) return 0;
-  if (listed_.empty()) return detail::permuted(sample, cells, bits);
-  // Eight bits choose a list, the others where in the round it begins.
-  const auto turn = static_cast<std::uint32_t>(std::uint64_t{bits >> 8} * cells >> 24);
-  const std::uint32_t cell = listed_[(bits % orders) * cells + sample] + turn;
-  return cell < cells ? cell : cell - cells;
+  if (listed_.empty()) return detail::permuted(sample, cells, static_cast<std::uint32_t>(bits >> 32));
+  // Two of the orders, one after the other, and each of them begun anywhere in its round: 256 by themselves would be
+  // few enough for it to show which samples lie together.
+  const auto ordered = [&](std::uint32_t i, std::uint64_t chosen, std::uint64_t turned) {
+    const std::uint32_t cell = listed_[chosen % orders * cells + i];
+    const std::uint32_t turned_cell = cell + static_cast<std::uint32_t>(turned % (1u << 24) * cells >> 24);
+    return turned_cell < cells ? turned_cell : turned_cell - cells;
+  };
+  return ordered(ordered(sample, bits, bits >> 16), bits >> 8, bits >> 40);
 }
 
 }  // namespace raywalk

@@ -31,8 +31,8 @@ class Strata {
   /// Where the cells of an edge begin, in steps of 2^-24; that after the last is the end.
   [[nodiscard]] std::uint32_t begin_of(std::uint32_t cell) const { return begins_[cell]; }
   /// The cell of a sample < edge * edge, in the order that random bits choose: each order holds every cell once, and
-  /// over all bits every sample comes into all cells alike.
-  [[nodiscard]] std::uint32_t cell_of(std::uint32_t sample, std::uint32_t bits) const;
+  /// over all bits every sample comes into all cells alike, any two samples into all pairs of cells alike up to 2%.
+  [[nodiscard]] std::uint32_t cell_of(std::uint32_t sample, std::uint64_t bits) const;
 
  private:
   static constexpr std::uint32_t orders = 256, most_listed = 256;
