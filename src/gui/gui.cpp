@@ -62,12 +62,19 @@ class Loop {
       work_on_export();
       if (wants_picture() && settled()) return take_picture();
     }
-    const Settings now = settings_of(state_);
-    if (now != settings_) write_settings(state_.state_dir, now);
+    keep_settings();
     return failure_;
   }
 
  private:
+  // When all is drawn, and not at the end alone, which may be sudden.
+  void keep_settings() {
+    const Settings now = settings_of(state_);
+    if (now == settings_) return;
+    write_settings(state_.state_dir, now);
+    settings_ = now;
+  }
+
   [[nodiscard]] float unit() const { return shrink() * wished_unit(); }
   [[nodiscard]] float wished_unit() const {
     return window_.scale() * static_cast<float>(state_.ui_scale * theme_scale(state_.theme));
@@ -249,7 +256,9 @@ class Loop {
       window_.set_title(title);
       title_ = title;
     }
-    if (frames_due_ == 0) write_report();
+    if (frames_due_ > 0) return;
+    if (!wants_picture()) keep_settings();
+    write_report();
   }
 
   void write_report() {
@@ -288,7 +297,7 @@ class Loop {
   LiveCosts costs_;
   Texture costs_texture_;
   Clock::time_point begun_, last_ = Clock::now(), image_shown_{}, costs_shown_{};
-  Settings settings_;  ///< as they were at the start
+  Settings settings_;  ///< as they were last kept
   FontFiles fonts_found_;
   Fonts fonts_;
   float styled_unit_ = 0;

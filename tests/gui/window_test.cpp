@@ -205,7 +205,9 @@ TEST_CASE("files with mouse and keyboard: save as, open, undo, unsaved work, rec
     REQUIRE(raywalk.until("question", ""));
     CHECK(raywalk.report()["dirty"] == true);
 
-    // The autosave is written without being asked for.
+    // The look is kept, and the autosave written, without being asked for.
+    raywalk.key("p");
+    REQUIRE(raywalk.until("theme", "projector"));
     REQUIRE(raywalk.until([&](const Json&) { return fs::exists(desktop.folder() / "state" / "autosave.toml"); }, 30));
     kill(raywalk.id(), SIGKILL);
     CHECK(raywalk.wait() == 128 + SIGKILL);
@@ -213,6 +215,7 @@ TEST_CASE("files with mouse and keyboard: save as, open, undo, unsaved work, rec
   Visualiser raywalk(desktop, {scene});
   INFO(raywalk.said());
   REQUIRE(started(raywalk));
+  CHECK(raywalk.report()["theme"] == "projector");
   REQUIRE(raywalk.until("question", "recover"));
   desktop.picture(picture("c-recover"));
   raywalk.click("answer-0");
