@@ -4,24 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raywalk {
 
 /// All the ways from a point to anywhere in a ball, as to a light with an extent: a cone with a rounded end. What lies
 /// outside of it need not be asked for any of those ways (E. Haines and J. Wallace, "Shaft Culling for Efficient
 /// Ray-Cast Radiosity", Eurographics Workshop on Rendering 1991). In double for rays of either precision, and taken for
-/// a millionth larger than it is, which is more than their directions are rounded by.
+/// larger than it is: by a millionth, which is more than their directions are rounded by, and by a few of the last
+/// digits of T with which the places on the ball are written.
 class Shaft {
  public:
-  Shaft(const Vec3d& point, const Vec3d& centre, double radius)
-      : point_(point),
-        axis_(centre - point),
+  template <class T>
+  Shaft(const Vec3<T>& point, const Vec3<T>& centre, T radius)
+      : point_(wide(point)),
+        axis_(wide(centre) - point_),
         length_(length(axis_)),
-        radius_(radius),
-        all_around_(!(length_ > radius)) {
+        radius_(static_cast<double>(radius)),
+        grain_(8 * static_cast<double>(std::numeric_limits<T>::epsilon()) *
+               (length(point_) + length(wide(centre)) + radius_)),
+        all_around_(!(length_ > radius_ + grain_)) {
     if (all_around_) return;
     axis_ /= length_;
-    sin_ = radius / length_;
+    sin_ = radius_ / length_;
     cos_ = std::sqrt(1 - sin_ * sin_);
   }
 
@@ -30,7 +35,7 @@ class Shaft {
     if (all_around_) return true;
     const Vec3d way = centre - point_;
     const double square = dot(way, way), along = dot(way, axis_);
-    const double near = radius + slack * (std::sqrt(square) + radius + length_);
+    const double near = radius + grain_ + slack * (std::sqrt(square) + radius + length_);
     if (along < -near || along > length_ + radius_ + near) return false;
     const double aside = std::sqrt(std::max(square - along * along, 0.0));
     return !(aside * cos_ - along * sin_ > near);
@@ -41,7 +46,7 @@ class Shaft {
   [[nodiscard]] bool meets_plane(const Vec3d& on_plane, const Vec3d& normal) const {
     const Vec3d way = point_ - on_plane;
     const double here = dot(normal, way), there = here + length_ * dot(normal, all_around_ ? Vec3d(0.0) : axis_);
-    const double size = length(normal), near = slack * size * (length(way) + length_ + radius_);
+    const double size = length(normal), near = size * (grain_ + slack * (length(way) + length_ + radius_));
     return all_around_ ||
            !((here > near && there > size * radius_ + near) || (here < -near && there < -size * radius_ - near));
   }
@@ -49,7 +54,7 @@ class Shaft {
  private:
   static constexpr double slack = 1e-6;
   Vec3d point_, axis_;
-  double length_, radius_;
+  double length_, radius_, grain_;
   double sin_ = 0, cos_ = 0;  ///< of the cone's half angle
   bool all_around_;           ///< the point lies in the ball
 };

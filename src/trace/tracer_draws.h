@@ -20,8 +20,7 @@ inline void Tracer<Policy>::look_between(const Shading& at, const Lamp& lamp) {
   if (world_.shadow_cache) hints_.last = &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())];
   if constexpr (culls) {
     const auto found = [&] {
-      const Shaft shaft(wide(at.position), wide(lamp.place), static_cast<double>(lamp.reach));
-      return world_.accelerator.within(shaft, at.departure, between_);
+      return world_.accelerator.within(Shaft(at.position, lamp.place, lamp.reach), at.departure, between_);
     };
     hints_.among = lamp.samples() > 1 && found() ? &between_ : nullptr;
   }
