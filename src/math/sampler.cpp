@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace raywalk {
 
@@ -64,6 +65,27 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t seed)
   } while (i >= count);
   const std::uint32_t turned = i + seed % count;
   return turned < count && turned >= i ? turned : turned - count;
+}
+
+/// So many orders of edge * edge cells, one after the other. They are the same for every picture: made when they are
+/// first asked for.
+template <std::uint32_t orders, std::uint32_t edge>
+const std::vector<std::uint8_t>& orders_of_edge() {
+  static const std::vector<std::uint8_t> listed = [] {
+    std::vector<std::uint8_t> all;
+    for (std::uint32_t order = 0; order < orders; ++order)
+      for (std::uint32_t i = 0; i < edge * edge; ++i)
+        all.push_back(
+            static_cast<std::uint8_t>(permuted(i, edge * edge, static_cast<std::uint32_t>(mix(order) >> 32))));
+    return all;
+  }();
+  return listed;
+}
+template <std::uint32_t orders, std::uint32_t... edges>
+const std::vector<std::uint8_t>& listed_orders(std::uint32_t edge,
+                                               std::integer_sequence<std::uint32_t, edges...> /*known*/) {
+  constexpr std::array of_edge{&orders_of_edge<orders, edges>...};
+  return of_edge[edge]();
 }
 
 /// i * unit / cells, rounded up: where cell i of `cells` equal ones begins. Quotients of integers below 2^48 and 2^24
@@ -153,14 +175,9 @@ DrawnPair draw_sobol_pair(const RandomKey& key) {
 Strata::Strata(std::uint32_t count)
     : count_(count), edge_(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)))) {  // rounded right: exact
   for (std::uint32_t i = 0; i <= edge_; ++i) begins_.push_back(detail::cell_begin(i, edge_));
-  const std::uint32_t cells = edge_ * edge_;
-  if (cells == 1 || cells > most_listed) return;
-  listed_.reserve(std::size_t{orders} * cells);
-  for (std::uint32_t order = 0; order < orders; ++order) {
-    const auto seed = static_cast<std::uint32_t>(detail::mix(order) >> 32);
-    for (std::uint32_t i = 0; i < cells; ++i)
-      listed_.push_back(static_cast<std::uint8_t>(detail::permuted(i, cells, seed)));
-  }
+  if (edge_ == 1 || edge_ * edge_ > most_listed) return;
+  static_assert(most_listed == 16 * 16);
+  listed_ = detail::listed_orders<orders>(edge_, std::make_integer_sequence<std::uint32_t, 17>{});
 }
 
 std::uint32_t Strata::cell_of(std::uint32_t sample, std::uint64_t bits) const {
