@@ -44,11 +44,11 @@ class Shaft {
   /// Whether a plane may cut it: the point and the ball do not lie on the same side. NaN, of a point beyond all
   /// numbers, is no side.
   [[nodiscard]] bool meets_plane(const Vec3d& on_plane, const Vec3d& normal) const {
+    if (all_around_) return true;
     const Vec3d way = point_ - on_plane;
-    const double here = dot(normal, way), there = here + length_ * dot(normal, all_around_ ? Vec3d(0.0) : axis_);
-    const double size = length(normal), near = size * (grain_ + slack * (length(way) + length_ + radius_));
-    return all_around_ ||
-           !((here > near && there > size * radius_ + near) || (here < -near && there < -size * radius_ - near));
+    const double here = dot(normal, way), there = here + length_ * dot(normal, axis_), size = length(normal);
+    const double near = size * (grain_ + slack * (length(way) + length_ + radius_)), reach = size * radius_ + near;
+    return !((here > near && there > reach) || (here < -near && there < -reach));
   }
 
  private:
