@@ -102,14 +102,27 @@ class Bvh {
         query.enter_node();
         LanesMet met = ray.meet(node.boxes, reach);
         if constexpr (Watching<Query>) tell(query, node, met);
-        // Those that are met wait, the nearest on top where that can spare others.
-        for (const std::size_t before = count; met.bits != 0; met.bits &= met.bits - 1) {
-          const auto lane = static_cast<std::size_t>(std::countr_zero(met.bits));
-          std::size_t place = count++;
-          if constexpr (Query::shortens)
-            for (; place > before && waiting[place - 1].in < met.in[lane]; --place) waiting[place] = waiting[place - 1];
-          waiting[place] = {node.children[lane], met.in[lane]};
-          if constexpr (Watching<Query>) waiting[place].box.value = node.boxes.box(lane);
+        if (met.bits != 0) {
+          // The nearest one comes next and the others wait, the nearer the higher, where that can spare any.
+          const std::size_t before = count;
+          auto next = static_cast<std::size_t>(std::countr_zero(met.bits));
+          while ((met.bits &= met.bits - 1) != 0) {
+            auto waits = static_cast<std::size_t>(std::countr_zero(met.bits));
+            std::size_t place = count++;
+            if constexpr (Query::shortens) {
+              if (met.in[waits] <= met.in[next]) std::swap(waits, next);
+              for (; place > before && waiting[place - 1].in < met.in[waits]; --place)
+                waiting[place] = waiting[place - 1];
+            } else {
+              std::swap(waits, next);
+            }
+            waiting[place].child = node.children[waits];
+            waiting[place].in = met.in[waits];
+            if constexpr (Watching<Query>) waiting[place].box.value = node.boxes.box(waits);
+          }
+          at = node.children[next];
+          if constexpr (Watching<Query>) box.value = node.boxes.box(next);
+          continue;
         }
       } else {
         if constexpr (Watching<Query>) query.record().opened(box.value, static_cast<std::size_t>(at.count));
