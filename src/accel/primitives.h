@@ -25,9 +25,14 @@ class Primitives {
 
   /// Shapes are added before meshes, whose triangles have the ids that follow.
   void add(Shape<T> shape) {
-    plain_.push_back(std::holds_alternative<Sphere<T>>(shape)  ? Plain::sphere
-                     : std::holds_alternative<Plane<T>>(shape) ? Plain::plane
-                                                               : Plain::bare);
+    plain_.push_back(std::holds_alternative<Sphere<T>>(shape)    ? Plain::sphere
+                     : std::holds_alternative<Plane<T>>(shape)   ? Plain::plane
+                     : std::holds_alternative<Polygon<T>>(shape) ? Plain::polygon
+                                                                 : Plain::bare);
+    if (const auto* polygon = std::get_if<Polygon<T>>(&shape)) {
+      area_vectors_.resize(shapes_.size() + 1);
+      area_vectors_.back() = polygon->area_vector();
+    }
     ++shape_count_;
     shapes_.push_back(std::move(shape));
     if (!places_.empty()) place_of_.push_back(none);
@@ -59,10 +64,13 @@ class Primitives {
   }
   [[nodiscard]] bool moves(int id) const { return motion_of(id) != nullptr; }
   [[nodiscard]] bool triangles_move() const { return triangles_move_; }
-  /// A sphere or plane, S, that stands in the world as it is, neither mapped nor moving; null for all else.
+  /// A sphere, plane or polygon, S, that stands in the world as it is, neither mapped nor moving; null for all else.
   template <class S>
   [[nodiscard]] const S* plain(int id) const {
-    constexpr Plain wanted = std::is_same_v<S, Sphere<T>> ? Plain::sphere : Plain::plane;
+    constexpr Plain wanted = std::is_same_v<S, Sphere<T>>  ? Plain::sphere
+                             : std::is_same_v<S, Plane<T>> ? Plain::plane
+                                                           : Plain::polygon;
+    static_assert(wanted != Plain::polygon || std::is_same_v<S, Polygon<T>>);
     if (id >= shape_count() || plain_[static_cast<std::size_t>(id)] != wanted) return nullptr;
     const S* shape = std::get_if<S>(&own(id));
     if (shape == nullptr) __builtin_unreachable();
@@ -87,6 +95,8 @@ class Primitives {
       return raywalk::intersect(*sphere, ray, t_max, departed_part(ray, id), explain);
     if (const auto* plane = plain<Plane<T>>(id))
       return raywalk::intersect(*plane, ray, t_max, departed_part(ray, id), explain);
+    if (const auto* polygon = plain<Polygon<T>>(id))
+      return raywalk::intersect(*polygon, area_vector(id), ray, t_max, departed_part(ray, id), explain);
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
     if (sheared != nullptr && id >= shape_count())
@@ -106,9 +116,18 @@ class Primitives {
     const Placement<T>* place = place_of(id);
     return raywalk::intersect(own(id), place ? into_shape(*place, rest) : rest, t_max, no_part, explain);
   }
+  /// How often the ray crosses one primitive in (0, t_max), where that can be told at once: of a plain sphere.
+  template <class Explain = NoExplanation>
+  [[nodiscard]] std::optional<int> crossings(int id, const Ray<T>& ray, T t_max, Explain&& explain = {}) const {
+    const auto* sphere = plain<Sphere<T>>(id);
+    if (sphere == nullptr) return std::nullopt;
+    return raywalk::crossings(*sphere, ray, t_max, departed_part(ray, id), explain);
+  }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::surface_at(*sphere, ray, crossing);
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::surface_at(*plane, ray, crossing);
+    if (const auto* polygon = plain<Polygon<T>>(id))
+      return raywalk::surface_at(*polygon, area_vector(id), ray, crossing);
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
       return raywalk::surface_at(own(id), ray, crossing);
     const Motion* motion = motion_of(id);
@@ -141,9 +160,9 @@ class Primitives {
   [[nodiscard]] bool maps_rays() const { return !places_.empty() || !motions_.empty(); }
 
  private:
-  /// Shapes that stand in the world as they are, at rest: spheres, planes and others. Those under a map, and those that
-  /// move, mapped or not.
-  enum class Plain : std::uint8_t { sphere, plane, bare, placed, moving };
+  /// Shapes that stand in the world as they are, at rest: spheres, planes, polygons and others. Those under a map, and
+  /// those that move, mapped or not.
+  enum class Plain : std::uint8_t { sphere, plane, polygon, bare, placed, moving };
   static constexpr std::int32_t none = -1;
 #ifdef RAYWALK_WITHOUT_MOTION  // set only by the benchmark that measures what motion costs where nothing moves
   static constexpr bool moves_compiled = false;
@@ -151,6 +170,7 @@ class Primitives {
   static constexpr bool moves_compiled = true;
 #endif
   [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const Vec3<T>& area_vector(int id) const { return area_vectors_[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const Motion* motion_of(int id) const {
     const bool may =
         id < shape_count() ? plain_[static_cast<std::size_t>(id)] == Plain::moving : triangles_move_ && any_motion(id);
@@ -210,7 +230,8 @@ class Primitives {
   [[nodiscard]] bool equal(int a, int b) const;
 
   std::vector<Shape<T>> shapes_;
-  std::vector<Plain> plain_;  ///< by shape
+  std::vector<Plain> plain_;           ///< by shape
+  std::vector<Vec3<T>> area_vectors_;  ///< by shape, up to the last plain polygon: theirs, worked out once
   int shape_count_ = 0;
   Triangles<T> triangles_;
   std::vector<std::int32_t> place_of_;  ///< by shape; empty when none has a map

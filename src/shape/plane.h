@@ -33,7 +33,13 @@ template <class T, class Explain = NoExplanation>
   constexpr bool explained = std::decay_t<Explain>::wanted;
   if (!explained && departed_part != no_part) return std::nullopt;
   const Vec3d normal = wide(plane.normal), point = wide(plane.point), o = wide(ray.origin), d = wide(ray.direction);
-  RoundedSum numerator = estimate_dot_of_difference(normal, point, o), denominator = estimate_dot(normal, d);
+  RoundedSum numerator, denominator;
+  if (normal.x == 0 && normal.y == 0) {
+    // A floor: one product each, whose sign is right.
+    numerator = {normal.z * (point.z - o.z), 0}, denominator = {normal.z * d.z, 0};
+  } else {
+    numerator = estimate_dot_of_difference(normal, point, o), denominator = estimate_dot(normal, d);
+  }
   double quotient = 0;
   if (numerator.certain() && denominator.certain()) {
     // One behind is told without the division.
@@ -61,8 +67,9 @@ template <class T>
 /// The plane's own two directions, from its `point`; for a level plane they are x and y.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point, int /*part*/) {
-  const Frame<T> frame = frame_of(point.normal);
   const Vec3<T> offset = point.position - plane.point;
+  if (std::abs(point.normal.z) == 1) return {offset.x, offset.y};  // what follows comes to, for most floors
+  const Frame<T> frame = frame_of(point.normal);
   return {dot(offset, frame.u), dot(offset, frame.v)};
 }
 

@@ -74,12 +74,16 @@ template <class T>
 /// Whether the crossing lies inside is decided in the plan along the normal's largest component, by half-open edges:
 /// each corner counts for one of its edges. Where the error of the computed crossing leaves a side in doubt, exact
 /// arithmetic decides.
+///
+/// `area_vector` is the polygon's own, worked out once for many rays. Never inlined: in the loop of a search it would
+/// crowd out what is tested more often.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
+[[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const Vec3<T>& area_vector,
+                                                                  const Ray<T>& ray, T t_max,
+                                                                  int departed_part = no_part, Explain&& explain = {}) {
   // Before it costs anything: a ray that leaves is as near to the plane as can be.
   if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
-  const Vec3d normal = wide(polygon.area_vector()), corner = wide(polygon.outline.front());
+  const Vec3d normal = wide(area_vector), corner = wide(polygon.outline.front());
   const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   PlaneMeeting met = meet_plane(normal, corner, o, d);
   if (met.exact) note_exact(explain);
@@ -122,11 +126,22 @@ template <class T, class Explain = NoExplanation>
   return Crossing<T>{t};
 }
 
+template <class T, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const Ray<T>& ray, T t_max,
+                                                   int departed_part = no_part, Explain&& explain = {}) {
+  return intersect(polygon, polygon.area_vector(), ray, t_max, departed_part, explain);
+}
+
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Ray<T>& ray, Crossing<T> crossing) {
-  const Vec3<T> normal = normalize(polygon.area_vector());
+[[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Vec3<T>& area_vector, const Ray<T>& ray,
+                                         Crossing<T> crossing) {
+  const Vec3<T> normal = normalize(area_vector);
   const Vec3<T> position = ray.at(crossing.t);
   return {position - dot(position - polygon.outline.front(), normal) * normal, normal};
+}
+template <class T>
+[[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Ray<T>& ray, Crossing<T> crossing) {
+  return surface_at(polygon, polygon.area_vector(), ray, crossing);
 }
 
 /// Along the plane's own two directions, from the first corner.

@@ -21,9 +21,10 @@ mutant sphere_sign_without_bound Sphere shape/sphere.h 'sign_bound = 32 *' 'sign
 mutant sphere_digits_without_bound Sphere shape/sphere.h 'digits_bound = 1e-8;' 'digits_bound = 0;'
 mutant sphere_exact_tier_dropped Sphere shape/sphere.h 'constexpr double cancelled = 1e-13;' 'constexpr double cancelled = -1;'
 mutant sphere_zero_is_a_crossing Sphere shape/sphere.h 'if (!(t > 0 && t < t_max))' 'if (!(t >= 0 && t < t_max))'
-mutant sphere_discriminant_cancels Sphere shape/sphere.h 'discriminant = a * r2 - dot(oxd, oxd);' \
-  'discriminant = dot(d, o) * dot(d, o) - a * (oo - r2);'
-mutant sphere_passes_without_bound Sphere shape/sphere.h 'discriminant < -doubt) return' 'discriminant < doubt) return'
+mutant sphere_discriminant_cancels Sphere shape/sphere.h 'discriminant = a * r2 - dot(oxd, oxd),' \
+  'discriminant = b * b - a * c,'
+mutant sphere_passes_without_bound Sphere shape/sphere.h '(c - detail::sphere_sign_bound * size)' \
+  '(c + detail::sphere_sign_bound * size)'
 mutant sphere_far_root_first Sphere shape/sphere.h 'return c > 0 ? nearest(c / q, q / a) :' 'return c > 0 ? nearest(q / a, c / q) :'
 mutant sphere_leaves_the_wrong_way Sphere shape/sphere.h 'root = -2 * b / a;' 'root = 2 * b / a;'
 mutant sphere_behind_is_before Sphere shape/sphere.h 'b > 0 && c > detail::sphere_digits_bound * size' \
