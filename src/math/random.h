@@ -26,17 +26,30 @@ namespace detail {
   return x ^ (x >> 31);
 }
 
-/// What the draws of a key have in common that differ in their dimension only.
+/// What all draws of a pixel have in common. The odd factor keeps the pixels of one seed apart from those of another.
+[[nodiscard]] constexpr std::uint64_t pixel_bits(const RandomKey& key) {
+  return mix(key.seed * 0xd1342543de82ef95u ^
+             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
+              static_cast<std::uint32_t>(key.pixel_y)));
+}
+/// What the draws of a key have in common that differ in sample and dimension. Paths count up or are mixed themselves:
+/// the odd factor takes even small ones out of reach of the samples, dimensions and effects that are set against them.
+[[nodiscard]] constexpr std::uint64_t branch_bits(const RandomKey& key) {
+  return pixel_bits(key) ^ key.path * 0x9fb21c651e98df25u ^ key.effect;
+}
+/// What the draws of a branch have in common that differ in their dimension only.
+[[nodiscard]] constexpr std::uint64_t common_bits(std::uint64_t branch, std::uint32_t sample) {
+  return mix(branch ^ static_cast<std::uint64_t>(sample) << 32);
+}
 [[nodiscard]] constexpr std::uint64_t common_bits(const RandomKey& key) {
-  std::uint64_t bits = mix(key.seed);
-  bits = mix(bits ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
-                     static_cast<std::uint32_t>(key.pixel_y)));
-  bits = mix(bits ^ (static_cast<std::uint64_t>(key.sample) << 32 | key.effect));
-  return mix(bits ^ key.path);
+  return common_bits(branch_bits(key), key.sample);
+}
+[[nodiscard]] constexpr std::uint64_t random_64(std::uint64_t common, std::uint32_t dimension) {
+  return mix(common ^ dimension);
 }
 /// Uniform in [0, 2^24).
 [[nodiscard]] constexpr std::uint32_t random_24(std::uint64_t common, std::uint32_t dimension) {
-  return static_cast<std::uint32_t>(mix(common ^ dimension) >> 40);
+  return static_cast<std::uint32_t>(random_64(common, dimension) >> 40);
 }
 
 }  // namespace detail

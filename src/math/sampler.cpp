@@ -27,12 +27,8 @@ constexpr std::uint32_t unit = 1u << unit_bits;
 
 /// What all samples of a key have in common; `salt` tells apart what is derived from it.
 std::uint64_t wide_stream(const RandomKey& key, std::uint32_t salt) {
-  std::uint64_t bits = mix(key.seed ^ 0x5bd1e995cc9e2d51u);  // a world apart from random_unit's numbers
-  bits = mix(bits ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
-                     static_cast<std::uint32_t>(key.pixel_y)));
-  bits = mix(bits ^ (static_cast<std::uint64_t>(key.dimension) << 32 | key.effect));
-  bits = mix(bits ^ key.path);
-  return mix(bits ^ salt);
+  constexpr std::uint64_t apart = 0x5bd1e995cc9e2d51u;  // a world apart from random_unit's numbers
+  return mix(branch_bits(key) ^ apart ^ (static_cast<std::uint64_t>(key.dimension) << 32 | salt << 16));
 }
 std::uint32_t stream(const RandomKey& key, std::uint32_t salt) {
   return static_cast<std::uint32_t>(wide_stream(key, salt) >> 32);
@@ -145,16 +141,6 @@ std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count) {
   return between(cell_begin(cell, count), cell_begin(cell + 1, count), random);
 }
 
-DrawnPair draw_jittered_pair(const RandomKey& key, const Strata& strata) {
-  const auto [u, v] = draw_random_pair(key);
-  const std::uint32_t edge = strata.edge();
-  if (key.sample >= edge * edge) return {u, v};
-  const std::uint32_t cell = strata.cell_of(key.sample, wide_stream(key, 0));
-  const std::uint32_t row = cell / edge, column = cell - row * edge;
-  return {between(strata.begin_of(column), strata.begin_of(column + 1), u),
-          between(strata.begin_of(row), strata.begin_of(row + 1), v)};
-}
-
 std::uint32_t draw_sobol(const RandomKey& key) {
   // The first coordinate's digits, first at bit 0, are the index itself.
   return reversed(owen_scrambled(shuffled_index(key), stream(key, 2))) >> (32 - unit_bits);
@@ -177,21 +163,45 @@ Strata::Strata(std::uint32_t count)
   for (std::uint32_t i = 0; i <= edge_; ++i) begins_.push_back(detail::cell_begin(i, edge_));
   if (edge_ == 1 || edge_ * edge_ > most_listed) return;
   static_assert(most_listed == 16 * 16);
-  listed_ = detail::listed_orders<orders>(edge_, std::make_integer_sequence<std::uint32_t, 17>{});
+  listed_ = &detail::listed_orders<orders>(edge_, std::make_integer_sequence<std::uint32_t, 17>{});
 }
 
-std::uint32_t Strata::cell_of(std::uint32_t sample, std::uint64_t bits) const {
-  const std::uint32_t cells = edge_ * edge_;
-  if (cells == 1) return 0;
-  if (listed_.empty()) return detail::permuted(sample, cells, static_cast<std::uint32_t>(bits >> 32));
-  // Two of the orders, one after the other, and each of them begun anywhere in its round: 256 by themselves would be
-  // few enough for it to show which samples lie together.
-  const auto ordered = [&](std::uint32_t i, std::uint64_t chosen, std::uint64_t turned) {
-    const std::uint32_t cell = listed_[chosen % orders * cells + i];
-    const std::uint32_t turned_cell = cell + static_cast<std::uint32_t>(turned % (1u << 24) * cells >> 24);
-    return turned_cell < cells ? turned_cell : turned_cell - cells;
-  };
-  return ordered(ordered(sample, bits, bits >> 16), bits >> 8, bits >> 40);
+std::uint32_t Strata::Order::permuted(std::uint32_t sample) const { return detail::permuted(sample, cells_, seed_); }
+
+Strata::Order Strata::order(std::uint64_t bits) const {
+  Order order;
+  order.cells_ = edge_ * edge_;
+  if (listed_ == nullptr) {
+    order.seed_ = static_cast<std::uint32_t>(bits >> 32);
+    return order;
+  }
+  // Two of those listed, one after the other: 256 by themselves would be few enough for it to show which samples lie
+  // together.
+  const auto chosen = [&](std::uint64_t which) { return listed_->data() + which % orders * order.cells_; };
+  const auto turn = [&](std::uint64_t by) { return static_cast<std::uint32_t>(by % (1u << 24) * order.cells_ >> 24); };
+  order.first_ = chosen(bits), order.first_turn_ = turn(bits >> 16);
+  order.second_ = chosen(bits >> 8), order.second_turn_ = turn(bits >> 40);
+  return order;
+}
+
+SamplePairs::SamplePairs(Sampler sampler, const RandomKey& key, const Strata& strata)
+    : sampler_(sampler), key_(key), branch_(detail::branch_bits(key)), strata_(&strata) {
+  if (sampler == Sampler::jittered) order_ = strata.order(detail::wide_stream(key, 0));
+}
+
+detail::DrawnPair SamplePairs::drawn(std::uint32_t sample) const {
+  if (sampler_ == Sampler::sobol) {
+    RandomKey key = key_;
+    key.sample = sample;
+    return detail::draw_sobol_pair(key);
+  }
+  const auto [u, v] = detail::draw_random_pair(detail::common_bits(branch_, sample), key_.dimension);
+  if (sampler_ == Sampler::random) return {u, v};
+  const std::uint32_t edge = strata_->edge();
+  if (sample >= edge * edge) return {u, v};
+  const std::uint32_t cell = order_.cell_of(sample), row = cell / edge, column = cell - row * edge;
+  return {detail::between(strata_->begin_of(column), strata_->begin_of(column + 1), u),
+          detail::between(strata_->begin_of(row), strata_->begin_of(row + 1), v)};
 }
 
 }  // namespace raywalk

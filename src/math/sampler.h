@@ -30,16 +30,35 @@ class Strata {
   [[nodiscard]] std::uint32_t edge() const { return edge_; }
   /// Where the cells of an edge begin, in steps of 2^-24; that after the last is the end.
   [[nodiscard]] std::uint32_t begin_of(std::uint32_t cell) const { return begins_[cell]; }
-  /// The cell of a sample < edge * edge, in the order that random bits choose: each order holds every cell once, and
-  /// over all bits every sample comes into all cells alike, any two samples into all pairs of cells alike up to 2%.
-  [[nodiscard]] std::uint32_t cell_of(std::uint32_t sample, std::uint64_t bits) const;
+
+  /// An order of the cells.
+  class Order {
+   public:
+    /// That of a sample < edge * edge. Each order holds every cell once; over all that bits may choose, every sample
+    /// comes into all cells alike, any two samples into all pairs of cells alike up to 2%.
+    [[nodiscard]] std::uint32_t cell_of(std::uint32_t sample) const {
+      return first_ == nullptr ? permuted(sample) : turned(second_[turned(first_[sample], first_turn_)], second_turn_);
+    }
+
+   private:
+    friend class Strata;
+    [[nodiscard]] std::uint32_t permuted(std::uint32_t sample) const;
+    [[nodiscard]] std::uint32_t turned(std::uint32_t cell, std::uint32_t turn) const {
+      return cell + turn < cells_ ? cell + turn : cell + turn - cells_;
+    }
+    const std::uint8_t *first_ = nullptr, *second_ = nullptr;  ///< of the listed orders, one after the other; or none
+    std::uint32_t first_turn_ = 0, second_turn_ = 0;           ///< each of them begins anywhere in its round
+    std::uint32_t cells_ = 1, seed_ = 0;
+  };
+  /// The one that random bits choose.
+  [[nodiscard]] Order order(std::uint64_t bits) const;
 
  private:
   static constexpr std::uint32_t orders = 256, most_listed = 256;
   std::uint32_t count_, edge_;
   std::vector<std::uint32_t> begins_;
-  std::vector<std::uint8_t>
-      listed_;  ///< so many orders, one after the other; empty where the cells are more than these
+  /// So many orders, one after the other, the same for all of these edges; null where the cells are more than that.
+  const std::vector<std::uint8_t>* listed_ = nullptr;
 };
 
 namespace detail {
@@ -49,13 +68,10 @@ struct DrawnPair {
   std::uint32_t u, v;
 };
 [[nodiscard]] inline DrawnPair draw_random_pair(std::uint64_t common, std::uint32_t dimension) {
-  return {random_24(common, dimension), random_24(common, dimension + 1)};
-}
-[[nodiscard]] inline DrawnPair draw_random_pair(const RandomKey& key) {
-  return draw_random_pair(common_bits(key), key.dimension);
+  const std::uint64_t bits = random_64(common, dimension);
+  return {static_cast<std::uint32_t>(bits >> 40), static_cast<std::uint32_t>(bits >> 16 & 0xffffff)};
 }
 [[nodiscard]] std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count);
-[[nodiscard]] DrawnPair draw_jittered_pair(const RandomKey& key, const Strata& strata);
 [[nodiscard]] std::uint32_t draw_sobol(const RandomKey& key);
 [[nodiscard]] DrawnPair draw_sobol_pair(const RandomKey& key);
 
@@ -81,23 +97,34 @@ template <class T>
   return random_unit<T>(key);
 }
 
-/// A pair that fills the unit square evenly, one of strata.count(). Takes dimensions `key.dimension` and the one after
-/// it.
+/// Pairs that fill the unit square evenly, strata.count() of them: one for each sample of a key, whatever the key's
+/// own. What they have in common is worked out once. Takes dimensions `key.dimension` and the one after it.
+class SamplePairs {
+ public:
+  SamplePairs() = default;
+  /// `strata` must live as long.
+  SamplePairs(Sampler sampler, const RandomKey& key, const Strata& strata);
+
+  template <class T>
+  [[nodiscard]] Vec2<T> draw(std::uint32_t sample) const {
+    const detail::DrawnPair pair = drawn(sample);
+    return {detail::unit_of<T>(pair.u), detail::unit_of<T>(pair.v)};
+  }
+
+ private:
+  [[nodiscard]] detail::DrawnPair drawn(std::uint32_t sample) const;
+
+  Sampler sampler_ = Sampler::random;
+  RandomKey key_;
+  std::uint64_t branch_ = 0;
+  const Strata* strata_ = nullptr;
+  Strata::Order order_;
+};
+
+/// One of them.
 template <class T>
 [[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, const Strata& strata) {
-  detail::DrawnPair drawn{};
-  switch (sampler) {
-    case Sampler::random:
-      drawn = detail::draw_random_pair(key);
-      break;
-    case Sampler::jittered:
-      drawn = detail::draw_jittered_pair(key, strata);
-      break;
-    case Sampler::sobol:
-      drawn = detail::draw_sobol_pair(key);
-      break;
-  }
-  return {detail::unit_of<T>(drawn.u), detail::unit_of<T>(drawn.v)};
+  return SamplePairs(sampler, key, strata).draw<T>(key.sample);
 }
 
 /// The pairs of Sampler::random for one key, whatever its dimension: what they have in common is worked out once.

@@ -18,12 +18,15 @@ struct PixelBlock {
   int column_begin = 0, column_end = 0, row_begin = 0, row_end = 0;
   int sample = 0;
   int stride = 1;
+  int samples = 1;  ///< from `sample` on: all of a pixel before those of the next one
 
   class Iterator {
    public:
     Iterator(const PixelBlock& block, Pixel pixel) : block_(&block), pixel_(pixel) {}
     const Pixel& operator*() const { return pixel_; }
     Iterator& operator++() {
+      if (++pixel_.sample < block_->sample + block_->samples) return *this;
+      pixel_.sample = block_->sample;
       pixel_.column += block_->stride;
       if (pixel_.column >= block_->column_end) {
         pixel_.column = block_->column_begin;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace raywalk {
@@ -14,34 +15,60 @@ template <class T>
   return incident - 2 * dot(incident, normal) * normal;
 }
 
+/// base^exponent, both >= 0. A whole exponent takes a multiplication for each of its binary digits: the roundings that
+/// pile up, less than half an ulp times the exponent, are no more than what the power makes of the base's own last one.
+template <class T>
+[[nodiscard]] T power(T base, T exponent) {
+  constexpr T most = 4096;
+  if (!(exponent < most)) return std::pow(base, exponent);
+  auto digits = static_cast<std::uint32_t>(exponent);
+  if (static_cast<T>(digits) != exponent) return std::pow(base, exponent);
+  T result = (digits & 1) != 0 ? base : T(1);
+  while ((digits >>= 1) != 0) {
+    base *= base;
+    if ((digits & 1) != 0) result *= base;
+  }
+  return result;
+}
+
+/// The cosine along / sqrt(square) to a power >= 0; what points away has cosine 0. Of an even power no root is taken.
+template <class T>
+[[nodiscard]] T power_of_cosine(T along, T square, T exponent) {
+  if (!(along > 0)) return exponent == 0 ? T(1) : T(0);
+  const T half = exponent / 2;
+  if (half < 4096 && static_cast<T>(static_cast<std::int32_t>(half)) == half)
+    return power(along * along / square, half);
+  return power(along / std::sqrt(square), exponent);
+}
+
 /// A unit ray meets a surface between indices n1 (its side) and n2. The normal faces the ray.
 template <class T>
 struct Refraction {
-  T eta;     ///< n1 / n2
+  T n1, n2;
   T cos_in;  ///< cosine of the incidence, in 0..1
   T k;       ///< squared cosine beyond; < 0: total internal reflection. Exactly 0 is still refracted, along the surface
   T cos_out;  ///< sqrt(k), or 0
-  T fresnel;  ///< unpolarised reflectance, in 0..1
 
   [[nodiscard]] bool total() const { return k < 0; }
+  /// Unpolarised reflectance, in 0..1: Fresnel's equations for a dielectric. At grazing incidence both cosines may
+  /// vanish together: all is reflected. Asked for where it counts: it costs two divisions.
+  [[nodiscard]] T fresnel() const {
+    const T s_sum = n1 * cos_in + n2 * cos_out, p_sum = n2 * cos_in + n1 * cos_out;
+    if (total() || s_sum == 0 || p_sum == 0) return 1;
+    const T rs = (n1 * cos_in - n2 * cos_out) / s_sum, rp = (n2 * cos_in - n1 * cos_out) / p_sum;
+    return (rs * rs + rp * rp) / 2;
+  }
 };
 
 template <class T>
 [[nodiscard]] inline Refraction<T> refraction_at(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal, T n1,
                                                  T n2) {
-  const T eta = n1 / n2;
   const T cos_in = std::clamp(-dot(unit_incident, facing_normal), T(0), T(1));
   // 1 - eta^2 (1 - cos^2), over n2^2 so that neither equal indices nor the critical angle lose digits: the difference
   // of near indices is exact, and a rounded eta does not enter.
   const T inwards = n1 * cos_in;
   const T k = ((n2 - n1) * (n2 + n1) + inwards * inwards) / (n2 * n2);
-  if (k < 0) return {eta, cos_in, k, 0, 1};
-  const T cos_out = std::sqrt(k);
-  // Fresnel's equations for a dielectric. At grazing incidence both cosines may vanish together: all is reflected.
-  const T s_sum = n1 * cos_in + n2 * cos_out, p_sum = n2 * cos_in + n1 * cos_out;
-  if (s_sum == 0 || p_sum == 0) return {eta, cos_in, k, cos_out, 1};
-  const T rs = (n1 * cos_in - n2 * cos_out) / s_sum, rp = (n2 * cos_in - n1 * cos_out) / p_sum;
-  return {eta, cos_in, k, cos_out, (rs * rs + rp * rp) / 2};
+  return {n1, n2, cos_in, k, k < 0 ? T(0) : std::sqrt(k)};
 }
 
 /// Direction beyond the surface by Snell's law, unit length up to rounding; none under total internal reflection.
@@ -49,7 +76,8 @@ template <class T>
 [[nodiscard]] std::optional<Vec3<T>> refract(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal,
                                              const Refraction<T>& at) {
   if (at.total()) return std::nullopt;
-  return at.eta * unit_incident + (at.eta * at.cos_in - at.cos_out) * facing_normal;
+  const T eta = at.n1 / at.n2;
+  return eta * unit_incident + (eta * at.cos_in - at.cos_out) * facing_normal;
 }
 
 /// The smoothed normal, turned towards `side` (the flat one, which faces the ray) as far as is needed for it to face

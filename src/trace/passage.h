@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace raywalk {
@@ -15,32 +16,46 @@ template <class T>
   return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
 }
 
-/// What the objects `filters`, all that a shadow ray crosses, leave of its light: each crossing multiplies by the
-/// transmission. One object after the other, each by itself: where surfaces of two touch, rounding could else hand the
-/// ray to and fro for ever.
+/// What object `id` leaves of the light of a shadow ray: each crossing multiplies by the transmission.
+template <class T, class AnyRay>
+[[nodiscard]] Rgb<T> light_through_object(const World<T>& world, const AnyRay& shadow, T t_max, TestCounts& tests,
+                                          int id) {
+  const Primitives<T>& primitives = world.accelerator.primitives();
+  const typename World<T>::Surface& surface = world.surface(id);
+  Rgb<T> passed{1};
+  if constexpr (std::is_same_v<AnyRay, Ray<T>>) {
+    // Where only their number counts, no way from one to the next is sought.
+    if (const auto number = surface.absorbs ? std::nullopt : primitives.crossings(id, shadow, t_max, tests)) {
+      ++tests.primitives;
+      for (int crossing = 0; crossing < *number; ++crossing) passed *= surface.filter;
+      return passed;
+    }
+  }
+  AnyRay rest = shadow;
+  T reach = t_max;
+  constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
+  for (int crossings = 0; crossings < crossings_limit; ++crossings) {
+    ++tests.primitives;
+    const auto crossing = primitives.intersect(id, rest, reach, tests);
+    if (!crossing) break;
+    const SurfacePoint<T> point = primitives.surface_at(id, rest, *crossing);
+    passed *= surface.filter;
+    // Where it leaves, it was inside since the crossing before.
+    if (surface.absorbs && dot(point.normal, rest.direction) > 0)
+      passed *= left_after(surface.absorption, length(point.position - rest.origin));
+    rest = leaving<AnyRay>(world, point.position, point.normal, {id, crossing->part}, rest.direction, rest.time);
+    reach -= crossing->t;
+  }
+  return passed;
+}
+
+/// What the objects `filters`, all that a shadow ray crosses, leave of its light. One object after the other, each by
+/// itself: where surfaces of two touch, rounding could else hand the ray to and fro for ever.
 template <class T, class AnyRay>
 [[nodiscard]] Rgb<T> light_filtered(const World<T>& world, const AnyRay& shadow, T t_max, TestCounts& tests,
                                     const std::vector<int>& filters) {
   Rgb<T> passed{1};
-  const Primitives<T>& primitives = world.accelerator.primitives();
-  for (const int id : filters) {
-    AnyRay rest = shadow;
-    T reach = t_max;
-    constexpr int crossings_limit = 10000;  // more than a line crosses any shape: whatever rounding does, it ends
-    for (int crossings = 0; crossings < crossings_limit; ++crossings) {
-      ++tests.primitives;
-      const auto crossing = primitives.intersect(id, rest, reach, tests);
-      if (!crossing) break;
-      const typename World<T>::Surface& surface = world.surface(id);
-      const SurfacePoint<T> point = primitives.surface_at(id, rest, *crossing);
-      passed *= surface.filter;
-      // Where it leaves, it was inside since the crossing before.
-      if (surface.absorbs && dot(point.normal, rest.direction) > 0)
-        passed *= left_after(surface.absorption, length(point.position - rest.origin));
-      rest = leaving<AnyRay>(world, point.position, point.normal, {id, crossing->part}, rest.direction, rest.time);
-      reach -= crossing->t;
-    }
-  }
+  for (const int id : filters) passed *= light_through_object(world, shadow, t_max, tests, id);
   return passed;
 }
 

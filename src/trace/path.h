@@ -159,6 +159,7 @@ class PathTracer {
   const RayGenerator<T>& camera_;
   Observer& observer_;
   Statistics statistics_;
+  typename RayGenerator<T>::PixelDraws pixel_draws_;
   std::vector<int> filters_met_;  ///< kept so that no shadow ray allocates
   RandomKey key_;                 ///< of the pixel's present sample
   int rays_formed_ = 0;           ///< numbers the rays of a recording

@@ -72,7 +72,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_lamp(Way& way, const Vertex& at
   if (!is_black(at.specular)) {
     const Vec3<T> h = l - lobes.incident;
     const T n_h = std::max(dot(lobes.normal, h) / length(h), T(0));
-    answers += at.specular * std::pow(n_h, lobes.shininess);
+    answers += at.specular * power(n_h, lobes.shininess);
   }
   way.brings = at.share * light * answers;
   return std::nullopt;

@@ -124,7 +124,7 @@ auto Lobes<T>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) con
         const T size = length(h);
         const T n_h = dot(normal, h) / size, v_h = -dot(incident, h) / size;
         if (n_h > 0 && v_h > 0) {
-          at.value += highlight * (std::pow(n_h, shininess) / pi_v<T>);
+          at.value += highlight * (power(n_h, shininess) / pi_v<T>);
           at.density += chance(Lobe::highlight) * power_cosine_pdf(n_h, shininess) / (4 * v_h);
         }
       }

@@ -74,7 +74,8 @@ void PathTracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  const Traced primary{Ray{camera_.primary_ray(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
+  const Traced primary{
+      Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
   ++statistics_.formed(RayKind::primary);
   note(Line::path_form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -137,8 +138,7 @@ auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex
     lobes.normal = smooth_normal_towards(ray.ray.direction, lobes.side, at.entering ? *smooth : -*smooth);
   lobes.diffuse = surface.diffuse;
   if (surface.checker) {
-    const bool even =
-        detail::even_square(primitives.uv_at(hit.primitive, point, hit.part, at.time), surface.checker->size);
+    const bool even = even_square(primitives.uv_at(hit.primitive, point, hit.part, at.time), surface.checker->size);
     lobes.diffuse *= even ? surface.checker->even : surface.checker->odd;
   }
   if (surface.picture) lobes.diffuse *= surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part, at.time));
@@ -152,13 +152,14 @@ auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex
     const T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
     const Refraction<T> refraction = refraction_at(ray.ray.direction, lobes.normal, n1, n2);
     const Rgb<T> both = surface.reflection + surface.transmission;
+    const T reflected = refraction.fresnel();
     at.snell = {static_cast<double>(n1), static_cast<double>(n2), static_cast<double>(refraction.cos_in),
-                static_cast<double>(refraction.cos_out), static_cast<double>(refraction.fresnel)};
+                static_cast<double>(refraction.cos_out), static_cast<double>(reflected)};
     if (refraction.total()) {
       lobes.mirror = both;
     } else {
-      lobes.transparent = surface.dielectric ? (1 - refraction.fresnel) * both : surface.transmission;
-      if (surface.dielectric) lobes.mirror = refraction.fresnel * both;
+      lobes.transparent = surface.dielectric ? (1 - reflected) * both : surface.transmission;
+      if (surface.dielectric) lobes.mirror = reflected * both;
       lobes.transparent_axis = renormalize(*refract(ray.ray.direction, lobes.normal, refraction));
       lobes.transparent_width = surface.translucency;
     }

@@ -3,13 +3,17 @@
 namespace raywalk {
 
 template <class T>
-Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, Statistics& statistics) const {
-  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) place += offset(pixel, statistics);
+Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraws& draws,
+                                    Statistics& statistics) const {
+  if (pixel.column != draws.column || pixel.row != draws.row) begin(pixel, draws);
+  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) place += offset(pixel, draws, statistics);
   const Vec3<T> ahead = through(place);
   Ray<T> ray{eye_, normalize(ahead), {}, shutter_open_};
   if (compiled(Effect::depth_of_field) && lens_radius_ > 0) {
     // A thin lens: all that leaves it for one pixel meets in one point of the plane in focus.
-    const Vec2<T> on_lens = lens_radius_ * concentric_disk(draw_for(pixel, Effect::depth_of_field, statistics));
+    statistics.drew(Effect::depth_of_field, 2);
+    const auto drawn = draws.lens.template draw<T>(static_cast<std::uint32_t>(pixel.sample));
+    const Vec2<T> on_lens = lens_radius_ * concentric_disk(drawn);
     const Vec3<T> aside = on_lens.x * lens_right_ + on_lens.y * lens_up_;
     ray.origin = eye_ + aside;
     ray.direction = normalize(focus_ * ahead - aside);
@@ -23,15 +27,19 @@ Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, Statistic
 }
 
 template <class T>
-Vec2<T> RayGenerator<T>::draw_for(const Pixel& pixel, Effect effect, Statistics& statistics) const {
-  statistics.drew(effect, 2);
-  return draw_pair<T>(sampler_, key(pixel, effect), strata_);
+void RayGenerator<T>::begin(const Pixel& pixel, PixelDraws& draws) const {
+  draws.column = pixel.column, draws.row = pixel.row;
+  if (sampling_.per_pixel > 1 && draws_)
+    draws.antialiasing = SamplePairs(sampler_, key(pixel, Effect::antialiasing), strata_);
+  if (lens_radius_ > 0) draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
 }
 
 /// From the pixel's centre, in half pixels, each in [-1, 1).
 template <class T>
-Vec2<T> RayGenerator<T>::offset(const Pixel& pixel, Statistics& statistics) const {
-  const Vec2<T> unit = draws_ ? draw_for(pixel, Effect::antialiasing, statistics) : fixed_place(pixel.sample);
+Vec2<T> RayGenerator<T>::offset(const Pixel& pixel, const PixelDraws& draws, Statistics& statistics) const {
+  if (draws_) statistics.drew(Effect::antialiasing, 2);
+  const Vec2<T> unit = draws_ ? draws.antialiasing.template draw<T>(static_cast<std::uint32_t>(pixel.sample))
+                              : fixed_place(pixel.sample);
   return {2 * unit.x - 1, 2 * unit.y - 1};
 }
 

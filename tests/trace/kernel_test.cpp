@@ -1,5 +1,8 @@
 // Invariants 2 and 4: watching changes nothing, unused effects cost nothing, and the kernels agree.
 
+#include <map>
+#include <tuple>
+
 #include "support/catch.h"
 #include "trace/kernel_of.h"
 #include "trace/pictures.h"
@@ -210,5 +213,31 @@ TEST_CASE("accelerators make the same picture, bit for bit") {
     CHECK(same_bits(got, expected));
     CHECK(got.statistics.rays == expected.statistics.rays);
     CHECK(got.statistics.ended == expected.statistics.ended);
+  }
+}
+
+TEST_CASE("all samples of a pixel before the next one are the samples of all pixels, one after the other") {
+  Scene scene = scene_for({true, true, true, true, true});
+  scene.camera.aperture = 0.1;
+  for (const Sampler sampler : {Sampler::random, Sampler::jittered, Sampler::sobol}) {
+    scene.render.sampler = sampler;
+    const World<double> world(scene);
+    const Sampling sampling{7, 3};
+    const RayGenerator<double> camera(scene, {23, 17}, {23, 17}, sampling);
+    using Place = std::tuple<int, int, int>;
+    std::map<Place, Rgbd> one_by_one, together;
+    const auto into = [](std::map<Place, Rgbd>& shades) {
+      return [&shades](const Pixel& pixel, const Rgbd& shade) {
+        CHECK(shades.emplace(Place(pixel.column, pixel.row, pixel.sample), shade).second);
+      };
+    };
+    Statistics one_by_one_counts;
+    for (int sample = 0; sample < 7; ++sample)
+      one_by_one_counts += trace(world, camera, PixelBlock{0, 23, 0, 17, sample}, into(one_by_one));
+    Statistics together_counts = trace(world, camera, PixelBlock{0, 23, 0, 17, 0, 1, 4}, into(together));
+    together_counts += trace(world, camera, PixelBlock{0, 23, 0, 17, 4, 1, 3}, into(together));
+    CHECK(together.size() == 7 * 23 * 17);
+    CHECK((one_by_one == together));
+    CHECK(same_counts(one_by_one_counts, together_counts));
   }
 }

@@ -160,7 +160,7 @@ TEST_CASE("triangle lights of the shared table: all three strategies") {
       const Estimate estimate = light_along(scene, viewer, point, 20000, {0, 4, strategy});
       CHECK(std::abs(estimate.mean.x - expected) <= 4 * estimate.error);
       scene.render.sampler = Sampler::sobol;
-      const double even = light_along(scene, viewer, point, 1 << 14, {0, 4, strategy}).mean.x;
+      const double even = light_along(scene, viewer, point, 1 << 16, {0, 4, strategy}).mean.x;
       CHECK(even == Approx(expected).epsilon(row.number("tol_montecarlo")));
       if (strategy != PathStrategy::directions) CHECK(even == Approx(expected).epsilon(0.002));
     }

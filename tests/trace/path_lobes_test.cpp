@@ -97,7 +97,7 @@ TEST_CASE("densities of all lobes together integrate to 1, their values to what 
     CHECK(lobes.several());
     CHECK_FALSE(lobes.all_sharp());
     const auto sum = integral(lobes);
-    const Rgbd mean = furnace(lobes, 1 << 17);
+    const Rgbd mean = furnace(lobes, 1 << 18);
     // Half vectors below the horizon lead nowhere: at grazing angles a part of the highlight's draws is lost, and
     // the density says so.
     CHECK(sum.density <= 1.002);
