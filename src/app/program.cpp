@@ -103,8 +103,11 @@ void declare_render(CLI::App& program, Run& run) {
              "Which random numbers are drawn, where any are (0 when left out)");
   add_choice(command, "--accel", to.accelerator, all_accelerators, accelerator_name,
              "How the objects that a ray may meet are found; the picture is the same");
-  command.add_flag("--shadow-cache", to.shadow_cache,
-                   "Shadow rays first try what hid the same light last; the picture is the same");
+  auto* cached = command.add_flag_callback(
+      "--shadow-cache", [&to] { to.shadow_cache = true; },
+      "Shadow rays first try what hid the same light last (when left out: with any --accel but none); the picture is "
+      "the same");
+  command.add_flag_callback("--no-shadow-cache", [&to] { to.shadow_cache = false; }, "They do not")->excludes(cached);
   add_precision(command, to.precision);
   add_numerics(command, to.numerics, to.epsilon);
   command.add_option("--stats", to.statistics, "Write what was done and how long it took, as JSON")->type_name("FILE");

@@ -27,7 +27,7 @@ struct RenderOptions {
   bool corner_samples = false;
   int threads = 0;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
-  bool shadow_cache = false;
+  std::optional<bool> shadow_cache{};
   Precision precision = Precision::double_;
 };
 

@@ -66,7 +66,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   Film<T> film(size);
   const auto build_start = Clock::now();
   World<T> world(scene, settings.accelerator, settings.fault);
-  world.shadow_cache = settings.shadow_cache;
+  world.shadow_cache = settings.shadow_cache.value_or(world.accelerator.kind() != AcceleratorKind::none);
   const SceneKernel<T> kernel(scene, world);
   const RayGenerator<T> camera(scene, size, whole, settings.sampling);
   Rendering rendering;
@@ -98,7 +98,9 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
       adaptive.add(film, p.column, p.row, p.sample, shade);
     };
     PixelBlock run = tile;  // a row at a time, to heed a cancel also where the rays of a single pixel are very many
-    for (run.sample = adaptive.from(); run.sample < adaptive.to(); ++run.sample) {
+    constexpr int most_samples = 16;
+    for (run.sample = adaptive.from(); run.sample < adaptive.to(); run.sample += run.samples) {
+      run.samples = std::min(most_samples, adaptive.to() - run.sample);
       for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end && !cancelled(); ++run.row_begin) {
         run.row_end = run.row_begin + 1;
         std::uint64_t pixels = 0;
@@ -106,7 +108,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
           run.column_begin = begin;
           run.column_end = end;
           statistics += kernel(camera, run, put);
-          pixels += static_cast<std::uint64_t>(end - begin);
+          pixels += static_cast<std::uint64_t>(end - begin) * static_cast<std::uint64_t>(run.samples);
         });
         const double all = static_cast<double>(adaptive.expected());
         reporter.report(std::min(almost, static_cast<double>(taken += pixels) / all));

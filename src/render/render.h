@@ -30,7 +30,9 @@ struct RenderSettings {
   std::optional<Fault> fault{};  ///< breaks the tracer on purpose
   int threads = 0;               ///< 0: as many as the machine runs at once
 
-  bool shadow_cache = false;  ///< shadow rays first try what hid the same light last
+  /// Whether shadow rays first try what hid the same light last; absent: with any structure but a list, whose few
+  /// objects are soon tested.
+  std::optional<bool> shadow_cache{};
   /// Of adaptive sampling (render/adaptive.h), in what a screen shows from 0 to 1; 0: every pixel takes all its
   /// samples.
   double tolerance = 0;

@@ -25,7 +25,9 @@ int refine_to_the_end(Preview& preview, int threads = 1) {
 
 template <class T>
 Film<T> rendered(const Scene& scene, ImageSize size, int samples, Statistics* statistics = nullptr) {
-  const auto rendering = render(scene, {size, Sampling{samples}, precision_of<T>()}).value();
+  RenderSettings settings{size, Sampling{samples}, precision_of<T>()};
+  settings.shadow_cache = false;  // a preview has none: what one saves depends on the order of the pixels
+  const auto rendering = render(scene, settings).value();
   if (statistics) *statistics += rendering.statistics;
   return rendering.template film_of<T>();
 }

@@ -56,6 +56,7 @@ TEMPLATE_TEST_CASE("watching changes no pixel and no count, in any planar scene"
     for (const int samples : {1, 3}) {
       CAPTURE(samples);
       RenderSettings settings{small, Sampling{samples, 7}, precision_of<TestType>()};
+      settings.shadow_cache = false;  // what it saves depends on the order of the pixels
       const auto plain = render(named.scene, settings).value();
       const auto watched = render_watched<TestType>(named.scene, small, settings.sampling);
       CHECK(pixels_that_differ(plain.film_of<TestType>(), watched.film) == 0);
@@ -137,6 +138,27 @@ TEMPLATE_TEST_CASE("no accelerator changes a bit of the picture", "", float, dou
       CHECK(brute_force.statistics.rays == other.statistics.rays);
       CHECK(brute_force.statistics.ended == other.statistics.ended);
     }
+  }
+}
+
+TEST_CASE("the shadow cache is used with any structure but a list, unless it is said, and saves nodes only") {
+  Scene scene = planar_scenes().front().scene;
+  const auto run = [&](AcceleratorKind kind, std::optional<bool> cached) {
+    RenderSettings settings{small};
+    settings.accelerator = kind;
+    settings.shadow_cache = cached;
+    return render(scene, settings).value();
+  };
+  const auto tests = [](const Rendering& rendering) {
+    return std::pair{rendering.statistics.tests.nodes, rendering.statistics.tests.primitives};
+  };
+  for (const AcceleratorKind kind : {AcceleratorKind::none, AcceleratorKind::bvh}) {
+    const Rendering left_out = run(kind, std::nullopt), on = run(kind, true), off = run(kind, false);
+    CHECK(tests(on) != tests(off));  // some shadow ray is blocked twice by the same
+    CHECK(tests(left_out) == tests(kind == AcceleratorKind::none ? off : on));
+    CHECK(pixels_that_differ(on.film_of<double>(), off.film_of<double>()) == 0);
+    CHECK(on.statistics.rays == off.statistics.rays);
+    CHECK(on.statistics.ended == off.statistics.ended);
   }
 }
 
