@@ -128,13 +128,7 @@ class Primitives {
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::surface_at(*plane, ray, crossing);
     if (const auto* polygon = plain<Polygon<T>>(id))
       return raywalk::surface_at(*polygon, area_vector(id), ray, crossing);
-    if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
-      return raywalk::surface_at(own(id), ray, crossing);
-    const Motion* motion = motion_of(id);
-    if (!motion) return surface_at_rest(id, ray, crossing);
-    SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
-    point.position += Vec3<T>(offset_at(*motion, static_cast<double>(ray.time)));
-    return point;
+    return surface_at_any(id, ray, crossing);
   }
   /// Where rounding put it: nothing is pulled back onto the surface.
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const NaiveRay<T>& ray, Crossing<T> crossing) const {
@@ -205,6 +199,14 @@ class Primitives {
     const Placement<T>* place = place_of(id);
     return place ? raywalk::intersect(own(id), into_shape(*place, ray), t_max, departed, explain)
                  : raywalk::intersect(own(id), ray, t_max, departed, explain);
+  }
+  /// Apart, so that what the tracer has in its loop is the same whether motion is compiled or not.
+  [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at_any(int id, const Ray<T>& ray, Crossing<T> crossing) const {
+    const Motion* motion = motion_of(id);
+    if (!motion) return surface_at_rest(id, ray, crossing);
+    SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
+    point.position += Vec3<T>(offset_at(*motion, static_cast<double>(ray.time)));
+    return point;
   }
   [[nodiscard]] SurfacePoint<T> surface_at_rest(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     if (id >= shape_count()) return raywalk::surface_at(triangles_[id - shape_count()], ray, crossing);
