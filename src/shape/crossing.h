@@ -34,7 +34,6 @@ struct Frame {
 /// For a level plane u and v are x and y; for an upright one u is level and v is z.
 template <class T>
 [[nodiscard]] Frame<T> frame_of(const Vec3<T>& unit_normal) {
-  if (std::abs(unit_normal.z) == 1) return {{1, 0, 0}, {0, 1, 0}};  // what follows comes to, for most floors
   const bool level = std::abs(unit_normal.z) >= T(0.5);
   const Vec3<T> guide = level ? Vec3<T>(1, 0, 0) : Vec3<T>(0, 0, 1);
   const Vec3<T> along = normalize(guide - dot(guide, unit_normal) * unit_normal);
@@ -42,6 +41,14 @@ template <class T>
       unit_normal.z > 0 || (unit_normal.z == 0 && (unit_normal.y < 0 || (unit_normal.y == 0 && unit_normal.x > 0)));
   const Vec3<T> side = cross(up ? unit_normal : -unit_normal, along);
   return level ? Frame<T>{along, side} : Frame<T>{-side, along};
+}
+
+/// A place of a plane as seen from another, `offset` away, along the plane's own two directions.
+template <class T>
+[[nodiscard]] Vec2<T> in_plane(const Vec3<T>& offset, const Vec3<T>& unit_normal) {
+  if (std::abs(unit_normal.z) == 1) return {offset.x, offset.y};  // what follows comes to, for most floors
+  const Frame<T> frame = frame_of(unit_normal);
+  return {dot(offset, frame.u), dot(offset, frame.v)};
 }
 
 /// No part of a shape: the ray does not depart from it.

@@ -74,9 +74,7 @@ template <class T>
 
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Disk<T>& disk, const SurfacePoint<T>& point, int /*part*/) {
-  const Frame<T> frame = frame_of(point.normal);
-  const Vec3<T> offset = point.position - disk.centre;
-  return {dot(offset, frame.u), dot(offset, frame.v)};
+  return in_plane(point.position - disk.centre, point.normal);
 }
 
 template <class T>

@@ -67,10 +67,7 @@ template <class T>
 /// The plane's own two directions, from its `point`; for a level plane they are x and y.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point, int /*part*/) {
-  const Vec3<T> offset = point.position - plane.point;
-  if (std::abs(point.normal.z) == 1) return {offset.x, offset.y};  // what follows comes to, for most floors
-  const Frame<T> frame = frame_of(point.normal);
-  return {dot(offset, frame.u), dot(offset, frame.v)};
+  return in_plane(point.position - plane.point, point.normal);
 }
 
 template <class T>

@@ -147,9 +147,7 @@ template <class T>
 /// Along the plane's own two directions, from the first corner.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Polygon<T>& polygon, const SurfacePoint<T>& point, int /*part*/) {
-  const Frame<T> frame = frame_of(point.normal);
-  const Vec3<T> offset = point.position - polygon.outline.front();
-  return {dot(offset, frame.u), dot(offset, frame.v)};
+  return in_plane(point.position - polygon.outline.front(), point.normal);
 }
 
 template <class T>

@@ -3,6 +3,7 @@
 // All numbers are handed over in double, whatever scalar the tracer runs in.
 
 #include "math/vec.h"
+#include "trace/optics.h"
 #include "trace/pseudocode.h"
 
 #include <optional>
@@ -50,6 +51,11 @@ struct SnellNumbers {
   double cos_in, cos_out;  ///< cosines to the normal, >= 0
   double fresnel;          ///< unpolarised reflectance; 1 under total internal reflection
 };
+template <class T>
+[[nodiscard]] SnellNumbers snell_numbers(const Refraction<T>& at) {
+  return {static_cast<double>(at.n1), static_cast<double>(at.n2), static_cast<double>(at.cos_in),
+          static_cast<double>(at.cos_out), static_cast<double>(at.fresnel())};
+}
 
 /// for_each_pixel: a sample of a pixel begins.
 struct PixelBegun {

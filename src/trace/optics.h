@@ -15,29 +15,38 @@ template <class T>
   return incident - 2 * dot(incident, normal) * normal;
 }
 
-/// base^exponent, both >= 0. A whole exponent takes a multiplication for each of its binary digits: the roundings that
-/// pile up, less than half an ulp times the exponent, are no more than what the power makes of the base's own last one.
+/// The exponent (>= 0) as a whole number, where it is one and so small that multiplications are the shorter way.
 template <class T>
-[[nodiscard]] T power(T base, T exponent) {
-  constexpr T most = 4096;
-  if (!(exponent < most)) return std::pow(base, exponent);
-  auto digits = static_cast<std::uint32_t>(exponent);
-  if (static_cast<T>(digits) != exponent) return std::pow(base, exponent);
-  T result = (digits & 1) != 0 ? base : T(1);
-  while ((digits >>= 1) != 0) {
+[[nodiscard]] std::optional<std::uint32_t> small_whole(T exponent) {
+  if (!(exponent < 4096)) return std::nullopt;
+  const auto whole = static_cast<std::uint32_t>(exponent);
+  return static_cast<T>(whole) == exponent ? std::optional(whole) : std::nullopt;
+}
+
+/// base^exponent by a multiplication or two for each binary digit: the roundings that pile up, less than half an ulp
+/// times the exponent, are no more than what the power makes of the base's own last one.
+template <class T>
+[[nodiscard]] T whole_power(T base, std::uint32_t exponent) {
+  T result = (exponent & 1) != 0 ? base : T(1);
+  while ((exponent >>= 1) != 0) {
     base *= base;
-    if ((digits & 1) != 0) result *= base;
+    if ((exponent & 1) != 0) result *= base;
   }
   return result;
+}
+
+/// base^exponent, both >= 0.
+template <class T>
+[[nodiscard]] T power(T base, T exponent) {
+  const auto whole = small_whole(exponent);
+  return whole ? whole_power(base, *whole) : std::pow(base, exponent);
 }
 
 /// The cosine along / sqrt(square) to a power >= 0; what points away has cosine 0. Of an even power no root is taken.
 template <class T>
 [[nodiscard]] T power_of_cosine(T along, T square, T exponent) {
   if (!(along > 0)) return exponent == 0 ? T(1) : T(0);
-  const T half = exponent / 2;
-  if (half < 4096 && static_cast<T>(static_cast<std::int32_t>(half)) == half)
-    return power(along * along / square, half);
+  if (const auto half = small_whole(exponent / 2)) return whole_power(along * along / square, *half);
   return power(along / std::sqrt(square), exponent);
 }
 

@@ -42,11 +42,11 @@ struct PathTracer<Policy>::Vertex {
   bool entering;
   T time;
   const typename World<T>::Surface* surface;
-  int number;       ///< of the ray that led here
-  int length;       ///< rays of the path up to here
-  Rgb<T> share;     ///< of the pixel, that light leaving here against the ray has
-  Rgb<T> specular;  ///< ks, as lamps are seen in it
-  SnellNumbers snell{};
+  int number;                ///< of the ray that led here
+  int length;                ///< rays of the path up to here
+  Rgb<T> share;              ///< of the pixel, that light leaving here against the ray has
+  Rgb<T> specular;           ///< ks, as lamps are seen in it
+  Refraction<T> refraction;  ///< where the surface transmits; else not set
   Lobes<T> lobes;
 };
 
@@ -150,17 +150,18 @@ auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex
   lobes.mirror = surface.reflection;
   if (surface.transmits) {
     const T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
-    const Refraction<T> refraction = refraction_at(ray.ray.direction, lobes.normal, n1, n2);
+    at.refraction = refraction_at(ray.ray.direction, lobes.normal, n1, n2);
     const Rgb<T> both = surface.reflection + surface.transmission;
-    const T reflected = refraction.fresnel();
-    at.snell = {static_cast<double>(n1), static_cast<double>(n2), static_cast<double>(refraction.cos_in),
-                static_cast<double>(refraction.cos_out), static_cast<double>(reflected)};
-    if (refraction.total()) {
+    if (at.refraction.total()) {
       lobes.mirror = both;
     } else {
-      lobes.transparent = surface.dielectric ? (1 - reflected) * both : surface.transmission;
-      if (surface.dielectric) lobes.mirror = reflected * both;
-      lobes.transparent_axis = renormalize(*refract(ray.ray.direction, lobes.normal, refraction));
+      lobes.transparent = surface.transmission;
+      if (surface.dielectric) {
+        const T reflected = at.refraction.fresnel();
+        lobes.transparent = (1 - reflected) * both;
+        lobes.mirror = reflected * both;
+      }
+      lobes.transparent_axis = renormalize(*refract(ray.ray.direction, lobes.normal, at.refraction));
       lobes.transparent_width = surface.translucency;
     }
   }
@@ -261,7 +262,7 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T
   ++statistics_.formed(kind);
   note(Line::form_next_ray, at.length, [&] {
     RayFormed event{next.number, at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction), Rgbd(next.share)};
-    if (kind == RayKind::refract) event.snell = at.snell;
+    if (kind == RayKind::refract) event.snell = snell_numbers(at.refraction);
     return event;
   });
   return next;

@@ -29,9 +29,10 @@ Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraw
 template <class T>
 void RayGenerator<T>::begin(const Pixel& pixel, PixelDraws& draws) const {
   draws.column = pixel.column, draws.row = pixel.row;
-  if (sampling_.per_pixel > 1 && draws_)
+  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1 && draws_)
     draws.antialiasing = SamplePairs(sampler_, key(pixel, Effect::antialiasing), strata_);
-  if (lens_radius_ > 0) draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
+  if (compiled(Effect::depth_of_field) && lens_radius_ > 0)
+    draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
 }
 
 /// From the pixel's centre, in half pixels, each in [-1, 1).

@@ -369,11 +369,7 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   ++statistics_.formed(kind);
   note(line, depth, [&] {
     RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(share)};
-    if (kind == RayKind::refract) {
-      const Refraction<T>& r = at.refraction;
-      event.snell = SnellNumbers{static_cast<double>(r.n1), static_cast<double>(r.n2), static_cast<double>(r.cos_in),
-                                 static_cast<double>(r.cos_out), static_cast<double>(r.fresnel())};
-    }
+    if (kind == RayKind::refract) event.snell = snell_numbers(at.refraction);
     return event;
   });
   return formed;
