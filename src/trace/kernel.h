@@ -43,7 +43,7 @@ struct PixelBlock {
   };
   [[nodiscard]] Iterator begin() const {
     const bool empty = column_begin >= column_end || row_begin >= row_end;
-    return {*this, {column_begin, empty ? row_end : row_begin, sample}};
+    return {*this, {column_begin, empty ? row_end : row_begin, sample, sample + samples}};
   }
   [[nodiscard]] Iterator end() const { return {*this, {column_begin, row_end, sample}}; }
 };

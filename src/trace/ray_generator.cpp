@@ -5,43 +5,45 @@ namespace raywalk {
 template <class T>
 Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraws& draws,
                                     Statistics& statistics) const {
-  if (pixel.column != draws.column || pixel.row != draws.row) begin(pixel, draws);
-  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) place += offset(pixel, draws, statistics);
+  if (!draws.hold(pixel)) draw_ahead(pixel, draws);
+  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) {
+    if (draws_) statistics.drew(Effect::antialiasing, 2);
+    place += draws.offsets[static_cast<std::size_t>(pixel.sample - draws.first)];
+  }
   const Vec3<T> ahead = through(place);
-  Ray<T> ray{eye_, normalize(ahead), {}, shutter_open_};
+  Vec3<T> origin = eye_, direction = normalize(ahead);
+  T time = shutter_open_;
   if (compiled(Effect::depth_of_field) && lens_radius_ > 0) {
     // A thin lens: all that leaves it for one pixel meets in one point of the plane in focus.
     statistics.drew(Effect::depth_of_field, 2);
     const auto drawn = draws.lens.template draw<T>(static_cast<std::uint32_t>(pixel.sample));
     const Vec2<T> on_lens = lens_radius_ * concentric_disk(drawn);
     const Vec3<T> aside = on_lens.x * lens_right_ + on_lens.y * lens_up_;
-    ray.origin = eye_ + aside;
-    ray.direction = normalize(focus_ * ahead - aside);
+    origin = eye_ + aside;
+    direction = normalize(focus_ * ahead - aside);
   }
   if (compiled(Effect::motion_blur) && moves_) {
     const T share = draw<T>(sampler_, key(pixel, Effect::motion_blur), count());
     statistics.drew(Effect::motion_blur, 1);
-    ray.time = shutter_open_ + share * (shutter_close_ - shutter_open_);
+    time = shutter_open_ + share * (shutter_close_ - shutter_open_);
   }
-  return ray;
+  return {origin, direction, {}, time};
 }
 
 template <class T>
-void RayGenerator<T>::begin(const Pixel& pixel, PixelDraws& draws) const {
+void RayGenerator<T>::draw_ahead(const Pixel& pixel, PixelDraws& draws) const {
   draws.column = pixel.column, draws.row = pixel.row;
-  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1 && draws_)
-    draws.antialiasing = SamplePairs(sampler_, key(pixel, Effect::antialiasing), strata_);
+  draws.first = pixel.sample;
+  draws.end = std::clamp(pixel.until, pixel.sample + 1, pixel.sample + PixelDraws::most);
+  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) {
+    const SamplePairs pairs = draws_ ? SamplePairs(sampler_, key(pixel, Effect::antialiasing), strata_) : SamplePairs();
+    for (int sample = draws.first; sample < draws.end; ++sample) {
+      const Vec2<T> unit = draws_ ? pairs.template draw<T>(static_cast<std::uint32_t>(sample)) : fixed_place(sample);
+      draws.offsets[static_cast<std::size_t>(sample - draws.first)] = {2 * unit.x - 1, 2 * unit.y - 1};
+    }
+  }
   if (compiled(Effect::depth_of_field) && lens_radius_ > 0)
     draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
-}
-
-/// From the pixel's centre, in half pixels, each in [-1, 1).
-template <class T>
-Vec2<T> RayGenerator<T>::offset(const Pixel& pixel, const PixelDraws& draws, Statistics& statistics) const {
-  if (draws_) statistics.drew(Effect::antialiasing, 2);
-  const Vec2<T> unit = draws_ ? draws.antialiasing.template draw<T>(static_cast<std::uint32_t>(pixel.sample))
-                              : fixed_place(pixel.sample);
-  return {2 * unit.x - 1, 2 * unit.y - 1};
 }
 
 /// Where sample `sample` falls when nothing is drawn: the first ones in a k x k grid, what is left over in one row.

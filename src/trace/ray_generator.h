@@ -8,6 +8,7 @@
 #include "trace/statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace raywalk {
 struct Pixel {
   int column = 0, row = 0;
   int sample = 0;
+  int until = 0;  ///< those before that one are asked for next, in turn, and may be drawn with it; 0: it alone
 };
 
 /// How many samples a pixel takes, and which.
@@ -70,10 +72,18 @@ class RayGenerator {
     is_sampled_ = sampling.per_pixel > 1;
   }
 
-  /// What the draws for the samples of a pixel have in common: kept by whoever asks for one after the other.
+  /// What is drawn for the samples of a pixel before they are traced, so that none waits for its numbers: kept by
+  /// whoever asks for one after the other.
   struct PixelDraws {
+    static constexpr int most = 16;
     int column = -1, row = -1;
-    SamplePairs antialiasing, lens;
+    int first = 0, end = 0;             ///< samples
+    std::array<Vec2<T>, most> offsets;  ///< of each, from the pixel's centre, in half pixels, each in [-1, 1)
+    SamplePairs lens;
+
+    [[nodiscard]] bool hold(const Pixel& pixel) const {
+      return pixel.column == column && pixel.row == row && first <= pixel.sample && pixel.sample < end;
+    }
   };
 
   /// The ray of a sample, of unit length. Counts what it draws.
@@ -118,8 +128,7 @@ class RayGenerator {
 
   /// Apart, so that all of it costs one question where the centres of pixels are seen by a pinhole at one time.
   [[nodiscard]] Ray<T> sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraws& draws, Statistics& statistics) const;
-  void begin(const Pixel& pixel, PixelDraws& draws) const;
-  [[nodiscard]] Vec2<T> offset(const Pixel& pixel, const PixelDraws& draws, Statistics& statistics) const;
+  void draw_ahead(const Pixel& pixel, PixelDraws& draws) const;
   [[nodiscard]] Vec2<T> fixed_place(int sample) const;
 
   ImageSize size_;

@@ -143,3 +143,22 @@ TEST_CASE("samples depend on the seed and on nothing else, and are counted") {
   const RayGenerator<double> strip(camera, {9, 1}, {9, 9}, {4, 1}), row(camera, {9, 9}, {9, 9}, {4, 1});
   CHECK(strip.primary_ray({3, 0, 2}, draws).direction == row.primary_ray({3, 4, 2}, draws).direction);
 }
+
+TEST_CASE("samples drawn ahead are those drawn one by one") {
+  Scene scene;
+  scene.camera.aperture = GENERATE(0, 0.25);
+  scene.render.sampler = GENERATE(Sampler::random, Sampler::jittered, Sampler::sobol);
+  const int samples = GENERATE(1, 9, 40);  // 40: more than are drawn at a time
+  const RayGenerator<double> camera(scene, {5, 4}, {5, 4}, {samples, 3});
+  Statistics together, apart;
+  RayGenerator<double>::PixelDraws draws;
+  for (const int column : {1, 2})
+    for (int sample = 0; sample < samples; ++sample) {
+      // Asked for up to the last but one, and then all the same for that one too.
+      const Ray<double> ray = camera.primary_ray({column, 3, sample, samples - 1}, draws, together);
+      const Ray<double> alone = camera.primary_ray({column, 3, sample}, apart);
+      CHECK(ray.origin == alone.origin);
+      CHECK(ray.direction == alone.direction);
+    }
+  CHECK(together.draws == apart.draws);
+}
