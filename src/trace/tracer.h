@@ -86,6 +86,11 @@ class Tracer {
     [[no_unique_address]] Only<Policy::effects.refraction, Medium> medium{};
     [[no_unique_address]] Only<Policy::faulty, Generation> generation{};
   };
+  /// A ray to a light.
+  struct Shadow {
+    Ray ray;
+    int number;  ///< as above
+  };
   using Nearest = std::optional<Hit<T>>;
   /// The hit, made ready for SHADE: place, normal and the weights that "If reflective" and "If transparent" test.
   struct Shading;
@@ -122,7 +127,7 @@ class Tracer {
           const Nearest nearest = find_closest(Line::find_reflect_intersect, depth, *reflect_ray);
           // Shade (DEPTH+1, REFLSHADE)
           const int deeper = call_shade(Line::shade_reflect, depth, *reflect_ray, nearest);
-          reflected = at.reflection * (nearest ? shade(deeper, *reflect_ray, *nearest) : world_.background);
+          reflected = at.reflection() * (nearest ? shade(deeper, *reflect_ray, *nearest) : world_.background);
         }
       }
     }
@@ -135,7 +140,7 @@ class Tracer {
           const Nearest nearest = find_closest(Line::find_refract_intersect, depth, *refract_ray);
           // Shade (DEPTH+1, REFRSHADE)
           const int deeper = call_shade(Line::shade_refract, depth, *refract_ray, nearest);
-          refracted = at.transmission * (nearest ? shade(deeper, *refract_ray, *nearest) : world_.background);
+          refracted = at.transmission() * (nearest ? shade(deeper, *refract_ray, *nearest) : world_.background);
         }
       }
     }
@@ -148,14 +153,14 @@ class Tracer {
 
   void begin(const Pixel& pixel);
   Traced form_primary_ray(const Pixel& pixel);
-  std::optional<Traced> form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample);
+  std::optional<Shadow> form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample);
   std::optional<Traced> form_reflect_ray(int depth, const Shading& at, const Traced& ray);
   std::optional<Traced> form_refract_ray(int depth, const Shading& at, const Traced& ray);
   template <class Draw>
   std::optional<Traced> form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
                                            const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction);
   Nearest find_closest(Line line, int depth, const Traced& ray);
-  Rgb<T> find_intersection(int depth, const Traced& shadow, const Lamp& lamp);
+  Rgb<T> find_intersection(int depth, const Shadow& shadow, const Lamp& lamp);
   void look_between(const Shading& at, const Lamp& lamp);
   [[nodiscard]] static int samples_of(const Lamp& lamp);
   [[nodiscard]] RandomKey light_key(const Traced& ray) const;
@@ -215,4 +220,5 @@ class Tracer {
 }  // namespace raywalk
 
 #include "trace/tracer_draws.h"
+#include "trace/tracer_shading.h"
 #include "trace/tracer_steps.h"

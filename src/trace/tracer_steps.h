@@ -1,5 +1,6 @@
 #pragma once
-// What each statement of trace/tracer.h does. Included by it alone.
+// What each statement of trace/tracer.h does, but for what a hit is made ready with (trace/tracer_shading.h). Included
+// by it alone.
 
 #include "trace/passage.h"
 #include "trace/tracer.h"
@@ -21,8 +22,6 @@ struct Explanation {
   }
   void plane(double numerator, double denominator) { numbers = PlaneNumbers{numerator, denominator}; }
 };
-
-struct Nothing {};
 
 /// Describes a hit for an event.
 template <class T, class AnyRay>
@@ -47,50 +46,6 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRa
 }
 
 }  // namespace detail
-
-template <class Policy>
-struct Tracer<Policy>::Shading {
-  /// As the surface says; a pattern, a medium and refraction change it.
-  Shading(const Hit<T>& hit, const SurfacePoint<T>& point, const Surface& its_surface, bool is_entering)
-      : departure{hit.primitive, hit.part},
-        position(point.position),
-        normal(is_entering || its_surface.fixed_normal ? point.normal : -point.normal),
-        side(is_entering ? point.normal : -point.normal),
-        surface(&its_surface),
-        ambient(its_surface.ambient),
-        diffuse(its_surface.diffuse),
-        reflection(its_surface.reflection),
-        transmission(its_surface.transmission),
-        entering(is_entering) {}
-
-  Departure departure;  ///< of the rays that leave from here
-  Vec3<T> position;
-  Vec3<T> normal;  ///< unit length, on the side the ray came from unless the surface keeps its own
-  Vec3<T> side;    ///< the same where the surface is not smoothed: what lies behind it is behind the surface
-  bool smoothed = false;
-  const Surface* surface;
-  Rgb<T> ambient, diffuse;          ///< with the pattern's colour
-  Rgb<T> reflection, transmission;  ///< kr' and kt'
-  Refraction<T> refraction;         ///< where the surface transmits; else not set
-  bool entering;                    ///< the ray comes from outside
-  Rgb<T> passed{1};                 ///< what the ray's way through an absorbing object leaves
-  [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< places on lights, where drawn
-};
-
-template <class Policy>
-struct Tracer<Policy>::Direct {
-  Rgb<T> sum{0};
-  [[no_unique_address]] std::conditional_t<Observer::watches, std::vector<LightTerm>, detail::Nothing> terms;
-
-  void add(const Lamp& lamp, const Rgb<T>& diffuse, const Rgb<T>& specular) {
-    sum += diffuse + specular;
-    if constexpr (Observer::watches) {
-      if (terms.empty() || terms.back().light != lamp.index) terms.push_back({lamp.index});
-      terms.back().diffuse += Rgbd(diffuse);
-      terms.back().specular += Rgbd(specular);
-    }
-  }
-};
 
 template <class Policy>
 void Tracer<Policy>::begin(const Pixel& pixel) {
@@ -161,62 +116,14 @@ void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& 
 }
 
 template <class Policy>
-inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Shading {
-  const Primitives<T>& primitives = world_.accelerator.primitives();
-  const Surface& surface = world_.surface(hit.primitive);
-  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
-  const bool entering = dot(point.normal, ray.ray.direction) <= 0;  // 0: a tangent ray, which touches from outside
-  Shading at(hit, point, surface, entering);
-  if (const auto smooth = primitives.smooth_normal(hit.primitive, point, ray.ray.time);
-      smooth && !surface.fixed_normal) {
-    at.normal = smooth_normal_towards(ray.ray.direction, at.side, entering ? *smooth : -*smooth);
-    at.smoothed = true;
-  }
-  if constexpr (Policy::effects.penumbra) at.light_pairs = RandomPairs(light_key(ray));
-  if constexpr (Policy::effects.textures) {
-    if (surface.checker) {
-      const bool even =
-          even_square(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time), surface.checker->size);
-      const Rgb<T>& colour = even ? surface.checker->even : surface.checker->odd;
-      at.ambient *= colour;
-      at.diffuse *= colour;
-    }
-    if (surface.picture) {
-      const Rgb<T> colour = surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
-      at.ambient *= colour;
-      at.diffuse *= colour;
-    }
-  }
-  if constexpr (Policy::effects.refraction) {
-    const Surface* through = ray.medium.surface;
-    if (through == nullptr && !entering) through = &surface;
-    if (through != nullptr && through->absorbs) at.passed = left_after(through->absorption, hit.t);
-    if (surface.transmits) {
-      const T n1 = entering ? T(1) : surface.ior, n2 = entering ? surface.ior : T(1);
-      at.refraction = refraction_at(ray.ray.direction, at.normal, n1, n2);
-      const Rgb<T> both = surface.reflection + surface.transmission;
-      if (at.refraction.total()) {
-        at.reflection = both;
-        at.transmission = Rgb<T>(0);
-      } else if (surface.dielectric) {
-        const T reflected = at.refraction.fresnel();
-        at.reflection = reflected * both;
-        at.transmission = (1 - reflected) * both;
-      }
-    }
-  }
-  return at;
-}
-
-template <class Policy>
 inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp,
-                                            int sample) -> std::optional<Traced> {
+                                            int sample) -> std::optional<Shadow> {
   // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
   Vec3<T> to_light = lamp.directional ? lamp.place : light_point(at, ray, lamp, sample) - at.position;
   break_by(Fault::shadow_ray_misaimed, [&] {
     if (!lamp.directional) to_light += at.position;
   });
-  const bool before = dot(at.normal, to_light) > 0 && (!at.smoothed || dot(at.side, to_light) > 0);
+  const bool before = dot(at.normal, to_light) > 0 && (!at.smoothed || dot(at.side(), to_light) > 0);
   const bool faces = before || at.surface->lit_from_behind;
   if (!faces || (lamp.spot && !lamp.shines_along(to_light))) {
     const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
@@ -227,8 +134,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const 
     });
     return std::nullopt;
   }
-  Traced shadow(leaving<Ray>(world_, at.position, at.side, at.departure, to_light, ray.ray.time), RayKind::shadow,
-                ray.share, rays_formed_++);
+  Shadow shadow{leaving<Ray>(world_, at.position, at.side(), at.departure, to_light, ray.ray.time), rays_formed_++};
   break_by(Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
@@ -242,7 +148,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const 
 
 /// The share of the lamp's light that arrives: 0 behind an opaque object.
 template <class Policy>
-inline auto Tracer<Policy>::find_intersection(int depth, const Traced& shadow, const Lamp& lamp) -> Rgb<T> {
+inline auto Tracer<Policy>::find_intersection(int depth, const Shadow& shadow, const Lamp& lamp) -> Rgb<T> {
   const T t_max = lamp.directional ? infinity<T> : T(1);
   const std::optional<Rgb<T>> passed =
       light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, hints_);
@@ -282,23 +188,23 @@ inline void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const T
     const Vec3<T> h = l - ray.ray.direction;
     specular = light * at.surface->specular * power_of_cosine(dot(at.normal, h), dot(h, h), at.surface->shininess);
   }
-  direct.add(lamp, light * at.diffuse * n_l, specular);
+  direct.add(lamp, light * at.diffuse() * n_l, specular);
 }
 
 template <class Policy>
 bool Tracer<Policy>::decide_reflective(int depth, const Shading& at) {
-  const bool holds = !is_black(at.reflection);
-  note(Line::if_reflective, depth, [&] { return Decided{holds, Rgbd(at.reflection)}; });
+  const bool holds = !is_black(at.reflection());
+  note(Line::if_reflective, depth, [&] { return Decided{holds, Rgbd(at.reflection())}; });
   return holds;
 }
 
 template <class Policy>
 bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
-  const bool holds = !is_black(at.transmission);
+  const bool holds = !is_black(at.transmission());
   const bool total = at.surface->transmits && at.refraction.total();
   if (total) ++statistics_.ends(Ending::total_internal_reflection);
   note(Line::if_transparent, depth, [&] {
-    return Decided{holds, Rgbd(at.transmission),
+    return Decided{holds, Rgbd(at.transmission()),
                    total ? std::optional(Ending::total_internal_reflection) : std::nullopt};
   });
   return holds;
@@ -311,8 +217,8 @@ auto Tracer<Policy>::form_reflect_ray(int depth, const Shading& at, const Traced
     const Vec3<T>& incident = ray.ray.direction;
     direction = normalize(incident + 2 * dot(incident, at.normal) * at.normal);
   });
-  return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection,
-                            [&] { return spread(ray, direction, at.surface->gloss, at.side, Effect::gloss); });
+  return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection(),
+                            [&] { return spread(ray, direction, at.surface->gloss, at.side(), Effect::gloss); });
 }
 
 template <class Policy>
@@ -327,13 +233,13 @@ auto Tracer<Policy>::form_refract_ray(int depth, const Shading& seen, const Trac
   }
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
   Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
-  if (at.smoothed && !(dot(direction, at.side) < 0))  // a smoothed normal would send it back out
-    direction = renormalize(refract(ray.ray.direction, at.side,
-                                    refraction_at(ray.ray.direction, at.side, at.refraction.n1, at.refraction.n2))
+  if (at.smoothed && !(dot(direction, at.side()) < 0))  // a smoothed normal would send it back out
+    direction = renormalize(refract(ray.ray.direction, at.side(),
+                                    refraction_at(ray.ray.direction, at.side(), at.refraction.n1, at.refraction.n2))
                                 .value_or(ray.ray.direction));
-  return form_secondary_ray(Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission, [&] {
-    return spread(ray, direction, at.surface->translucency, -at.side, Effect::translucency);
-  });
+  return form_secondary_ray(
+      Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission(),
+      [&] { return spread(ray, direction, at.surface->translucency, -at.side(), Effect::translucency); });
 }
 
 /// Both limits are tested before the ray is formed, and before anything is drawn for it: `sharp` is the middle of its
@@ -343,7 +249,7 @@ template <class Draw>
 inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent,
                                                RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
                                                Draw draw_direction) -> std::optional<Traced> {
-  const Rgb<T> share = parent.share * at.passed * weight;
+  const Rgb<T> share = (at.passed ? parent.share * *at.passed : parent.share) * weight;
   const bool too_deep = depth + 1 > world_.depth || runs_away(parent);
   if (too_deep || max_component(share) < world_.threshold) {
     const Ending why = too_deep ? Ending::depth : Ending::threshold;
@@ -353,7 +259,7 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
     return std::nullopt;
   }
   const Vec3<T> direction = draw_direction();
-  Traced formed(leaving<Ray>(world_, at.position, at.side, at.departure, direction, parent.ray.time), kind, share,
+  Traced formed(leaving<Ray>(world_, at.position, at.side(), at.departure, direction, parent.ray.time), kind, share,
                 rays_formed_++);
   break_by(Fault::epsilon_wrong_side, [&] {
     if (kind == RayKind::reflect) formed.ray.origin = at.position - (formed.ray.origin - at.position);
@@ -378,14 +284,14 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
 template <class Policy>
 auto Tracer<Policy>::compute_rtnshade(int depth, const Shading& at, const Direct& direct, const Rgb<T>& reflected,
                                       const Rgb<T>& refracted) -> Rgb<T> {
-  const Rgb<T> ambient = at.ambient * world_.ambient;
+  const Rgb<T> ambient = at.ambient() * world_.ambient;
   Rgb<T> total = ambient + at.surface->emission + direct.sum + reflected + refracted;
-  if constexpr (Policy::effects.refraction) total *= at.passed;
+  if (Policy::effects.refraction && at.passed) total *= *at.passed;
   if constexpr (Observer::watches)
     note(Line::compute_rtnshade, depth, [&] {
       return ShadeComputed{
-          Rgbd(ambient),  Rgbd(at.surface->emission), direct.terms, Rgbd(reflected), Rgbd(refracted), Rgbd(total),
-          Rgbd(at.passed)};
+          Rgbd(ambient), Rgbd(at.surface->emission),         direct.terms, Rgbd(reflected), Rgbd(refracted),
+          Rgbd(total),   Rgbd(at.passed.value_or(Rgb<T>(1)))};
     });
   return total;
 }
