@@ -83,7 +83,7 @@ class Accelerator {
  private:
   struct Structure;
   template <class AnyRay, class Query>
-  bool found(Query& query, const AnyRay& ray, TestCounts& counts, const ShadowHints& hints) const;
+  bool found(Query& query, const AnyRay& ray, const ShadowHints& hints) const;
   template <class AnyRay, class Query>
   void search(const AnyRay& ray, Query& query) const;
   template <class AnyRay, class Query>

@@ -1,6 +1,6 @@
 #pragma once
-// Four boxes at a time, in float for rays of either precision: rounded outwards, boxes let through a few rays too many
-// and none too few.
+// Four boxes at a time, in float for rays of either precision: widened by what rounding may do, boxes let through a few
+// rays too many and none too few.
 
 #include "accel/query.h"
 #include "math/lanes.h"
@@ -9,12 +9,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <type_traits>
 
 namespace raywalk {
 
-/// Four boxes, those that are not there empty.
+/// Four boxes, those that are not there empty. Each plane lies farther out than the box's own by a millionth of where
+/// it lies, see LaneRay.
 struct BoxLanes {
   /// The least x, y and z of all four, then the greatest.
   std::array<Lanes, 6> planes{all_lanes(infinity<float>),  all_lanes(infinity<float>),  all_lanes(infinity<float>),
@@ -28,18 +29,23 @@ struct BoxLanes {
       planes[plane + 3][lane] = at_least(static_cast<double>(box.max[axis]));
     }
   }
+  /// One of the planes, so many bytes from the first.
+  [[nodiscard]] const Lanes& plane_at(std::size_t offset) const {
+    return *reinterpret_cast<const Lanes*>(reinterpret_cast<const char*>(planes.data()) + offset);
+  }
   [[nodiscard]] Bounds<float> box(std::size_t lane) const {
     return {{planes[0][lane], planes[1][lane], planes[2][lane]}, {planes[3][lane], planes[4][lane], planes[5][lane]}};
   }
 
  private:
-  /// The least float not below x.
+  /// A float above x by at least 7 ulps of float.
   static float at_least(double x) {
     constexpr float most = std::numeric_limits<float>::max();
-    if (x > static_cast<double>(most)) return infinity<float>;
-    if (x < -static_cast<double>(most)) return -most;
-    const float rounded = static_cast<float>(x);
-    return static_cast<double>(rounded) < x ? std::nextafter(rounded, infinity<float>) : rounded;
+    const double wider = x + 8 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(x);
+    if (wider > static_cast<double>(most)) return infinity<float>;
+    if (wider < -static_cast<double>(most)) return -most;
+    const float rounded = static_cast<float>(wider);
+    return static_cast<double>(rounded) < wider ? std::nextafter(rounded, infinity<float>) : rounded;
   }
 };
 
@@ -64,25 +70,23 @@ struct LaneReach {
 template <class T>
 class LaneRay {
  public:
-  /// With `mapped`, as SlabRay.
-  LaneRay(const Ray<T>& ray, bool mapped) {
+  explicit LaneRay(const Ray<T>& ray) {
     constexpr float epsilon = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::min();
     const Lanes origin{static_cast<float>(ray.origin.x), static_cast<float>(ray.origin.y),
                        static_cast<float>(ray.origin.z), 0};
     const Lanes slope{static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y),
                       static_cast<float>(ray.direction.z), 1};
-    const Lanes size = absolute(origin), steep = absolute(slope), inverse = all_lanes(1) / slope;
+    const Lanes size = absolute(origin), inverse = all_lanes(1) / slope;
     constexpr unsigned all = 15;
-    held_ = bits_of((size < all_lanes(1e18F)) & (steep < all_lanes(1e18F)) & (steep > all_lanes(1e-18F))) == all ||
-            holds(ray);
-    // The origin is rounded to float, or into a primitive's space: boxes are taken for so much larger.
-    const bool exact = std::is_same_v<T, float> && !mapped;
-    const Lanes slack = all_lanes(exact ? 0 : 16 * epsilon * (size[0] + size[1] + size[2]) + least);
+    held_ = bits_of(size + absolute(slope) + absolute(inverse) < all_lanes(most)) == all || holds(ray);
+    // Either end of a slab errs by four roundings at most: of the slope, its inverse, the difference and the product,
+    // in all by 2 epsilon of the plane's place and of the origin's. The boxes are wider by 8 of the former; the origin,
+    // itself rounded to float or into a primitive's space, is moved out by 16 of the latter. What falls below the least
+    // normal float is rounded in its order, and so keeps it.
+    const Lanes slack = all_lanes(16 * epsilon * (size[0] + size[1] + size[2]) + least);
     const Lanes away = with_signs_of(slope, slack), from_in = origin + away, from_out = origin - away;
-    const unsigned negative = bits_of(reinterpret_cast<LaneMask>(slope));
+    sides_ = &all_sides[bits_of(reinterpret_cast<LaneMask>(slope))];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      near_[axis] = axis + 3 * (negative >> axis & 1U);
-      far_[axis] = 2 * axis + 3 - near_[axis];
       from_in_[axis] = all_lanes(from_in[axis]);
       from_out_[axis] = all_lanes(from_out[axis]);
       inverse_[axis] = all_lanes(inverse[axis]);
@@ -97,28 +101,42 @@ class LaneRay {
   [[nodiscard]] LanesMet meet(const BoxLanes& boxes, LaneReach<T> reach) const {
     Lanes in = all_lanes(0), out = reach.lanes;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      in = max((boxes.planes[near_[axis]] - from_in_[axis]) * inverse_[axis], in);
-      out = min((boxes.planes[far_[axis]] - from_out_[axis]) * inverse_[axis], out);
+      in = max((boxes.plane_at(sides_->near[axis]) - from_in_[axis]) * inverse_[axis], in);
+      out = min((boxes.plane_at(sides_->far[axis]) - from_out_[axis]) * inverse_[axis], out);
     }
-    // Either end of a slab errs by four roundings at most: of the slope, its inverse, the difference and the product.
-    // Below the least normal float a rounding may be as large as the number.
-    constexpr float pad = 1 + 8 * std::numeric_limits<float>::epsilon(), grain = 16 * std::numeric_limits<float>::min();
-    constexpr Lanes pads{pad, pad, pad, pad}, grains{grain, grain, grain, grain};
-    return {in, bits_of(in <= out * pads + grains)};
+    return {in, bits_of(in <= out)};
   }
 
  private:
+  /// Where the planes through which a ray enters and leaves a box begin in BoxLanes, in bytes, by axis.
+  struct Sides {
+    std::array<std::uint32_t, 3> near, far;
+  };
+  /// By the signs of the ray's slope, a bit for each axis.
+  static constexpr std::array<Sides, 8> all_sides = [] {
+    std::array<Sides, 8> all{};
+    for (std::uint32_t negative = 0; negative < all.size(); ++negative)
+      for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t least = axis * sizeof(Lanes), greatest = (axis + 3) * sizeof(Lanes);
+        const bool turned = (negative >> axis & 1) != 0;
+        all[negative].near[axis] = turned ? greatest : least;
+        all[negative].far[axis] = turned ? least : greatest;
+      }
+    return all;
+  }();
+
+  static constexpr float most = 1e18F;  ///< the largest origin and slope, and the inverse of the least slope
+
   static bool holds(const Ray<T>& ray) {
     for (int axis = 0; axis < 3; ++axis) {
       const T slope = std::abs(ray.direction[axis]);
-      if (!(std::abs(ray.origin[axis]) < T(1e18) && (slope == 0 || (slope > T(1e-18) && slope < T(1e18)))))
-        return false;
+      if (!(std::abs(ray.origin[axis]) < most && (slope == 0 || (slope > 1 / most && slope < most)))) return false;
     }
     return true;
   }
 
   bool held_;
-  std::array<std::size_t, 3> near_, far_;
+  const Sides* sides_;
   std::array<Lanes, 3> from_in_, from_out_, inverse_;
 };
 

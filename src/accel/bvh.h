@@ -33,13 +33,13 @@ class Bvh {
   }
 
   template <class Query>
-  void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+  [[gnu::flatten]] void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
-    const LaneRay<T> lanes(ray, primitives.maps_rays());
+    const LaneRay<T> lanes(ray);
     if (lanes.held())
       search(lanes, primitives, query);
     else
-      search(WideLaneRay<T, SlabRay<T>>(slabs_of(ray, primitives)), primitives, query);
+      search_wide(ray, primitives, query);
   }
   template <class Query>
   void search(const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
@@ -83,6 +83,13 @@ class Bvh {
     int first = 0, count = 0;
     [[nodiscard]] bool leaf() const { return count > 0; }
   };
+
+  /// Apart: few rays are more than float can hold.
+  template <class Query>
+  [[gnu::noinline, gnu::cold]] void search_wide(const Ray<T>& ray, const Primitives<T>& primitives,
+                                                Query& query) const {
+    search(WideLaneRay<T, SlabRay<T>>(slabs_of(ray, primitives)), primitives, query);
+  }
 
   template <class AnyLaneRay, class Query>
   [[gnu::flatten]] void search(const AnyLaneRay& ray, const Primitives<T>& primitives, Query& query) const {

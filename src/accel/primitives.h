@@ -25,8 +25,9 @@ class Primitives {
 
   /// Shapes are added before meshes, whose triangles have the ids that follow.
   void add(Shape<T> shape) {
+    const auto* plane = std::get_if<Plane<T>>(&shape);
     plain_.push_back(std::holds_alternative<Sphere<T>>(shape)    ? Plain::sphere
-                     : std::holds_alternative<Plane<T>>(shape)   ? Plain::plane
+                     : plane != nullptr                          ? (is_level(*plane) ? Plain::level : Plain::plane)
                      : std::holds_alternative<Polygon<T>>(shape) ? Plain::polygon
                                                                  : Plain::bare);
     if (const auto* polygon = std::get_if<Polygon<T>>(&shape)) {
@@ -67,14 +68,12 @@ class Primitives {
   /// A sphere, plane or polygon, S, that stands in the world as it is, neither mapped nor moving; null for all else.
   template <class S>
   [[nodiscard]] const S* plain(int id) const {
-    constexpr Plain wanted = std::is_same_v<S, Sphere<T>>  ? Plain::sphere
-                             : std::is_same_v<S, Plane<T>> ? Plain::plane
-                                                           : Plain::polygon;
-    static_assert(wanted != Plain::polygon || std::is_same_v<S, Polygon<T>>);
-    if (id >= shape_count() || plain_[static_cast<std::size_t>(id)] != wanted) return nullptr;
-    const S* shape = std::get_if<S>(&own(id));
-    if (shape == nullptr) __builtin_unreachable();
-    return shape;
+    if constexpr (std::is_same_v<S, Sphere<T>>) return plain<S>(id, Plain::sphere);
+    if constexpr (std::is_same_v<S, Polygon<T>>) return plain<S>(id, Plain::polygon);
+    if constexpr (std::is_same_v<S, Plane<T>>) {
+      const S* level = plain<S>(id, Plain::level);
+      return level != nullptr ? level : plain<S>(id, Plain::plane);
+    }
   }
 
   /// The lowest id of a primitive that equals this one in shape, place and motion. All of them are one surface: the
@@ -89,17 +88,23 @@ class Primitives {
   /// what triangles need of it may have been computed already: `sheared`, where no triangle moves.
   template <class Explain = NoExplanation>
   [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const Ray<T>& ray, T t_max, Explain&& explain = {},
-                                                     const ShearedRay<T>* sheared = nullptr) const {
+                                                     const std::optional<ShearedRay<T>>& sheared = {}) const {
     // The primitives that scenes are full of are tested in place.
     if (const auto* sphere = plain<Sphere<T>>(id))
       return raywalk::intersect(*sphere, ray, t_max, departed_part(ray, id), explain);
+    if (const auto* floor = plain<Plane<T>>(id, Plain::level))
+      return raywalk::intersect_level(*floor, ray, t_max, departed_part(ray, id), explain);
     if (const auto* plane = plain<Plane<T>>(id))
       return raywalk::intersect(*plane, ray, t_max, departed_part(ray, id), explain);
-    if (const auto* polygon = plain<Polygon<T>>(id))
-      return raywalk::intersect(*polygon, area_vector(id), ray, t_max, departed_part(ray, id), explain);
+    if (const auto* polygon = plain<Polygon<T>>(id)) {
+      const int departed = departed_part(ray, id);
+      // It is flat: what leaves it never meets it again.
+      if (!std::decay_t<Explain>::wanted && departed != no_part) return std::nullopt;
+      return raywalk::intersect(*polygon, area_vector(id), ray, t_max, departed, explain);
+    }
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
-    if (sheared != nullptr && id >= shape_count())
+    if (sheared && id >= shape_count())
       return unless_left(id, ray,
                          triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain));
     return intersect_any(id, ray, t_max, explain);
@@ -107,7 +112,7 @@ class Primitives {
   /// As books print it (shape/naive.h).
   template <class Explain = NoExplanation>
   [[nodiscard]] std::optional<Crossing<T>> intersect(int id, const NaiveRay<T>& ray, T t_max, Explain&& explain = {},
-                                                     const ShearedRay<T>* /*sheared*/ = nullptr) const {
+                                                     const std::optional<ShearedRay<T>>& /*sheared*/ = {}) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::intersect(*sphere, ray, t_max, no_part, explain);
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::intersect(*plane, ray, t_max, no_part, explain);
     const Motion* motion = motion_of(id);
@@ -125,6 +130,7 @@ class Primitives {
   }
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::surface_at(*sphere, ray, crossing);
+    if (const auto* floor = plain<Plane<T>>(id, Plain::level)) return raywalk::surface_at_level(*floor, ray, crossing);
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::surface_at(*plane, ray, crossing);
     if (const auto* polygon = plain<Polygon<T>>(id))
       return raywalk::surface_at(*polygon, area_vector(id), ray, crossing);
@@ -154,9 +160,9 @@ class Primitives {
   [[nodiscard]] bool maps_rays() const { return !places_.empty() || !motions_.empty(); }
 
  private:
-  /// Shapes that stand in the world as they are, at rest: spheres, planes, polygons and others. Those under a map, and
-  /// those that move, mapped or not.
-  enum class Plain : std::uint8_t { sphere, plane, polygon, bare, placed, moving };
+  /// Shapes that stand in the world as they are, at rest: spheres, level and other planes, polygons and all others.
+  /// Those under a map, and those that move, mapped or not.
+  enum class Plain : std::uint8_t { sphere, level, plane, polygon, bare, placed, moving };
   static constexpr std::int32_t none = -1;
 #ifdef RAYWALK_WITHOUT_MOTION  // set only by the benchmark that measures what motion costs where nothing moves
   static constexpr bool moves_compiled = false;
@@ -164,6 +170,13 @@ class Primitives {
   static constexpr bool moves_compiled = true;
 #endif
   [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
+  template <class S>
+  [[nodiscard]] const S* plain(int id, Plain kind) const {
+    if (id >= shape_count() || plain_[static_cast<std::size_t>(id)] != kind) return nullptr;
+    const S* shape = std::get_if<S>(&own(id));
+    if (shape == nullptr) __builtin_unreachable();
+    return shape;
+  }
   [[nodiscard]] const Vec3<T>& area_vector(int id) const { return area_vectors_[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const Motion* motion_of(int id) const {
     const bool may =

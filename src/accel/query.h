@@ -54,30 +54,30 @@ struct StopsShadows {
   bool operator()(int primitive) const { return roles[static_cast<std::size_t>(primitive)] == ShadowRole::stops; }
 };
 
-/// What a search asks of each primitive, and what it has cost. `AnyRay` is a Ray or a NaiveRay.
+/// What a search asks of each primitive; what it costs is added to `counts`. `AnyRay` is a Ray or a NaiveRay.
 template <class T, class Accept, class AnyRay>
 class Query {
  public:
-  Query(const Primitives<T>& primitives, const AnyRay& ray, T t_max, Accept accept)
-      : ray_(ray), t_max_(t_max), accept_(accept) {
+  Query(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
+      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {
     constexpr bool naive = std::is_same_v<AnyRay, NaiveRay<T>>;
     if (!naive && primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
   }
   void enter_node() { ++counts_.nodes; }
-  [[nodiscard]] const TestCounts& counts() const { return counts_; }
+  [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< those of searches before, too
 
  protected:
   std::optional<Crossing<T>> cross(const Primitives<T>& primitives, int id) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     // The full reach, not the nearest t so far: a tie must be seen to be decided.
-    return primitives.intersect(id, ray_, t_max_, counts_, sheared_ ? &*sheared_ : nullptr);
+    return primitives.intersect(id, ray_, t_max_, counts_, sheared_);
   }
 
   const AnyRay& ray_;
   std::optional<ShearedRay<T>> sheared_;
   T t_max_;
-  TestCounts counts_;
+  TestCounts& counts_;
   Accept accept_;
 };
 
@@ -86,8 +86,8 @@ template <class T, class Accept, class AnyRay>
 class ClosestQuery : public Query<T, Accept, AnyRay> {
  public:
   static constexpr bool shortens = true;  ///< the reach, with each crossing found
-  ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, Accept accept)
-      : Query<T, Accept, AnyRay>(primitives, ray, t_max, accept), reach_(t_max) {}
+  ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
+      : Query<T, Accept, AnyRay>(primitives, ray, t_max, counts, accept), reach_(t_max) {}
 
   /// Tests one primitive; true when the search is over.
   bool test(const Primitives<T>& primitives, int id) {
@@ -117,8 +117,8 @@ template <class T, class AnyRay>
 class AnyQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  AnyQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max)
-      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, {}) {}
+  AnyQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts)
+      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}) {}
 
   bool test(const Primitives<T>& primitives, int id) {
     if (this->cross(primitives, id)) found_ = id;
@@ -138,9 +138,9 @@ template <class T, class AnyRay>
 class ShadowQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  ShadowQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, const std::vector<ShadowRole>& roles,
-              std::vector<int>& filters)
-      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, {}), roles_(roles), filters_(filters) {}
+  ShadowQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts,
+              const std::vector<ShadowRole>& roles, std::vector<int>& filters)
+      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}), roles_(roles), filters_(filters) {}
 
   bool test(const Primitives<T>& primitives, int id) {
     const ShadowRole role = roles_[static_cast<std::size_t>(id)];

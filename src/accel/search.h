@@ -68,15 +68,14 @@ template <class AnyRay, class Query>
 template <class T>
 template <class AnyRay, class Accept>
 std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept) const {
-  ClosestQuery<T, Accept, AnyRay> query(primitives_, ray, t_max, accept);
+  ClosestQuery<T, Accept, AnyRay> query(primitives_, ray, t_max, counts, accept);
   search(ray, query);
-  counts += query.counts();
   return query.nearest();
 }
 
 template <class T>
 template <class AnyRay, class Query>
-inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& counts, const ShadowHints& hints) const {
+inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, const ShadowHints& hints) const {
   const auto seek = [&] {
     if (hints.among == nullptr) return search(ray, query);
     for (const int id : *hints.among)
@@ -84,15 +83,14 @@ inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, TestCounts& c
   };
   if (hints.last == nullptr || *hints.last < 0 || !query.test(primitives_, *hints.last)) seek();
   if (hints.last != nullptr) *hints.last = query.found_id();
-  counts += query.counts();
   return query.found();
 }
 
 template <class T>
 template <class AnyRay>
 bool Accelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints) const {
-  AnyQuery<T, AnyRay> query(primitives_, ray, t_max);
-  return found(query, ray, counts, hints);
+  AnyQuery<T, AnyRay> query(primitives_, ray, t_max, counts);
+  return found(query, ray, hints);
 }
 
 template <class T>
@@ -100,8 +98,8 @@ template <class AnyRay>
 bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
                               std::vector<int>& filters, const ShadowHints& hints) const {
   filters.clear();
-  ShadowQuery<T, AnyRay> query(primitives_, ray, t_max, roles, filters);
-  const bool stopped = found(query, ray, counts, hints);
+  ShadowQuery<T, AnyRay> query(primitives_, ray, t_max, counts, roles, filters);
+  const bool stopped = found(query, ray, hints);
   if (filters.size() > 1) {
     std::sort(filters.begin(), filters.end());
     filters.erase(std::unique(filters.begin(), filters.end()), filters.end());

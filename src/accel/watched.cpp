@@ -61,10 +61,9 @@ template <class AnyRay>
 std::optional<Hit<T>> WatchedAccelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts,
                                                      SearchRecord& record) const {
   using Query = ClosestQuery<T, AnyPrimitive, AnyRay>;
-  WatchedQuery<T, Query> query(record, primitives_, ray, t_max, AnyPrimitive{});
+  WatchedQuery<T, Query> query(record, primitives_, ray, t_max, counts, AnyPrimitive{});
   search(ray, query);
   record.ended(SearchEnd::all_seen);
-  counts += query.counts();
   return query.nearest();
 }
 
@@ -75,15 +74,14 @@ bool WatchedAccelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, 
   const auto watch = [&](auto& query) {
     search(ray, query);
     record.ended(query.found() ? SearchEnd::blocked : SearchEnd::all_seen);
-    counts += query.counts();
     return query.found();
   };
   if (roles.empty()) {
-    WatchedQuery<T, AnyQuery<T, AnyRay>> query(record, primitives_, ray, t_max);
+    WatchedQuery<T, AnyQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts);
     return watch(query);
   }
   std::vector<int> filters;
-  WatchedQuery<T, ShadowQuery<T, AnyRay>> query(record, primitives_, ray, t_max, roles, filters);
+  WatchedQuery<T, ShadowQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts, roles, filters);
   query.set_roles(roles);
   return watch(query);
 }

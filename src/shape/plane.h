@@ -17,11 +17,42 @@ struct Plane {
 namespace detail {
 
 template <class T>
+[[nodiscard]] std::optional<Crossing<T>> crossing_ahead(double quotient, T t_max) {
+  const T t = static_cast<T>(quotient);
+  if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: none
+  return Crossing<T>{t};
+}
+
+template <class T>
 [[nodiscard, gnu::noinline, gnu::cold]] PlaneMeeting meet_exactly(const Plane<T>& plane, const Ray<T>& ray) {
   return meet_plane_exactly(wide(plane.normal), wide(plane.point), wide(ray.origin), wide(ray.direction));
 }
 
 }  // namespace detail
+
+/// Whether all of it lies at the height of `point`.
+template <class T>
+[[nodiscard]] bool is_level(const Plane<T>& plane) {
+  return plane.normal.x == 0 && plane.normal.y == 0;
+}
+
+/// `intersect` for a level plane, the floor of most scenes: how far it lies above over how fast the ray climbs, both of
+/// which have the right sign.
+template <class T, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Crossing<T>> intersect_level(const Plane<T>& plane, const Ray<T>& ray, T t_max,
+                                                         int departed_part = no_part, Explain&& explain = {}) {
+  constexpr bool explained = std::decay_t<Explain>::wanted;
+  if (!explained && departed_part != no_part) return std::nullopt;
+  const double above = static_cast<double>(plane.point.z) - static_cast<double>(ray.origin.z);
+  const double climb = static_cast<double>(ray.direction.z);
+  if constexpr (explained) {
+    const double up = static_cast<double>(plane.normal.z);
+    explain.plane(up * above, up * climb);
+    if (departed_part != no_part) return std::nullopt;
+  }
+  if ((above > 0) != (climb > 0)) return std::nullopt;  // one behind is told without the division
+  return detail::crossing_ahead(above / climb, t_max);
+}
 
 /// t in (0, t_max) at which the ray crosses the plane, in double even for float rays. A ray in or along the plane
 /// crosses it nowhere, and one that departs from it never meets it again. Which side the origin is on and where the ray
@@ -29,17 +60,12 @@ template <class T>
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Crossing<T>> intersect(const Plane<T>& plane, const Ray<T>& ray, T t_max,
                                                    int departed_part = no_part, Explain&& explain = {}) {
+  if (is_level(plane)) return intersect_level(plane, ray, t_max, departed_part, explain);
   // Before it costs anything: a ray that leaves is as near to the plane as can be.
   constexpr bool explained = std::decay_t<Explain>::wanted;
   if (!explained && departed_part != no_part) return std::nullopt;
   const Vec3d normal = wide(plane.normal), point = wide(plane.point), o = wide(ray.origin), d = wide(ray.direction);
-  RoundedSum numerator, denominator;
-  if (normal.x == 0 && normal.y == 0) {
-    // A floor: one product each, whose sign is right.
-    numerator = {normal.z * (point.z - o.z), 0}, denominator = {normal.z * d.z, 0};
-  } else {
-    numerator = estimate_dot_of_difference(normal, point, o), denominator = estimate_dot(normal, d);
-  }
+  RoundedSum numerator = estimate_dot_of_difference(normal, point, o), denominator = estimate_dot(normal, d);
   double quotient = 0;
   if (numerator.certain() && denominator.certain()) {
     // One behind is told without the division.
@@ -51,13 +77,18 @@ template <class T, class Explain = NoExplanation>
   }
   if constexpr (explained) explain.plane(numerator.value, denominator.value);
   if (explained && departed_part != no_part) return std::nullopt;
-  const T t = static_cast<T>(quotient);
-  if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: none
-  return Crossing<T>{t};
+  return detail::crossing_ahead(quotient, t_max);
+}
+
+template <class T>
+[[nodiscard]] SurfacePoint<T> surface_at_level(const Plane<T>& plane, const Ray<T>& ray, Crossing<T> crossing) {
+  const Vec3<T> computed = ray.at(crossing.t);
+  return {{computed.x, computed.y, plane.point.z}, {0, 0, std::copysign(T(1), plane.normal.z)}};
 }
 
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray, Crossing<T> crossing) {
+  if (is_level(plane)) return surface_at_level(plane, ray, crossing);
   const T square = dot(plane.normal, plane.normal);
   const Vec3<T> normal = square == 1 ? plane.normal : plane.normal / std::sqrt(square);  // most are given as units
   const Vec3<T> position = ray.at(crossing.t);

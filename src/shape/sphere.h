@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raywalk {
 
@@ -164,6 +165,14 @@ SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Crossing<
   // The computed point is pulled back onto the sphere along the normal; on the plan it stays on the plan. It is formed
   // as seen from the centre: far from the origin of the scene, the point itself has too few digits for a normal.
   const Vec3<T> offset = (ray.origin - sphere.centre) + crossing.t * ray.direction;
+  // Its length is the radius but for rounding: mostly by so little that one step of Newton's method brings it to 1, and
+  // nothing waits for a root.
+  constexpr T little = T(1) / (1 << (std::numeric_limits<T>::digits / 2 + 1));
+  const Vec3<T> nearly_unit = offset * (1 / sphere.radius);
+  if (std::abs(dot(nearly_unit, nearly_unit) - 1) < little) {
+    const Vec3<T> normal = renormalize(nearly_unit);
+    return {sphere.centre + sphere.radius * normal, normal};
+  }
   const T distance = length(offset);
   // A sphere smaller than the last digit of t is met in its centre: the side that faces the ray is as good as any.
   const Vec3<T> normal = distance > 0 ? offset / distance : -normalize(ray.direction);

@@ -142,6 +142,28 @@ TEMPLATE_TEST_CASE("accelerators answer as brute force does", "[accel]", float, 
   }
 }
 
+TEMPLATE_TEST_CASE("the hierarchy, whose boxes are in float, misses nothing at any scale", "[accel]", float, double) {
+  using T = TestType;
+  int hits = 0;
+  for (int exponent = -140; exponent <= 120; exponent += 5) {
+    Random<T> random;
+    const T scale = std::ldexp(T(1), exponent);
+    Primitives<T> all;
+    for (int i = 0; i < 100; ++i) all.add(Sphere<T>{scale * random.point(), scale * random(T(0.01), T(0.2))});
+    const Accelerator<T> list(all, AcceleratorKind::none), hierarchy(all, AcceleratorKind::bvh);
+    TestCounts counts;
+    for (int i = 0; i < rounds(400); ++i) {
+      Ray<T> ray{scale * random.point(2), std::ldexp(T(1), 20 * (i % 5 - 2)) * random.point()};
+      if (i % 3 == 0) ray.origin[i / 3 % 3] = 0;
+      const auto expected = list.closest(ray, infinity<T>, counts);
+      hits += expected.has_value();
+      if (!same(expected, hierarchy.closest(ray, infinity<T>, counts)))
+        FAIL("at 2^" << exponent << ", slope 2^" << 20 * (i % 5 - 2));
+    }
+  }
+  CHECK(hits > rounds(400));
+}
+
 TEMPLATE_TEST_CASE("accelerators hold nothing, one thing, and a thousand in one place", "[accel]", float, double) {
   using T = TestType;
   TestCounts counts;

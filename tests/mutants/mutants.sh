@@ -32,6 +32,7 @@ mutant sphere_behind_is_before Sphere shape/sphere.h 'b > 0 && c > detail::spher
 mutant sphere_departure_forgotten Sphere shape/sphere.h 'if (departed_part != no_part) {' 'if (false) {'
 
 # --- Plane, disk, polygon ---------------------------------------------------------------------------------------------
+mutant plane_level_behind_is_before Plane shape/plane.h '(above > 0) != (climb > 0)' '(above > 0) == (climb > 0)'
 mutant plane_behind_is_before Plane shape/plane.h 'if (!(t > 0 && t < t_max))' 'if (!(t < t_max))'
 mutant disk_rim_excluded Disk shape/disk.h '(square - reach * reach).sign() <= 0' '(square - reach * reach).sign() < 0'
 mutant disk_rim_without_bound Disk shape/disk.h 'std::abs(square - radius * radius) > doubt' \
@@ -108,11 +109,10 @@ mutant bvh_too_early accel accel/bvh.h 'beyond(waiting[count].in, query.reach())
 mutant lanes_shrunk accel accel/box_lanes.h '-at_least(-static_cast<double>(box.min[axis]))' \
   'at_least(box.min[axis] + 1e-5 * std::abs(static_cast<double>(box.min[axis])))'
 mutant lanes_origin_without_slack accel accel/box_lanes.h '16 * epsilon * (size[0] + size[1] + size[2]) + least' '0 * epsilon * least'
-mutant lanes_without_pad accel accel/box_lanes.h 'pad = 1 + 8 * std::numeric_limits<float>::epsilon(), grain' \
-  'pad = 1 - 1000 * std::numeric_limits<float>::epsilon(), grain'
+mutant lanes_boxes_not_widened accel accel/box_lanes.h 'x + 8 * static_cast<double>' 'x - 1000 * static_cast<double>'
 mutant lanes_sign_of_zero_ignored accel accel/box_lanes.h 'bits_of(reinterpret_cast<LaneMask>(slope))' \
   'bits_of(slope < all_lanes(0))'
-mutant lanes_beyond_floats_range accel accel/box_lanes.h 'slope == 0 || (slope > T(1e-18) && slope < T(1e18))' 'true'
+mutant lanes_beyond_floats_range accel accel/box_lanes.h 'slope == 0 || (slope > 1 / most && slope < most)' 'true'
 mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \
   'leave[0] >= leave[1] ? (leave[0] <= leave[2]'
 
