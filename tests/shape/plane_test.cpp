@@ -1,5 +1,6 @@
 #include "shape/plane.h"
 
+#include "shape/meet.h"
 #include "shape/numbers.h"
 #include "support/catch.h"
 
@@ -7,11 +8,6 @@ using namespace raywalk;
 using namespace raywalk::test;
 
 namespace {
-
-template <class T>
-std::optional<Crossing<T>> meet(const Plane<T>& plane, const Ray<T>& ray) {
-  return intersect(plane, ray, infinity<T>);
-}
 
 struct Explanation {
   static constexpr bool wanted = true;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "shape/meet.h"
 #include "shape/numbers.h"
 #include "shape/prism.h"
 
@@ -103,11 +104,6 @@ Answer face_by_face(const Prism<T>& prism, const Ray<T>& ray, int departed_part 
     offer(t, part, contains(prism, p) ? distance : -distance);
   }
   return answer;
-}
-
-template <class T>
-std::optional<Crossing<T>> meet(const Prism<T>& prism, const Ray<T>& ray, int departed_part = no_part) {
-  return intersect(prism, ray, infinity<T>, departed_part);
 }
 
 // A point well inside the solid.

@@ -1,20 +1,12 @@
 // Points of a sphere's surface: where they lie, their normals and their longitude and latitude.
 
+#include "shape/meet.h"
 #include "shape/numbers.h"
 #include "shape/sphere.h"
 #include "support/catch.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
-
-namespace {
-
-template <class T>
-std::optional<Crossing<T>> meet(const Sphere<T>& sphere, const Ray<T>& ray) {
-  return intersect(sphere, ray, infinity<T>);
-}
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("points on a sphere lie on it and their normals point outwards", "", float, double) {
   using T = TestType;

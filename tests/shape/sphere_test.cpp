@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "shape/meet.h"
 #include "shape/numbers.h"
 #include "shape/quad.h"
 #include "support/catch.h"
@@ -23,11 +24,6 @@ struct Explanation {
     a = a_, b = b_, c = c_, discriminant = discriminant_, t0 = t0_, t1 = t1_;
   }
 };
-
-template <class T>
-std::optional<Crossing<T>> meet(const Sphere<T>& sphere, const Ray<T>& ray) {
-  return intersect(sphere, ray, infinity<T>);
-}
 
 // Integer vectors of integer length: radii along which a tangent point is exact.
 constexpr std::array<std::array<int, 4>, 6> quadruples{
