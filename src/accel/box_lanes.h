@@ -38,7 +38,7 @@ struct BoxLanes {
   }
 
  private:
-  /// A float above x by at least 7 ulps of float.
+  /// A float above x by at least 7 ulps of float; not below it where x is 0 or too small for a normal float.
   static float at_least(double x) {
     constexpr float most = std::numeric_limits<float>::max();
     const double wider = x + 8 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(x);

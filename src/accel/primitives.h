@@ -128,7 +128,8 @@ class Primitives {
     if (sphere == nullptr) return std::nullopt;
     return raywalk::crossings(*sphere, ray, t_max, departed_part(ray, id), explain);
   }
-  [[nodiscard]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
+  /// Never inlined: whether it was would hang on what other code a kernel holds.
+  [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::surface_at(*sphere, ray, crossing);
     if (const auto* floor = plain<Plane<T>>(id, Plain::level)) return raywalk::surface_at_level(*floor, ray, crossing);
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::surface_at(*plane, ray, crossing);

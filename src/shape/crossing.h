@@ -18,6 +18,18 @@ struct alignas(16) Crossing {
   int part = 0;
 };
 
+namespace detail {
+
+/// The only crossing with what is flat, worked out in double; none where it is NaN.
+template <class T>
+[[nodiscard]] std::optional<Crossing<T>> crossing_ahead(double computed, T t_max) {
+  const T t = static_cast<T>(computed);
+  if (!(t > 0 && t < t_max)) return std::nullopt;
+  return Crossing<T>{t};
+}
+
+}  // namespace detail
+
 /// A point of a surface. The normal has unit length and points outwards (a plane's: to its own front).
 template <class T>
 struct SurfacePoint {

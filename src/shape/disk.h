@@ -59,10 +59,8 @@ template <class T, class Explain = NoExplanation>
     inside = detail::exactly_inside(disk, ray);
     met = meet_plane_exactly(normal, centre, o, d);
   }
-  const T t = static_cast<T>(met.t);
-  if (!(t > 0 && t < t_max)) return std::nullopt;
   if (!inside) return std::nullopt;
-  return Crossing<T>{t};
+  return detail::crossing_ahead(met.t, t_max);
 }
 
 template <class T>

@@ -17,13 +17,6 @@ struct Plane {
 namespace detail {
 
 template <class T>
-[[nodiscard]] std::optional<Crossing<T>> crossing_ahead(double quotient, T t_max) {
-  const T t = static_cast<T>(quotient);
-  if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: none
-  return Crossing<T>{t};
-}
-
-template <class T>
 [[nodiscard, gnu::noinline, gnu::cold]] PlaneMeeting meet_exactly(const Plane<T>& plane, const Ray<T>& ray) {
   return meet_plane_exactly(wide(plane.normal), wide(plane.point), wide(ray.origin), wide(ray.direction));
 }

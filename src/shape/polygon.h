@@ -121,9 +121,8 @@ template <class T, class Explain = NoExplanation>
     inside = detail::exactly_inside(polygon, ray, normal, kx, ky);
     met = meet_plane_exactly(normal, corner, o, d);
   }
-  const T t = static_cast<T>(met.t);
-  if (!inside || !(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t};
+  if (!inside) return std::nullopt;
+  return detail::crossing_ahead(met.t, t_max);
 }
 
 template <class T, class Explain = NoExplanation>

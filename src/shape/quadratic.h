@@ -56,7 +56,7 @@ struct QuadricRoots {
   bool sure = false;
 
   /// Whether the roots and their error leave no doubt on which side of t they lie.
-  [[nodiscard]] bool sure_about(double t) const {
+  [[nodiscard, gnu::always_inline]] bool sure_about(double t) const {
     const auto clear = [&](double root) {
       return std::isnan(root) || std::isinf(root) || std::isinf(t) ||
              std::abs(root - t) > error * std::abs(root) + 4 * half_ulp * std::abs(t);

@@ -108,9 +108,7 @@ template <class T>
     denominator = denominator + normal * d[axis];
   }
   if (denominator.sign() == 0) return std::nullopt;
-  const T t = static_cast<T>(static_cast<double>(numerator.rounded() / denominator.rounded()));
-  if (!(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t};
+  return crossing_ahead(static_cast<double>(numerator.rounded() / denominator.rounded()), t_max);
 }
 
 }  // namespace detail
@@ -163,9 +161,7 @@ std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedR
   const Vec3d off = (u * a + v * b + w * c) / determinant, ab = b - a, ac = c - a;
   const double slope =
       ((off.x * ac.y - off.y * ac.x) * ab.z + (ab.x * off.y - ab.y * off.x) * ac.z) / (ab.x * ac.y - ab.y * ac.x);
-  const T t = static_cast<T>((off.z - slope) * ray.inverse);
-  if (!(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t};
+  return detail::crossing_ahead((off.z - slope) * ray.inverse, t_max);
 }
 
 template <class T, class Explain>

@@ -33,7 +33,7 @@ mutant sphere_departure_forgotten Sphere shape/sphere.h 'if (departed_part != no
 
 # --- Plane, disk, polygon ---------------------------------------------------------------------------------------------
 mutant plane_level_behind_is_before Plane shape/plane.h '(above > 0) != (climb > 0)' '(above > 0) == (climb > 0)'
-mutant plane_behind_is_before Plane shape/plane.h 'if (!(t > 0 && t < t_max))' 'if (!(t < t_max))'
+mutant plane_behind_is_before Plane shape/crossing.h 'if (!(t > 0 && t < t_max))' 'if (!(t < t_max))'
 mutant disk_rim_excluded Disk shape/disk.h '(square - reach * reach).sign() <= 0' '(square - reach * reach).sign() < 0'
 mutant disk_rim_without_bound Disk shape/disk.h 'std::abs(square - radius * radius) > doubt' \
   'std::abs(square - radius * radius) >= 0'
