@@ -144,10 +144,7 @@ class Primitives {
   /// Of a point at `time`.
   [[nodiscard]] Vec2<T> uv_at(int id, const SurfacePoint<T>& at, int part, T time = 0) const {
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::uv_at(*plane, at, part);
-    const SurfacePoint<T> point = taken_back(id, at, time);
-    if (id >= shape_count()) return triangles_.uv_at(id - shape_count(), point);
-    const Placement<T>* place = place_of(id);
-    return place ? raywalk::uv_at(own(id), *place, point, part) : raywalk::uv_at(own(id), point, part);
+    return uv_at_any(id, at, part, time);
   }
   /// The normal that a smooth mesh is shaded with, on the outside as the point's own; none where they are the same.
   [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int id, const SurfacePoint<T>& at, T time = 0) const {
@@ -199,10 +196,26 @@ class Primitives {
     if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
     return point;
   }
+  // The three that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
+  // or not.
   template <class Explain>
-  [[nodiscard]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max, Explain&& explain) const {
+  [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max,
+                                                                        Explain&& explain) const {
     if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
     return intersect_at_rest(id, ray, t_max, explain);
+  }
+  [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at_any(int id, const Ray<T>& ray, Crossing<T> crossing) const {
+    const Motion* motion = motion_of(id);
+    if (!motion) return surface_at_rest(id, ray, crossing);
+    SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
+    point.position += Vec3<T>(offset_at(*motion, static_cast<double>(ray.time)));
+    return point;
+  }
+  [[nodiscard, gnu::noinline]] Vec2<T> uv_at_any(int id, const SurfacePoint<T>& at, int part, T time) const {
+    const SurfacePoint<T> point = taken_back(id, at, time);
+    if (id >= shape_count()) return triangles_.uv_at(id - shape_count(), point);
+    const Placement<T>* place = place_of(id);
+    return place ? raywalk::uv_at(own(id), *place, point, part) : raywalk::uv_at(own(id), point, part);
   }
   template <class Explain>
   [[nodiscard]] std::optional<Crossing<T>> intersect_at_rest(int id, const Ray<T>& ray, T t_max,
@@ -213,14 +226,6 @@ class Primitives {
     const Placement<T>* place = place_of(id);
     return place ? raywalk::intersect(own(id), into_shape(*place, ray), t_max, departed, explain)
                  : raywalk::intersect(own(id), ray, t_max, departed, explain);
-  }
-  /// Apart, so that what the tracer has in its loop is the same whether motion is compiled or not.
-  [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at_any(int id, const Ray<T>& ray, Crossing<T> crossing) const {
-    const Motion* motion = motion_of(id);
-    if (!motion) return surface_at_rest(id, ray, crossing);
-    SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
-    point.position += Vec3<T>(offset_at(*motion, static_cast<double>(ray.time)));
-    return point;
   }
   [[nodiscard]] SurfacePoint<T> surface_at_rest(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     if (id >= shape_count()) return raywalk::surface_at(triangles_[id - shape_count()], ray, crossing);
