@@ -160,8 +160,7 @@ template <class T, class Explain = NoExplanation>
   const Vec3<T> normal = polygon.area_vector();
   const T t = meet_plane_naively(normal, polygon.outline.front(), ray, explain);
   if (!(t > 0 && t < t_max)) return std::nullopt;
-  int kz = std::abs(normal.x) > std::abs(normal.y) ? 0 : 1;
-  if (std::abs(normal.z) > std::abs(normal[kz])) kz = 2;
+  const int kz = detail::plan_axis(normal);
   const auto flat = [&](const Vec3<T>& p) { return Vec2<T>(p[(kz + 1) % 3], p[(kz + 2) % 3]); };
   const Vec2<T> point = flat(ray.at(t));
   bool inside = false;

@@ -70,7 +70,8 @@ std::string why_not_flat(const Polygon<double>& polygon) {
   if (few(polygon.outline)) return "a polygon needs at least 3 corners";
   if (std::any_of(polygon.holes.begin(), polygon.holes.end(), few)) return "a hole needs at least 3 corners";
   const Vec3d area = polygon.area_vector();
-  const Bounds<double> box = bounds(polygon);
+  Bounds<double> box;
+  for (const Vec3d& corner : polygon.outline) box.include(corner);
   const double size = length(box.max - box.min);
   if (!(length(area) > 1e-12 * size * size)) return "the polygon has no area";
   const Vec3d normal = normalize(area);

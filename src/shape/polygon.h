@@ -32,6 +32,13 @@ struct Polygon {
 
 namespace detail {
 
+/// Along which the plan of a polygon is largest: inside and outside are told there.
+template <class T>
+[[nodiscard]] int plan_axis(const Vec3<T>& normal) {
+  const int axis = std::abs(normal.x) > std::abs(normal.y) ? 0 : 1;
+  return std::abs(normal.z) > std::abs(normal[axis]) ? 2 : axis;
+}
+
 /// Even-odd in the plan along `kz`. `above(p)` tells whether corner p is above the point, `left(p, q)` whether the
 /// point is to the left of the edge (1), on it (0) or to its right (-1).
 template <class T, class Above, class Left>
@@ -91,9 +98,7 @@ template <class T, class Explain = NoExplanation>
   if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
   if (!(met.t > 0 && met.t < static_cast<double>(t_max) * 2)) return std::nullopt;
 
-  int kz = std::abs(normal.x) > std::abs(normal.y) ? 0 : 1;
-  if (std::abs(normal.z) > std::abs(normal[kz])) kz = 2;
-  const int kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+  const int kz = detail::plan_axis(normal), kx = (kz + 1) % 3, ky = (kz + 2) % 3;
   const double x = o[kx] + met.t * d[kx], y = o[ky] + met.t * d[ky];
   // x and y err by at most these.
   const auto error = [&](int axis) {
@@ -149,10 +154,23 @@ template <class T>
   return in_plane(point.position - polygon.outline.front(), point.normal);
 }
 
+/// Holds the corners and every crossing: a crossing lies in the plane through the first corner, which the others may
+/// miss by a little. By the even-odd rule a hole that reaches out of the outline fills what lies there.
 template <class T>
 [[nodiscard]] Bounds<T> bounds(const Polygon<T>& polygon) {
+  const Vec3d normal = wide(polygon.area_vector()), first = wide(polygon.outline.front());
+  const int kz = detail::plan_axis(normal);
   Bounds<T> box;
-  for (const Vec3<T>& corner : polygon.outline) box.include(corner);
+  const auto include = [&](const std::vector<Vec3<T>>& loop) {
+    for (const Vec3<T>& corner : loop) {
+      box.include(corner);
+      Vec3<T> met = corner;
+      met[kz] = static_cast<T>(wide(corner)[kz] - dot(wide(corner) - first, normal) / normal[kz]);
+      if (std::isfinite(met[kz])) box.include(met);
+    }
+  };
+  include(polygon.outline);
+  for (const auto& hole : polygon.holes) include(hole);
   return box;
 }
 
