@@ -43,15 +43,16 @@ struct Frame {
   Vec3<T> u, v;
 };
 
-/// For a level plane u and v are x and y; for an upright one u is level and v is z.
+/// For a level plane u and v are x and y; for an upright one u is level and v is z, and which way u runs changes where
+/// the normal is at right angles to a direction that few walls face: rounding of the normal must not decide it.
 template <class T>
 [[nodiscard]] Frame<T> frame_of(const Vec3<T>& unit_normal) {
   const bool level = std::abs(unit_normal.z) >= T(0.5);
   const Vec3<T> guide = level ? Vec3<T>(1, 0, 0) : Vec3<T>(0, 0, 1);
   const Vec3<T> along = normalize(guide - dot(guide, unit_normal) * unit_normal);
-  const bool up =
-      unit_normal.z > 0 || (unit_normal.z == 0 && (unit_normal.y < 0 || (unit_normal.y == 0 && unit_normal.x > 0)));
-  const Vec3<T> side = cross(up ? unit_normal : -unit_normal, along);
+  const T facing = level ? unit_normal.z : T(0.38) * unit_normal.x - T(0.92) * unit_normal.y;
+  const bool front = facing > 0 || (facing == 0 && unit_normal.x > 0);
+  const Vec3<T> side = cross(front ? unit_normal : -unit_normal, along);
   return level ? Frame<T>{along, side} : Frame<T>{-side, along};
 }
 

@@ -122,3 +122,11 @@ mutant normal_by_the_map_itself transform math/transform.h 'n.x * cross(y, z) + 
 mutant mirror_turns_inside_out transform math/transform.h 'return determinant() < 0 ? -image : image;' 'return image;'
 mutant inverse_moves_the_wrong_way transform math/transform.h 'inverted.move = -inverted.direction(m.move);' \
   'inverted.move = inverted.direction(m.move);'
+
+# --- Coordinates on surfaces ------------------------------------------------------------------------------------------
+mutant uv_box_axes_swapped uv shape/box.h '{from_corner[axis == 0 ? 1 : 0], from_corner[axis == 2 ? 1 : 2]}' \
+  '{from_corner[axis == 2 ? 1 : 2], from_corner[axis == 0 ? 1 : 0]}'
+mutant uv_wall_without_radius uv shape/quadric.h '{quadric.radii.x * angle, ' '{angle, '
+mutant uv_triangle_turned uv shape/triangle.h 'cross(point.normal, along)' 'cross(along, point.normal)'
+mutant uv_normal_as_a_direction uv shape/placed.h 'place.to_shape.normal(point.normal)' \
+  'place.to_shape.direction(point.normal)'

@@ -13,6 +13,9 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$root/build/mutants
 results=$work/results
 cxx=${CXX:-g++}
+# Catch2 v3's libraries, or v2's.
+catch2=(-lCatch2WithMain)
+"$cxx" -x c++ -E -include catch2/catch_test_macros.hpp /dev/null >/dev/null 2>&1 && catch2=(-lCatch2Main -lCatch2)
 only_check=0
 [[ ${1:-} == --fresh ]] && { rm -rf "$work"; shift; }
 [[ ${1:-} == --check ]] && { only_check=1; shift; }
@@ -32,10 +35,12 @@ suspect() {
 
 # verdict NAME WHO FLAGS FOLDER: compiles the suspects over FOLDER/src and runs them.
 verdict() {
-  local log=$work/$1.log
+  local log=$work/$1.log program=("$(suspect "$2")" "$root/tests/mutants/suspects.cpp") libraries=(-lgmpxx -lgmp)
+  # Whatever concerns no crossing has to get past a test of its own.
+  [[ $2 == uv ]] && program=("-I$root/tests" "$root/tests/shape/uv_test.cpp") libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
-  if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "$(suspect "$2")" "$root/tests/mutants/suspects.cpp" \
-    "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp -o "$work/$1.bin" -lgmpxx -lgmp >"$log" 2>&1; then
+  if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
+    "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then
     printf 'broken'
   elif (ulimit -t 60; exec "$work/$1.bin") >>"$log" 2>&1; then  # of the processor's time: nobody else's work kills
     printf 'survived'
@@ -80,7 +85,7 @@ mutant() {
 # Unchanged, the suite must find nothing, or the deaths below mean nothing.
 innocent() {
   local who result
-  for who in Sphere Plane Disk Box Cone Cylinder HyperboloidTwoSheets Polygon Prism mesh accel transform arithmetic; do
+  for who in Sphere Plane Disk Box Cone Cylinder HyperboloidTwoSheets Polygon Prism mesh accel transform arithmetic uv; do
     ((${#wanted[@]} > 0)) && [[ " ${wanted[*]} " != *" $who "* ]] && continue
     grep -qx "unchanged_$who survived" "$results" && continue
     result=$(verdict "unchanged_$who" "$who" "" "$root")
