@@ -1,5 +1,7 @@
 #include "trace/ray_generator.h"
 
+#include <cmath>
+
 namespace raywalk {
 
 template <class T>
@@ -46,15 +48,20 @@ void RayGenerator<T>::draw_ahead(const Pixel& pixel, PixelDraws& draws) const {
     draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
 }
 
-/// Where sample `sample` falls when nothing is drawn: the first ones in a k x k grid, what is left over in one row.
+/// Where sample `sample` falls when nothing is drawn: the first ones in a k x k grid, what is left over in one row. The
+/// grid is filled so that any k that follow each other lie in k columns, and about evenly in the rows: adaptive
+/// sampling may stop after some of them, which have to stand for the pixel.
 template <class T>
 Vec2<T> RayGenerator<T>::fixed_place(int sample) const {
   int edge = 1;
   while ((edge + 1) * (edge + 1) <= sampling_.per_pixel) ++edge;
   const int square = edge * edge, left_over = sampling_.per_pixel - square;
   if (sample >= square) return {(static_cast<T>(sample - square) + T(0.5)) / static_cast<T>(left_over), T(0.5)};
-  return {(static_cast<T>(sample % edge) + T(0.5)) / static_cast<T>(edge),
-          (static_cast<T>(sample / edge) + T(0.5)) / static_cast<T>(edge)};
+  // One back and about 0.618 of the rows on, by the golden section: prime to the number of cells, since prime to k.
+  const int stride = edge * static_cast<int>(std::lround(0.6180339887498949 * edge)) - 1;
+  const auto cell = static_cast<int>(static_cast<std::int64_t>(sample) * stride % square);
+  return {(static_cast<T>(cell % edge) + T(0.5)) / static_cast<T>(edge),
+          (static_cast<T>(cell / edge) + T(0.5)) / static_cast<T>(edge)};
 }
 
 template class RayGenerator<float>;

@@ -104,6 +104,27 @@ TEMPLATE_TEST_CASE("flat pixels stop at the first look, and nothing depends on t
   CHECK(all.film_of<T>().at(63, 60) == one.film_of<T>().at(63, 60));
 }
 
+TEST_CASE("what is not drawn stands for the whole pixel too when sampling stops early") {
+  // An edge along the rows of the picture, then along its columns.
+  for (const Vec3d& up : {Vec3d(0, 1, 0), Vec3d(0, 0, 1)})
+    for (const int samples : {25, 64, 100, 289, 500}) {
+      Scene scene = edge_scene(0.02);
+      scene.camera.up = up;
+      scene.render.integrator = Integrator::whitted;
+      RenderSettings settings{ImageSize{9, 9}, Sampling{samples, 0}};
+      const auto all = render(scene, settings).value();
+      settings.tolerance = 0.05;
+      const auto early = render(scene, settings).value();
+      CHECK(early.statistics.formed(RayKind::primary) < all.statistics.formed(RayKind::primary));
+      CAPTURE(samples, up.y);
+      for (int row = 0; row < 9; ++row)
+        for (int column = 0; column < 9; ++column) {
+          const double whole = shown(all.film_of<double>().at(column, row).x);
+          CHECK(std::abs(shown(early.film_of<double>().at(column, row).x) - whole) <= 0.05);
+        }
+    }
+}
+
 TEST_CASE("a tolerance that nothing meets takes all samples, with the same bits") {
   Scene scene = edge_scene(0.3);
   RenderSettings settings{ImageSize{9, 9}, Sampling{50, 3}};
