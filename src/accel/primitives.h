@@ -149,7 +149,7 @@ class Primitives {
   /// The normal that a smooth mesh is shaded with, on the outside as the point's own; none where they are the same.
   [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int id, const SurfacePoint<T>& at, T time = 0) const {
     if (id < shape_count()) return std::nullopt;
-    return triangles_.smooth_normal(id - shape_count(), taken_back(id, at, time));
+    return smooth_normal_of_triangle(id, at, time);
   }
 
   /// A primitive's box in the world, widened by a few ulps so that it holds every point that rounding may report.
@@ -196,13 +196,19 @@ class Primitives {
     if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
     return point;
   }
-  // The three that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
+  // The five that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
   // or not.
   template <class Explain>
   [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max,
                                                                         Explain&& explain) const {
-    if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
+    if (const Motion* motion = motion_of(id)) return intersect_moving(id, *motion, ray, t_max, explain);
     return intersect_at_rest(id, ray, t_max, explain);
+  }
+  template <class Explain>
+  [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_moving(int id, const Motion& motion,
+                                                                           const Ray<T>& ray, T t_max,
+                                                                           Explain&& explain) const {
+    return intersect_at_rest(id, at_rest(motion, ray), t_max, explain);
   }
   [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at_any(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     const Motion* motion = motion_of(id);
@@ -210,6 +216,10 @@ class Primitives {
     SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), crossing);
     point.position += Vec3<T>(offset_at(*motion, static_cast<double>(ray.time)));
     return point;
+  }
+  [[nodiscard, gnu::noinline]] std::optional<Vec3<T>> smooth_normal_of_triangle(int id, const SurfacePoint<T>& at,
+                                                                                T time) const {
+    return triangles_.smooth_normal(id - shape_count(), taken_back(id, at, time));
   }
   [[nodiscard, gnu::noinline]] Vec2<T> uv_at_any(int id, const SurfacePoint<T>& at, int part, T time) const {
     const SurfacePoint<T> point = taken_back(id, at, time);
@@ -245,8 +255,10 @@ class Primitives {
   /// The part of primitive `id` that the ray departs from, or no_part.
   [[nodiscard]] int departed_part(const Ray<T>& ray, int id) const {
     const int from = ray.departure.primitive;
-    return from == id || (any_equal_ && from >= 0 && first_equal(from) == first_equal(id)) ? ray.departure.part
-                                                                                           : no_part;
+    return from == id || (any_equal_ && same_surface(from, id)) ? ray.departure.part : no_part;
+  }
+  [[nodiscard, gnu::noinline]] bool same_surface(int from, int id) const {
+    return from >= 0 && first_equal(from) == first_equal(id);
   }
   [[nodiscard]] bool equal(int a, int b) const;
 

@@ -65,14 +65,16 @@ class PathTracer {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
  private:
+  using Surface = typename World<T>::Surface;
   /// A ray on its way.
   struct Traced {
     Ray ray;
     RayKind kind;
-    Rgb<T> share;  ///< of the pixel, that the light along the ray has
-    int length;    ///< rays of the path, this one included
-    T density;     ///< with which its direction was chosen, by solid angle; 0: it was the only one
-    int number;    ///< in the recording; 0 when nobody watches
+    Rgb<T> share;                     ///< of the pixel, that the light along the ray has
+    int length;                       ///< rays of the path, this one included
+    T density;                        ///< with which its direction was chosen, by solid angle; 0: it was the only one
+    int number;                       ///< in the recording; 0 when nobody watches
+    const Surface* medium = nullptr;  ///< the transmitting object that it travels in, where that is known
   };
   using Nearest = std::optional<Hit<T>>;
   /// The hit, made ready: place and lobes.
@@ -131,6 +133,7 @@ class PathTracer {
   std::optional<Way> form_shadow_ray(const Traced& ray, const Vertex& at, int light);
   std::optional<Ending> aim_at_lamp(Way& way, const Vertex& at);
   std::optional<Ending> aim_at_object(Way& way, const Vertex& at);
+  [[nodiscard]] Rgb<T> left_of(const Way& way, const Hit<T>& hit) const;
   Rgb<T> find_intersection(const Traced& ray, const Way& way);
   void add_light(Rgb<T>& shade, const Traced& ray, const Way& way, const Rgb<T>& visible);
   std::optional<Choice> choose_direction(const Traced& ray, const Vertex& at);

@@ -49,6 +49,7 @@ auto PathTracer<Policy>::form_shadow_ray(const Traced& ray, const Vertex& at, in
 template <class Policy>
 std::optional<Ending> PathTracer<Policy>::aim_at_lamp(Way& way, const Vertex& at) {
   const typename World<T>::Lamp& lamp = *way.lamp;
+  way.medium = at.medium;  // only lamps before the surface light it
   Vec3<T>& to_light = way.ray.direction;
   if (lamp.directional) {
     to_light = lamp.place;
@@ -91,6 +92,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_object(Way& way, const Vertex& 
   const auto drawn = lights_.draw(at.position, pick, unit);
   if (!drawn) return Ending::facing_away;
   way.ray.direction = drawn->way;
+  way.medium = medium_after(*at.surface, at.entering, dot(drawn->way, at.lobes.side) < 0, at.medium);
   const auto answers = at.lobes.evaluate(normalize(drawn->way));
   if (!(answers.density > 0)) return Ending::facing_away;
   way.target = {drawn->primitive, drawn->part};
@@ -102,6 +104,17 @@ std::optional<Ending> PathTracer<Policy>::aim_at_object(Way& way, const Vertex& 
   return std::nullopt;
 }
 
+/// What is left of the light of an object on its way from the hit.
+template <class Policy>
+auto PathTracer<Policy>::left_of(const Way& way, const Hit<T>& hit) const -> Rgb<T> {
+  const Surface& met = world_.surface(hit.primitive);
+  if (!met.absorbs && (way.medium == nullptr || !way.medium->absorbs)) return Rgb<T>(1);
+  const Vec3<T> outwards =
+      world_.accelerator.primitives().surface_at(hit.primitive, way.ray, Crossing<T>{hit.t, hit.part}).normal;
+  const T distance = hit.t * length(way.ray.direction);
+  return left_on_way(way.medium, met, dot(outwards, way.ray.direction) <= 0, distance).value_or(Rgb<T>(1));
+}
+
 /// The share of the light that arrives. A lamp is dimmed as for the tracer. An object is seen where it is the first
 /// thing that the ray meets: exactly where a ray that leads there by chance would find it.
 template <class Policy>
@@ -110,10 +123,11 @@ auto PathTracer<Policy>::find_intersection(const Traced& ray, const Way& way) ->
   Nearest blocker;
   if (way.lamp) {
     const T t_max = way.lamp->directional ? infinity<T> : T(1);
-    visible = light_through(world_, way.ray, t_max, statistics_.tests, filters_met_).value_or(Rgb<T>(0));
+    visible =
+        light_through(world_, way.ray, t_max, statistics_.tests, filters_met_, {}, way.medium).value_or(Rgb<T>(0));
   } else {
     blocker = world_.accelerator.closest(way.ray, infinity<T>, statistics_.tests);
-    if (blocker && Departure{blocker->primitive, blocker->part} == way.target) visible = Rgb<T>(1);
+    if (blocker && Departure{blocker->primitive, blocker->part} == way.target) visible = left_of(way, *blocker);
   }
   const Ending ending = is_black(visible) ? Ending::blocked : Ending::reached_light;
   ++statistics_.ends(ending);

@@ -41,9 +41,10 @@ struct PathTracer<Policy>::Vertex {
   Vec3<T> outwards;  ///< unit normal
   bool entering;
   T time;
-  const typename World<T>::Surface* surface;
+  const Surface* surface;
   int number;                ///< of the ray that led here
   int length;                ///< rays of the path up to here
+  const Surface* medium;     ///< on the side the ray came from, where that is known
   Rgb<T> share;              ///< of the pixel, that light leaving here against the ray has
   Rgb<T> specular;           ///< ks, as lamps are seen in it
   Refraction<T> refraction;  ///< where the surface transmits; else not set
@@ -58,6 +59,7 @@ struct PathTracer<Policy>::Way {
   Departure target;                     ///< of that object, the part to be met
   Rgb<T> brings;                        ///< to the pixel, if nothing stands before it
   T direction_density, light_density, weight;
+  const Surface* medium = nullptr;  ///< that it begins in, where that is known
 };
 
 template <class Policy>
@@ -118,7 +120,7 @@ auto PathTracer<Policy>::add_background(const Rgb<T>& shade, const Traced& ray) 
 template <class Policy>
 auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex {
   const Primitives<T>& primitives = world_.accelerator.primitives();
-  const typename World<T>::Surface& surface = world_.surface(hit.primitive);
+  const Surface& surface = world_.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
   Vertex at;
   at.departure = {hit.primitive, hit.part};
@@ -130,7 +132,8 @@ auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex
   at.number = ray.number;
   at.length = ray.length;
   at.share = ray.share;
-  if (!at.entering && surface.absorbs) at.share *= left_after(surface.absorption, hit.t);
+  if (const auto left = left_on_way(ray.medium, surface, at.entering, hit.t)) at.share *= *left;
+  at.medium = medium_after(surface, at.entering, false, ray.medium);
   Lobes<T>& lobes = at.lobes;
   lobes.incident = ray.ray.direction;
   lobes.normal = lobes.side = at.entering ? point.normal : -point.normal;
@@ -258,7 +261,8 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T
                     at.share * choice.weight * (1 / survival),
                     at.length + 1,
                     choice.density,
-                    rays_formed_++};
+                    rays_formed_++,
+                    medium_after(*at.surface, at.entering, kind == RayKind::refract, at.medium)};
   ++statistics_.formed(kind);
   note(Line::form_next_ray, at.length, [&] {
     RayFormed event{next.number, at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction), Rgbd(next.share)};

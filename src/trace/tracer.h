@@ -90,6 +90,7 @@ class Tracer {
   struct Shadow {
     Ray ray;
     int number;  ///< as above
+    [[no_unique_address]] Only<Policy::effects.refraction, Medium> medium{};
   };
   using Nearest = std::optional<Hit<T>>;
   /// The hit, made ready for SHADE: place, normal and the weights that "If reflective" and "If transparent" test.

@@ -107,9 +107,7 @@ inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Sha
       at.tint.colour *= surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
   }
   if constexpr (Policy::effects.refraction) {
-    const Surface* through = ray.medium.surface;
-    if (through == nullptr && !entering) through = &surface;
-    if (through != nullptr && through->absorbs) at.passed = left_after(through->absorption, hit.t);
+    at.passed = left_on_way(ray.medium.surface, surface, entering, hit.t);
     if (surface.transmits) {
       const T n1 = entering ? T(1) : surface.ior, n2 = entering ? surface.ior : T(1);
       at.refraction = refraction_at(ray.ray.direction, at.normal, n1, n2);

@@ -135,6 +135,8 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const 
     return std::nullopt;
   }
   Shadow shadow{leaving<Ray>(world_, at.position, at.side(), at.departure, to_light, ray.ray.time), rays_formed_++};
+  if constexpr (Policy::effects.refraction)
+    shadow.medium.surface = medium_after(*at.surface, at.entering, false, ray.medium.surface);
   break_by(Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
@@ -150,8 +152,10 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const 
 template <class Policy>
 inline auto Tracer<Policy>::find_intersection(int depth, const Shadow& shadow, const Lamp& lamp) -> Rgb<T> {
   const T t_max = lamp.directional ? infinity<T> : T(1);
+  const Surface* medium = nullptr;
+  if constexpr (Policy::effects.refraction) medium = shadow.medium.surface;
   const std::optional<Rgb<T>> passed =
-      light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, hints_);
+      light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, hints_, medium);
   ++statistics_.ends(passed ? Ending::reached_light : Ending::blocked);
   note(Line::find_intersection, depth, [&] {
     // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
@@ -266,12 +270,8 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   });
   if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
   if constexpr (Policy::faulty) formed.generation.number = parent.generation.number + 1;
-  if constexpr (Policy::effects.refraction) {
-    if (kind == RayKind::refract)
-      formed.medium.surface = at.entering ? at.surface : nullptr;
-    else
-      formed.medium.surface = at.entering ? parent.medium.surface : at.surface->transmits ? at.surface : nullptr;
-  }
+  if constexpr (Policy::effects.refraction)
+    formed.medium.surface = medium_after(*at.surface, at.entering, kind == RayKind::refract, parent.medium.surface);
   ++statistics_.formed(kind);
   note(line, depth, [&] {
     RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(share)};

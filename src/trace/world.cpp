@@ -222,6 +222,7 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       fault(its_fault),
       numerics(fault ? Numerics::naive : scene.render.numerics),
       epsilon(static_cast<T>(scene.render.epsilon)) {
+  absorbs = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& each) { return each.absorbs; });
   for (int id = 0; id < accelerator.primitives().size(); ++id) {
     if (!surface(id).filters_shadows) {
       shadow_roles.push_back(ShadowRole::stops);

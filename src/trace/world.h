@@ -101,6 +101,7 @@ struct World {
   int depth;
   T threshold;
   Effects effects;
+  bool absorbs = false;                  ///< some surface does
   bool draws;                            ///< lights and lobes are sampled at random; else lights in fixed places
   std::vector<ShadowRole> shadow_roles;  ///< by primitive; empty when all of them stop shadow rays
 

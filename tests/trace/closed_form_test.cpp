@@ -185,49 +185,6 @@ TEST_CASE("a translucent sheet spreads what it transmits, and a lobe never leave
   CHECK(mirrored.variance == 0);
 }
 
-TEST_CASE("glass absorbs by the way inside it") {
-  Scene scene;
-  scene.background = Rgbd(1.0);
-  Material tinted = black();
-  tinted.transmission = Rgbd(1.0);
-  tinted.ior = 1;
-  tinted.absorption = {0.1, 0.7, 3};
-  scene.objects = {object("Slab", Box<double>{{0, -9, -9}, {0.8, 9, 9}}, tinted)};
-  const Rgbd through = shade_along(scene, {-3, 0, 0}, {0, 0, 0});
-  for (int c = 0; c < 3; ++c) CHECK(through[c] == Approx(std::exp(-0.8 * tinted.absorption[c])).epsilon(1e-12));
-  // Aslant, straight on because of ior 1: the way is longer.
-  const Rgbd aslant = shade_along(scene, {-3, -3, 0}, {0, 0, 0});
-  for (int c = 0; c < 3; ++c)
-    CHECK(aslant[c] == Approx(std::exp(-0.8 * std::sqrt(2.0) * tinted.absorption[c])).epsilon(1e-9));
-  SECTION("also up to what is inside it, and back") {
-    scene.objects.push_back(object("Core", Box<double>{{0.3, -9, -9}, {0.5, 9, 9}}, glowing(1)));
-    const Rgbd core = shade_along(scene, {-3, 0, 0}, {0, 0, 0});
-    for (int c = 0; c < 3; ++c) CHECK(core[c] == Approx(std::exp(-0.3 * tinted.absorption[c])).epsilon(1e-12));
-    scene.objects[1].material = black();
-    scene.objects[1].material.reflection = Rgbd(1.0);
-    scene.limits.depth = 9;
-    const Rgbd back = shade_along(scene, {-3, 0, 0}, {0, 0, 0});  // in, to the mirror, out again, to the background
-    for (int c = 0; c < 3; ++c) CHECK(back[c] == Approx(std::exp(-0.6 * tinted.absorption[c])).epsilon(1e-12));
-  }
-  SECTION("and filters shadow rays by their way through it") {
-    scene.objects[0].material.shadow = ShadowKind::filtered;
-    scene.objects[0].material.transmission = {1, 0.5, 1};
-    scene.objects.push_back(object("Wall", Plane<double>{{2, 0, 0}, {-1, 0, 0}}, lambert()));
-    scene.lights = {lamp({-4, 0, 0}, 1)};
-    const Rgbd lit = shade_along(scene, {1.5, -1, 0}, {2, 0, 0});
-    const Rgbd crossings{1, 0.25, 1};
-    for (int c = 0; c < 3; ++c)
-      CHECK(lit[c] == Approx(crossings[c] * std::exp(-0.8 * tinted.absorption[c])).epsilon(1e-12));
-  }
-  SECTION("the events say so") {
-    const auto computed = record_along(scene, {-3, 0, 0}, {0, 0, 0}).all<ShadeComputed>();
-    REQUIRE(computed.size() == 2);
-    CHECK(computed[0].passed.y == Approx(std::exp(-0.8 * 0.7)).epsilon(1e-12));  // the inner SHADE returns first
-    CHECK(computed[0].total.y == Approx(computed[0].passed.y * computed[0].refract.y).epsilon(1e-15));
-    CHECK(computed[1].passed == Rgbd(1.0));
-  }
-}
-
 TEST_CASE("a spot shines in full within its inner cone, then less, then not at all") {
   const SpotLight spot{{0, 0, 2}, {0, 0, 0}, 60, 30, {}};
   Scene scene = lit_floor({"Spot", Rgbd(1.0), spot});
