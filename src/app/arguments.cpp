@@ -29,12 +29,17 @@ std::optional<int> parse_whole(std::string_view text, int low, int high) {
 
 std::optional<std::uint64_t> parse_seed(std::string_view text) { return digits<std::uint64_t>(text); }
 
-std::optional<double> parse_share(const std::string& text) {
+std::optional<double> parse_amount(const std::string& text) {
   if (text.empty() || std::isspace(static_cast<unsigned char>(text.front())) != 0) return std::nullopt;
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
   if (end != text.c_str() + text.size() || !(number >= 0) || !std::isfinite(number)) return std::nullopt;
   return number;
+}
+
+std::optional<double> parse_share(const std::string& text) {
+  const auto number = parse_amount(text);
+  return number && *number <= 1 ? number : std::nullopt;
 }
 
 std::optional<ImageSize> parse_size(const std::string& text) {

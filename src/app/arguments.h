@@ -16,6 +16,8 @@ namespace raywalk {
 /// Digits, and nothing else; up to 2^64 - 1.
 [[nodiscard]] std::optional<std::uint64_t> parse_seed(std::string_view text);
 /// A finite number that is 0 or more.
+[[nodiscard]] std::optional<double> parse_amount(const std::string& text);
+/// The same, of a whole: at most 1.
 [[nodiscard]] std::optional<double> parse_share(const std::string& text);
 
 /// "640x480": two whole numbers in the range that a scene file may state.

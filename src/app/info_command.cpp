@@ -87,6 +87,8 @@ std::string render_text(const Scene& scene) {
   text += chosen ? "" : ", as what it holds calls for";
   if (choices.samples > 1)
     text += fmt::format(", {} samples a pixel, {}", choices.samples, sampler_name(choices.sampler));
+  if (choices.integrator == Integrator::path && choices.path_length)
+    text += fmt::format(", at most {} a path", count_of(static_cast<std::size_t>(*choices.path_length), "ray"));
   if (choices.tolerance > 0) text += fmt::format(", fewer where known to {:g}", choices.tolerance);
   if (choices.numerics == Numerics::naive) text += fmt::format(", naive numerics with epsilon {:g}", choices.epsilon);
   return text;
@@ -154,11 +156,16 @@ std::string cost_text(const study::SceneCost& cost) {
              cost.everything_grid);
 }
 
-ExitCode info_command(const std::string& scene, bool with_cost) {
-  const auto document = load_scene(scene);
+ExitCode info_command(const InfoOptions& options) {
+  auto document = load_scene(options.scene);
   if (!document) return fail(document.error());
-  std::string text = info_text(document->scene, scene_path(scene));
-  if (with_cost) {
+  RenderChoices& choices = document->scene.render;
+  choices.integrator = options.integrator.value_or(choices.integrator);
+  choices.samples = options.samples.value_or(choices.samples);
+  if (options.path_length) choices.path_length = options.path_length;
+  if (options.light_grid) choices.light_grid = options.light_grid;
+  std::string text = info_text(document->scene, scene_path(options.scene));
+  if (options.with_cost) {
     const Interrupt interrupt;
     ProgressBar bar;
     constexpr int samples = 8000, repetitions = 7;

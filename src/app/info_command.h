@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 #include "study/effect_costs.h"
 
+#include <optional>
 #include <string>
 
 namespace raywalk {
@@ -14,7 +15,16 @@ namespace raywalk {
 /// What its effects cost, for a person to read.
 [[nodiscard]] std::string cost_text(const study::SceneCost& cost);
 
-/// `with_cost`: also measures what its effects cost, which takes some seconds.
-[[nodiscard]] ExitCode info_command(const std::string& scene, bool with_cost);
+/// What `raywalk info` was asked for; what is absent is the scene's own.
+struct InfoOptions {
+  std::string scene;
+  bool with_cost = false;  ///< also measures what its effects cost, which takes some seconds
+  std::optional<Integrator> integrator{};
+  std::optional<int> path_length{};
+  std::optional<int> samples{};
+  std::optional<int> light_grid{};
+};
+
+[[nodiscard]] ExitCode info_command(const InfoOptions& options);
 
 }  // namespace raywalk

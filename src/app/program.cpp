@@ -14,6 +14,7 @@
 #include "app/window_command.h"
 #include "io/image.h"
 #include "io/scene_keys.h"
+#include "render/adaptive.h"
 
 #include <fmt/format.h>
 
@@ -38,14 +39,15 @@ void add_precision(CLI::App& command, Precision& target) {
 void add_numerics(CLI::App& command, std::optional<Numerics>& numerics, std::optional<double>& epsilon) {
   add_choice(command, "--numerics", numerics, all_numerics, numerics_name,
              "How crossings are computed: with error bounds and exact arithmetic, or as books print it");
-  add_parsed(command, "--epsilon", epsilon, parse_share, "X", "a number that is 0 or more",
+  add_parsed(command, "--epsilon", epsilon, parse_amount, "X", "a number that is 0 or more",
              "How far off a surface rays start with naive numerics, in scene units");
 }
 
 void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<double>& threshold) {
   constexpr auto range = scene_keys::depth_count;
   add_whole(command, "--depth", depth, range.low, range.high, "The deepest SHADE; the primary ray's is 1");
-  add_parsed(command, "--threshold", threshold, parse_share, "X", "a number that is 0 or more",
+  // More than all of it would be no limit but an end to all rays beyond the first hit, which is --depth 1.
+  add_parsed(command, "--threshold", threshold, parse_share, "X", "a number from 0 to 1",
              "A ray that would bring less than this share of its pixel is not formed");
 }
 
@@ -58,6 +60,17 @@ void add_integrator(CLI::App& command, std::optional<Integrator>& integrator, st
   constexpr auto range = scene_keys::path_length_count;
   add_whole(command, "--path-length", path_length, range.low, range.high,
             "With --integrator path: most rays between the eye and a light");
+}
+
+void add_samples(CLI::App& command, std::optional<int>& samples) {
+  constexpr int most = 1 << 20;
+  add_whole(command, "--spp", samples, 1, most, "Samples of each pixel");
+}
+
+void add_light_grid(CLI::App& command, std::optional<int>& light_grid) {
+  constexpr auto points = scene_keys::light_grid_count;
+  add_whole(command, "--light-grid", light_grid, points.low, points.high,
+            "Of a light with an extent, N x N points are tried from every hit");
 }
 
 void add_size(CLI::App& command, std::optional<ImageSize>& size) {
@@ -80,18 +93,18 @@ void declare_render(CLI::App& program, Run& run) {
       ->check(CLI::Validator(ending, "", "ending"))
       ->type_name("IMAGE");
   add_size(command, to.size);
-  constexpr int most_samples = 1 << 20, most_threads = 1024;
+  constexpr int most_threads = 1024;
   add_integrator(command, to.integrator, to.path_length);
-  add_whole(command, "--spp", to.samples, 1, most_samples, "Samples of each pixel");
+  add_samples(command, to.samples);
   add_choice(
       command, "--sampler", to.sampler, std::array{Sampler::random, Sampler::jittered, Sampler::sobol},
       [](Sampler sampler) { return sampler_name(sampler); }, "Where samples fall");
-  constexpr auto points = scene_keys::light_grid_count;
-  add_whole(command, "--light-grid", to.light_grid, points.low, points.high,
-            "Of a light with an extent, N x N points are tried from every hit");
-  add_parsed(command, "--tolerance", to.tolerance, parse_share, "X", "a number that is 0 or more",
-             "A pixel takes no more samples once it is known to X of what a screen shows from 0 to 1, with 95%\n"
-             "confidence; 0: all");
+  add_light_grid(command, to.light_grid);
+  add_parsed(
+      command, "--tolerance", to.tolerance, parse_share, "X", "a number from 0 to 1",
+      fmt::format("A pixel takes no more samples once it is known to X of what a screen shows from 0 to 1, with\n"
+                  "95% confidence, but the first {} always; 0: all",
+                  Adaptive<double>::first_look));
   command
       .add_flag("--corner-samples", to.corner_samples,
                 "A ray through each corner of the pixels, whose mean is the pixel: as ray counts of NFF scenes have it")
@@ -158,18 +171,20 @@ void declare_step(CLI::App& program, Run& run) {
 
 void declare_info(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("info", "Say what a scene holds, the effects it calls for, and why");
-  struct Asked {
-    std::string scene;
-    bool cost = false;
-  };
-  const auto asked = std::make_shared<Asked>();
-  command.add_option("SCENE", asked->scene, scene_help)->required()->type_name("");
-  command.add_flag("--cost", asked->cost, "Measure what each effect costs, and what all would cost regardless");
+  const auto options = std::make_shared<InfoOptions>();
+  InfoOptions& to = *options;
+  command.add_option("SCENE", to.scene, scene_help)->required()->type_name("");
+  command.add_flag("--cost", to.with_cost, "Measure what each effect costs, and what all would cost regardless");
+  add_integrator(command, to.integrator, to.path_length);
+  add_samples(command, to.samples);
+  add_light_grid(command, to.light_grid);
   command.footer(
+      "The effects are those of a render with the same options; what is left out is as the scene says.\n\n"
       "Examples:\n"
       "  raywalk info classic\n"
-      "  raywalk info my/scene.toml --cost");
-  command.callback([asked, &run] { run = [asked] { return info_command(asked->scene, asked->cost); }; });
+      "  raywalk info my/scene.toml --cost\n"
+      "  raywalk info distributed --integrator whitted --spp 9");
+  command.callback([options, &run] { run = [options] { return info_command(*options); }; });
 }
 
 void declare_check(CLI::App& program, Run& run) {
@@ -200,6 +215,12 @@ void declare_check(CLI::App& program, Run& run) {
       "  raywalk check numerics sphere\n"
       "  raywalk check numerics --full --threads 4");
   numerics.callback([options, &run] { run = [options] { return check_numerics_command(*options); }; });
+}
+
+/// CLI11 has no name for an option that help does not show.
+std::string name_of(const CLI::Option& option) {
+  const auto& words = option.get_lnames();
+  return words.empty() ? option.get_name() : "--" + words.front();
 }
 
 /// What pictures and tests need of the window; people find it in the window itself.
@@ -233,7 +254,7 @@ void declare_window(CLI::App& program, Run& run) {
     }
     for (const CLI::Option* option : program.get_options())
       if (option->count() > 0)
-        throw CLI::ExcludesError(option->get_name() + " belongs to the window and does not go with a command",
+        throw CLI::ExcludesError(name_of(*option) + " belongs to the window and does not go with a command",
                                  CLI::ExitCodes::ExcludesError);
   });
 }
@@ -244,8 +265,35 @@ std::string command_name(const CLI::App& program) {
   return chosen.empty() ? "raywalk" : "raywalk " + chosen.back()->get_name();
 }
 
+/// An option of `command`, or of the commands chosen below it, that takes one value and is given several.
+const CLI::Option* repeated_option(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw && option->get_items_expected_max() == 1 &&
+        option->count() > 1)
+      return option;
+  for (const CLI::App* chosen : command.get_subcommands())
+    if (const CLI::Option* option = repeated_option(*chosen)) return option;
+  return nullptr;
+}
+const CLI::Option* repeated_option(const CLI::App& program, const CLI::ParseError& error) {
+  return dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ? repeated_option(program) : nullptr;
+}
+
+/// What CLI11 says, but where that is hard to read: of an option given twice it counts the values, and it names the
+/// words that nobody expected from the last to the first.
+std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
+  if (const CLI::Option* option = repeated_option(program, error))
+    return name_of(*option) + " is given " +
+           (option->count() == 2 ? "twice" : std::to_string(option->count()) + " times");
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
+  std::string text = "not expected:";
+  for (const std::string& word : program.remaining(true)) text += " " + word;
+  return text;
+}
+
 /// A word of the command line that nobody expected is most likely misspelt.
 std::string hint_for(const CLI::App& program, const CLI::ParseError& error, int argc, const char* const* argv) {
+  if (repeated_option(program, error) != nullptr) return "give it once";
   const auto chosen = program.get_subcommands();
   const CLI::App& command = chosen.empty() ? program : *chosen.back();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
@@ -317,7 +365,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     return printed(version.what() + std::string("\n"));
   } catch (const CLI::ParseError& error) {
     if (const auto misplaced = why_misplaced(program, argc, argv)) return refuse(*misplaced);
-    return refuse({"", 0, 0, command_name(program) + ": " + error.what(), hint_for(program, error, argc, argv)});
+    return refuse(
+        {"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error, argc, argv)});
   }
   return run();
 }

@@ -1,5 +1,6 @@
 #include "app/render_command.h"
 
+#include "app/idle_options.h"
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
 #include "app/scene_lookup.h"
@@ -91,7 +92,8 @@ std::optional<Error> why_not_writable(const std::string& path) {
 
 ExitCode render_command(const RenderOptions& options) {
   const auto load_start = Clock::now();
-  auto document = load_scene(options.scene);
+  // A warning is nothing that went wrong: the picture is the one that was asked for.
+  auto document = load_scene(options.scene, options.quiet ? SceneWarnings::kept : SceneWarnings::said);
   if (!document) return fail(document.error());
   Scene& scene = document->scene;
   scene.limits.depth = options.depth.value_or(scene.limits.depth);
@@ -105,7 +107,7 @@ ExitCode render_command(const RenderOptions& options) {
   if (options.light_grid) choices.light_grid = options.light_grid;
   if (options.path_length) choices.path_length = options.path_length;
   choices.tolerance = options.tolerance.value_or(choices.tolerance);
-  const Sampling sampling{choices.samples, options.seed, options.corner_samples};
+  const Sampling sampling{choices.samples, options.seed.value_or(0), options.corner_samples};
   const ImageSize size = options.size.value_or(scene.image);
   RenderReport report{
       scene_path(options.scene), options.image, size, sampling, choices, scene.limits, options.precision,
@@ -113,6 +115,7 @@ ExitCode render_command(const RenderOptions& options) {
   if (const auto error = why_too_large(size)) return refuse(*error);
   for (const std::string& path : {options.image, options.statistics})
     if (const auto error = path.empty() ? std::nullopt : why_not_writable(path)) return fail(*error);
+  if (!options.quiet) warn(idle_options(options, scene));
 
   const Interrupt interrupt;
   Result<Rendering> rendering;

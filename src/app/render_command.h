@@ -10,7 +10,7 @@ namespace raywalk {
 
 /// What `raywalk render` was asked for; what is absent is the scene's own.
 struct RenderOptions {
-  bool quiet = false;                    ///< neither progress nor, at the end, what was done
+  bool quiet = false;                    ///< no warnings, notes or progress, nor what was done: only what went wrong
   std::string scene, image, statistics;  ///< paths; no statistics: empty
   std::optional<ImageSize> size{};
   std::optional<int> depth{};
@@ -23,7 +23,7 @@ struct RenderOptions {
   std::optional<int> light_grid{};
   std::optional<int> path_length{};
   std::optional<double> tolerance{};
-  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> seed{};
   bool corner_samples = false;
   int threads = 0;
   AcceleratorKind accelerator = AcceleratorKind::automatic;

@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "io/spelling.h"
+#include "scene/warnings.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -36,11 +37,11 @@ std::string scene_path(const std::string& scene) {
   return fs::exists(shipped, ignored) ? shipped.string() : scene;
 }
 
-Result<SceneDocument> load_scene(const std::string& scene) {
+Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warnings) {
   const std::string path = scene_path(scene);
   auto document = read_scene(path);
   if (document) {
-    warn(document->warnings);
+    if (warnings == SceneWarnings::said) warn(collected(document->warnings));
     return document;
   }
   Error error = document.error();

@@ -58,6 +58,7 @@ const Light* first_light(const Scene& scene, Calls calls) {
 
 bool is_glossy(const Material& m) { return m.gloss > 0 && (m.reflects() || m.transmits()); }
 bool is_translucent(const Material& m) { return m.translucency > 0 && m.transmits(); }
+bool emits(const Material& m) { return !is_black(m.emission); }
 
 EffectUse left_out(Integrator integrator, std::string_view what) {
   return {false, "none: " + std::string(integrator_name(integrator)) + " " + std::string(what)};
@@ -91,7 +92,15 @@ EffectUse translucency(const Scene& scene, Integrator integrator) {
   return use.used && !draws_random(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
 }
 
+/// A room may be lit by an object that emits alone. It has soft shadows then, but they are no effect of a light.
+EffectUse no_light(const Scene& scene) {
+  const Object* lamp = first_object(scene, emits);
+  if (lamp == nullptr) return {false, "none: no light shines"};
+  return {false, "none: no light shines; what " + lamp->name + " emits is indirect light, which only paths follow"};
+}
+
 EffectUse penumbra(const Scene& scene, Integrator integrator) {
+  if (first_light(scene, [](const Light&) { return true; }) == nullptr) return no_light(scene);
   const Light* area = first_light(scene, is_area);
   if (area == nullptr) return {false, "none: every light is a point or a direction"};
   if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
@@ -141,7 +150,6 @@ EffectUse indirect_light(const Scene& scene, Integrator integrator) {
 }
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* lamp = first_light(scene, [](const Light&) { return true; });
-  const auto emits = [](const Material& m) { return !is_black(m.emission); };
   if (lamp == nullptr && indirect_light(scene, integrator).used)
     return use_if(scene, emits, "emits, and paths look for it from all surfaces", "no light shines");
   if (lamp == nullptr) return {false, "none: no light shines"};

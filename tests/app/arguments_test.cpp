@@ -29,6 +29,11 @@ TEST_CASE("whole numbers, seeds and shares are nothing but numbers") {
     CHECK_FALSE(parse_whole(text, 1, 9).has_value());
   for (const std::string text : {"", "-1", "18446744073709551616", "1.5", " 1"})
     CHECK_FALSE(parse_seed(text).has_value());
-  for (const std::string text : {"", "-0.1", "nan", "inf", "1e999", "0.1x", " 0.1", "x"})
+  CHECK(parse_share("1") == 1.0);
+  CHECK(parse_amount("5") == 5.0);
+  for (const std::string text : {"", "-0.1", "nan", "inf", "1e999", "0.1x", " 0.1", "x"}) {
+    CHECK_FALSE(parse_amount(text).has_value());
     CHECK_FALSE(parse_share(text).has_value());
+  }
+  for (const std::string text : {"1.0001", "5"}) CHECK_FALSE(parse_share(text).has_value());
 }

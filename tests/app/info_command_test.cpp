@@ -49,6 +49,46 @@ TEST_CASE("info names every effect and why it is used or not") {
   CHECK_THAT(outcome.out, contains("used: Transparent Sphere transmits") && contains("none: nothing moves"));
 }
 
+TEST_CASE("where nothing shines, info does not speak of the kinds of lights") {
+  const auto penumbra = [](const Scene& scene) { return effects_of(scene)[Effect::penumbra]; };
+  Scene scene;
+  scene.objects = {{"Lamp", Sphere<double>{{0, 0, 2}, 1}, {}}, {"Ball", Sphere<double>{{0, 0, -2}, 1}, {}}};
+  CHECK(penumbra(scene).why == "none: no light shines");
+  scene.objects[0].material.emission = Rgbd(1.0);
+  for (const Integrator integrator : {Integrator::automatic, Integrator::path}) {
+    scene.render.integrator = integrator;
+    CHECK_FALSE(penumbra(scene).used);
+    CHECK(penumbra(scene).why == "none: no light shines; what Lamp emits is indirect light, which only paths follow");
+  }
+  scene.lights = {{"Off", Rgbd(0.0), SphereLight{{0, 0, 5}, 1, 1, {}}}};
+  CHECK_THAT(penumbra(scene).why, contains("no light shines; what Lamp emits"));
+  scene.lights = {{"Sun", Rgbd(1.0), DirectionalLight{{0, 0, 1}}}};
+  CHECK(penumbra(scene).why == "none: every light is a point or a direction");
+
+  const Folder folder;
+  CHECK_THAT(folder.run({"info", "cornell"}).out, contains("  penumbra        none: no light shines; what Lamp emits"));
+}
+
+TEST_CASE("info takes the options of a render that decide which effects it has") {
+  const Folder folder;
+  const auto info = [&](std::vector<std::string> words, const std::string& scene = "distributed") {
+    words.insert(words.begin(), {"info", scene});
+    const Outcome outcome = folder.run(words);
+    CHECK(outcome.exit_code == 0);
+    return outcome.out;
+  };
+  const std::string own = info({});
+  CHECK_THAT(own, contains("render            distributed, as what it holds calls for, 16 samples a pixel"));
+  CHECK_THAT(own, contains("used: the camera has a lens") && contains("used: 16 samples"));
+  CHECK_THAT(info({"--integrator", "whitted"}), contains("render            whitted, 16 samples a pixel") &&
+                                                    contains("none: whitted takes the lens as a pinhole"));
+  CHECK_THAT(info({"--spp", "3"}), contains(", 3 samples a pixel") && contains("used: 3 samples are taken"));
+  CHECK_THAT(info({"--integrator", "whitted", "--light-grid", "5"}), contains("used: Lamp is a grid of 5 x 5 points"));
+  CHECK_THAT(info({}, "cornell"), contains("used: Floor sends on") && !contains("a path"));
+  CHECK_THAT(info({"--path-length", "1"}, "cornell"),
+             contains(", at most 1 ray a path\n") && contains("none: paths end at what is seen"));
+}
+
 TEST_CASE("info --cost says what each effect takes, and what all would") {
   const Folder folder;
   const Outcome outcome = folder.run({"info", "whitted", "--cost"});

@@ -1,7 +1,7 @@
 // The command line as a person meets it: help, mistakes, and scenes that are not there.
 #include "app/process.h"
 
-#include <set>
+#include <algorithm>
 
 #include "support/catch.h"
 
@@ -81,9 +81,12 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"render", classic, "-o", "x.png", "--spp", "99999999999999999999"}, "a whole number from 1"},
       {{"render", classic, "-o", "x.png", "--depth", "0"}, "a whole number from 1 to 1000"},
       {{"render", classic, "-o", "x.png", "--depth", "1.5"}, "a whole number from 1 to 1000"},
-      {{"render", classic, "-o", "x.png", "--threshold", "-0.1"}, "0 or more"},
-      {{"render", classic, "-o", "x.png", "--threshold", "nan"}, "0 or more"},
-      {{"render", classic, "-o", "x.png", "--threshold", "inf"}, "0 or more"},
+      {{"render", classic, "-o", "x.png", "--threshold", "-0.1"}, "a number from 0 to 1"},
+      {{"render", classic, "-o", "x.png", "--threshold", "nan"}, "a number from 0 to 1"},
+      {{"render", classic, "-o", "x.png", "--threshold", "5"}, "a number from 0 to 1"},
+      {{"render", classic, "-o", "x.png", "--spp", "64", "--tolerance", "2"}, "a number from 0 to 1"},
+      {{"render", classic, "-o", "x.png", "--numerics", "naive", "--epsilon", "inf"}, "0 or more"},
+      {{"step", classic, "--threshold", "1.5"}, "a number from 0 to 1"},
       {{"render", classic, "-o", "x.png", "--threads", "-1"}, "a whole number from 0"},
       {{"render", classic, "-o", "x.png", "--seed", "-3"}, "2^64 - 1"},
       {{"render", classic, "-o", "x.png", "--seed", "18446744073709551616"}, "2^64 - 1"},
@@ -91,15 +94,23 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"render", classic, "-o", "x.png", "--precision", "half"}, "expected float or double"},
       {{"render", classic, "-o", "x.png", "--thread", "2"}, "did you mean --threads"},
       {{"render", classic, "-o", "x.png", "more"}, "more"},
-      {{"render", classic, "-o", "x.png", "-o", "y.png"}, "--output"},
+      {{"render", classic, "-o", "x.png", "-o", "y.png"},
+       "raywalk render: --output is given twice\n  hint: give it once\n"},
+      {{"render", classic, "-o", "x.png", "--threads", "1", "--threads", "2"}, "render: --threads is given twice\n"},
+      {{"render", classic, "-o", "x.png", "--accel", "bvh", "--accel=bvh"}, "render: --accel is given twice\n"},
+      {{"check", "numerics", "--seed", "1", "--seed", "2", "--seed", "3"}, "check: --seed is given 3 times\n"},
+      {{"--theme", "dark", "--theme", "dark"}, "raywalk: --theme is given twice\n"},
       {{"info"}, "SCENE is required"},
-      {{"info", classic, "--spp", "3"}, "--spp"},
+      {{"info", classic, "--seed", "3"}, "raywalk info: not expected: --seed 3\n"},
+      {{"info", classic, "more", "--seed", "3", "--flag"}, "not expected: more --seed 3 --flag\n"},
+      {{"check", "numerics", "sphere", "--flag", "--other"}, "not expected: --flag --other\n"},
+      {{"info", classic, "--spp", "0"}, "a whole number from 1"},
       {{"rendr", classic}, "did you mean render"},
       {{"--no-such-option"}, "--no-such-option"},
       {{classic, "info"}, "raywalk info " + classic},
       {{classic, "render", "-o", "x.png"}, "raywalk render " + classic + " -o x.png"},
       {{classic, "info", classic}, "does not go with a command"},
-      {{"--theme", "dark", "info", classic}, "does not go with a command"},
+      {{"--theme", "dark", "info", classic}, "--theme belongs to the window and does not go with a command"},
   };
   const Folder folder;
   for (const Mistake& mistake : mistakes) {
@@ -174,6 +185,23 @@ TEST_CASE("a warning of the scene is shown and does not stop the command") {
   const Outcome outcome = folder.run({"info", "warm.toml"});
   CHECK(outcome.exit_code == 0);
   CHECK_THAT(outcome.err, contains("warm.toml:") && contains("Ball"));
+}
+
+TEST_CASE("what a scene warns of many objects is said in one line") {
+  const Folder folder;
+  std::string text = "[camera]\neye = [-5, 0]\nlook_at = [0, 0]\nfov = 45\n";
+  for (int i = 0; i < 1000; ++i)
+    text += "[[object]]\nname = \"Ball " + std::to_string(i) + "\"\ntype = \"sphere\"\ncentre = [0, " +
+            std::to_string(3 * i) + "]\nradius = 1\n[object.material]\nreflection = 1." + std::to_string(i + 1) + "\n";
+  folder.write("bright.toml", text);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"info", "bright.toml"}, {"step", "bright.toml", "--pixel", "10"}}) {
+    const Outcome outcome = folder.run(words);
+    CHECK(outcome.exit_code == 0);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK_THAT(outcome.err, contains("bright.toml:5:1: warning: \"Ball 0\" sends out more light than it receives"));
+    CHECK_THAT(outcome.err, contains("; and 999 more like it\n"));
+  }
 }
 
 TEST_CASE("standard output that takes nothing is a failure") {

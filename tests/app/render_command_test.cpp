@@ -105,6 +105,47 @@ TEST_CASE("paths end at the length that is asked for") {
   CHECK(ended("1000") == 0);
 }
 
+TEST_CASE("an option that can do nothing is said, and the picture is the same without it") {
+  const Folder folder;
+  const auto render = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"render", classic, "-o", "a.pfm", "--size", "40x30"});
+    const Outcome outcome = folder.run(words);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out == "");
+    return std::pair(outcome.err, folder.read("a.pfm"));
+  };
+  const auto [silence, expected] = render({});
+  CHECK(silence == "");
+  const std::vector<std::string> idle{"--tolerance", "0.1", "--epsilon", "1", "--path-length", "2"};
+  const auto [said, picture] = render(idle);
+  CHECK(said ==
+        "raywalk render: note: --tolerance has no effect: a pixel always takes its first 16 samples, and has only 1 "
+        "here\n"
+        "raywalk render: note: --path-length has no effect: the integrator is whitted (expected --integrator path)\n"
+        "raywalk render: note: --epsilon has no effect: numerics are robust (expected --numerics naive)\n");
+  CHECK(picture == expected);
+  std::vector<std::string> quietly = idle;
+  quietly.emplace_back("--quiet");
+  CHECK(render(quietly) == std::pair(std::string(), expected));
+  CHECK_THAT(folder.run({"render", "--help"}).out, contains("the first 16 always"));
+}
+
+TEST_CASE("a quiet render keeps the scene's warnings to itself, but not what went wrong") {
+  const Folder folder;
+  const std::string whitted = std::string(RAYWALK_SOURCE_DIR) + "/scenes/whitted.toml";
+  const std::vector<std::string> words{"render", whitted, "-o", "a.png", "--size", "8x8"};
+  const Outcome loud = folder.run(words);
+  CHECK(loud.exit_code == 0);
+  CHECK_THAT(loud.err, contains("warning: \"Glass Sphere\"") && contains("; and 1 more like it\n"));
+  std::vector<std::string> quietly = words;
+  quietly.emplace_back("-q");
+  const Outcome quiet = folder.run(quietly);
+  CHECK(quiet.exit_code == 0);
+  CHECK(quiet.err == "");
+  quietly[3] = "no/such/folder.png";
+  CHECK_THAT(folder.run(quietly).err, contains("cannot write"));
+}
+
 TEST_CASE("the statistics hold what is promised, and add up") {
   const Folder folder;
   REQUIRE(

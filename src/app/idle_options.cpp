@@ -1,0 +1,61 @@
+#include "app/idle_options.h"
+
+#include "render/adaptive.h"
+#include "scene/effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace raywalk {
+
+namespace {
+
+/// Whether a random number may be drawn. Of paths, which nearly always draw, it is taken for granted.
+bool may_draw(const Scene& scene, Integrator integrator) {
+  if (integrator != Integrator::distributed) return draws_random(integrator);
+  const Effects effects = effects_of(scene, scene.render.samples);
+  constexpr std::array drawn{Effect::antialiasing, Effect::gloss,          Effect::translucency,
+                             Effect::penumbra,     Effect::depth_of_field, Effect::motion_blur};
+  return std::any_of(drawn.begin(), drawn.end(), [&](Effect effect) { return effects.used(effect); });
+}
+
+}  // namespace
+
+std::vector<std::string> idle_options(const RenderOptions& given, const Scene& scene) {
+  const RenderChoices& choices = scene.render;
+  const Integrator integrator = integrator_of(scene, choices.samples);
+  const std::string_view name = integrator_name(integrator);
+  std::vector<std::string> lines;
+  const auto idle = [&](std::string_view option, const std::string& why) {
+    lines.push_back(fmt::format("raywalk render: note: {} has no effect: {}", option, why));
+  };
+
+  constexpr int first_look = Adaptive<double>::first_look;
+  if (given.tolerance.value_or(0) > 0 && choices.samples <= first_look)
+    idle("--tolerance",
+         fmt::format("a pixel always takes its first {} samples, and has only {} here", first_look, choices.samples));
+  if (!may_draw(scene, integrator)) {
+    const std::string why = fmt::format("the integrator {} draws no random number here", name);
+    if (given.sampler) idle("--sampler", why);
+    if (given.seed) idle("--seed", why);
+  }
+  if (given.light_grid && std::none_of(scene.lights.begin(), scene.lights.end(), is_area))
+    idle("--light-grid", "no light has an extent");
+  const bool path = integrator == Integrator::path;
+  if (path || integrator == Integrator::cast) {
+    const std::string why =
+        path ? "paths end by chance, or as --path-length says" : "the integrator cast follows no ray beyond a hit";
+    if (given.depth) idle("--depth", why);
+    if (given.threshold) idle("--threshold", why);
+  }
+  if (given.path_length && !path)
+    idle("--path-length", fmt::format("the integrator is {} (expected --integrator path)", name));
+  if (given.epsilon && choices.numerics != Numerics::naive)
+    idle("--epsilon", fmt::format("numerics are {} (expected --numerics naive)", numerics_name(choices.numerics)));
+  return lines;
+}
+
+}  // namespace raywalk
