@@ -54,6 +54,14 @@ std::string hint_for_writing(int error_number, bool replaces) {
   }
 }
 
+/// What a path leads to that is no file; "" for a file.
+std::string_view what_else(mode_t mode) {
+  if (S_ISREG(mode)) return "";
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  return S_ISSOCK(mode) ? "a socket" : "a device";
+}
+
 /// 0, or the errno of what failed.
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -96,14 +104,18 @@ int open_new_file(const std::filesystem::path& folder, std::string& name) {
 }  // namespace
 
 Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Asked before it is opened: to open a pipe waits for its writer, and to open a device may move it.
+  struct stat status{};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (const std::string_view what = exists ? what_else(status.st_mode) : ""; !what.empty())
+    return tl::unexpected(Error{path, 0, 0, "this is " + std::string(what) + " (expected a file)",
+                                S_ISDIR(status.st_mode) ? "name a file inside it, such as classic.toml"
+                                                        : "put what it holds into a file first"});
+  // Should a pipe have taken its place by now, nothing waits for that one either.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open())
     return tl::unexpected(cannot("read", path, errno,
                                  errno == ENOENT ? "there is no such file; check the path" : "check the permissions"));
-  struct stat status{};
-  if (::fstat(file.number(), &status) == 0 && S_ISDIR(status.st_mode))
-    return tl::unexpected(
-        Error{path, 0, 0, "this is a folder (expected a file)", "name a file inside it, such as classic.toml"});
   std::string bytes;
   constexpr std::size_t chunk = std::size_t{1} << 16;
   for (;;) {

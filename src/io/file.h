@@ -8,8 +8,8 @@
 
 namespace raywalk {
 
-/// The bytes of a file, or of anything else that can be read, such as a pipe. Refuses folders and more than
-/// `most_bytes`.
+/// The bytes of a file. Refuses more than `most_bytes`, and whatever is no file: a pipe could keep the program waiting
+/// for ever.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t most_bytes);
 
 /// Writes a file piece by piece, all or nothing: into a new file beside it, which takes its name only when `commit` is

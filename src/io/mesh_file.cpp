@@ -17,6 +17,17 @@ std::string path_beside(const std::string& from, const std::string& name) {
   return (folder / name).string();  // an absolute name stays what it is
 }
 
+bool stays_beside(std::string_view name) {
+  if (name.empty() || name.front() == '/' || name.front() == '\\') return false;
+  if (name.find(':') != std::string_view::npos || name.find('\0') != std::string_view::npos) return false;
+  for (;;) {
+    const std::size_t end = std::min(name.find_first_of("/\\"), name.size());
+    if (name.substr(0, end) == "..") return false;
+    if (end == name.size()) return true;
+    name.remove_prefix(end + 1);
+  }
+}
+
 std::string why_no_mesh(const Mesh& mesh) {
   constexpr double most = 1e15;  // as everywhere in a scene
   const auto sound = [](double x) { return std::abs(x) <= most; };
@@ -39,6 +50,23 @@ std::string why_no_mesh(const Mesh& mesh) {
         return fmt::format("triangle {} names vertex {} (expected 0 to {})", i, corner, vertices - 1);
   if (mesh.triangles.empty()) return "there is no triangle in it (expected at least one)";
   return "";
+}
+
+std::string why_unseen(const Mesh& mesh) {
+  const auto has_area = [&](const Mesh::Corners& corners) {
+    const auto at = [&](std::size_t i) { return mesh.positions[static_cast<std::size_t>(corners[i])]; };
+    return cross(at(1) - at(0), at(2) - at(0)) != Vec3d(0.0);
+  };
+  if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), has_area)) return "";
+  const std::size_t count = mesh.triangles.size();
+  return count == 1 ? "its only triangle has no area: no ray meets it"
+                    : fmt::format("none of its {} triangles has an area: no ray meets them", count);
+}
+
+MeshFile finished_mesh(Mesh mesh, const std::string& path) {
+  MeshFile file{std::make_shared<const Mesh>(std::move(mesh)), nullptr};
+  if (const std::string why = why_unseen(*file.mesh); !why.empty()) file.warnings = {path + ": warning: " + why};
+  return file;
 }
 
 }  // namespace detail

@@ -15,6 +15,7 @@ namespace raywalk {
 struct MeshFile {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const std::vector<Material>> materials;
+  std::vector<std::string> warnings{};  ///< one line each, "FILE:LINE: ..."
 };
 
 /// Reads a mesh by the ending of its name. A file that is cut short, or that names vertices which it does not have, or
@@ -41,9 +42,16 @@ inline constexpr std::size_t most_mesh_bytes = std::size_t{1} << 31;
 
 /// Where `name`, found in the file `from`, lies: relative to it unless absolute.
 [[nodiscard]] std::string path_beside(const std::string& from, const std::string& name);
+/// Whether `name` stays in the folder of the file that names it, or in one below. Meshes come from strangers, who need
+/// not learn what other files hold.
+[[nodiscard]] bool stays_beside(std::string_view name);
 
 /// What is wrong with a mesh's numbers, "" when nothing: the last check of every reader.
 [[nodiscard]] std::string why_no_mesh(const Mesh& mesh);
+/// Why nothing of a sound mesh can be seen, "" when something can.
+[[nodiscard]] std::string why_unseen(const Mesh& mesh);
+/// What a reader has made of the file `path`, with a warning where nothing of it can be seen.
+[[nodiscard]] MeshFile finished_mesh(Mesh mesh, const std::string& path);
 
 }  // namespace detail
 

@@ -73,7 +73,7 @@ class GltfReader {
       return tl::unexpected(Error{path_, 0, 0, why, "only triangles are read, not lines, points or skins"});
     const bool has_materials = !materials_.empty();
     if (!has_materials) mesh_.materials.clear();
-    MeshFile result{std::make_shared<const Mesh>(std::move(mesh_)), nullptr};
+    MeshFile result = detail::finished_mesh(std::move(mesh_), path_);
     if (has_materials) result.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return result;
   }
@@ -84,7 +84,8 @@ class GltfReader {
     if (const Json* required = file_.find(root, "extensionsRequired"); required && required->is_array())
       for (const Json& name : *required)
         if (!name.is_string() || name.get_ref<const std::string&>().rfind("KHR_materials_", 0) != 0)
-          return file_.fail("it needs the extension " + name.dump(-1, ' ', true).substr(0, 60) + ", which is not read",
+          return file_.fail(fmt::format("it needs the extension \"{}\" (expected none but KHR_materials_...)",
+                                        name.is_string() ? name.get_ref<const std::string&>().substr(0, 60) : "?"),
                             "export it without compression and without extensions");
     const Json* scenes = file_.find(root, "scenes");
     if (scenes == nullptr) {
@@ -95,18 +96,20 @@ class GltfReader {
     const std::int64_t scene = file_.whole(root, "scene", 0);
     if (const Json* nodes = file_.find(file_.element("scenes", scene), "nodes"); nodes && nodes->is_array())
       for (const Json& node : *nodes)
-        if (!file_.failure()) add_node(file_.index(node), Affine<double>{}, 0);
+        if (!file_.failure()) add_node(file_.index(node, "nodes"), Affine<double>{}, 0);
   }
 
   void add_node(std::int64_t index, const Affine<double>& outer, int depth) {
     if (depth > most_depth || ++nodes_visited_ > most_nodes)
-      return file_.fail("its nodes are nested too deeply, or in a circle", "no node may be its own child");
+      return file_.fail(
+          fmt::format("its nodes are nested too deeply, or in a circle (expected at most {} deep)", most_depth),
+          "no node may be its own child");
     const Json& node = file_.element("nodes", index);
     const Affine<double> map = outer * map_of(node);
     if (file_.find(node, "mesh")) add_mesh(file_.whole(node, "mesh", 0), map);
     if (const Json* children = file_.find(node, "children"); children && children->is_array())
       for (const Json& child : *children)
-        if (!file_.failure()) add_node(file_.index(child), map, depth + 1);
+        if (!file_.failure()) add_node(file_.index(child, "children"), map, depth + 1);
   }
 
   Affine<double> map_of(const Json& node) {
@@ -127,7 +130,7 @@ class GltfReader {
   void add_mesh(std::int64_t index, const Affine<double>& map) {
     const Json* primitives = file_.find(file_.element("meshes", index), "primitives");
     if (primitives == nullptr || !primitives->is_array())
-      return file_.fail("a mesh without primitives", "the file is damaged");
+      return file_.fail("a mesh without primitives (expected a list of them)", "the file is damaged");
     for (const Json& primitive : *primitives)
       if (!file_.failure()) add_primitive(primitive, map);
   }
@@ -137,7 +140,7 @@ class GltfReader {
     if (mode < 4 || mode > 6) return;  // points and lines have no surface
     const Json* attributes = file_.find(primitive, "attributes");
     if (attributes == nullptr || !file_.find(*attributes, "POSITION"))
-      return file_.fail("a mesh without positions", "the file is damaged");
+      return file_.fail("a mesh without positions (expected the attribute POSITION)", "the file is damaged");
     const View positions = view(file_.whole(*attributes, "POSITION", 0), 3);
     if (file_.failure()) return;
     const auto first = static_cast<std::int64_t>(mesh_.positions.size());
@@ -177,10 +180,12 @@ class GltfReader {
     };
     const std::int64_t material = file_.whole(primitive, "material", -1);
     if (material >= static_cast<std::int64_t>(materials_.size()))
-      return file_.fail(fmt::format("a mesh names material {}, which is not there", material), "the file is damaged");
+      return file_.fail(fmt::format("a mesh names material {} (expected one of {})", material, materials_.size()),
+                        "the file is damaged");
     const std::int64_t triangles = mode == 4 ? count / 3 : std::max<std::int64_t>(count - 2, 0);
     if (static_cast<double>(mesh_.triangles.size()) + static_cast<double>(triangles) > detail::most_entries)
-      return file_.fail(fmt::format("more than {:g} triangles", detail::most_entries), "use a coarser mesh");
+      return file_.fail(fmt::format("too many triangles (expected at most {:g})", detail::most_entries),
+                        "use a coarser mesh");
     for (std::int64_t t = 0; t < triangles && !file_.failure(); ++t) {
       Mesh::Corners corners = mode == 4    ? Mesh::Corners{corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)}
                               : mode == 6  ? Mesh::Corners{corner(0), corner(t + 1), corner(t + 2)}
@@ -201,7 +206,10 @@ class GltfReader {
     };
     if (file_.find(accessor, "sparse")) return bad("sparse accessors are not read");
     const std::string type = file_.text(accessor, "type");
-    if (type != (width == 1 ? "SCALAR" : width == 2 ? "VEC2" : "VEC3")) return bad("its type is not the one expected");
+    if (type != (width == 1 ? "SCALAR" : width == 2 ? "VEC2" : "VEC3"))
+      return bad(fmt::format("its type is not the one expected ({})", width == 1   ? "SCALAR"
+                                                                      : width == 2 ? "VEC2"
+                                                                                   : "VEC3"));
     View view;
     view.width = width;
     view.type = static_cast<int>(file_.whole(accessor, "componentType", 0));
@@ -209,11 +217,13 @@ class GltfReader {
                               : view.type == 5122 || view.type == 5123 ? 2
                               : view.type == 5125 || view.type == 5126 ? 4
                                                                        : 0;
-    if (size == 0) return bad("unknown component type");
+    if (size == 0) return bad("unknown component type (expected 5120 to 5123, 5125 or 5126)");
     const Json* normalized = file_.find(accessor, "normalized");
     view.normalized = normalized != nullptr && normalized->is_boolean() && normalized->get<bool>();
     view.count = file_.whole(accessor, "count", -1);
-    if (view.count < 0 || (count >= 0 && view.count != count)) return bad("its count does not fit");
+    if (view.count < 0 || (count >= 0 && view.count != count))
+      return bad(count < 0 ? "its count does not fit (expected 0 or more)"
+                           : fmt::format("its count does not fit (expected {})", count));
     const Json& buffer_view = file_.element("bufferViews", file_.whole(accessor, "bufferView", -1));
     const std::string& bytes = file_.buffer(file_.whole(buffer_view, "buffer", -1));
     const std::int64_t view_offset = file_.whole(buffer_view, "byteOffset", 0),
@@ -222,12 +232,13 @@ class GltfReader {
     view.stride = file_.whole(buffer_view, "byteStride", size * width);
     const auto length = static_cast<std::int64_t>(bytes.size());
     if (view_offset < 0 || view_length < 0 || view_offset > length || view_length > length - view_offset)
-      return bad("its view goes over the end of its buffer");
+      return bad(fmt::format("its view goes over the end of its buffer (expected to end within {} bytes)", length));
     if (view.stride < size * width || view.stride > 4096 || offset < 0 || offset > view_length)
-      return bad("its offset or stride is wrong");
+      return bad(fmt::format("its offset or stride is wrong (expected a stride of {} to 4096 bytes)", size * width));
     const std::int64_t room = view_length - offset;
     if (view.count > 0 && (room < size * width || view.count - 1 > (room - size * width) / view.stride))
-      return bad("its elements go over the end of their view");
+      return bad(
+          fmt::format("its elements go over the end of their view (expected to end within {} bytes)", view_length));
     view.data = reinterpret_cast<const unsigned char*>(bytes.data()) + view_offset + offset;
     return view;
   }

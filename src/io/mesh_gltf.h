@@ -26,7 +26,8 @@ class GltfFile {
   [[nodiscard]] static const Json* find(const Json& object, const char* key);
   [[nodiscard]] std::int64_t whole(const Json& object, const char* key, std::int64_t otherwise) const;
   [[nodiscard]] std::string text(const Json& object, const char* key) const;
-  [[nodiscard]] std::int64_t index(const Json& number) const;
+  /// A node, as the list `key` names it.
+  [[nodiscard]] std::int64_t index(const Json& number, const char* key) const;
   /// An element of one of the lists at the top.
   [[nodiscard]] const Json& element(const char* list, std::int64_t index) const;
   [[nodiscard]] std::int64_t size_of(const char* list) const;
@@ -40,7 +41,7 @@ class GltfFile {
     if (found == nullptr) return otherwise;
     std::array<double, Count> result{};
     if (!(Count == 1 && found->is_number()) && !(found->is_array() && found->size() == Count)) {
-      wrong(key);
+      wrong(*found, key, Count == 1 ? "a number" : "a list of " + std::to_string(Count) + " numbers");
       return otherwise;
     }
     for (std::size_t i = 0; i < Count; ++i) result[i] = finite(found->is_array() ? (*found)[i] : *found, key);
@@ -54,7 +55,8 @@ class GltfFile {
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
 
  private:
-  void wrong(const char* key) const;
+  void wrong(const Json& found, const char* key, const std::string& expected) const;
+  void fail_missing(const char* what, std::int64_t index, std::size_t size) const;
   double finite(const Json& number, const char* key) const;
 
   mutable std::optional<Failure> failure_;

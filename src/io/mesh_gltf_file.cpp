@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -61,19 +62,77 @@ std::string from_percent(std::string_view uri) {
   return text;
 }
 
+/// A value as a message shows it. What nests is named only: it may do so too deep for a walk through it.
+std::string shown(const Json& value) {
+  if (value.is_array()) return "a list";
+  if (value.is_object()) return "an object";
+  if (value.is_string()) return "\"" + value.get_ref<const std::string&>().substr(0, 40) + "\"";
+  return value.dump();
+}
+
+/// Listens to a parser for the place where a text stops being JSON: the bytes read until then, with the one at fault.
+struct JsonFault {
+  std::size_t at = 0;
+
+  bool null() { return true; }
+  bool boolean(bool) { return true; }
+  bool number_integer(Json::number_integer_t) { return true; }
+  bool number_unsigned(Json::number_unsigned_t) { return true; }
+  bool number_float(Json::number_float_t, const std::string&) { return true; }
+  bool string(const std::string&) { return true; }
+  bool binary(const Json::binary_t&) { return true; }
+  bool start_object(std::size_t) { return true; }
+  bool key(const std::string&) { return true; }
+  bool end_object() { return true; }
+  bool start_array(std::size_t) { return true; }
+  bool end_array() { return true; }
+  bool parse_error(std::size_t position, const std::string&, const Json::exception&) {
+    at = position;
+    return false;
+  }
+};
+
+/// That `text`, which begins at byte `begin` of the file, is no JSON; at which line, where the file is one of lines.
+Error no_json(std::string_view text, std::size_t begin, const std::string& path) {
+  JsonFault fault;
+  static_cast<void>(Json::sax_parse(text, &fault));
+  const std::string_view before = text.substr(0, fault.at == 0 ? 0 : fault.at - 1);
+  Error error{path, 0, 0, "its JSON is not well formed", "is this a glTF 2.0 file, and whole?"};
+  error.message += before.size() == text.size() ? ": it ends too early (expected its closing brackets)"
+                                                : " (expected values with a comma between them, names in quotes)";
+  if (begin > 0) {
+    error.message += fmt::format(" at byte {}", begin + before.size());
+    return error;
+  }
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 in the first line
+  const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  error.line = static_cast<int>(1 + std::count(before.begin(), before.end(), '\n'));
+  error.column = static_cast<int>(
+      1 + std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_begin), before.end(), begins_character));
+  return error;
+}
+
+/// The line in which a text stands in quotes; 0 where it stands in none or in several, or is written in another way.
+int line_of(std::string_view text, const std::string& word) {
+  const std::string quoted = '"' + word + '"';
+  const std::size_t at = text.find(quoted);
+  if (at == std::string_view::npos || text.find(quoted, at + 1) != std::string_view::npos) return 0;
+  return static_cast<int>(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
 /// The bytes that a buffer's URI stands for: in the URI itself, or in a file beside this one. Nothing is fetched.
 std::string bytes_of(const GltfFile& file, const std::string& uri, const std::string& path) {
   if (uri.rfind("data:", 0) == 0) {
     const std::size_t comma = uri.find(";base64,");
     const auto bytes = comma == std::string::npos ? std::nullopt : from_base64(std::string_view(uri).substr(comma + 8));
-    if (!bytes) file.fail("a data URI that is not base64", "export it with its buffer in a file");
+    if (!bytes)
+      file.fail("a data URI that is not base64 (expected data:...;base64,...)", "export it with its buffer in a file");
     return bytes.value_or("");
   }
   const std::string name = from_percent(uri);
-  if (name.empty() || name.front() == '/' || name.front() == '\\' || name.find(':') != std::string::npos ||
-      name.find('\0') != std::string::npos) {
+  if (!stays_beside(name)) {
     file.fail("a buffer lies at \"" + uri.substr(0, 60) + "\" (expected a file beside the mesh)",
-              "nothing is fetched from elsewhere");
+              "nothing is read from elsewhere: copy the buffer into the mesh's folder");
     return "";
   }
   auto bytes = read_file(path_beside(path, name), most_mesh_bytes);
@@ -99,21 +158,27 @@ void GltfFile::fail(std::string message, std::string hint) const {
   if (!failure_) failure_ = Failure{std::move(message), std::move(hint)};
 }
 
-void GltfFile::wrong(const char* key) const {
-  fail(fmt::format("\"{}\" is not what it should be", key), "see the glTF 2.0 specification");
+void GltfFile::wrong(const Json& found, const char* key, const std::string& expected) const {
+  fail(fmt::format("\"{}\": found {} (expected {})", key, shown(found), expected), "see the glTF 2.0 specification");
+}
+
+void GltfFile::fail_missing(const char* what, std::int64_t index, std::size_t size) const {
+  fail(size == 0 ? fmt::format("it names number {} of \"{}\", but has none (expected a list of them)", index, what)
+                 : fmt::format("it names number {} of \"{}\" (expected 0 to {})", index, what, size - 1),
+       "the file is damaged");
 }
 
 double GltfFile::finite(const Json& number, const char* key) const {
   if (number.is_number() && std::isfinite(number.get<double>())) return number.get<double>();
-  wrong(key);
+  wrong(number, key, "a finite number");
   return 0;
 }
 
-std::int64_t GltfFile::index(const Json& number) const {
+std::int64_t GltfFile::index(const Json& number, const char* key) const {
   constexpr double most = 2147483647;
-  const double value = finite(number, "index");
+  const double value = finite(number, key);
   if (value >= 0 && value <= most && value == std::floor(value)) return static_cast<std::int64_t>(value);
-  wrong("index");
+  wrong(number, key, "a whole number, 0 or more");
   return -1;
 }
 
@@ -122,14 +187,17 @@ std::int64_t GltfFile::whole(const Json& object, const char* key, std::int64_t o
   if (found == nullptr) return otherwise;
   const double value = finite(*found, key);
   if (value == std::floor(value) && std::abs(value) <= 4e9) return static_cast<std::int64_t>(value);
-  wrong(key);
+  wrong(*found, key, "a whole number, at most 4e9");
   return otherwise;
 }
 
 std::string GltfFile::text(const Json& object, const char* key) const {
   const Json* found = find(object, key);
   if (found != nullptr && found->is_string()) return found->get<std::string>();
-  wrong(key);
+  if (found != nullptr)
+    wrong(*found, key, "a text");
+  else
+    fail(fmt::format("\"{}\" is missing (expected a text)", key), "see the glTF 2.0 specification");
   return "";
 }
 
@@ -137,7 +205,7 @@ const Json& GltfFile::element(const char* list, std::int64_t index) const {
   const Json* found = find(json, list);
   if (found != nullptr && found->is_array() && index >= 0 && index < static_cast<std::int64_t>(found->size()))
     return (*found)[static_cast<std::size_t>(index)];
-  fail(fmt::format("it names number {} of \"{}\", which is not there", index, list), "the file is damaged");
+  fail_missing(list, index, found != nullptr && found->is_array() ? found->size() : 0);
   return nothing();
 }
 
@@ -149,7 +217,7 @@ std::int64_t GltfFile::size_of(const char* list) const {
 const std::string& GltfFile::buffer(std::int64_t index) const {
   static const std::string none;
   if (index >= 0 && index < static_cast<std::int64_t>(buffers.size())) return buffers[static_cast<std::size_t>(index)];
-  fail(fmt::format("it names buffer {}, which is not there", index), "the file is damaged");
+  fail_missing("buffers", index, buffers.size());
   return none;
 }
 
@@ -158,33 +226,46 @@ Result<GltfFile> open_gltf(const std::string& bytes, const std::string& path) {
     return tl::unexpected(Error{path, 0, 0, message, "is this a glTF 2.0 file, and whole?"});
   };
   GltfFile file;
+  if (bytes.empty()) return fail("the file is empty (expected a glTF 2.0 file)");
   std::string_view text = bytes, binary;
-  if (bytes.rfind("glTF", 0) == 0) {
+  std::size_t begin = 0;
+  constexpr std::string_view magic = "glTF";
+  if (magic.starts_with(text.substr(0, magic.size()))) {
     // A header of 12 bytes, then chunks: length, type, bytes. The first is the JSON.
-    if (bytes.size() < 20) return fail("the file ends in its header at byte " + std::to_string(bytes.size()));
+    if (bytes.size() < 20)
+      return fail(fmt::format("the file ends in its header (expected 20 bytes or more) at byte {}", bytes.size()));
     if (number_at(bytes, 4) != 2) return fail(fmt::format("version {} (expected 2) at byte 4", number_at(bytes, 4)));
     const std::uint64_t length = number_at(bytes, 12);
     if (bytes.substr(16, 4) != "JSON" || length > bytes.size() - 20)
-      return fail("the JSON goes over the end of the file at byte 12");
-    text = std::string_view(bytes).substr(20, length);
-    const std::size_t next = 20 + length;
+      return fail("the JSON goes over the end of the file (expected a chunk of JSON that is whole) at byte 12");
+    begin = 20;
+    text = std::string_view(bytes).substr(begin, length);
+    const std::size_t next = begin + length;
     if (bytes.size() - next >= 8) {
       const std::uint64_t size = number_at(bytes, next);
       if (size > bytes.size() - next - 8)
-        return fail(fmt::format("a chunk goes over the end of the file at byte {}", next));
+        return fail(fmt::format("a chunk goes over the end of the file (expected at most {} bytes) at byte {}",
+                                bytes.size() - next - 8, next));
       binary = std::string_view(bytes).substr(next + 8, size);
     }
   }
   file.json = Json::parse(text, nullptr, false);
-  if (file.json.is_discarded() || !file.json.is_object()) return fail("its JSON is not well formed");
+  if (file.json.is_discarded()) return tl::unexpected(no_json(text, begin, path));
+  if (!file.json.is_object()) return fail(fmt::format("its JSON is {} (expected an object)", shown(file.json)));
   const Json* asset = GltfFile::find(file.json, "asset");
-  if (asset == nullptr || file.text(*asset, "version").rfind("2.", 0) != 0) return fail("its version is not 2");
+  const Json* version = asset == nullptr ? nullptr : GltfFile::find(*asset, "version");
+  if (version == nullptr) return fail("it has no version (expected \"asset\": {\"version\": \"2.0\"})");
+  if (!version->is_string() || version->get_ref<const std::string&>().rfind("2.", 0) != 0)
+    return fail(fmt::format("its version is {} (expected \"2.0\")", shown(*version)));
+  int line = 0;
   for (std::int64_t i = 0; i < file.size_of("buffers") && !file.failure(); ++i) {
     const Json& buffer = file.element("buffers", i);
     const bool is_own = i == 0 && GltfFile::find(buffer, "uri") == nullptr;
-    file.buffers.push_back(is_own ? std::string(binary) : bytes_of(file, file.text(buffer, "uri"), path));
+    const std::string uri = is_own ? "" : file.text(buffer, "uri");
+    file.buffers.push_back(is_own ? std::string(binary) : bytes_of(file, uri, path));
+    if (file.failure() && begin == 0 && !uri.empty()) line = line_of(text, uri);
   }
-  if (file.failure()) return tl::unexpected(Error{path, 0, 0, file.failure()->message, file.failure()->hint});
+  if (file.failure()) return tl::unexpected(Error{path, line, 0, file.failure()->message, file.failure()->hint});
   return file;
 }
 

@@ -30,6 +30,7 @@ std::optional<MeshFile> ReadLog::mesh(const std::string& name, const toml::sourc
       error_ = error;
     return std::nullopt;
   }
+  warnings_.insert(warnings_.end(), read->warnings.begin(), read->warnings.end());
   return meshes_.emplace(name, std::move(*read)).first->second;
 }
 
@@ -146,6 +147,7 @@ void SceneReader::vertices(std::string_view positions, std::string_view triangle
     return fail(*texture, uv, fmt::format("{} texture points for {} vertices", mesh->uv.size(), mesh->positions.size()),
                 "each vertex has one, in the same order");
   if (const std::string why = why_no_mesh(*mesh); !why.empty()) return fail(*of, triangles, why, "");
+  if (const std::string why = why_unseen(*mesh); !why.empty()) log_.warn(of->source(), place_ + ": " + why);
   value.mesh = std::move(mesh);
 }
 

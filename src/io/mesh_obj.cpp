@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 namespace raywalk {
@@ -44,7 +45,8 @@ class ObjReader {
     if (!has_materials_) mesh_.materials.clear();
     if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
       return tl::unexpected(Error{path_, 0, 0, why, "lines \"v X Y Z\" are vertices, lines \"f 1 2 3\" faces"});
-    MeshFile file{std::make_shared<const Mesh>(std::move(mesh_)), nullptr};
+    MeshFile file = detail::finished_mesh(std::move(mesh_), path_);
+    if (!unknown_.empty()) file.warnings.push_back(warning_of_unknown());
     if (has_materials_) file.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return file;
   }
@@ -75,6 +77,10 @@ class ObjReader {
       const std::string name(cursor_.rest());
       const auto found = material_index_.find(name);
       material_ = found == material_index_.end() ? -1 : found->second;
+      if (material_ < 0) {
+        if (unknown_.empty()) first_unknown_ = name, unknown_line_ = cursor_.line();
+        unknown_.insert(name);
+      }
     } else if (keyword == "mtllib") {
       return read_library(std::string(cursor_.rest()));
     }
@@ -97,10 +103,18 @@ class ObjReader {
     return true;
   }
 
-  /// One index of a corner: from 1, or back from the newest one as -1. `count` are known so far.
-  bool read_index(std::string_view word, std::size_t count, std::string_view what, std::int32_t& index) {
+  /// One index of a corner: from 1, or back from the newest one as -1. `count` are known so far; `form` gives one.
+  bool read_index(std::string_view word, std::size_t count, std::string_view what, std::string_view form,
+                  std::int32_t& index) {
     const auto number = detail::whole_in(word);
     const auto known = static_cast<std::int64_t>(count);
+    if (word.empty())
+      return fail(fmt::format("a corner of a face leaves its {} empty (expected a number)", what),
+                  "a corner is 1, 1/2, 1//3 or 1/2/3: vertex, texture vertex and normal");
+    if (known == 0)
+      return fail(fmt::format("a face names {} {}, but the file has none so far (expected \"{}\" above it)", what,
+                              word.substr(0, 40), form),
+                  "faces stand below what they name");
     if (!number || *number == 0 || *number > known || *number < -known)
       return fail(
           fmt::format("a face names {} {} (expected 1 to {}, or -1 for the newest)", what, word.substr(0, 40), known),
@@ -111,13 +125,14 @@ class ObjReader {
 
   bool read_corner(std::string_view word, ObjCorner& corner) {
     const std::size_t slash = std::min(word.find('/'), word.size());
-    if (!read_index(word.substr(0, slash), positions_.size(), "vertex", corner.position)) return false;
+    if (!read_index(word.substr(0, slash), positions_.size(), "vertex", "v X Y Z", corner.position)) return false;
     if (slash == word.size()) return true;
     const std::string_view after = word.substr(slash + 1);
     const std::size_t second = std::min(after.find('/'), after.size());
-    if (second > 0 && !read_index(after.substr(0, second), uvs_.size(), "texture vertex", corner.uv)) return false;
-    if (second < after.size()) return read_index(after.substr(second + 1), normals_.size(), "normal", corner.normal);
-    return true;
+    if (second > 0 && !read_index(after.substr(0, second), uvs_.size(), "texture vertex", "vt U V", corner.uv))
+      return false;
+    if (second == after.size()) return true;
+    return read_index(after.substr(second + 1), normals_.size(), "normal", "vn X Y Z", corner.normal);
   }
 
   /// A face of more than three corners becomes a fan of triangles.
@@ -152,7 +167,17 @@ class ObjReader {
     return entry->second;
   }
 
+  [[nodiscard]] std::string warning_of_unknown() const {
+    const std::size_t others = unknown_.size() - 1;
+    const std::string more = others == 0 ? "" : fmt::format(", nor {} other{}", others, others == 1 ? "" : "s");
+    return fmt::format("{}:{}: warning: no mtllib above has the material \"{}\"{}: such faces take the object's own",
+                       path_, unknown_line_, first_unknown_.substr(0, 60), more);
+  }
+
   bool read_library(const std::string& name) {
+    if (!detail::stays_beside(name))
+      return fail(fmt::format("its materials lie at \"{}\" (expected a file beside the mesh)", name.substr(0, 60)),
+                  "nothing is read from elsewhere: copy the MTL file into the mesh's folder");
     const std::string path = detail::path_beside(path_, name);
     constexpr std::size_t most_bytes = std::size_t{16} << 20;
     const auto bytes = read_file(path, most_bytes);
@@ -179,6 +204,9 @@ class ObjReader {
   std::vector<Material> materials_;
   std::map<std::string, std::int32_t> material_index_;
   std::int32_t material_ = -1;
+  std::set<std::string> unknown_;  ///< materials that faces ask for and no library has
+  std::string first_unknown_;
+  int unknown_line_ = 0;
   bool has_normals_ = false, has_uv_ = false, has_materials_ = false;
   Mesh mesh_;
   std::optional<Error> error_;
@@ -232,12 +260,13 @@ Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std
       if (!number || *number < 0 || *number > 1e15)
         return tl::unexpected(
             Error{path, cursor.line(), 0,
-                  fmt::format("{}: \"{}\" is no number that is 0 or more", keyword, word.substr(0, 40)),
+                  fmt::format("{}: found \"{}\" (expected a number from 0 to 1e+15)", keyword, word.substr(0, 40)),
                   "colours are given as three numbers, such as Kd 0.8 0.2 0.1"});
       values[static_cast<std::size_t>(count++)] = *number;
     }
     if (count == 0 || (is_colour && count == 2))
-      return tl::unexpected(Error{path, cursor.line(), 0, fmt::format("{}: a number is missing", keyword),
+      return tl::unexpected(Error{path, cursor.line(), 0,
+                                  fmt::format("{}: a number is missing (expected {})", keyword, is_colour ? "3" : "1"),
                                   is_colour ? "such as Kd 0.8 0.2 0.1" : "such as Ns 30"});
     const Rgbd colour = count == 3 ? Rgbd(values[0], values[1], values[2]) : Rgbd(values[0]);
     // Blender and others write Ka 1 1 1 whatever the surface: all things would shine white in full ambient light.

@@ -58,7 +58,7 @@ class PlyReader {
     if (uv_given_ < 2) mesh_.uv.clear();
     if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
       return tl::unexpected(Error{path_, 0, 0, why, "the file is damaged, or its program wrote it wrongly"});
-    return MeshFile{std::make_shared<const Mesh>(std::move(mesh_)), nullptr};
+    return detail::finished_mesh(std::move(mesh_), path_);
   }
 
  private:
@@ -71,12 +71,13 @@ class PlyReader {
 
   bool read_header() {
     constexpr int most_lines = 1000;
-    if (cursor_.word() != "ply") return fail("the file does not begin with \"ply\"", "is this a PLY file?");
+    if (cursor_.word() != "ply")
+      return fail("the file does not begin with \"ply\" (expected a PLY file)", "is this the right file?");
     bool has_format = false;
     for (int lines = 0; lines < most_lines && cursor_.next_line(); ++lines) {
       const std::string_view keyword = cursor_.word();
       if (keyword == "end_header") {
-        if (!has_format) return fail("the header has no line \"format\"");
+        if (!has_format) return fail("the header has no line \"format\" (expected one such as \"format ascii 1.0\")");
         cursor_.next_line();
         format_ = header_format_;
         return true;
@@ -97,7 +98,8 @@ class PlyReader {
       } else if (keyword == "property") {
         if (!read_property()) return false;
       } else {
-        return fail(fmt::format("unknown word \"{}\" in the header", keyword.substr(0, 40)));
+        return fail(fmt::format("unknown word \"{}\" in the header (expected element, property, comment or end_header)",
+                                keyword.substr(0, 40)));
       }
     }
     return fail("the header does not end (expected \"end_header\")");
@@ -105,14 +107,15 @@ class PlyReader {
 
   bool read_property() {
     constexpr std::size_t most = 1000;
-    if (elements_.empty()) return fail("a property that belongs to no element");
+    if (elements_.empty())
+      return fail("a property that belongs to no element (expected \"element NAME COUNT\" above it)");
     if (elements_.back().properties.size() >= most) return fail(fmt::format("more than {} properties", most));
     Property property{};
     std::string_view word = cursor_.word();
     if (word == "list") {
       property.count_type = scalar_named(cursor_.word());
       if (!property.count_type || *property.count_type >= Scalar::float32)
-        return fail("a list without a whole-number type for its length");
+        return fail("a list without a type for its length (expected a whole-number type, such as uchar)");
       word = cursor_.word();
     }
     const auto type = scalar_named(word);
@@ -131,12 +134,14 @@ class PlyReader {
       const std::string_view word = cursor_.word_anywhere();
       const auto number = detail::number_in(word);
       if (!number)
-        fail(word.empty() ? "the file ends too early" : fmt::format("\"{}\" is no finite number", word.substr(0, 40)));
+        fail(word.empty()
+                 ? "the file ends too early (expected a number)"
+                 : fmt::format("\"{}\" is no finite number (expected one such as 1.5 or 2e-3)", word.substr(0, 40)));
       return number.value_or(NAN);
     }
     const std::size_t size = size_of(type);
     if (bytes_.size() - at_ < size) {
-      fail("the file ends too early");
+      fail(fmt::format("the file ends too early (expected {} more byte{})", size, size == 1 ? "" : "s"));
       return NAN;
     }
     std::array<unsigned char, 8> raw{};
@@ -206,7 +211,8 @@ class PlyReader {
       if (slot >= 0) given[static_cast<std::size_t>(slot)] = 1;
       slots.push_back(slot);
     }
-    if (given[0] + given[1] + given[2] < 3) return fail("the vertices have no x, y and z");
+    if (given[0] + given[1] + given[2] < 3)
+      return fail("the vertices have no place (expected the properties x, y and z)");
     normals_given_ = given[3] + given[4] + given[5];
     uv_given_ = given[6] + given[7];
     mesh_.positions.reserve(count);
@@ -264,7 +270,7 @@ class PlyReader {
       const double index = value(property.type);
       if (error_) return false;
       if (!(index >= 0 && index <= std::numeric_limits<std::int32_t>::max() && index == std::floor(index)))
-        return fail(fmt::format("a face names vertex {:g}", index));
+        return fail(fmt::format("a face names vertex {:g} (expected a whole number, 0 or more)", index));
       const auto corner = static_cast<std::int32_t>(index);
       if (i >= 2) mesh_.triangles.push_back({first, previous, corner});
       if (i == 0) first = corner;

@@ -12,6 +12,7 @@ Result<SceneDocument> scene_of_mesh(const std::string& path) {
   if (!file) return tl::unexpected(file.error());
   const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
   SceneDocument document;
+  document.warnings = file->warnings;
   Scene& scene = document.scene;
   scene.title = absolute.filename().string();
   scene.image = {640, 480};

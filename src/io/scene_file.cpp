@@ -21,8 +21,6 @@ namespace {
 using detail::ReadLog;
 using detail::SceneReader;
 
-/// Meshes come in files of their own, so a larger scene file is a mistake.
-constexpr std::size_t most_bytes = std::size_t{16} << 20;
 /// Other formats hold their millions of shapes themselves.
 constexpr std::size_t most_foreign_bytes = std::size_t{2} << 30;
 
@@ -103,10 +101,11 @@ Error syntax_error(const toml::parse_error& error, const std::string& file) {
 }  // namespace
 
 Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name, MeshReading meshes) {
-  if (text.size() > most_bytes)
-    return tl::unexpected(Error{
-        file_name, 0, 0, fmt::format("the file is too large for a scene (expected at most {} MiB)", most_bytes >> 20),
-        "is this the right file?"});
+  if (text.size() > most_scene_bytes)
+    return tl::unexpected(
+        Error{file_name, 0, 0,
+              fmt::format("the file is too large for a scene (expected at most {} MiB)", most_scene_bytes >> 20),
+              "is this the right file?"});
   if (const auto fine = toml_text::check(text, file_name); !fine) return tl::unexpected(fine.error());
   const toml::parse_result parsed = toml::parse(text, std::string_view(file_name));
   if (!parsed) return tl::unexpected(syntax_error(parsed.error(), file_name));
@@ -148,7 +147,7 @@ bool has_scene_ending(std::string_view path) { return ends_with(path, scene_endi
 Result<SceneDocument> read_scene(const std::string& path) {
   const SceneFormat format = scene_format_of(path);
   if (is_mesh(format)) return scene_of_mesh(path);
-  const auto text = read_file(path, format == SceneFormat::toml ? most_bytes : most_foreign_bytes);
+  const auto text = read_file(path, format == SceneFormat::toml ? most_scene_bytes : most_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
   switch (format) {
     case SceneFormat::toml: {

@@ -5,6 +5,7 @@
 #include "io/error.h"
 #include "scene/scene.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ struct SceneDocument {
   std::string text;                   ///< empty for a scene that was never in a file
   std::vector<std::string> warnings;  ///< one line each, "FILE:LINE:COL: ..."
 };
+
+/// Meshes come in files of their own, so a larger scene file is a mistake.
+inline constexpr std::size_t most_scene_bytes = std::size_t{16} << 20;
 
 /// The formats that scenes are read from. Only our own is written.
 enum class SceneFormat {

@@ -5,6 +5,8 @@
 #include "io/scene_values.h"
 #include "io/toml_layout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -86,6 +88,15 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
     }
   }
   std::string text = detail::section_text(now, "");
+  if (text.size() > most_scene_bytes) {
+    const std::size_t count = scene.objects.size(), mebibyte = std::size_t{1} << 20;
+    return tl::unexpected(
+        Error{"", 0, 0,
+              fmt::format("the scene is too large for a .toml: {} object{} to {} MiB (expected at most {} MiB)", count,
+                          count == 1 ? " comes" : "s come", (text.size() + mebibyte - 1) / mebibyte,
+                          most_scene_bytes / mebibyte),
+              "convert it to .pov, which may be larger, or keep the file that it was read from"});
+  }
   const auto written = parse_scene(text, "the scene to be written", MeshReading::skip);
   if (!written) return tl::unexpected(written.error());
   if (!holds_scene(written))

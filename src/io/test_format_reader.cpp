@@ -126,6 +126,7 @@ class TestFormatReader {
   }
 
   void read_size() {
+    if (has_size_) return words_.fail("there is a second size (expected one)", "comment out all sizes but one");
     scene_.image.width = words_.whole("the width", scene_keys::pixel_count);
     scene_.image.height = words_.whole("the height", scene_keys::pixel_count);
     detail::check_image(scene_.image, words_);

@@ -32,6 +32,7 @@ TEST_CASE("course format: every fault is refused at its line, with what was expe
       {"no size", "camera 0 0 4 0 0 0 0 1 0 30\n", 2, "there is no size"},
       {"no camera", "size 8 6\n", 2, "there is no camera"},
       {"two cameras", after_head("camera 0 0 4 0 0 0 0 1 0 30\n"), 3, "a second camera"},
+      {"two sizes", after_head("size 8 6\n"), 3, "there is a second size (expected one)"},
       {"size 0", "size 0 6\n", 1, "found \"0\" (expected a whole number from 1"},
       {"a negative size", "size 8 -6\n", 1, "found \"-6\""},
       {"half a size", "size 8\n", 1, "the line ends here (expected a whole number"},

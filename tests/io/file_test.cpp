@@ -1,7 +1,10 @@
 #include "io/file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -172,6 +175,31 @@ TEST_CASE("what is write-protected is not replaced") {
   CHECK(contents(folder.file("mine")) == "precious");
 }
 
+TEST_CASE("what is no file is not read: a pipe would keep the program waiting") {
+  const TemporaryFolder folder;
+  REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
+  fs::create_symlink("pipe", folder.file("link"));
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  folder.file("socket").copy(address.sun_path, sizeof address.sun_path - 1);
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  REQUIRE(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+  const auto refusal = [](const std::string& path) {
+    const auto read = read_file(path, 100);
+    REQUIRE(!read);
+    CHECK(!read.error().hint.empty());
+    return read.error().message;
+  };
+  // A pipe first that has a writer and says nothing, so that a reader that waits would find no end.
+  const int writer = ::open(folder.file("pipe").c_str(), O_RDWR);
+  CHECK(refusal(folder.file("pipe")) == "this is a pipe (expected a file)");
+  ::close(writer);
+  CHECK(refusal(folder.file("link")) == "this is a pipe (expected a file)");
+  CHECK(refusal(folder.file("socket")) == "this is a socket (expected a file)");
+  CHECK(refusal("/dev/zero") == "this is a device (expected a file)");
+  ::close(socket);
+}
+
 TEST_CASE("what cannot be read says so") {
   const TemporaryFolder folder;
   const auto missing = read_file(folder.file("missing"), 100);
@@ -180,9 +208,10 @@ TEST_CASE("what cannot be read says so") {
   const auto directory = read_file(folder.path(), 100);
   REQUIRE(!directory);
   CHECK_THAT(directory.error().text(), contains("this is a folder (expected a file)"));
-  const auto endless = read_file("/dev/zero", std::size_t{3} << 20);
-  REQUIRE(!endless);
-  CHECK_THAT(endless.error().text(), contains("too large (expected at most 3 MiB)"));
+  put(folder.file("large"), std::string((std::size_t{3} << 20) + 1, 'x'));
+  const auto large = read_file(folder.file("large"), std::size_t{3} << 20);
+  REQUIRE(!large);
+  CHECK_THAT(large.error().text(), contains("too large (expected at most 3 MiB)"));
   put(folder.file("exact"), std::string(100, 'x'));
   CHECK(read_file(folder.file("exact"), 100));
   CHECK(!read_file(folder.file("exact"), 99));

@@ -117,7 +117,11 @@ TEST_CASE("a folder, a missing file and an endless one are no scenes") {
   CHECK_THAT(directory.error().text(), contains("this is a folder"));
   const auto endless = read_scene("/dev/zero");
   REQUIRE(!endless);
-  CHECK_THAT(endless.error().text(), contains("too large (expected at most 16 MiB)"));
+  CHECK_THAT(endless.error().text(), contains("this is a device (expected a file)"));
+  put(folder.file("large.toml"), std::string((std::size_t{16} << 20) + 1, '#'));
+  const auto large = read_scene(folder.file("large.toml"));
+  REQUIRE(!large);
+  CHECK_THAT(large.error().text(), contains("too large (expected at most 16 MiB)"));
 }
 
 TEST_CASE("a file of a million tables is refused at the first one that is wrong") {

@@ -3,6 +3,7 @@
 #include "io/mesh_file.h"
 
 #include <bit>
+#include <filesystem>
 
 #include "support/catch.h"
 #include "temporary_folder.h"
@@ -122,12 +123,12 @@ TEST_CASE("what is wrong with a mesh file is told with its place") {
   const auto ply = [](const std::string& from, const std::string& to) {
     return parse_ply(replaced(square_ply, from, to), "bad");
   };
-  check_error(parse_ply("obj\n", "bad"), 1, "does not begin with \"ply\"");
+  check_error(parse_ply("obj\n", "bad"), 1, "does not begin with \"ply\" (expected a PLY file)");
   check_error(ply("ascii", "text"), 2, "format \"text\"");
   check_error(ply("vertex 4", "vertex 4000000000000"), 18, "more than the file can hold");
   check_error(ply("face 1", "face -1"), 13, "without a count");
   check_error(ply("float z", "half z"), 7, "unknown type \"half\"");
-  check_error(ply("float z", "float q"), 18, "no x, y and z");
+  check_error(ply("float z", "float q"), 18, "(expected the properties x, y and z)");
   check_error(ply("1 2 0 0 0", "1 nan 0 0 0"), 20, "\"nan\" is no finite number");
   check_error(ply("4 0 1 2 3", "4 0 1 2 4"), 0, "names vertex 4 (expected 0 to 3)");
   check_error(ply("4 0 1 2 3", "4 0 1 2 -3"), 22, "names vertex -3");
@@ -148,10 +149,64 @@ TEST_CASE("what is wrong with a mesh file is told with its place") {
   check_error(obj("v 0 0 0\nf 1 1 99999999999999999999\n"), 2, "names vertex");
   check_error(obj("v 0 0 0\n"), 0, "no triangle");
   check_error(obj("mtllib missing.mtl\n"), 1, "its materials cannot be read");
+  // What a face names stands above it: where there is nothing, no range is told of.
+  const std::string corner = "v 0 0 0\n";
+  check_error(obj(corner + "f 1// 1// 1//\n"), 2, "leaves its normal empty (expected a number)");
+  check_error(obj(corner + "f /1 /1 /1\n"), 2, "leaves its vertex empty (expected a number)");
+  check_error(obj(corner + "f 1//9 1//9 1//9\n"), 2,
+              "names normal 9, but the file has none so far (expected \"vn X Y Z\" above it)");
+  check_error(obj(corner + "f 1/5 1/5 1/5\n"), 2, "names texture vertex 5, but the file has none so far");
+  check_error(obj("f 1 2 3\n"), 1, "names vertex 1, but the file has none so far (expected \"v X Y Z\" above it)");
   check_error(read_mesh("bad").map_error([](Error e) { return e; }), 0, "ending");
   const auto mtl = parse_mtl("newmtl a\nKd red\n", "a.mtl");
   REQUIRE(!mtl);
   CHECK(mtl.error().line == 2);
+  CHECK_THAT(mtl.error().message, contains("found \"red\" (expected a number from 0 to"));
+}
+
+TEST_CASE("the materials of an OBJ file lie beside it or below, nowhere else") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("meshes/sub"));
+  for (const char* name : {"secret.mtl", "meshes/sub/a..b.mtl"}) put(folder.file(name), "newmtl red\nKd 1 0 0\n");
+  const auto read = [&](const std::string& library) {
+    put(folder.file("meshes/a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib " + library + "\nusemtl red\nf 1 2 3\n");
+    return read_mesh(folder.file("meshes/a.obj"));
+  };
+  const auto below = read("sub/a..b.mtl");
+  REQUIRE(below);
+  CHECK(below->materials->size() == 1);
+  for (const std::string& elsewhere :
+       {folder.file("secret.mtl"), std::string("../secret.mtl"), std::string("sub/../../secret.mtl"),
+        std::string("sub\\..\\..\\secret.mtl"), std::string("..")}) {
+    const auto refused = read(elsewhere);
+    INFO(elsewhere);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().line == 4);
+    CHECK_THAT(refused.error().message, contains("(expected a file beside the mesh)"));
+    CHECK(!refused.error().hint.empty());
+  }
+}
+
+TEST_CASE("a mesh file warns of materials that are nowhere, and when nothing of it can be seen") {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto warnings = [](const Result<MeshFile>& read) {
+    REQUIRE(read);
+    return read->warnings;
+  };
+  CHECK(warnings(parse_obj(corners + "f 1 2 3\n", "a.obj")).empty());
+  CHECK(warnings(parse_ply(square_ply, "a.ply")).empty());
+  const auto unknown =
+      warnings(parse_obj(corners + "usemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3\n", "a.obj"));
+  REQUIRE(unknown.size() == 1);
+  CHECK_THAT(unknown[0], contains("a.obj:4: warning: no mtllib above has the material \"red\", nor 1 other:"));
+  // Some triangles of no area are in every mesh; a mesh of nothing else is a mistake.
+  CHECK(warnings(parse_obj(corners + "f 1 2 2\nf 1 2 3\n", "a.obj")).empty());
+  const auto flat = warnings(parse_obj(corners + "f 1 2 2\n", "a.obj"));
+  REQUIRE(flat.size() == 1);
+  CHECK(flat[0] == "a.obj: warning: its only triangle has no area: no ray meets it");
+  const auto ply = warnings(parse_ply(replaced(square_ply, "4 0 1 2 3", "4 0 1 1 0"), "a.ply"));
+  REQUIRE(ply.size() == 1);
+  CHECK_THAT(ply[0], contains("a.ply: warning: none of its 2 triangles has an area"));
 }
 
 TEST_CASE("no part of a mesh file and no changed byte crashes its reader") {

@@ -5,6 +5,7 @@
 #include "temporary_folder.h"
 
 #include <cstring>
+#include <filesystem>
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -111,22 +112,35 @@ TEST_CASE("nodes put a mesh where they say, mirrored ones too") {
 TEST_CASE("what is wrong with a glTF file is told") {
   const std::string good = gltf(plain_node, "");
   const auto changed = [&](const std::string& from, const std::string& to) { return glb(replaced(good, from, to)); };
-  check_refused("{", "not well formed");
-  check_refused("glTF", "ends in its header");
-  check_refused(changed("\"2.0\"", "\"1.0\""), "its version is not 2");
+  check_refused("", "the file is empty (expected a glTF 2.0 file)");
+  check_refused("[]", "its JSON is a list (expected an object)");
+  check_refused("\"a\"", "its JSON is \"a\" (expected an object)");
+  check_refused("{}", "it has no version (expected \"asset\": {\"version\": \"2.0\"})");
+  check_refused("gl", "ends in its header (expected 20 bytes or more) at byte 2");
+  check_refused("glTF", "ends in its header (expected 20 bytes or more) at byte 4");
+  check_refused(changed("\"2.0\"", "\"1.0\""), "its version is \"1.0\" (expected \"2.0\")");
+  check_refused(changed("\"2.0\"", "2"), "its version is 2 (expected \"2.0\")");
   check_refused(glb(good).substr(0, glb(good).size() - 8), "goes over the end of the file");
   check_refused(replaced(glb(good), number(2), number(3)), "version 3 (expected 2) at byte 4");
   check_refused(changed("\"count\": 4", "\"count\": 4000000000"), "go over the end of their view");
   check_refused(changed("\"count\": 4", "\"count\": -4"), "its count does not fit");
   check_refused(changed("\"byteOffset\": 48", "\"byteOffset\": 50"), "goes over the end of its buffer");
-  check_refused(changed("\"byteLength\": 48", "\"byteLength\": 1e300"), "is not what it should be");
+  check_refused(changed("\"byteLength\": 48", "\"byteLength\": 1e300"),
+                "\"byteLength\": found 1e+300 (expected a whole number, at most 4e9)");
+  check_refused(changed("\"count\": 4", "\"count\": []"), "\"count\": found a list (expected a finite number)");
+  check_refused(changed("\"VEC3\"", "3"), "\"type\": found 3 (expected a text)");
+  check_refused(changed("\"nodes\": [0]", "\"nodes\": [-1]"),
+                "\"nodes\": found -1 (expected a whole number, 0 or more)");
+  check_refused(changed("\"mesh\": 0", "\"mesh\": 0, \"scale\": 2"), "found 2 (expected a list of 3 numbers)");
   check_refused(changed("5126", "5127"), "unknown component type");
-  check_refused(changed("\"mesh\": 0", "\"mesh\": 7"), "number 7 of \"meshes\"");
+  check_refused(changed("\"mesh\": 0", "\"mesh\": 7"), "number 7 of \"meshes\" (expected 0 to 0)");
   check_refused(changed("\"material\": 0", "\"material\": 3"), "names material 3");
   check_refused(changed("\"indices\": 1", "\"indices\": 0"), "its type is not the one expected");
   check_refused(changed("{\"mesh\": 0}", "{\"children\": [0]}"), "in a circle");
   check_refused(changed("\"asset\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"asset\""),
-                "needs the extension");
+                "needs the extension \"KHR_draco_mesh_compression\" (expected");
+  const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');  // a walk through it needs a stack
+  check_refused(changed("\"asset\"", "\"extensionsRequired\": [" + deep + "], \"asset\""), "needs the extension");
   check_refused(gltf(plain_node, "\"uri\": \"http://example.org/a.bin\", "), "expected a file beside the mesh");
   check_refused(gltf(plain_node, "\"uri\": \"/etc/passwd\", "), "expected a file beside the mesh");
   check_refused(gltf(plain_node, "\"uri\": \"missing.bin\", "), "its buffer \"missing.bin\"");
@@ -134,6 +148,46 @@ TEST_CASE("what is wrong with a glTF file is told") {
   std::string wrong_corner = glb(good);
   wrong_corner[wrong_corner.size() - 1] = 1;
   check_refused(wrong_corner, "names vertex 259 (expected 0 to 3)");
+}
+
+TEST_CASE("JSON that is not well formed is told of with its place") {
+  const auto text = parse_gltf("{\n  \"asset\": {\"ä\" 1}\n}", "bad.gltf");
+  REQUIRE(!text);
+  CHECK(text.error().line == 2);
+  CHECK(text.error().column == 17);
+  CHECK_THAT(text.error().message, contains("not well formed (expected"));
+  const auto part = parse_gltf("{\n\n\"asset\":", "bad.gltf");
+  REQUIRE(!part);
+  CHECK(part.error().line == 3);
+  CHECK_THAT(part.error().message, contains("not well formed: it ends too early (expected"));
+  const auto infinite = parse_gltf("{\n\"asset\": 1e999}", "bad.gltf");
+  REQUIRE(!infinite);
+  CHECK(infinite.error().line == 2);
+  // The bytes of a GLB file have no lines.
+  const auto binary = parse_gltf(glb("{\"asset\" 2}"), "bad.glb");
+  REQUIRE(!binary);
+  CHECK(binary.error().line == 0);
+  CHECK_THAT(binary.error().message, contains("at byte 29"));
+}
+
+TEST_CASE("a glTF file's buffers lie beside it or below, nowhere else") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("meshes/sub"));
+  for (const char* name : {"secret.bin", "meshes/sub/a..b.bin"}) put(folder.file(name), square_bytes());
+  const auto read = [&](const std::string& uri) {
+    put(folder.file("meshes/a.gltf"), "\n\n" + gltf(plain_node, "\"uri\": \"" + uri + "\", "));
+    return read_mesh(folder.file("meshes/a.gltf"));
+  };
+  CHECK(read("sub/a..b.bin"));
+  for (const char* elsewhere : {"../secret.bin", "sub/../../secret.bin", "%2e%2e/secret.bin", "..%2Fsecret.bin", "..",
+                                "..%5csecret.bin", "sub/.."}) {
+    const auto refused = read(elsewhere);
+    INFO(elsewhere);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().line == 3);
+    CHECK_THAT(refused.error().message, contains("(expected a file beside the mesh)"));
+    CHECK(!refused.error().hint.empty());
+  }
 }
 
 TEST_CASE("no part of a GLB file and no changed byte crashes its reader") {

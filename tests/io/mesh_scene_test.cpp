@@ -40,6 +40,31 @@ TEST_CASE("a mesh opens as a scene that shows all of it, and is saved as a scene
   CHECK(again->scene == scene);
 }
 
+TEST_CASE("what a mesh file warns of is told, whether it is opened or a scene names it") {
+  const TemporaryFolder folder;
+  const std::string flat = "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", told = "its only triangle has no area";
+  put(folder.file("flat.obj"), flat);
+  const auto mesh = read_scene(folder.file("flat.obj"));
+  REQUIRE(mesh);
+  REQUIRE(mesh->warnings.size() == 1);
+  CHECK_THAT(mesh->warnings[0], contains(told));
+  const std::string head = "[camera]\neye = [5, 0, 0]\nlook_at = [0, 0, 0]\nfov = 45\n",
+                    object = "[[object]]\ntype = \"mesh\"\n";
+  put(folder.file("named.toml"),
+      head + object + "name = \"a\"\nfile = \"flat.obj\"\n" + object + "name = \"b\"\nfile = \"flat.obj\"\n");
+  const auto named = read_scene(folder.file("named.toml"));
+  if (!named) FAIL(named.error().text());
+  REQUIRE(named->warnings.size() == 1);
+  CHECK_THAT(named->warnings[0], contains("flat.obj: warning: " + told));
+  const auto inside = parse_scene(
+      head + object + "name = \"a\"\nvertices = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]\ntriangles = [[0, 1, 2]]\n",
+      "a.toml");
+  if (!inside) FAIL(inside.error().text());
+  REQUIRE(inside->warnings.size() == 1);
+  CHECK_THAT(inside->warnings[0], contains("a.toml:9:13: warning: "));
+  CHECK_THAT(inside->warnings[0], contains(told));
+}
+
 TEST_CASE("a mesh that cannot be read is told of as such") {
   const auto none = read_scene("nowhere.ply");
   REQUIRE_FALSE(none);

@@ -291,6 +291,19 @@ TEST_CASE("a scene that breaks the rules is not written") {
   CHECK(!format_scene(document.scene));
 }
 
+TEST_CASE("a scene that is too large for our format is said to be, not the file that it would become") {
+  const TemporaryFolder folder;
+  SceneDocument document;
+  document.scene.objects = {{std::string(std::size_t{16} << 20, 'x'), Sphere<double>{{0, 0, 0}, 1}, {}}};
+  const auto written = write_scene(document, folder.file("scene.toml"));
+  REQUIRE(!written);
+  CHECK_THAT(written.error().text(),
+             contains("scene.toml: the scene is too large for a .toml: 1 object comes to 17 MiB "
+                      "(expected at most 16 MiB)"));
+  CHECK_THAT(written.error().hint, contains(".pov"));
+  CHECK(folder.entries() == 0);
+}
+
 TEST_CASE("saving makes the text what was written") {
   const TemporaryFolder folder;
   auto document = parse_scene(camera + "# end\n", "test.toml");
