@@ -15,7 +15,7 @@ template <class N, class T>
   const N numerator = dot(n, exactly<N>(polygon.outline.front()) - o), denominator = dot(n, d);
   const Truth<N> met = crossing_of_plane(numerator, denominator, departed);
   if (met.crossings.empty()) return met;
-  const int kz = detail::plan_axis(normal), kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+  const int kz = raywalk::detail::plan_axis(normal), kx = (kz + 1) % 3, ky = (kz + 2) % 3;
   const N& t = met.crossings[0].t;
   const N x = o[kx] + t * d[kx], y = o[ky] + t * d[ky];
   bool inside = false;
