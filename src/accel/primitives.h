@@ -104,6 +104,8 @@ class Primitives {
     }
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::bare)
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
+    if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::placed)
+      return intersect_at_rest(id, ray, t_max, explain);
     if (sheared && id >= shape_count())
       return unless_left(id, ray,
                          triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain));
@@ -196,19 +198,13 @@ class Primitives {
     if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
     return point;
   }
-  // The five that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
+  // The four that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
   // or not.
   template <class Explain>
   [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max,
                                                                         Explain&& explain) const {
-    if (const Motion* motion = motion_of(id)) return intersect_moving(id, *motion, ray, t_max, explain);
+    if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
     return intersect_at_rest(id, ray, t_max, explain);
-  }
-  template <class Explain>
-  [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_moving(int id, const Motion& motion,
-                                                                           const Ray<T>& ray, T t_max,
-                                                                           Explain&& explain) const {
-    return intersect_at_rest(id, at_rest(motion, ray), t_max, explain);
   }
   [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at_any(int id, const Ray<T>& ray, Crossing<T> crossing) const {
     const Motion* motion = motion_of(id);
@@ -228,8 +224,8 @@ class Primitives {
     return place ? raywalk::uv_at(own(id), *place, point, part) : raywalk::uv_at(own(id), point, part);
   }
   template <class Explain>
-  [[nodiscard]] std::optional<Crossing<T>> intersect_at_rest(int id, const Ray<T>& ray, T t_max,
-                                                             Explain&& explain) const {
+  [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_at_rest(int id, const Ray<T>& ray, T t_max,
+                                                                            Explain&& explain) const {
     const int departed = departed_part(ray, id);
     if (id >= shape_count())
       return unless_left(id, ray, triangles_.intersect(id - shape_count(), ray, t_max, departed, explain));
