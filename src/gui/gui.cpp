@@ -3,6 +3,7 @@
 #include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
+#include "gui/loading.h"
 #include "gui/report.h"
 #include "gui/session.h"
 #include "gui/style.h"
@@ -314,6 +315,13 @@ class Loop {
 
 Result<void> run_gui(const GuiOptions& options) {
   const Clock::time_point begun = Clock::now();
+  // Else the window is opened last: what is wrong with a scene is said without one.
+  Result<std::unique_ptr<Window>> window{nullptr};
+  if (takes_long_to_read(options)) {
+    window = Window::open("Raywalk", options.width, options.height);
+    if (!window) return tl::unexpected(window.error());
+    show_loading(**window, options);
+  }
   Result<State> state = start(options);
   if (!state) return tl::unexpected(state.error());
   Demo demo;
@@ -328,7 +336,7 @@ Result<void> run_gui(const GuiOptions& options) {
   if (!options.screenshot_path.empty()) {
     if (const auto format = image_format_of(options.screenshot_path); !format) return tl::unexpected(format.error());
   }
-  Result<std::unique_ptr<Window>> window = Window::open("Raywalk", options.width, options.height);
+  if (*window == nullptr) window = Window::open("Raywalk", options.width, options.height);
   if (!window) return tl::unexpected(window.error());
   return Loop(options, std::move(*state), **window, std::move(demo), begun).run();
 }

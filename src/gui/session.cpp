@@ -2,6 +2,7 @@
 
 #include "gui/names.h"
 #include "io/file.h"
+#include "scene/warnings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -79,6 +80,10 @@ Language language_of_environment() {
   return Language::english;
 }
 
+Language language_for(const GuiOptions& options, const Settings& settings) {
+  return options.language ? *options.language : settings.language.value_or(language_of_environment());
+}
+
 std::string state_folder(const GuiOptions& options) {
   if (!options.state_dir.empty()) return options.state_dir;
   if (const char* folder = std::getenv("XDG_STATE_HOME"); folder != nullptr && folder[0] == '/')
@@ -92,13 +97,13 @@ Result<State> start(const GuiOptions& options) {
   const std::string path = options.scene_path.empty() ? options.data_dir + "/scenes/classic.toml" : options.scene_path;
   Result<SceneDocument> document = read_scene(path);
   if (!document) return tl::unexpected(document.error());
-  const std::vector<std::string> warnings = document->warnings;
+  const std::vector<std::string> warnings = collected(document->warnings);
   // A picture is of this scene: no question about an earlier one may stand before it, and no trace of it stays behind.
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
   State state = make_state(std::move(*document), path, folder);
   const Settings settings = read_settings(folder);
-  state.language = options.language ? *options.language : settings.language.value_or(language_of_environment());
+  state.language = language_for(options, settings);
   state.lessons.folder = options.data_dir + "/lessons";
   state.lessons.scenes_folder = options.data_dir + "/scenes";
   restore_session(state);
@@ -138,7 +143,7 @@ bool LiveImage::work(const State& state, double milliseconds) {
     settings.precision = state.image.single_precision ? Precision::float_ : Precision::double_;
     settings.heat = state.image.heat;
     settings.fault = fault_at_work(state);
-    preview_.reset(pictured_scene(state), settings);
+    preview_.reset(*pictured_scene(state), settings, state.worlds.get());
     revision_ = state.revision;
     image_revision_ = state.image_revision;
     seconds_ = 0;

@@ -29,6 +29,9 @@ void write_settings(const std::string& state_dir, const Settings& settings);
 /// Of the first of LC_ALL, LC_MESSAGES and LANG that is set; English where Raywalk does not speak it.
 [[nodiscard]] Language language_of_environment();
 
+/// What `options` say, else what was chosen last, else that of the environment.
+[[nodiscard]] Language language_for(const GuiOptions& options, const Settings& settings);
+
 /// `options.state_dir`, or the user's own folder; empty when there is none.
 [[nodiscard]] std::string state_folder(const GuiOptions& options);
 

@@ -84,7 +84,8 @@ enum class WindowText {
   short_structure,
   corners_hint,
   key_space,
-  key_other,  ///< {0} number
+  reading_scene,  ///< {0} file
+  key_other,      ///< {0} number
 };
 
 [[nodiscard]] std::string_view english(WindowText id);

@@ -164,6 +164,8 @@ std::string_view english(WindowText id) {
       return "Corners are dragged in the plan";
     case WindowText::key_space:
       return "Space";
+    case WindowText::reading_scene:
+      return "Reading {0} \u2026";
     case WindowText::key_other:
       return "key {0}";
   }

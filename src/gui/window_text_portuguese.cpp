@@ -164,6 +164,8 @@ std::string_view portuguese(WindowText id) {
       return "Os vértices se arrastam na planta";
     case WindowText::key_space:
       return "Espaço";
+    case WindowText::reading_scene:
+      return "Lendo {0} \u2026";
     case WindowText::key_other:
       return "tecla {0}";
   }

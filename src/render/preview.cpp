@@ -118,10 +118,10 @@ class Preview::Work {
 template <class T>
 class Preview::WorkIn final : public Preview::Work {
  public:
-  WorkIn(const Scene& scene, const PreviewSettings& settings)
+  WorkIn(const Scene& scene, const PreviewSettings& settings, Worlds& worlds)
       : Work(settings),
-        world_(scene, settings.accelerator, settings.fault),
-        kernel_(scene, world_),
+        world_(worlds.of<T>(scene, settings.accelerator, settings.fault)),
+        kernel_(scene, *world_),
         centres_(scene, settings.size, settings.size),
         spread_(scene, settings.size, settings.size, Sampling{std::max(samples_to_take(), 1)}),
         encoding_(scene.encoding),
@@ -176,7 +176,7 @@ class Preview::WorkIn final : public Preview::Work {
     return rgba_of(mean + (centre - mean) / static_cast<T>(samples_taken + 1), encoding_);
   }
 
-  World<T> world_;
+  std::shared_ptr<const World<T>> world_;
   SceneKernel<T> kernel_;
   RayGenerator<T> centres_, spread_;
   Encoding encoding_;
@@ -279,14 +279,16 @@ Preview::~Preview() = default;
 Preview::Preview(Preview&&) noexcept = default;
 Preview& Preview::operator=(Preview&&) noexcept = default;
 
-void Preview::reset(const Scene& scene, const PreviewSettings& settings) {
+void Preview::reset(const Scene& scene, const PreviewSettings& settings, Worlds* worlds) {
+  Worlds own;
+  if (worlds == nullptr) worlds = &own;
   const bool keep_picture = work_ && work_->settings().size == settings.size;
   switch (settings.precision) {
     case Precision::float_:
-      work_ = std::make_unique<WorkIn<float>>(scene, settings);
+      work_ = std::make_unique<WorkIn<float>>(scene, settings, *worlds);
       break;
     case Precision::double_:
-      work_ = std::make_unique<WorkIn<double>>(scene, settings);
+      work_ = std::make_unique<WorkIn<double>>(scene, settings, *worlds);
       break;
   }
   if (keep_picture) return;

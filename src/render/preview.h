@@ -3,6 +3,7 @@
 
 #include "render/film.h"
 #include "render/heat.h"
+#include "render/worlds.h"
 #include "trace/kernel.h"
 
 #include <cstdint>
@@ -40,9 +41,9 @@ class Preview {
   Preview(Preview&&) noexcept;
   Preview& operator=(Preview&&) noexcept;
 
-  /// Starts afresh. Costs the building of the world; the picture shown stays until the first refine when its size is
-  /// the same, so that an edit does not flicker.
-  void reset(const Scene& scene, const PreviewSettings& settings);
+  /// Starts afresh. Costs the building of the world, where `worlds`, of this scene, do not have it; the picture shown
+  /// stays until the first refine when its size is the same, so that an edit does not flicker.
+  void reset(const Scene& scene, const PreviewSettings& settings, Worlds* worlds = nullptr);
 
   /// Works for about `milliseconds`, in up to `threads` threads (0: as many as the machine runs at once): at least one
   /// row, and no longer than that by more than one row. Whether anything is left to do.

@@ -8,10 +8,11 @@ namespace {
 
 template <class T>
 Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
-  const World<T> world(scene, AcceleratorKind::automatic, how.fault);
+  Worlds own;
+  const auto world = (how.worlds != nullptr ? *how.worlds : own).of<T>(scene, AcceleratorKind::automatic, how.fault);
   const RayGenerator<T> camera(scene, size, whole, how.sampling);
   Recorder recorder;
-  const SceneKernel<T> kernel(scene, world);
+  const SceneKernel<T> kernel(scene, *world);
   // Pixel by pixel, and there sample by sample: so a person watches them come together.
   for (int row = block.row_begin; row < block.row_end; ++row)
     for (int column = block.column_begin; column < block.column_end; ++column)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/worlds.h"
 #include "timeline/timeline.h"
 #include "trace/kernel.h"
 
@@ -21,6 +22,7 @@ struct Recording {
   Precision precision = Precision::double_;
   Sampling sampling{};
   std::optional<Fault> fault{};  ///< breaks the tracer on purpose
+  Worlds* worlds = nullptr;      ///< of the scene; null: a world is made for this recording alone
 };
 
 /// The whole strip, from its first cell to its last: row 0 of an image cells x 1, which is the middle row of every

@@ -1,3 +1,4 @@
+#include "scene/warnings.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 #include "view/update_parts.h"
@@ -13,12 +14,12 @@ void complain(State& state, const Error& error) { detail::complain(state, error.
 void open_file(State& state, const std::string& path) {
   Result<SceneDocument> document = read_scene(path);
   if (!document) return complain(state, document.error());
-  const std::string warning = document->warnings.empty() ? std::string() : document->warnings.front();
+  const std::vector<std::string> warnings = collected(document->warnings);
   forget_autosave(state);
   close_lesson(state);
   show_document(state, std::move(*document), path);
   add_recent(state, path);
-  inform(state, warning.empty() ? fill(TextId::opened, state.language, {path}) : warning);
+  inform(state, warnings.empty() ? fill(TextId::opened, state.language, {path}) : warnings.front());
 }
 
 /// What was asked for, now that nothing unsaved stands in its way.
@@ -54,7 +55,7 @@ bool write_to(State& state, const std::string& path) {
   }
   state.prompt = PathPrompt::none;
   state.path = path;
-  state.saved = state.scene();
+  state.saved.reset();
   state.dirty = false;
   state.last_edit.reset();
   forget_autosave(state);
@@ -95,8 +96,9 @@ bool is_shipped(const State& state, const std::string& path) {
 
 void show_document(State& state, SceneDocument document, std::string path) {
   state.document = std::move(document);
+  state.worlds = std::make_shared<Worlds>();
   state.path = std::move(path);
-  state.saved = state.scene();
+  state.saved.reset();
   state.dirty = false;
   state.undo.clear();
   state.redo.clear();

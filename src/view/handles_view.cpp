@@ -36,6 +36,10 @@ void draw_view_direction(Painter& painter) {
   const Vec2d from = painter.pixels(place_of(painter.state, {TargetKind::screen_distance}, painter.viewport));
   const Vec2d to = painter.pixels(place_of(painter.state, target, painter.viewport));
   painter.add(LineItem{from, to, painter.outline(target, painter.colours.handle), 8 * painter.sizes.unit});
+  // No name stands across the arrow.
+  constexpr int pieces = 4;
+  for (int i = 0; i <= pieces; ++i)
+    painter.keep_free(from + static_cast<double>(i) / pieces * (to - from), length(to - from) / pieces / 2);
   draw_dot(painter, target);
 }
 

@@ -33,9 +33,12 @@ void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to
 }  // namespace
 
 void replace_scene(State& state, Scene next) {
+  if (!state.saved) state.saved = std::move(state.document.scene);
   state.document.scene = std::move(next);
+  state.worlds = std::make_shared<Worlds>();
   ++state.revision;
-  state.dirty = state.document.scene != state.saved;
+  state.dirty = state.document.scene != *state.saved;
+  if (!state.dirty) state.saved.reset();
   if (!state.dirty) forget_autosave(state);  // nothing to recover any more
   record_again(state);
 }

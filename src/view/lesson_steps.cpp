@@ -139,10 +139,10 @@ void begin_lesson(State& state, const std::string& name) {
   opened->played = play_lesson(opened->lesson, sitting.scenes_folder);
   if (opened->played.steps.empty())
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
-  if (!sitting.open && !state.saved.objects.empty()) {
+  if (!sitting.open && !saved_scene(state).objects.empty()) {
     // What is unsaved was asked about, and given up.
     OwnScene own{state.document, state.path, mode};
-    own.document.scene = state.saved;
+    own.document.scene = saved_scene(state);
     sitting.own = std::make_shared<const OwnScene>(std::move(own));
   }
   sitting.open = opened;

@@ -1,5 +1,7 @@
 #include "view/lines_view.h"
 
+#include "view/lines_crowd.h"
+#include "view/lines_names.h"
 #include "view/orbit.h"
 #include "view/outlines.h"
 #include "view/painter.h"
@@ -17,15 +19,16 @@ namespace {
 
 using namespace detail;
 
-/// With more objects than this only those that rays have met are drawn and none is named.
-constexpr std::size_t few_objects = 40, many_objects = 1500;
+/// With more objects than this those that no ray has met are drawn simply.
+constexpr std::size_t detailed_objects = 300;
 
 class Lines {
  public:
   Lines(const State& state, const Viewport& viewport)
       : painter_(state, viewport),
         scene_(state.scene()),
-        room_(room_of(scene_)),
+        crowd_(crowd_of(state)),
+        room_(crowd_ ? crowd_->room : room_of(scene_)),
         seen_(lines_camera(state, viewport), viewport),
         reach_(2 * length(room_.max - room_.min)) {}
 
@@ -34,7 +37,7 @@ class Lines {
     draw_camera();
     draw_lights();
     for (const StructureEdge& edge : structure_edges(painter_)) line(edge.from, edge.to, edge.stroke);
-    draw_names();  // below the rays, which matter more
+    draw_object_names(painter_, seen_);  // below the rays, which matter more
     draw_rays();
     return std::move(painter_.list);
   }
@@ -45,28 +48,87 @@ class Lines {
   }
 
   void draw_objects() {
-    for (int i = 0; i < static_cast<int>(scene_.objects.size()); ++i) {
-      const Object& object = scene_.objects[static_cast<std::size_t>(i)];
-      if (scene_.objects.size() > many_objects && !is_met(i)) continue;
-      const Target target{TargetKind::object, i};
-      const bool endless = !bounds(object.shape).bounded();
-      const Colour body = body_colour(scene_, object.material).with_alpha(255);
-      const Colour ground = painter_.colours.plan;
-      const std::vector<Curve> curves = outline_of(object, room_);
-      constexpr std::size_t many_curves = 200;  // of a mesh, which would cover what is behind it
-      const bool faint = endless || curves.size() > many_curves;
-      // Strong enough to be seen on the ground, whatever the body's own colour.
-      const Colour colour = mix(mix(ground, painter_.colours.ink, 0.45), body, 0.5).with_alpha(faint ? 70 : 190);
-      const Stroke stroke = painter_.outline(target, colour, faint ? 0.6 : 1);
-      for (const Curve& curve : curves)
-        for (std::size_t k = 1; k < curve.size(); ++k) line(curve[k - 1], curve[k], stroke, target);
+    const std::vector<int> met = met_objects();
+    const auto is_met = [&](int object) { return std::binary_search(met.begin(), met.end(), object); };
+    if (!crowd_) {
+      const bool detailed = scene_.objects.size() <= detailed_objects;
+      for (int i = 0; i < static_cast<int>(scene_.objects.size()); ++i) draw_object(i, detailed || is_met(i));
+      return;
     }
+    std::size_t drawn = met.size();
+    for (const int i : crowd_->drawn) {
+      if (is_met(i) || drawn >= most_drawn) continue;
+      draw_object(i, false);
+      ++drawn;
+    }
+    for (const int i : met) draw_object(i, true);
+    say_how_many(drawn);
   }
 
-  /// Whether a ray drawn now has hit this object.
-  [[nodiscard]] bool is_met(int object) const {
-    const auto rays = painter_.state.timeline->rays_at(painter_.state.position);
-    return std::any_of(rays.begin(), rays.end(), [&](const RayRecord& ray) { return ray.object == object; });
+  void draw_object(int index, bool in_full) {
+    const Object& object = scene_.objects[static_cast<std::size_t>(index)];
+    const Target target{TargetKind::object, index};
+    const bool endless = !bounds(object.shape).bounded();
+    const Colour body = body_colour(scene_, object.material).with_alpha(255);
+    const Colour ground = painter_.colours.plan;
+    // Strong enough to be seen on the ground, whatever the body's own colour.
+    const Colour colour = mix(mix(ground, painter_.colours.ink, 0.45), body, 0.5);
+    if (!in_full && !endless) return draw_simply(object, target, painter_.outline(target, colour.with_alpha(120), 0.6));
+    const std::vector<Curve> curves = outline_of(object, room_);
+    constexpr std::size_t many_curves = 200;  // of a mesh, which would cover what is behind it
+    const bool faint = endless || curves.size() > many_curves;
+    const Stroke stroke = painter_.outline(target, colour.with_alpha(faint ? 70 : 190), faint ? 0.6 : 1);
+    for (const Curve& curve : curves)
+      for (std::size_t k = 1; k < curve.size(); ++k) line(curve[k - 1], curve[k], stroke, target);
+  }
+
+  /// One of so many that each has to do with little: a sphere with its rim, others with the box around them.
+  void draw_simply(const Object& object, const Target& target, const Stroke& stroke) {
+    const Bounds<double> own = bounds(object.shape);
+    if (own.empty()) return;
+    const Bounds<double> box = image_of(affine_of(object.transform), own);
+    if (std::holds_alternative<Sphere<double>>(object.shape)) {
+      const Vec3d middle = box.min + (box.max - box.min) / 2.0;
+      const auto at = seen_.point(middle);
+      if (!at) return;
+      const double radius = length(box.max - box.min) / (2 * std::sqrt(3.0)) * seen_.pixels_per_unit(middle);
+      const detail::Box around{*at - radius, *at + radius};
+      if (around.overlap(painter_.pane()) > 0)
+        painter_.add(CircleItem{*at, std::max(radius, 0.5), std::nullopt, stroke}, target);
+      return;
+    }
+    const auto corner = [&](int i) {
+      return Vec3d((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                   (i & 4) != 0 ? box.max.z : box.min.z);
+    };
+    for (int i = 0; i < 8; ++i)
+      for (const int bit : {1, 2, 4})
+        if ((i & bit) == 0) line(corner(i), corner(i | bit), stroke, target);
+  }
+
+  void say_how_many(std::size_t drawn) {
+    const auto digits = [&](std::size_t count) {
+      std::string all = std::to_string(count);
+      const char mark = painter_.state.language == Language::english ? ',' : '.';
+      for (std::size_t at = all.size(); at > 3; at -= 3) all.insert(at - 3, 1, mark);
+      return all;
+    };
+    const double unit = painter_.sizes.unit, size = painter_.sizes.text;
+    const std::string said =
+        fill(PanelText::objects_drawn, painter_.state.language, {digits(drawn), digits(scene_.objects.size())});
+    const Vec2d at(14 * unit, painter_.viewport.height - 14 * unit);
+    painter_.kept_free.push_back({at - Vec2d(0, size / 2), at + Vec2d(text_width(said, size), size / 2)});
+    painter_.add(TextItem{at, said, size, painter_.colours.dim_text});
+  }
+
+  /// Those that rays drawn now have hit, ascending.
+  [[nodiscard]] std::vector<int> met_objects() const {
+    std::vector<int> met;
+    for (const RayRecord& ray : painter_.state.timeline->rays_at(painter_.state.position))
+      if (ray.object >= 0 && ray.object < static_cast<int>(scene_.objects.size())) met.push_back(ray.object);
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    return met;
   }
 
   /// The pyramid from EYE through the picture, and on it the pixel under way.
@@ -102,7 +164,8 @@ class Lines {
     }
     if (const auto at = seen_.point(camera.eye)) {
       painter_.add(CircleItem{*at, 4 * painter_.sizes.unit, painter_.colours.ink, std::nullopt}, {TargetKind::eye});
-      name(std::string(text(TextId::eye, painter_.state.language)), *at + Vec2d(0, 16 * painter_.sizes.unit));
+      draw_name(painter_, std::string(text(TextId::eye, painter_.state.language)),
+                *at + Vec2d(0, 16 * painter_.sizes.unit));
     }
   }
 
@@ -130,7 +193,7 @@ class Lines {
         const Vec2d out(std::cos(angle), std::sin(angle));
         painter_.add_clipped({*at + 1.4 * least * out, *at + 2 * least * out, stroke}, target);
       }
-      name(light.name, *at - Vec2d(0, 3.4 * least));
+      draw_name(painter_, light.name, *at - Vec2d(0, 3.4 * least));
     }
   }
 
@@ -207,33 +270,9 @@ class Lines {
       if (is_lit(state, index)) draw_ray(index, {index == current ? Prominence::current : Prominence::of_pixel, true});
   }
 
-  void draw_names() {
-    if (scene_.objects.size() > few_objects) return;
-    for (const Object& object : scene_.objects) {
-      const Bounds<double> box = bounds(object.shape);
-      if (box.empty() || !box.bounded()) continue;
-      const Affine<double> place = affine_of(object.transform);
-      if (const auto at = seen_.point(place.point(box.min + (box.max - box.min) / 2.0))) name(object.name, *at);
-    }
-  }
-
-  /// A name with its middle there, unless it would cover another one.
-  void name(const std::string& what, const Vec2d& at) {
-    const double size = painter_.sizes.text, gap = 4 * painter_.sizes.unit;
-    const Vec2d half(text_width(what, size) / 2 + gap, size / 2);
-    const detail::Box box{at - half, at + half};
-    if (what.empty() || box.overlap(painter_.pane()) <= 0) return;
-    for (const detail::Box& taken : painter_.kept_free)
-      if (box.overlap(taken) > 0) return;
-    painter_.kept_free.push_back(box);
-    painter_.add(PolygonItem{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}},
-                             painter_.colours.plan.with_alpha(150),
-                             std::nullopt});
-    painter_.add(TextItem{at, what, size, painter_.colours.text, TextAnchor::middle});
-  }
-
   Painter painter_;
   const Scene& scene_;
+  std::shared_ptr<const Crowd> crowd_;  ///< of very many objects
   Bounds<double> room_;
   Projection seen_;
   double reach_;  ///< length of what goes on for ever
@@ -242,7 +281,9 @@ class Lines {
 }  // namespace
 
 Camera lines_camera(const State& state, const Viewport& viewport) {
-  return state.lines_camera ? *state.lines_camera : overlooking(state.scene(), viewport);
+  if (state.lines_camera) return *state.lines_camera;
+  const auto crowd = detail::crowd_of(state);
+  return crowd ? overlooking(state.scene(), viewport, crowd->at_first) : overlooking(state.scene(), viewport);
 }
 
 DisplayList lines_view(const State& state, const Viewport& viewport) { return Lines(state, viewport).draw(); }

@@ -372,7 +372,7 @@ DisplayList microscope_view(const State& state, const Specimen& specimen, const 
 }
 
 std::shared_ptr<const Specimen> specimen_of(Microscope& microscope, const State& state) {
-  return microscope.look(state.timeline, state.position, walked_scene(state),
+  return microscope.look(state.timeline, state.position, *walked_scene(state),
                          state.image.single_precision ? Precision::float_ : Precision::double_);
 }
 

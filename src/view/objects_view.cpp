@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace raywalk::detail {
 
@@ -97,6 +98,35 @@ void draw_object(Painter& painter, const Object& object, const Target& target, C
              object.shape);
 }
 
+/// Thins a crowd: of small spheres, more than which could not be told apart, one is drawn in each cell of the pane.
+/// A million of them take longer to draw than to trace.
+class Crowd {
+ public:
+  explicit Crowd(const Painter& painter) : painter_(painter) {
+    constexpr std::size_t few = 5000;
+    if (painter.scene().objects.size() > few) taken_.resize(across_ * (cell_of(painter.viewport.height) + 1));
+  }
+  [[nodiscard]] bool hides(const Object& object) {
+    const auto* sphere = std::get_if<Sphere<double>>(&object.shape);
+    if (taken_.empty() || sphere == nullptr || !object.transform.empty()) return false;
+    if (painter_.pixels(sphere->radius) > cell) return false;
+    const Vec2d at = painter_.pixels(plan(sphere->centre));
+    const Viewport& pane = painter_.viewport;
+    if (!(at.x >= 0 && at.y >= 0 && at.x < pane.width && at.y < pane.height)) return true;
+    std::vector<bool>::reference taken = taken_[cell_of(at.y) * across_ + cell_of(at.x)];
+    const bool hidden = taken;
+    taken = true;
+    return hidden;
+  }
+
+ private:
+  static constexpr double cell = 6;  ///< pixels
+  static std::size_t cell_of(double pixels) { return static_cast<std::size_t>(pixels / cell); }
+  const Painter& painter_;
+  std::size_t across_ = cell_of(painter_.viewport.width) + 1;
+  std::vector<bool> taken_;
+};
+
 }  // namespace
 
 Colour body_colour(const Scene& scene, const Material& material) {
@@ -121,8 +151,9 @@ void draw_objects(Painter& painter) {
   // In Move the selected one lies on top, so that what was dropped onto another can be taken up again.
   const bool moving = painter.state.mode == Mode::move;
   const int on_top = moving && belongs_to_object(painter.state.selected) ? painter.state.selected.index : -1;
+  Crowd crowd(painter);
   for (int index = 0; index < static_cast<int>(objects.size()); ++index)
-    if (index != on_top) draw(index);
+    if (index != on_top && !crowd.hides(objects[static_cast<std::size_t>(index)])) draw(index);
   if (on_top >= 0) draw(on_top);
 }
 

@@ -52,18 +52,31 @@ Bounds<double> thick(Bounds<double> box) {
   return box;
 }
 
-/// What is to be seen at first: a light far away from everything would make all else small. Of very many things the
-/// box around them has to do.
-std::vector<Vec3d> seen_at_first(const Scene& scene) {
-  constexpr std::size_t most = 1 << 14;
-  std::vector<Vec3d> points = bodies_and_eye(scene);
-  const Bounds<double> things = thick(box_of(points));
-  if (points.size() > most) points.clear();
-  if (points.size() < 2) add_corners(things, {}, points);
-  const Vec3d middle = things.min + (things.max - things.min) / 2.0;
-  for (const Light& light : scene.lights)
-    if (const std::optional<Vec3d> at = middle_of(light); at && length(*at - middle) < length(things.max - things.min))
-      points.push_back(*at);
+/// Of very many things the corners that stand out furthest, in each of some directions all around. The box around all
+/// of them would not do: with EYE far from the others most of it is empty, and the view would be of its middle.
+std::vector<Vec3d> outermost(const Scene& scene) {
+  struct Furthest {
+    Vec3d way, corner;
+    double reach = -std::numeric_limits<double>::infinity();
+  };
+  std::vector<Furthest> all;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (x != 0 || y != 0 || z != 0) all.push_back({normalize(Vec3d(x, y, z)), Vec3d(0.0)});
+  for (const Object& object : scene.objects) {
+    const Bounds<double> box = image_of(affine_of(object.transform), bounds(object.shape));
+    if (box.empty() || !box.bounded()) continue;
+    for (Furthest& one : all) {
+      const Vec3d corner(one.way.x > 0 ? box.max.x : box.min.x, one.way.y > 0 ? box.max.y : box.min.y,
+                         one.way.z > 0 ? box.max.z : box.min.z);
+      const double reach = dot(one.way, corner);
+      if (reach > one.reach) one = {one.way, corner, reach};
+    }
+  }
+  std::vector<Vec3d> points{scene.camera.eye};
+  for (const Furthest& one : all)
+    if (std::isfinite(one.reach)) points.push_back(one.corner);
   return points;
 }
 
@@ -72,8 +85,27 @@ double half_width(const Camera& camera) { return camera.half_extent(); }
 
 }  // namespace
 
+std::vector<Vec3d> seen_at_first(const Scene& scene) {
+  constexpr std::size_t most = 1 << 11;
+  // A light far away from everything would make all else small.
+  std::vector<Vec3d> points = scene.objects.size() > most ? outermost(scene) : bodies_and_eye(scene);
+  const Bounds<double> things = thick(box_of(points));
+  if (points.size() < 2) add_corners(things, {}, points);
+  const Vec3d middle = things.min + (things.max - things.min) / 2.0;
+  for (const Light& light : scene.lights)
+    if (const std::optional<Vec3d> at = middle_of(light); at && length(*at - middle) < length(things.max - things.min))
+      points.push_back(*at);
+  return points;
+}
+
 Bounds<double> room_of(const Scene& scene) {
-  Bounds<double> box = box_of(bodies_and_eye(scene));
+  Bounds<double> box;
+  box.include(scene.camera.eye);
+  for (const Object& object : scene.objects) {
+    const Bounds<double> own = bounds(object.shape);
+    if (own.empty() || !own.bounded()) continue;
+    box.include(image_of(affine_of(object.transform), own));
+  }
   for (const Light& light : scene.lights)
     if (const std::optional<Vec3d> middle = middle_of(light)) box.include(*middle);
   return thick(box);
@@ -141,9 +173,12 @@ Camera approached(const Camera& camera, const Vec3d& pivot, double factor) {
 }
 
 Camera overlooking(const Scene& scene, const Viewport& viewport) {
+  return overlooking(scene, viewport, seen_at_first(scene));
+}
+
+Camera overlooking(const Scene& scene, const Viewport& viewport, const std::vector<Vec3d>& points) {
   constexpr double aside = -0.65, above = 0.5, angle = 40;  // radians, radians, degrees
   constexpr double border = 0.8;                            // how much of the pane is filled
-  const std::vector<Vec3d> points = seen_at_first(scene);
   const Bounds<double> box = thick(box_of(points));
   const Vec3d middle = box.min + (box.max - box.min) / 2.0;
   const double size = length(box.max - box.min);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace raywalk {
 
@@ -30,6 +31,11 @@ namespace raywalk {
 
 /// A camera that sees the whole scene, EYE and the lights too, from above and beside the scene's own.
 [[nodiscard]] Camera overlooking(const Scene& scene, const Viewport& viewport);
+/// The same for whoever keeps the points that it is to see, which walking over all objects finds.
+[[nodiscard]] Camera overlooking(const Scene& scene, const Viewport& viewport, const std::vector<Vec3d>& points);
+/// What is to be seen at first: the corners of everything that has an end (of very many things the outermost ones),
+/// EYE, and the lights that are not far away from them.
+[[nodiscard]] std::vector<Vec3d> seen_at_first(const Scene& scene);
 
 /// Where a camera puts points of space in a pane. The smaller side of the pane shows what the camera's angle spans.
 class Projection {

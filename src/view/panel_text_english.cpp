@@ -134,6 +134,8 @@ std::string_view english(PanelText id) {
       return "The walk stands at its end, also after a change; CLEAR starts it again.";
     case PanelText::walk_stands_at:
       return "The walk stands at step {0} of {1}.";
+    case PanelText::objects_drawn:
+      return "{0} of {1} objects are drawn";
     case PanelText::out_of_view:
       return "{0} is out of view: Fit (F) shows the whole scene.";
     case PanelText::shown_tiny:

@@ -134,6 +134,8 @@ std::string_view portuguese(PanelText id) {
       return "O percurso está no fim, mesmo depois de uma mudança; CLEAR o recomeça.";
     case PanelText::walk_stands_at:
       return "O percurso está no passo {0} de {1}.";
+    case PanelText::objects_drawn:
+      return "{0} de {1} objetos estão desenhados";
     case PanelText::out_of_view:
       return "{0} está fora da vista: Enquadrar (F) mostra a cena inteira.";
     case PanelText::shown_tiny:

@@ -90,14 +90,14 @@ void pointer_pressed(State& state, const action::PointerPressed& pressed) {
   if (left) state.selected = selection_of(target, state.mode);
   const Vec2d place = clamped(to_scene(state.camera, state.viewport, at));
   if (left && aim_origin(state)) {
-    state.drag = Drag{{}, false, at, place, state.scene(), state.camera};
+    state.drag = Drag{{}, false, at, place, state.camera};
     state.drag->aims = true;
     return guess_way(state, place);
   }
   if (left && pressed.double_click && state.mode == Mode::move && target.kind == TargetKind::edge)
     return insert_corner(state, {target.index, target.part, place});
   const bool pans = state.mode != Mode::move || !target;
-  state.drag = Drag{target, pans, at, place, state.scene(), state.camera, false};
+  state.drag = Drag{target, pans, at, place, state.camera};
 }
 
 void pointer_moved(State& state, const action::PointerMoved& moved) {
@@ -114,7 +114,8 @@ void pointer_moved(State& state, const action::PointerMoved& moved) {
     state.camera.fitted = false;
     return;
   }
-  Grip grip = grip_of(state, drag.scene, drag.target, drag.grabbed, to);
+  if (!drag.scene) drag.scene = std::make_shared<const Scene>(state.scene());
+  Grip grip = grip_of(state, *drag.scene, drag.target, drag.grabbed, to);
   grip.constrain = moved.modifiers.shift;
   grip.snap = moved.modifiers.control;
   // Where the scene would break a rule it stays as it last was.
@@ -137,9 +138,9 @@ void end_drag(State& state) {
   state.drag.reset();
   if (drag.aims) return;
   if (drag.pans && !drag.moved) return click(state, drag.target);
-  if (drag.pans || drag.scene == state.scene()) return;
+  if (!drag.scene || *drag.scene == state.scene()) return;
   state.last_edit.reset();
-  remember(state, std::move(drag.scene));
+  remember(state, *drag.scene);
 }
 
 void cancel_drag(State& state) {
@@ -150,8 +151,8 @@ void cancel_drag(State& state) {
     forget_aim(state);
   } else if (drag.pans) {
     state.camera = drag.camera;
-  } else if (drag.scene != state.scene()) {
-    replace_scene(state, std::move(drag.scene));
+  } else if (drag.scene && *drag.scene != state.scene()) {
+    replace_scene(state, *drag.scene);
   }
   hover(state);
 }

@@ -20,10 +20,16 @@ bool ended_by_depth(const Timeline& timeline) {
                      [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
 }
 
+void limit_depth(SceneSeen& scene, int depth) {
+  TraceLimits limits = scene->limits;
+  limits.depth = depth;
+  scene.set(limits);
+}
+
 /// What is walked, in this scene; of the strip all cells or one.
 Timeline record(const State& state, const Scene& scene, std::optional<Fault> fault, int samples,
                 std::optional<int> cell = {}) {
-  Recording how{state.image.single_precision ? Precision::float_ : Precision::double_, {}, fault};
+  Recording how{state.image.single_precision ? Precision::float_ : Precision::double_, {}, fault, state.worlds.get()};
   how.sampling.per_pixel = samples;
   if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
   return record_pixel(scene, state.walk->size, state.walk->column, state.walk->row, how);
@@ -34,11 +40,11 @@ Timeline record(const State& state, const Scene& scene, std::optional<Fault> fau
 Recorded record_to_depth(const State& state) {
   constexpr int harmless_depth = 6;
   constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
-  Scene limited = walked_scene(state);
-  const int wanted = limited.limits.depth;
-  limited.limits.depth = std::min(wanted, harmless_depth);
+  SceneSeen limited = walked_scene(state);
+  const int wanted = limited->limits.depth;
+  limit_depth(limited, std::min(wanted, harmless_depth));
   const std::optional<Fault> fault = fault_at_work(state);
-  Recorded recorded{record(state, limited, fault, 1), limited.limits.depth};
+  Recorded recorded{record(state, *limited, fault, 1), limited->limits.depth};
   double growth = worst_growth;
   while (recorded.depth < wanted) {
     if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
@@ -46,8 +52,8 @@ Recorded record_to_depth(const State& state) {
     const double room = std::log(most_events / events) / std::log(std::min(worst_growth, 1.2 * growth));
     if (!(room >= 1)) return recorded;
     const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
-    limited.limits.depth = recorded.depth + levels;
-    recorded = {record(state, limited, fault, 1), limited.limits.depth};
+    limit_depth(limited, recorded.depth + levels);
+    recorded = {record(state, *limited, fault, 1), limited->limits.depth};
     growth = std::max(1.0, std::pow(recorded.timeline.steps() / events, 1.0 / levels));
   }
   return recorded;
@@ -59,18 +65,18 @@ Recorded record_within(const State& state) {
   const double room = most_events / std::max(1, recorded.timeline.steps());
   recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.image.walk_samples)));
   if (recorded.samples == 1) return recorded;
-  Scene limited = walked_scene(state);
-  limited.limits.depth = recorded.depth;
-  recorded.timeline = record(state, limited, fault_at_work(state), recorded.samples);
+  SceneSeen limited = walked_scene(state);
+  limit_depth(limited, recorded.depth);
+  recorded.timeline = record(state, *limited, fault_at_work(state), recorded.samples);
   return recorded;
 }
 
 /// The same walk without the bug, or with it where it is mended.
 std::shared_ptr<const Timeline> record_other(const State& state, int depth, int samples) {
-  Scene limited = walked_scene(state);
-  limited.limits.depth = depth;
+  SceneSeen limited = walked_scene(state);
+  limit_depth(limited, depth);
   const std::optional<Fault> other = state.bug->mended ? std::optional(state.bug->fault) : std::nullopt;
-  return std::make_shared<const Timeline>(record(state, limited, other, samples));
+  return std::make_shared<const Timeline>(record(state, *limited, other, samples));
 }
 
 /// The place in `after` that corresponds to `position` in `before`.
@@ -88,9 +94,9 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
 }  // namespace
 
 Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits) {
-  Scene limited = walked_scene(state);
-  limited.limits = limits;
-  return record(state, limited, fault_at_work(state), samples, column);
+  SceneSeen limited = walked_scene(state);
+  limited.set(limits);
+  return record(state, *limited, fault_at_work(state), samples, column);
 }
 
 void record_again(State& state) {

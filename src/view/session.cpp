@@ -127,9 +127,8 @@ void recover(State& state, const std::string& original, const std::string& autos
   state.autosave_file = autosave;  // what it holds is this sitting's work now
   show_document(state, std::move(*document), original);
   // Without a file to compare with, everything is unsaved.
-  if (file) state.saved = file->scene;
-  state.dirty = !file || state.saved != state.scene();
-  if (!file) state.saved = Scene{};
+  state.dirty = !file || file->scene != state.scene();
+  if (state.dirty) state.saved = file ? file->scene : Scene{};
   state.autosaved_revision = 0;
   inform(state, fill(TextId::recovered, state.language, {document_title(state)}));
 }

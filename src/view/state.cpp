@@ -17,6 +17,8 @@ State make_state(SceneDocument document, std::string path, std::string state_dir
   return state;
 }
 
+const Scene& saved_scene(const State& state) { return state.saved ? *state.saved : state.scene(); }
+
 const Camera& image_camera(const State& state) {
   return state.image_camera ? *state.image_camera : state.scene().camera;
 }
@@ -30,18 +32,23 @@ void choose(const State& state, RenderChoices& choices) {
   choices.integrator = state.image.integrator.value_or(choices.integrator);
 }
 
-Scene pictured_scene(const State& state) {
-  Scene scene = state.scene();
-  scene.camera = image_camera(state);
-  choose(state, scene.render);
-  return scene;
+namespace {
+
+SceneSeen seen_from(const State& state, const Camera& camera) {
+  RenderChoices choices = state.scene().render;
+  choose(state, choices);
+  SceneSeen seen(state.scene());
+  seen.set(camera);
+  seen.set(choices);
+  return seen;
 }
 
-Scene walked_scene(const State& state) {
-  Scene scene = state.scene();
-  if (state.walk && state.walk->camera) scene.camera = *state.walk->camera;
-  choose(state, scene.render);
-  return scene;
+}  // namespace
+
+SceneSeen pictured_scene(const State& state) { return seen_from(state, image_camera(state)); }
+
+SceneSeen walked_scene(const State& state) {
+  return seen_from(state, state.walk && state.walk->camera ? *state.walk->camera : state.scene().camera);
 }
 
 bool shows_lines(const State& state) {

@@ -5,6 +5,7 @@
 #include "io/scene_file.h"
 #include "lesson/language.h"
 #include "render/heat.h"
+#include "render/worlds.h"
 #include "timeline/stops.h"
 #include "timeline/timeline.h"
 #include "view/bugs.h"
@@ -14,6 +15,7 @@
 #include "view/ghosts.h"
 #include "view/lesson_sitting.h"
 #include "view/predict.h"
+#include "view/scene_seen.h"
 #include "view/structure.h"
 
 #include <cstdint>
@@ -105,10 +107,11 @@ struct Drag {
   bool pans = false;      ///< moves the plan under the pointer; else the target
   Vec2d grabbed_px{0.0};  ///< where the pointer was pressed, pixels
   Vec2d grabbed{0.0};     ///< the same in scene units
-  Scene scene;            ///< as it was
   PlanCamera camera;      ///< as it was
   bool aims = false;      ///< the arrow of a guess
   bool moved = false;     ///< beyond the few pixels that a click trembles
+  /// As it was; null while nothing of it has moved.
+  std::shared_ptr<const Scene> scene{};
 };
 
 /// STEP or BACK is held down: the longer, the faster it goes.
@@ -135,11 +138,12 @@ struct EditMark {
 struct State {
   // The scene and where it is kept.
   SceneDocument document;
-  std::string path;               ///< empty: never saved
-  Scene saved;                    ///< the scene as the file holds it
-  bool dirty = false;             ///< document.scene differs from `saved`
-  std::uint64_t revision = 0;     ///< changes with every change of document.scene: the 3-D image is rendered anew
-  std::vector<Scene> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::string path;                ///< empty: never saved
+  std::optional<Scene> saved;      ///< the scene as the file holds it; absent: as document.scene
+  bool dirty = false;              ///< document.scene differs from saved_scene
+  std::uint64_t revision = 0;      ///< changes with every change of document.scene: the 3-D image is rendered anew
+  std::vector<Scene> undo, redo;   ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::shared_ptr<Worlds> worlds;  ///< of document.scene; another with each change of it, so that copies may share it
   std::optional<EditMark> last_edit;
   std::vector<std::string> recent;  ///< paths, the latest first
   /// Folder for the autosave and the list of recent files; empty: neither is kept.
@@ -225,14 +229,16 @@ inline constexpr double autosave_every = 5;          ///< seconds
 /// recover it. To be called once at the start.
 void restore_session(State& state);
 
+/// The scene as the file holds it.
+[[nodiscard]] const Scene& saved_scene(const State& state);
 /// The camera of the 3-D picture.
 [[nodiscard]] const Camera& image_camera(const State& state);
 /// Puts what was chosen in place of what the scene says. Beside a bug everything is naive: that is what it breaks.
 void choose(const State& state, RenderChoices& choices);
 /// The scene as the 3-D picture shows it.
-[[nodiscard]] Scene pictured_scene(const State& state);
+[[nodiscard]] SceneSeen pictured_scene(const State& state);
 /// The scene as it is walked.
-[[nodiscard]] Scene walked_scene(const State& state);
+[[nodiscard]] SceneSeen walked_scene(const State& state);
 /// Whether the scene is shown as lines in space where the plan stands otherwise.
 [[nodiscard]] bool shows_lines(const State& state);
 

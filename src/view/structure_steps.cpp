@@ -55,7 +55,7 @@ void follow_with_structure(State& state) {
   const bool to_end = sitting.searches && sitting.step > 0 && sitting.step == structure_steps(state);
   if (anew) {
     const Precision precision = state.image.single_precision ? Precision::float_ : Precision::double_;
-    sitting.walks = std::make_shared<const SearchWalks>(walked_scene(state), state.timeline, precision);
+    sitting.walks = std::make_shared<const SearchWalks>(*walked_scene(state), state.timeline, precision);
     sitting.build_step =
         std::min(sitting.build_step, static_cast<int>(sitting.walks->build(sitting.kind).steps.size()));
   }

@@ -250,6 +250,7 @@ enum class PanelText {
   after_last_step_of_pixel,
   walk_stands_at_end,  ///< said in Move: after a change the walk stays at its end
   walk_stands_at,      ///< {0} position, {1} steps
+  objects_drawn,       ///< {0} how many, {1} of how many
   out_of_view,         ///< {0} what
   shown_tiny,
 };

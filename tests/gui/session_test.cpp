@@ -8,6 +8,7 @@
 
 #include "gui/bench.h"
 #include "gui/folder.h"
+#include "gui/loading.h"
 #include "gui/report.h"
 #include "support/catch.h"
 
@@ -173,6 +174,38 @@ TEST_CASE("the 3-D image follows the scene, and goes no further than coarse whil
   CHECK_FALSE(image.preview().finished());
   state.drag.reset();
   CHECK_FALSE(image.rests(state));
+}
+
+TEST_CASE("the 3-D image is of the world that is walked") {
+  State state = classic();
+  state.document.scene.image = {33, 25};
+  const std::weak_ptr<const World<double>> world = state.worlds->of<double>(*pictured_scene(state));
+  LiveImage image;
+  const long before = world.use_count();
+  static_cast<void>(image.work(state, 1));
+  CHECK(world.use_count() == before + 1);
+}
+
+TEST_CASE("only of a large scene the window says that it is being read") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  CHECK_FALSE(takes_long_to_read(wanted));  // the classic scene
+  wanted.scene_path = folder.put("small.nff", "v");
+  CHECK_FALSE(takes_long_to_read(wanted));
+  wanted.scene_path = folder.put("large.nff", std::string(5 << 20, '#'));
+  CHECK(takes_long_to_read(wanted));
+  wanted.scene_path = folder / "missing.nff";
+  CHECK_FALSE(takes_long_to_read(wanted));
+}
+
+TEST_CASE("the word about it is in the language of the window") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  Settings settings;
+  settings.language = Language::portuguese;
+  CHECK(language_for(wanted, settings) == Language::english);
+  wanted.language.reset();
+  CHECK(language_for(wanted, settings) == Language::portuguese);
 }
 
 TEST_CASE("a demo hands its actions out one by one, at a walking pace") {

@@ -73,7 +73,7 @@ TEST_CASE("each bug opens a shipped scene that it spoils, at the first pixel in 
     for (int i = pixel.begun_at; i < pixel.done_at; ++i)
       runs = runs || state.timeline->event(i).line == faulty_line(fault);
     CHECK(runs);
-    CHECK(pictured_scene(state).render.numerics == Numerics::naive);
+    CHECK(pictured_scene(state)->render.numerics == Numerics::naive);
     CHECK(broken_promise(state).empty());
     // Neither the number nor what is said before the end names the line or the fault.
     const BugPanel panel = bug_panel(state);
@@ -213,7 +213,7 @@ TEST_CASE("leaving a hunt gives back scene, unsaved work, undo and place, whatev
     CHECK(shades(*state.timeline) == shades(*before.timeline));
     CHECK(state.theme == Theme::projector);
     CHECK(state.revision != before.revision);  // the picture is rendered anew
-    CHECK(pictured_scene(state).render.numerics == Numerics::robust);
+    CHECK(pictured_scene(state)->render.numerics == Numerics::robust);
     CHECK(broken_promise(state).empty());
   }
 }

@@ -58,7 +58,7 @@ TEST_CASE("a scene that ships is kept as it is: Save asks for another name, and 
   update(state, action::SaveAs{folder.file("shipped.toml")});
   REQUIRE(state.question);
   CHECK(state.question->kind == Question::Kind::overwrite);
-  CHECK(read_document(folder.file("shipped.toml")).scene == state.saved);
+  CHECK(read_document(folder.file("shipped.toml")).scene == saved_scene(state));
   update(state, action::AnswerQuestion{action::Answer::cancel});
   const TemporaryFolder own;
   update(state, action::SaveAs{own.file("own.toml")});

@@ -120,7 +120,7 @@ std::string broken_promise(const State& state) {
   if (state.playing && state.position == state.timeline->steps()) return "AUTO runs at the end";
   const Result<std::string> written = format_scene(state.scene());
   if (!written) return "the scene cannot be saved: " + written.error().text();
-  if (state.dirty != (state.scene() != state.saved)) return "dirty tells a lie";
+  if (state.dirty != (state.scene() != saved_scene(state))) return "dirty tells a lie";
   if (state.bugs.hunt && !state.bug) return "a hunt without a bug";
   if (state.bug && !state.bug->other) return "nothing to compare the bug with";
   if (state.bugs.shown && state.lessons.shown) return "two panes in one place";

@@ -69,7 +69,7 @@ TEST_CASE("numerics are an edit of the scene: the walk has them, and undo takes 
   CHECK(state.scene().render.epsilon == 0);
   CHECK(state.dirty);
   CHECK(state.revision != revision);
-  CHECK(pictured_scene(state).render.numerics == Numerics::naive);
+  CHECK(pictured_scene(state)->render.numerics == Numerics::naive);
   // Rays that meet the surface they leave: this walk is another one.
   CHECK(state.timeline->steps() != robust->steps());
   update(state, action::Undo{});

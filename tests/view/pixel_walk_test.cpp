@@ -32,7 +32,7 @@ TEST_CASE("a walked pixel ends in the very colour of the picture, of the scene's
     const ImageSize size{63, 47};
     RenderSettings settings;
     settings.size = size;
-    const auto rendering = render(pictured_scene(state), settings);
+    const auto rendering = render(*pictured_scene(state), settings);
     REQUIRE(rendering);
     const Film<double>& film = rendering->film_of<double>();
     for (const auto& [column, row] : {std::pair{3, 40}, {30, 20}, {31, 30}, {40, 25}, {62, 0}}) {

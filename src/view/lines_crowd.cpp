@@ -1,0 +1,72 @@
+#include "view/lines_crowd.h"
+
+#include "view/orbit.h"
+#include "view/plan_geometry.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace raywalk::detail {
+
+namespace {
+
+/// How large an object is; what has no end is largest.
+double extent(const Object& object) {
+  const Bounds<double> box = bounds(object.shape);
+  if (box.empty()) return 0;
+  if (!box.bounded()) return std::numeric_limits<double>::infinity();
+  const Bounds<double> placed = image_of(affine_of(object.transform), box);
+  return length(placed.max - placed.min);
+}
+
+/// An order without any pattern of the scene's own (the finaliser of MurmurHash3, A. Appleby 2011).
+std::uint32_t scrambled(int index) {
+  auto bits = static_cast<std::uint32_t>(index);
+  bits = (bits ^ (bits >> 16)) * 0x85ebca6bU;
+  bits = (bits ^ (bits >> 13)) * 0xc2b2ae35U;
+  return bits ^ (bits >> 16);
+}
+
+}  // namespace
+
+Crowd chosen(const Scene& scene) {
+  Crowd crowd{{}, room_of(scene), seen_at_first(scene)};
+  std::vector<double> extents;
+  extents.reserve(scene.objects.size());
+  for (const Object& object : scene.objects) extents.push_back(extent(object));
+  std::vector<int> order(scene.objects.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::size_t count = std::min(most_drawn, order.size());
+  const auto largest = order.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
+  const auto extent_of = [&](int i) { return extents[static_cast<std::size_t>(i)]; };
+  // The largest make the picture; without any of the small ones a scene of few large things would look empty of them.
+  // Of equals whichever come, from all over the scene.
+  std::nth_element(order.begin(), largest, order.end(), [&](int a, int b) {
+    return extent_of(a) != extent_of(b) ? extent_of(a) > extent_of(b) : scrambled(a) < scrambled(b);
+  });
+  std::nth_element(largest, end, order.end(), [](int a, int b) { return scrambled(a) < scrambled(b); });
+  crowd.drawn.assign(order.begin(), end);
+  std::sort(crowd.drawn.begin(), crowd.drawn.end());
+  return crowd;
+}
+
+std::shared_ptr<const Crowd> crowd_of(const State& state) {
+  const std::vector<Object>& objects = state.scene().objects;
+  if (objects.size() <= most_drawn) return nullptr;
+  // Every change of a scene is recorded anew, and a recording is never changed.
+  struct Kept {
+    std::weak_ptr<const Timeline> timeline;
+    const Object* objects = nullptr;
+    std::size_t count = 0;
+    std::shared_ptr<const Crowd> crowd;
+  };
+  static Kept kept;
+  if (!kept.crowd || kept.timeline.lock() != state.timeline || kept.objects != objects.data() ||
+      kept.count != objects.size())
+    kept = {state.timeline, objects.data(), objects.size(), std::make_shared<const Crowd>(chosen(state.scene()))};
+  return kept.crowd;
+}
+
+}  // namespace raywalk::detail

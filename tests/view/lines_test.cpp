@@ -1,0 +1,144 @@
+// The line view: scenes of very many objects, and the names of few.
+#include "view/lines_view.h"
+
+#include "fixtures.h"
+#include "view/lines_crowd.h"
+#include "view/orbit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+/// Small balls all through a large one around the origin, seen from far away, and a great ball last of all.
+Scene crowd(int count) {
+  Scene scene;
+  scene.camera.eye = Vec3d(-20, 0, 0);
+  scene.camera.look_at = Vec3d(0.0);
+  scene.lights.push_back({"Lamp", Rgbd(1.0), PointLight{Vec3d(-5, 5, 5), {}}});
+  for (int i = 0; i + 1 < count; ++i) {
+    // Points of a spiral on spheres of all sizes.
+    const double z = 1 - 2 * (i + 0.5) / count, angle = 2.399963 * i, r = 4 * std::cbrt(std::fmod(0.618034 * i, 1.0));
+    const double level = std::sqrt(1 - z * z);
+    const Vec3d at = r * Vec3d(level * std::cos(angle), level * std::sin(angle), z);
+    scene.objects.push_back({"Ball " + std::to_string(i), Sphere<double>{at, 0.05}, Material{}});
+  }
+  scene.objects.push_back({"Great", Sphere<double>{Vec3d(0.0), 1}, Material{}});
+  return scene;
+}
+
+State lines_of(const Scene& scene) {
+  State state = state_of(scene);
+  update(state, action::SetMode{Mode::trace});
+  return state;
+}
+
+std::set<int> drawn_objects(const DisplayList& list) {
+  std::set<int> found;
+  for (const DisplayItem& item : list)
+    if (item.target.kind == TargetKind::object) found.insert(item.target.index);
+  return found;
+}
+
+const TextItem* text_with(const DisplayList& list, const std::string& part) {
+  for (const DisplayItem& item : list)
+    if (const auto* text = std::get_if<TextItem>(&item.shape);
+        text != nullptr && text->text.find(part) != std::string::npos)
+      return text;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("of very many objects 1,500 are drawn, the largest among them, and the view says so") {
+  State state = lines_of(crowd(2000));
+  const DisplayList list = lines_view(state, state.viewport);
+  CHECK(is_finite(list));
+  const std::set<int> drawn = drawn_objects(list);
+  CHECK(drawn.size() == 1500);
+  CHECK(drawn.count(1999) == 1);
+  // From all over the scene: of each hundred about three quarters.
+  for (int hundred = 0; hundred < 20; ++hundred) {
+    const auto count = std::distance(drawn.lower_bound(100 * hundred), drawn.lower_bound(100 * hundred + 100));
+    CHECK(count > 50);
+    CHECK(count < 95);
+  }
+  CHECK(list.size() < 10'000);
+  CHECK(text_with(list, "1,500 of 2,000 objects") != nullptr);
+  update(state, action::SetLanguage{Language::portuguese});
+  CHECK(text_with(lines_view(state, state.viewport), "1.500 de 2.000 objetos") != nullptr);
+  CHECK(text_with(lines_view(lines_of(crowd(1500)), state.viewport), "1,500") == nullptr);
+}
+
+TEST_CASE("of very many objects those that rays have met are drawn in full") {
+  State state = lines_of(crowd(4000));
+  update(state, action::WalkPixel{200, 150, {401, 301}});
+  REQUIRE_FALSE(state.timeline->rays().empty());
+  const int met = state.timeline->rays().front().object;
+  REQUIRE(met >= 0);
+  const DisplayList list = lines_view(state, state.viewport);
+  CHECK(drawn_objects(list).size() == 1500);
+  CHECK(items_of(list, {TargetKind::object, met}).size() > 40);  // circles of lines, where others have one rim
+}
+
+TEST_CASE("what is drawn of very many objects is chosen once, and anew when the scene has changed") {
+  State state = lines_of(crowd(2000));
+  const auto first = detail::crowd_of(state);
+  REQUIRE(first);
+  CHECK(detail::crowd_of(state) == first);
+  update(state, action::AddObject{action::ObjectKind::solid_sphere});
+  CHECK(detail::crowd_of(state) != first);
+  CHECK(detail::crowd_of(lines_of(crowd(1500))) == nullptr);
+}
+
+TEST_CASE("a scene of very many objects stands in the middle of the pane, as large as fits") {
+  const Viewport pane{860, 480};
+  for (const int count : {1000, 10'000}) {
+    const Scene scene = crowd(count);
+    const Projection seen(overlooking(scene, pane), pane);
+    Vec2d least(1e9), most(-1e9);
+    const auto include = [&](const Vec3d& point) {
+      const auto at = seen.point(point);
+      REQUIRE(at);
+      least = {std::min(least.x, at->x), std::min(least.y, at->y)};
+      most = {std::max(most.x, at->x), std::max(most.y, at->y)};
+    };
+    include(scene.camera.eye);
+    for (const Object& object : scene.objects) include(std::get<Sphere<double>>(object.shape).centre);
+    INFO(count << ": " << least.x << " to " << most.x << ", " << least.y << " to " << most.y);
+    CHECK((least.x > 0 && most.x < pane.width && least.y > 0 && most.y < pane.height));
+    CHECK(std::abs((least.x + most.x) / 2 - pane.width / 2) < 0.05 * pane.width);
+    CHECK(std::max((most.x - least.x) / pane.width, (most.y - least.y) / pane.height) > 0.7);
+  }
+}
+
+TEST_CASE("in space a wall's name does not stand on what lies before it") {
+  for (const std::string& path : shipped_scenes()) {
+    if (!path.ends_with("/cornell.toml")) continue;
+    State state = make_state(read_document(path));
+    update(state, action::ResizePlan{{858, 480}});
+    const DisplayList list = lines_view(state, state.viewport);
+    for (const char* name : {"Floor", "Ball", "Block", "Red wall", "Green wall", "Back wall"}) {
+      INFO(name);
+      CHECK(text_with(list, name) != nullptr);
+    }
+    const Projection seen(lines_camera(state, state.viewport), state.viewport);
+    const Object& ball = state.scene().objects[static_cast<std::size_t>(index_of_object(state.scene(), "Ball"))];
+    const auto& sphere = std::get<Sphere<double>>(ball.shape);
+    const auto middle = seen.point(sphere.centre);
+    REQUIRE(middle);
+    const double radius = sphere.radius * seen.pixels_per_unit(sphere.centre);
+    const TextItem* floor = text_with(list, "Floor");
+    REQUIRE(floor != nullptr);
+    CHECK(length(floor->at - *middle) > radius);
+    CHECK(length(text_with(list, "Ball")->at - *middle) < radius);
+    return;
+  }
+  FAIL("no cornell.toml");
+}
