@@ -16,9 +16,10 @@ namespace raywalk {
 /// The file that a SCENE of the command line means: a path, or else the name of a shipped scene.
 [[nodiscard]] std::string scene_path(const std::string& scene);
 
+enum class SceneWarnings { said, kept };
+
 /// Reads the scene, and says its warnings on standard error unless they are kept, one line for all of a kind. Where
 /// there is no such file the hint names what there is.
-enum class SceneWarnings { said, kept };
 [[nodiscard]] Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warnings = SceneWarnings::said);
 
 }  // namespace raywalk

@@ -1,5 +1,6 @@
 #include "view/lines_crowd.h"
 
+#include "math/random.h"
 #include "view/orbit.h"
 #include "view/plan_geometry.h"
 
@@ -20,13 +21,8 @@ double extent(const Object& object) {
   return length(placed.max - placed.min);
 }
 
-/// An order without any pattern of the scene's own (the finaliser of MurmurHash3, A. Appleby 2011).
-std::uint32_t scrambled(int index) {
-  auto bits = static_cast<std::uint32_t>(index);
-  bits = (bits ^ (bits >> 16)) * 0x85ebca6bU;
-  bits = (bits ^ (bits >> 13)) * 0xc2b2ae35U;
-  return bits ^ (bits >> 16);
-}
+/// An order without any pattern of the scene's own.
+std::uint64_t scrambled(int index) { return mix(static_cast<std::uint64_t>(index)); }
 
 }  // namespace
 

@@ -100,9 +100,9 @@ void draw_object(Painter& painter, const Object& object, const Target& target, C
 
 /// Thins a crowd: of small spheres, more than which could not be told apart, one is drawn in each cell of the pane.
 /// A million of them take longer to draw than to trace.
-class Crowd {
+class Thinning {
  public:
-  explicit Crowd(const Painter& painter) : painter_(painter) {
+  explicit Thinning(const Painter& painter) : painter_(painter) {
     constexpr std::size_t few = 5000;
     if (painter.scene().objects.size() > few) taken_.resize(across_ * (cell_of(painter.viewport.height) + 1));
   }
@@ -151,7 +151,7 @@ void draw_objects(Painter& painter) {
   // In Move the selected one lies on top, so that what was dropped onto another can be taken up again.
   const bool moving = painter.state.mode == Mode::move;
   const int on_top = moving && belongs_to_object(painter.state.selected) ? painter.state.selected.index : -1;
-  Crowd crowd(painter);
+  Thinning crowd(painter);
   for (int index = 0; index < static_cast<int>(objects.size()); ++index)
     if (index != on_top && !crowd.hides(objects[static_cast<std::size_t>(index)])) draw(index);
   if (on_top >= 0) draw(on_top);

@@ -1,6 +1,7 @@
 #include "view/orbit.h"
 
 #include "scene/transform_step.h"
+#include "view/plan_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,11 +66,11 @@ std::vector<Vec3d> outermost(const Scene& scene) {
       for (int z = -1; z <= 1; ++z)
         if (x != 0 || y != 0 || z != 0) all.push_back({normalize(Vec3d(x, y, z)), Vec3d(0.0)});
   for (const Object& object : scene.objects) {
-    const Bounds<double> box = image_of(affine_of(object.transform), bounds(object.shape));
-    if (box.empty() || !box.bounded()) continue;
+    const std::optional<Bounds<double>> box = detail::footprint_of(object);
+    if (!box) continue;
     for (Furthest& one : all) {
-      const Vec3d corner(one.way.x > 0 ? box.max.x : box.min.x, one.way.y > 0 ? box.max.y : box.min.y,
-                         one.way.z > 0 ? box.max.z : box.min.z);
+      const Vec3d corner(one.way.x > 0 ? box->max.x : box->min.x, one.way.y > 0 ? box->max.y : box->min.y,
+                         one.way.z > 0 ? box->max.z : box->min.z);
       const double reach = dot(one.way, corner);
       if (reach > one.reach) one = {one.way, corner, reach};
     }
@@ -101,11 +102,8 @@ std::vector<Vec3d> seen_at_first(const Scene& scene) {
 Bounds<double> room_of(const Scene& scene) {
   Bounds<double> box;
   box.include(scene.camera.eye);
-  for (const Object& object : scene.objects) {
-    const Bounds<double> own = bounds(object.shape);
-    if (own.empty() || !own.bounded()) continue;
-    box.include(image_of(affine_of(object.transform), own));
-  }
+  for (const Object& object : scene.objects)
+    if (const std::optional<Bounds<double>> own = detail::footprint_of(object)) box.include(*own);
   for (const Light& light : scene.lights)
     if (const std::optional<Vec3d> middle = middle_of(light)) box.include(*middle);
   return thick(box);

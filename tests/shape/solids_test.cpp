@@ -2,6 +2,7 @@
 // out in turn, each crossing lies on the surface, and the normal points out.
 
 #include "shape/box.h"
+#include "shape/kinds.h"
 #include "shape/prism.h"
 #include "shape/quadric.h"
 #include "shape/sphere.h"
@@ -10,6 +11,7 @@
 #include <random>
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
 
@@ -104,17 +106,6 @@ void walk(const Solid& solid, int rays, Random<T>& random) {
   CHECK(inwards == 0);
   CHECK(out_of_bounds == 0);
   CHECK(endless == 0);
-}
-
-/// Calls `body` with each kind of quadric, as a type.
-template <class Body>
-void for_each_kind(Body body) {
-  const auto call = [&]<QuadricKind... Kinds>(std::integer_sequence<QuadricKind, Kinds...>) {
-    (body(std::integral_constant<QuadricKind, Kinds>{}), ...);
-  };
-  call(std::integer_sequence<QuadricKind, QuadricKind::ellipsoid, QuadricKind::elliptic_paraboloid, QuadricKind::cone,
-                             QuadricKind::cylinder, QuadricKind::hyperboloid_one_sheet,
-                             QuadricKind::hyperboloid_two_sheets>{});
 }
 
 }  // namespace

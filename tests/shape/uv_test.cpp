@@ -2,6 +2,7 @@
 // and of all of them under a map. Each place is met by a ray, so that the part which the ray names counts too.
 
 #include "math/transform.h"
+#include "shape/kinds.h"
 #include "shape/placed.h"
 #include "support/catch.h"
 
@@ -14,6 +15,7 @@
 #include <vector>
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
 
@@ -77,17 +79,6 @@ void for_each_quarter(Body body) {
           body(front * plane.normal, right * plane.u + up * 0.5 * plane.v, right * plane.u_length,
                up * 0.5 * plane.v_length, right * plane.u, up * plane.v);
         }
-}
-
-/// Calls `body` with each kind of quadric, as a type.
-template <class Body>
-void for_each_kind(Body body) {
-  const auto call = [&]<QuadricKind... Kinds>(std::integer_sequence<QuadricKind, Kinds...>) {
-    (body(std::integral_constant<QuadricKind, Kinds>{}), ...);
-  };
-  call(std::integer_sequence<QuadricKind, QuadricKind::ellipsoid, QuadricKind::elliptic_paraboloid, QuadricKind::cone,
-                             QuadricKind::cylinder, QuadricKind::hyperboloid_one_sheet,
-                             QuadricKind::hyperboloid_two_sheets>{});
 }
 
 /// How many times rx and ry the wall is wide at height z, and at which height just once, from the definitions.
