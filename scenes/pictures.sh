@@ -1,6 +1,6 @@
 #!/bin/bash
 # Renders the thumbnail of every scene in this folder to pictures/NAME.png and writes the gallery in README.md; then
-# measures the two plots of the README beside this folder.
+# measures the two plots of tests/NUMERICS.md.
 #
 #   scenes/pictures.sh [RAYWALK]        the program; build/release/raywalk when left out
 #

@@ -1,6 +1,6 @@
 #pragma once
-// All keys and what they do, from the table of commands: Help shows this list and README.md has it as a table, which a
-// test compares.
+// All keys and what they do, from the table of commands: Help shows this list and lessons/README.md has it as a table,
+// which a test compares.
 
 #include "lesson/language.h"
 

@@ -73,7 +73,7 @@ TEST_CASE("every command is on a key, except the cross that closes a panel") {
   }
 }
 
-TEST_CASE("Help and README.md list the keys of all commands") {
+TEST_CASE("Help and lessons/README.md list the keys of all commands") {
   std::string table, all_keys;
   for (const KeyListRow& row : key_list(Language::english)) {
     table += "| " + row.keys + " | " + row.does + " |\n";
@@ -84,8 +84,8 @@ TEST_CASE("Help and README.md list the keys of all commands") {
     CAPTURE(command_name(command));
     CHECK_THAT(all_keys, contains(all_command_keys(command, Language::english)));
   }
-  const std::string readme = read_file(std::string(RAYWALK_SOURCE_DIR) + "/README.md", 1 << 20).value();
-  INFO("README.md should have this table:\n" << table);
+  const std::string readme = read_file(std::string(RAYWALK_SOURCE_DIR) + "/lessons/README.md", 1 << 20).value();
+  INFO("lessons/README.md should have this table:\n" << table);
   CHECK(readme.find(table) != std::string::npos);
 }
 

@@ -280,12 +280,14 @@ std::string declared_version(const std::string& cmake_lists) {
 }
 
 std::vector<Breach> check_top_level(const std::vector<std::string>& entries, const std::string& gitignore) {
-  constexpr std::array<std::string_view, 14> allowed{".ci",
+  constexpr std::array<std::string_view, 16> allowed{".ci",
                                                      ".clang-format",
                                                      ".clang-tidy",
                                                      ".git",
                                                      ".gitignore",
                                                      "LICENSE",
+                                                     "CHANGELOG.md",
+                                                     "CONTRIBUTING.md",
                                                      "CMakeLists.txt",
                                                      "CMakePresets.json",
                                                      "README.md",

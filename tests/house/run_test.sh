@@ -119,6 +119,15 @@ stand_in ctest 'exit 8'
 go test
 expect "tests that do not run are failures" says '1 passed, 2 failed' out
 all_is_well
+stand_in ctest 'mkdir -p "build/$2/Testing/Temporary"
+  printf "warning:\n  skipped: no display\n" >"build/$2/Testing/Temporary/LastTest.log"
+  echo "100% tests passed, 0 tests failed out of 3"'
+go test
+expect "what is skipped is no failure" status_is 0
+expect "and is counted" says '7 passed, 0 failed, 2 cases skipped' out
+expect "and says what it lacked" says 'skipped: no display' err
+
+all_is_well
 stand_in clang-format-19 'exit 1'
 echo 'int x ;' >"$here/house/src/x.cpp"
 go test

@@ -1,4 +1,4 @@
-// The shared tables' rows for what our shapes can express: spheres under translation, rotation and uniform scale,
+// The rows of tests/conformance for what our shapes can express: spheres under translation, rotation and uniform scale,
 // planes under translation and rotation, and the cube as a prism (the table's y is then the prism's z).
 
 #include "shape/shape.h"
@@ -111,11 +111,9 @@ std::vector<double> all_crossings(const Shape<double>& shape, const Ray<double>&
 
 }  // namespace
 
-TEST_CASE("rays meet shapes where the shared table says") {
-  const auto file = conformance_file("ray_shape.tsv");
-  if (!std::filesystem::exists(file)) RAYWALK_SKIP("no " << file);
+TEST_CASE("rays meet shapes where ray_shape.tsv says") {
   std::map<std::string, int> rows;
-  for (const Row& row : read_table(file)) {
+  for (const Row& row : read_table("ray_shape.tsv")) {
     bool axes_turned = false;
     const auto shape = shape_of(row, axes_turned);
     if (!shape) continue;
@@ -142,11 +140,9 @@ TEST_CASE("rays meet shapes where the shared table says") {
   CHECK(rows["cube"] >= 9);
 }
 
-TEST_CASE("normals are what the shared table says") {
-  const auto file = conformance_file("shape_normal.tsv");
-  if (!std::filesystem::exists(file)) RAYWALK_SKIP("no " << file);
+TEST_CASE("normals are what shape_normal.tsv says") {
   std::map<std::string, int> rows;
-  for (const Row& row : read_table(file)) {
+  for (const Row& row : read_table("shape_normal.tsv")) {
     bool axes_turned = false;
     const auto shape = shape_of(row, axes_turned);
     if (!shape) continue;

@@ -1,12 +1,11 @@
-// Reading the shared conformance tables: tab-separated values under one header row, "-" for an empty cell.
+// Reading the tables of tests/conformance: tab-separated values under one header row, "-" for an empty cell.
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,12 +34,6 @@ class Row {
   std::map<std::string, std::string> cells_;
 };
 
-// Where the shared tables would be. The environment variable wins over what the build was configured with.
-inline std::filesystem::path conformance_file(const std::string& name) {
-  const char* shared = std::getenv("RAYWALK_SHARED_DIR");
-  return std::filesystem::path(shared && *shared ? shared : RAYWALK_SHARED_DIR) / "conformance" / name;
-}
-
 inline std::vector<std::string> split_at_tabs(const std::string& line) {
   std::vector<std::string> cells;
   std::size_t begin = 0;
@@ -50,11 +43,12 @@ inline std::vector<std::string> split_at_tabs(const std::string& line) {
   return cells;
 }
 
-inline std::vector<Row> read_table(const std::filesystem::path& file) {
-  std::ifstream in(file);
+// The rows of tests/conformance/NAME. Throws where there is no such table.
+inline std::vector<Row> read_table(const std::string& name) {
+  std::ifstream in(std::string(RAYWALK_SOURCE_DIR) + "/tests/conformance/" + name);
   std::vector<Row> rows;
   std::string line;
-  std::getline(in, line);
+  if (!std::getline(in, line)) throw std::runtime_error("no table tests/conformance/" + name);
   const std::vector<std::string> header = split_at_tabs(line);
   while (std::getline(in, line)) {
     const std::vector<std::string> cells = split_at_tabs(line);
