@@ -15,7 +15,7 @@ using scene_keys::Presence;
 
 namespace {
 
-constexpr std::size_t longest_text = 10'000, longest_name = 100, longest_file = 1'000, most_corners = 1'000;
+constexpr std::size_t longest_text = 10'000, longest_name = 100, longest_file = 1'000, most_prism_corners = 1'000;
 
 /// A value as a message shows it, in few words.
 std::string found(const toml::node& node) {
@@ -244,10 +244,10 @@ void SceneReader::corners(std::string_view key, std::vector<Vec2d>& value) {
   value.clear();
   const toml::node* node = take(key, Presence::required);
   if (node == nullptr) return;
-  const std::string expected = fmt::format("a list of 3 to {} corners [x, y]", most_corners);
+  const std::string expected = fmt::format("a list of 3 to {} corners [x, y]", most_prism_corners);
   const std::string hint = "such as corners = [[0, 0], [2, 0], [1, 2]]";
   const toml::array* array = node->as_array();
-  if (array == nullptr || array->size() > most_corners) return fail_type(*node, key, expected, hint);
+  if (array == nullptr || array->size() > most_prism_corners) return fail_type(*node, key, expected, hint);
   for (const toml::node& element : *array) {
     const auto corner = numbers_of(element, key, scene_keys::coordinate, 2, 2, "a corner [x, y]");
     if (corner.empty()) return;

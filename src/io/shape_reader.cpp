@@ -11,7 +11,7 @@ namespace raywalk::detail {
 
 namespace {
 
-constexpr std::size_t most_corners = 10000, most_steps = 1000;
+constexpr std::size_t most_polygon_corners = 10000, most_steps = 1000;
 
 }  // namespace
 
@@ -40,8 +40,8 @@ void SceneReader::limit(std::string_view key, double& value) {
 
 std::vector<Vec3d> SceneReader::points_of(const toml::node& node, std::string_view key) {
   const toml::array* array = node.as_array();
-  if (array == nullptr || array->size() < 3 || array->size() > most_corners) {
-    fail_type(node, key, fmt::format("a list of 3 to {} corners [x, y, z]", most_corners),
+  if (array == nullptr || array->size() < 3 || array->size() > most_polygon_corners) {
+    fail_type(node, key, fmt::format("a list of 3 to {} corners [x, y, z]", most_polygon_corners),
               "such as [[0, 0, 1], [2, 0, 1], [1, 2, 1]]");
     return {};
   }

@@ -13,7 +13,7 @@ namespace raywalk {
 
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_decimal_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// A formula in braces, "t:2": and how many decimals it is to have, or -1.
 struct Slot {
@@ -41,7 +41,7 @@ std::string unchecked_number(const std::string& text) {
     if (text[i] == '}') --depth;
     if (text[i] == '`') code = !code;
     if (depth > 0 || code || i == 0 || i + 1 >= text.size()) continue;
-    if ((text[i] == '.' || text[i] == ',') && is_digit(text[i - 1]) && is_digit(text[i + 1]))
+    if ((text[i] == '.' || text[i] == ',') && is_decimal_digit(text[i - 1]) && is_decimal_digit(text[i + 1]))
       return text.substr(i - 1, 4);
   }
   return "";

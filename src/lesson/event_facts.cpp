@@ -10,8 +10,6 @@ namespace raywalk {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 std::string object_name(const Scene& scene, int index) { return scene.objects[static_cast<std::size_t>(index)].name; }
 std::string light_name(const Scene& scene, int index) { return scene.lights[static_cast<std::size_t>(index)].name; }
 

@@ -17,8 +17,6 @@ namespace {
 
 using Kind = Expression::Node::Kind;
 
-constexpr double degree = std::numbers::pi / 180;
-
 struct NumberFunction {
   std::string_view name;
   double (*of)(double);
@@ -37,8 +35,6 @@ constexpr std::array number_functions{
     NumberFunction{"acos", [](double x) { return std::acos(x) / degree; }},
     NumberFunction{"atan", [](double x) { return std::atan(x) / degree; }},
 };
-
-tl::unexpected<std::string> wrong(const std::string& message) { return tl::unexpected(message); }
 
 std::string kind_of(const Value& value) {
   constexpr std::array<std::string_view, 5> words{"nothing", "yes or no", "a number", "a text", "a point or colour"};

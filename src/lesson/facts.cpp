@@ -13,8 +13,6 @@ namespace raywalk {
 
 namespace {
 
-tl::unexpected<std::string> wrong(const std::string& message) { return tl::unexpected(message); }
-
 double number_of(std::uint64_t count) { return static_cast<double>(count); }
 
 /// The angle between a ray, seen backwards, and the normal on its side, in degrees.

@@ -2,8 +2,10 @@
 
 #include "math/vec.h"
 
+#include <numbers>
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 #include <variant>
 
 namespace raywalk {
@@ -16,6 +18,10 @@ using Value = std::variant<Nothing, bool, double, std::string, Vec3d>;
 
 /// A value, or why there is none: one sentence without a full stop.
 using Outcome = tl::expected<Value, std::string>;
+/// Why there is none.
+[[nodiscard]] inline tl::unexpected<std::string> wrong(std::string why) { return tl::unexpected(std::move(why)); }
+
+inline constexpr double degree = std::numbers::pi / 180;  ///< in radians; formulas have angles in degrees
 
 /// A value as a person reads it. Numbers and each component of a vector with `decimals` of them, or, below 0, as many
 /// as tell it; with `decimal_mark` before them.

@@ -25,9 +25,9 @@ void add_line(Passage& passage, std::string_view line, int number, bool after_em
   passage.text += line;
 }
 
-class Reader {
+class WordsReader {
  public:
-  explicit Reader(const std::string& file_name) { words_.file = file_name; }
+  explicit WordsReader(const std::string& file_name) { words_.file = file_name; }
 
   Result<LessonWords> read(std::string_view text) {
     bool after_empty = false;
@@ -160,7 +160,7 @@ const StepWords* LessonWords::find(std::string_view id) const {
 }
 
 Result<LessonWords> parse_words(std::string_view text, const std::string& file_name) {
-  return Reader(file_name).read(text);
+  return WordsReader(file_name).read(text);
 }
 
 }  // namespace raywalk

@@ -1,5 +1,7 @@
 #include "timeline/message.h"
 
+#include "math/overloaded.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,13 +9,6 @@
 namespace raywalk {
 
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 double degrees_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 

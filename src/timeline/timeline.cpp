@@ -1,19 +1,10 @@
 #include "timeline/timeline.h"
 
+#include "math/overloaded.h"
+
 #include <algorithm>
 
 namespace raywalk {
-
-namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
-}  // namespace
 
 /// Reads the events once, in order, keeping what is under way.
 Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), events_(std::move(events)) {

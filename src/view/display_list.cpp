@@ -1,5 +1,7 @@
 #include "view/display_list.h"
 
+#include "math/overloaded.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,13 +9,6 @@
 namespace raywalk {
 
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 using Segment = std::array<Vec2d, 2>;
 
@@ -66,13 +61,13 @@ double distance_to_text(const TextItem& text, const Vec2d& at) {
   return std::hypot(dx, dy);
 }
 
-bool finite(double v) { return std::isfinite(v); }
-bool finite(const Vec2d& v) { return finite(v.x) && finite(v.y); }
-bool finite(const std::vector<Vec2d>& points) {
-  return std::all_of(points.begin(), points.end(), [](const Vec2d& p) { return finite(p); });
+bool all_finite(double v) { return std::isfinite(v); }
+bool all_finite(const Vec2d& v) { return all_finite(v.x) && all_finite(v.y); }
+bool all_finite(const std::vector<Vec2d>& points) {
+  return std::all_of(points.begin(), points.end(), [](const Vec2d& p) { return all_finite(p); });
 }
-bool finite(const Stroke& s) { return finite(s.width) && finite(s.phase); }
-bool finite(const std::optional<Stroke>& s) { return !s || finite(*s); }
+bool all_finite(const Stroke& s) { return all_finite(s.width) && all_finite(s.phase); }
+bool all_finite(const std::optional<Stroke>& s) { return !s || all_finite(*s); }
 
 }  // namespace
 
@@ -140,15 +135,17 @@ bool is_finite(const DisplayList& list) {
     return std::visit(
         Overloaded{
             [](const LineItem& i) {
-              return finite(i.from) && finite(i.to) && finite(i.stroke) && finite(i.arrow) && finite(i.arrow_at);
+              return all_finite(i.from) && all_finite(i.to) && all_finite(i.stroke) && all_finite(i.arrow) &&
+                     all_finite(i.arrow_at);
             },
-            [](const PolylineItem& i) { return finite(i.points) && finite(i.stroke); },
-            [](const PolygonItem& i) { return finite(i.points) && finite(i.stroke); },
-            [](const CircleItem& i) { return finite(i.centre) && finite(i.radius) && finite(i.stroke); },
+            [](const PolylineItem& i) { return all_finite(i.points) && all_finite(i.stroke); },
+            [](const PolygonItem& i) { return all_finite(i.points) && all_finite(i.stroke); },
+            [](const CircleItem& i) { return all_finite(i.centre) && all_finite(i.radius) && all_finite(i.stroke); },
             [](const ArcItem& i) {
-              return finite(i.centre) && finite(i.radius) && finite(i.begin) && finite(i.end) && finite(i.stroke);
+              return all_finite(i.centre) && all_finite(i.radius) && all_finite(i.begin) && all_finite(i.end) &&
+                     all_finite(i.stroke);
             },
-            [](const TextItem& i) { return finite(i.at) && finite(i.size); },
+            [](const TextItem& i) { return all_finite(i.at) && all_finite(i.size); },
         },
         item.shape);
   });

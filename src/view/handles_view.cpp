@@ -8,7 +8,7 @@ namespace raywalk::detail {
 namespace {
 
 /// With more objects than this only those selected or pointed at show their handles.
-constexpr std::size_t few_objects = 12;
+constexpr std::size_t few_handled = 12;
 
 void draw_dot(Painter& painter, const Target& target) {
   const bool hovered = painter.state.hovered == target || (painter.state.drag && painter.state.drag->target == target);
@@ -50,7 +50,7 @@ void draw_handles(Painter& painter) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const int index = static_cast<int>(i);
     const auto concerns = [&](const Target& target) { return belongs_to_object(target) && target.index == index; };
-    if (scene.objects.size() > few_objects && !concerns(painter.state.selected) && !concerns(painter.state.hovered))
+    if (scene.objects.size() > few_handled && !concerns(painter.state.selected) && !concerns(painter.state.hovered))
       continue;
     if (!scene.objects[i].transform.empty()) continue;  // its own handles are not where it is
     std::visit(Overloaded{

@@ -148,7 +148,7 @@ std::string markdown(const LessonWords& words, const std::vector<ScriptStep>& st
 }
 
 // What is said stands largest: it is read at arm's length. Paper gets no step broken over two pages.
-constexpr std::string_view style = R"(
+constexpr std::string_view script_style = R"(
 body{max-width:46rem;margin:1.5rem auto;padding:0 1rem;color:#111;background:#fff;
 font:17px/1.45 Inter,Helvetica,Arial,sans-serif}
 h1{font-size:1.6rem;margin:0 0 .3rem}h2{font-size:1.2rem;margin:0;display:flex;justify-content:space-between;gap:1rem}
@@ -185,8 +185,8 @@ std::string page(const LessonWords& words, const std::vector<ScriptStep>& steps,
       "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>{}</style>"
       "</head>\n<body><h1>{}</h1>\n<p class=\"summary\">{}</p>\n<p class=\"keys\">{}</p>\n",
-      language_code(language), escaped(words.title), style, escaped(words.title), inline_html(words.summary.text),
-      inline_html(text(LessonWord::script_keys, language)));
+      language_code(language), escaped(words.title), script_style, escaped(words.title),
+      inline_html(words.summary.text), inline_html(text(LessonWord::script_keys, language)));
   const auto row = [&](const char* kind, LessonWord name, const std::string& passage) {
     return fmt::format("<div class=\"{}\"><h3>{}</h3><span>{}</span></div>\n", kind, escaped(text(name, language)),
                        passage_html(passage));

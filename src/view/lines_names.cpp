@@ -10,7 +10,7 @@ namespace raywalk::detail {
 namespace {
 
 /// With more objects than this none is named.
-constexpr std::size_t few_objects = 40;
+constexpr std::size_t few_named = 40;
 
 /// An object with a name, and where that can stand.
 struct Named {
@@ -109,7 +109,7 @@ void draw_name(Painter& painter, const std::string& what, const Vec2d& at) {
 }
 
 void draw_object_names(Painter& painter, const Projection& seen) {
-  if (painter.scene().objects.size() > few_objects) return;
+  if (painter.scene().objects.size() > few_named) return;
   std::vector<Named> things;
   for (const Object& object : painter.scene().objects)
     if (auto thing = named(seen, object); thing && !thing->text.empty()) things.push_back(std::move(*thing));

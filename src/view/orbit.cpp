@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace raywalk {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// `v` turned about the unit vector `axis` (O. Rodrigues, 1840).
 Vec3d turned(const Vec3d& v, const Vec3d& axis, double angle) {
@@ -127,7 +126,7 @@ Vec3d pivot_of(const Scene& scene, const Camera& camera) {
 
 Camera orbited(const Camera& camera, const Vec3d& pivot, const Vec2d& angles) {
   if (angles == Vec2d(0.0)) return camera;
-  constexpr double steepest = 85 * pi / 180;
+  constexpr double steepest = 85 * std::numbers::pi / 180;
   const Vec3d up = normalize(camera.up);
   Vec3d offset = camera.eye - pivot;
   const double distance = length(offset);

@@ -9,19 +9,19 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace raywalk {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int round_pieces = 48;
 
 /// A circle about `centre`; `u` and `v` are its half axes.
 Curve circle(const Vec3d& centre, const Vec3d& u, const Vec3d& v) {
   Curve curve;
   for (int i = 0; i <= round_pieces; ++i) {
-    const double angle = 2 * pi * i / round_pieces;
+    const double angle = 2 * std::numbers::pi * i / round_pieces;
     curve.push_back(centre + std::cos(angle) * u + std::sin(angle) * v);
   }
   return curve;
@@ -106,11 +106,11 @@ std::vector<Curve> outline(const Quadric<double, Kind>& quadric, const Bounds<do
     if (square(z) > 1e-9) curves.push_back(circle({0, 0, z}, {quadric.radii.x * s, 0, 0}, {0, quadric.radii.y * s, 0}));
   }
   for (int m = 0; m < meridians; ++m) {
-    const double angle = 2 * pi * m / meridians;
+    const double angle = 2 * std::numbers::pi * m / meridians;
     Curve curve;
     for (int i = 0; i <= steps; ++i) {
       // Denser towards the ends, where an ellipsoid is round.
-      const double z = low + (high - low) * (1 - std::cos(pi * i / steps)) / 2;
+      const double z = low + (high - low) * (1 - std::cos(std::numbers::pi * i / steps)) / 2;
       if (square(z) < -1e-9) {
         if (curve.size() > 1) curves.push_back(curve);
         curve.clear();

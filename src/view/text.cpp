@@ -34,7 +34,7 @@ std::string met_text(const Met& met, Language language) {
 }
 
 std::string argument_text(const Argument& argument, Language language) {
-  return std::visit(detail::Overloaded{
+  return std::visit(Overloaded{
                         [](int value) { return std::to_string(value); },
                         [&](double value) { return number_text(value, language); },
                         [&](const Rgbd& colour) { return colour_text(colour, language); },

@@ -12,7 +12,6 @@ namespace raywalk {
 namespace {
 
 using namespace action;
-using detail::Overloaded;
 
 bool finite(double value) { return std::isfinite(value); }
 bool finite(const Vec2d& v) { return finite(v.x) && finite(v.y); }

@@ -1,19 +1,13 @@
 #pragma once
 // What update() is made of. Included by the files of this folder that implement it, and by nobody else.
 
+#include "math/overloaded.h"
 #include "view/action.h"
 
 #include <string>
 #include <utility>
 
 namespace raywalk::detail {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 inline void inform(State& state, std::string text) { state.notice = Notice{Notice::Kind::info, std::move(text)}; }
 inline void complain(State& state, std::string text) { state.notice = Notice{Notice::Kind::error, std::move(text)}; }
