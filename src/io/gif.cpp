@@ -1,5 +1,7 @@
 #include "io/gif.h"
 
+#include "io/palette.h"
+
 #include <gif_lib.h>
 
 #include <algorithm>
@@ -10,8 +12,6 @@
 namespace raywalk {
 
 namespace {
-
-constexpr int most_colours = 255, transparent = 255;  // the last index stands for "as before"
 
 int append(GifFileType* file, const GifByteType* bytes, int size) {
   static_cast<std::string*>(file->UserData)
@@ -24,6 +24,12 @@ struct Part {
   int left, top, right, bottom;
   [[nodiscard]] int width() const { return right - left + 1; }
   [[nodiscard]] int height() const { return bottom - top + 1; }
+  /// Row by row.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (int row = top; row <= bottom; ++row)
+      for (int column = left; column <= right; ++column) visit(column, row);
+  }
 };
 
 }  // namespace
@@ -56,28 +62,25 @@ class GifFilm::Encoder {
       return;
     // What stays the same for a while is one pixel of the frame before.
     const Part part = changed(rgb).value_or(Part{0, 0, 0, 0});
-    const std::size_t count = static_cast<std::size_t>(part.width()) * static_cast<std::size_t>(part.height());
-    std::array<std::vector<GifByteType>, 3> channels;
-    std::vector<bool> same(count);
-    for (auto& channel : channels) channel.resize(count);
-    std::size_t i = 0;
-    for (int row = part.top; row <= part.bottom; ++row) {
-      for (int column = part.left; column <= part.right; ++column, ++i) {
-        const std::size_t at = place(column, row);
-        for (std::size_t c = 0; c < 3; ++c) channels[c][i] = rgb[at + c];
-        same[i] = !shown_.empty() && std::equal(&rgb[at], &rgb[at] + 3, &shown_[at]);
-      }
-    }
-    std::vector<GifByteType> indices(count);
-    std::array<GifColorType, 256> colours{};
-    int used = most_colours;
-    if (GifQuantizeBuffer(static_cast<unsigned>(part.width()), static_cast<unsigned>(part.height()), &used,
-                          channels[0].data(), channels[1].data(), channels[2].data(), indices.data(),
-                          colours.data()) == GIF_ERROR)
-      return fail(E_GIF_ERR_NOT_ENOUGH_MEM);
-    for (i = 0; i < count; ++i)
-      if (same[i]) indices[i] = transparent;
-    put(part, indices, colours, seconds);
+    const auto is_new = [&](std::size_t at) {
+      return shown_.empty() || !std::equal(&rgb[at], &rgb[at] + 3, &shown_[at]);
+    };
+    const auto colour = [&](std::size_t at) {
+      return Rgb24{rgb[at]} << 16 | Rgb24{rgb[at + 1]} << 8 | Rgb24{rgb[at + 2]};
+    };
+    std::vector<Rgb24> colours;
+    part.each([&](int column, int row) {
+      if (const std::size_t at = place(column, row); is_new(at)) colours.push_back(colour(at));
+    });
+    // One index is left for "as before", where there is a frame before.
+    const Palette palette(std::move(colours), shown_.empty() ? 256 : 255);
+    const int transparent = shown_.empty() ? NO_TRANSPARENT_COLOR : static_cast<int>(palette.colours().size());
+    std::vector<GifByteType> indices;
+    part.each([&](int column, int row) {
+      const std::size_t at = place(column, row);
+      indices.push_back(is_new(at) ? palette.index(colour(at), column, row) : static_cast<GifByteType>(transparent));
+    });
+    put(part, indices, palette.colours(), transparent, seconds);
     shown_ = rgb;
   }
 
@@ -110,7 +113,7 @@ class GifFilm::Encoder {
     return part;
   }
 
-  void put(const Part& part, std::vector<GifByteType>& indices, const std::array<GifColorType, 256>& colours,
+  void put(const Part& part, std::vector<GifByteType>& indices, const std::vector<Rgb24>& colours, int transparent,
            double seconds) {
     GraphicsControlBlock control{};
     control.DisposalMode = DISPOSE_DO_NOT;
@@ -119,8 +122,13 @@ class GifFilm::Encoder {
     std::array<GifByteType, 4> extension{};
     EGifGCBToExtension(&control, extension.data());
     check(EGifPutExtension(file_, GRAPHICS_EXT_FUNC_CODE, static_cast<int>(extension.size()), extension.data()));
-    ColorMapObject* const map = GifMakeMapObject(256, colours.data());
+    // A map's size is a power of two; what is not used stays black.
+    const int used = std::max(static_cast<int>(colours.size()), transparent + 1);
+    ColorMapObject* const map = GifMakeMapObject(std::max(1 << GifBitSize(used), 2), nullptr);
     if (map == nullptr) return fail(E_GIF_ERR_NOT_ENOUGH_MEM);
+    for (std::size_t i = 0; i < colours.size(); ++i)
+      map->Colors[i] = {static_cast<GifByteType>(colours[i] >> 16), static_cast<GifByteType>(colours[i] >> 8 & 255U),
+                        static_cast<GifByteType>(colours[i] & 255U)};
     check(EGifPutImageDesc(file_, part.left, part.top, part.width(), part.height(), false, map));
     GifFreeMapObject(map);
     for (int row = 0; row < part.height(); ++row)

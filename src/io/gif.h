@@ -1,5 +1,5 @@
 #pragma once
-// Animated GIF (CompuServe, GIF89a, 1990), by giflib. 256 colours a frame, so for drawings rather than for pictures.
+// Animated GIF (CompuServe, GIF89a, 1990), by giflib. Each frame has 256 colours of its own for what is new in it.
 
 #include "io/image.h"
 
