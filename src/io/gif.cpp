@@ -73,7 +73,7 @@ class GifFilm::Encoder {
       if (const std::size_t at = place(column, row); is_new(at)) colours.push_back(colour(at));
     });
     // One index is left for "as before", where there is a frame before.
-    const Palette palette(std::move(colours), shown_.empty() ? 256 : 255);
+    const FramePalette palette(std::move(colours), shown_.empty() ? 256 : 255);
     const int transparent = shown_.empty() ? NO_TRANSPARENT_COLOR : static_cast<int>(palette.colours().size());
     std::vector<GifByteType> indices;
     part.each([&](int column, int row) {

@@ -147,7 +147,7 @@ Lab lab_of(Rgb24 colour) {
           static_cast<float>(0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s)};
 }
 
-Palette::Palette(std::vector<Rgb24> pixels, int most) {
+FramePalette::FramePalette(std::vector<Rgb24> pixels, int most) {
   const std::size_t pixel_count = pixels.size(), room = static_cast<std::size_t>(most);
   std::vector<Shade> shades = shades_of(std::move(pixels));
   mixture_of_.reserve(shades.size());
@@ -216,7 +216,7 @@ Palette::Palette(std::vector<Rgb24> pixels, int most) {
   }
 }
 
-std::uint8_t Palette::index(Rgb24 colour, int column, int row) const {
+std::uint8_t FramePalette::index(Rgb24 colour, int column, int row) const {
   // Evenly spread without a pattern that the eye would find: the fractional parts of multiples of 1/g and 1/g^2, g the
   // root of g^3 = g + 1, in 32 bits (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
   const std::uint32_t threshold =

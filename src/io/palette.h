@@ -16,11 +16,11 @@ using Rgb24 = std::uint32_t;
 using Lab = std::array<float, 3>;
 [[nodiscard]] Lab lab_of(Rgb24 colour);
 
-class Palette {
+class FramePalette {
  public:
   /// The best `most` colours, 2 to 256, for pixels of these colours: all that there are, where they are no more. What
   /// covers much, as a drawing's grounds do, keeps its very colour.
-  Palette(std::vector<Rgb24> pixels, int most);
+  FramePalette(std::vector<Rgb24> pixels, int most);
 
   [[nodiscard]] const std::vector<Rgb24>& colours() const { return colours_; }
   /// Which of colours() shows one of `pixels` at this place. Where none comes near enough, neighbouring places take

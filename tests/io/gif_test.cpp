@@ -125,7 +125,7 @@ TEST_CASE("a window of many colours looks as it did, and nothing stays of what i
 TEST_CASE("every colour of a palette stands in the picture, and a mixture is right in the mean") {
   std::vector<Rgb24> pixels;
   for (Rgb24 i = 0; i < 4096; ++i) pixels.push_back((i % 64) * 4 << 16 | (i / 64) * 4 << 8 | 128);
-  const Palette palette(pixels, 64);
+  const FramePalette palette(pixels, 64);
   CHECK(palette.colours().size() == 64);
   for (const Rgb24 colour : palette.colours()) CHECK(std::count(pixels.begin(), pixels.end(), colour) == 1);
   for (const Rgb24 colour : pixels) {
@@ -141,8 +141,8 @@ TEST_CASE("every colour of a palette stands in the picture, and a mixture is rig
         (colour >> 16) > 24 && (colour >> 16) < 228 && (colour >> 8 & 255U) > 24 && (colour >> 8 & 255U) < 228;
     if (inside) CHECK(std::hypot(mean[0] - exact[0], mean[1] - exact[1], mean[2] - exact[2]) < 0.013F);
   }
-  CHECK(Palette({}, 255).colours().empty());
-  CHECK(Palette({7, 7, 7}, 2).colours() == std::vector<Rgb24>{7});
+  CHECK(FramePalette({}, 255).colours().empty());
+  CHECK(FramePalette({7, 7, 7}, 2).colours() == std::vector<Rgb24>{7});
 }
 
 TEST_CASE("a frame of many colours comes close, one of another size is left out") {
