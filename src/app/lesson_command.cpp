@@ -4,7 +4,7 @@
 #include "app/scene_lookup.h"
 #include "io/file.h"
 #include "io/spelling.h"
-#include "lesson/play.h"
+#include "lesson/check.h"
 #include "view/lesson_script.h"
 
 #include <fmt/format.h>
@@ -43,6 +43,32 @@ std::string list_text(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string summary_of(const Lesson& lesson) {
+  std::size_t questions = 0, claims = 0;
+  const auto count = [&](const std::vector<Saying>& says) {
+    for (const Saying& saying : says) claims += saying.claims.size();
+  };
+  count(lesson.says);
+  for (const LessonStep& step : lesson.steps) {
+    questions += step.question ? 1U : 0U;
+    claims += step.checks.size();
+    count(step.says);
+  }
+  return fmt::format("{:<28}{} steps, {} predictions, {} claims hold, in {} languages\n", lesson.name,
+                     lesson.steps.size(), questions, claims, lesson.words.size());
+}
+
+/// How far the numbers spread that hang on random ones.
+std::string spreads_of(const LessonCheck& found, int seeds) {
+  std::string text;
+  for (const Spread& spread : found.spreads) {
+    const std::string theory = spread.theory ? fmt::format("; by theory {:.4g}", *spread.theory) : "";
+    text += fmt::format("  {}: {} is {:.4g} to {:.4g} with {} seeds{}\n", spread.step, spread.formula, spread.least,
+                        spread.most, seeds + 1, theory);
+  }
+  return text;
+}
+
 }  // namespace
 
 ExitCode lesson_list_command() {
@@ -53,7 +79,7 @@ ExitCode lesson_list_command() {
   return printed ? ExitCode::done : fail(printed.error());
 }
 
-ExitCode lesson_check_command(const std::vector<std::string>& names) {
+ExitCode lesson_check_command(const std::vector<std::string>& names, int seeds) {
   const auto known = lesson_names(lessons_dir());
   std::vector<std::string> folders;
   for (const std::string& name : names.empty() ? known : names) {
@@ -66,19 +92,11 @@ ExitCode lesson_check_command(const std::vector<std::string>& names) {
   std::size_t wrong = 0;
   for (const std::string& folder : folders) {
     const auto lesson = read_lesson(folder);
-    const std::vector<Error> errors =
-        lesson ? check_lesson(*lesson, data_dir() + "/scenes") : std::vector<Error>{lesson.error()};
-    for (const Error& error : errors) fail(error);
-    wrong += errors.empty() ? 0U : 1U;
-    if (!errors.empty()) continue;
-    std::size_t questions = 0, claims = 0;
-    for (const LessonStep& step : lesson->steps) {
-      questions += step.question ? 1U : 0U;
-      claims += step.checks.size();
-    }
-    const auto printed =
-        print(fmt::format("{:<28}{} steps, {} predictions, {} claims hold, in {} languages\n", lesson->name,
-                          lesson->steps.size(), questions, claims, lesson->words.size()));
+    const LessonCheck found = lesson ? check_lesson(*lesson, {data_dir() + "/scenes", lessons_dir() + "/words", seeds})
+                                     : LessonCheck{{lesson.error()}, {}};
+    for (const Error& error : found.errors) fail(error);
+    wrong += found.errors.empty() ? 0U : 1U;
+    const auto printed = print((found.errors.empty() ? summary_of(*lesson) : "") + spreads_of(found, seeds));
     if (!printed) return fail(printed.error());
   }
   if (wrong == 0) return ExitCode::done;
@@ -109,9 +127,15 @@ void declare_lesson(CLI::App& program, Run& run) {
   CLI::App& check = *command.add_subcommand("check", "Play lessons without a window, in every language");
   const auto names = std::make_shared<std::vector<std::string>>();
   check.add_option("NAME", *names, "Lessons, such as 5 or 05-refraction, or folders; left out: all")->type_name("");
+  const auto seeds = std::make_shared<int>(LessonCheckSettings{}.seeds);
+  check
+      .add_option("--seeds", *seeds, "With how many other random numbers claims have to hold too, where some are drawn")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   check.footer(
       "A lesson fails on a step that cannot be reached, a claim that the trace does not bear out, a text that is\n"
-      "missing in a language, and a number in a text that nothing checks. Exits with 1 when one fails.\n\n"
+      "missing in a language, a number in a text that nothing checks, and words such as \"half\" or \"twice\" that no\n"
+      "claim bears out. Exits with 1 when one fails.\n\n"
       "Examples:\n"
       "  raywalk lesson check\n"
       "  raywalk lesson check 5\n"
@@ -134,7 +158,7 @@ void declare_lesson(CLI::App& program, Run& run) {
   script.callback([name, language, path, &run] {
     run = [name, language, path] { return lesson_script_command(*name, language->value_or(Language::english), *path); };
   });
-  check.callback([names, &run] { run = [names] { return lesson_check_command(*names); }; });
+  check.callback([names, seeds, &run] { run = [names, seeds] { return lesson_check_command(*names, *seeds); }; });
 }
 
 }  // namespace raywalk

@@ -1,13 +1,15 @@
 // The words of a lesson: filled in, and checked for what is missing.
 
-#include "lesson/play.h"
+#include "lesson/check.h"
 #include "lesson/script.h"
 
 #include <fmt/format.h>
+#include "io/spelling.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <set>
 
 namespace raywalk {
 
@@ -57,7 +59,8 @@ std::vector<std::string> slots_in(const std::string& text) {
 
 class WordsChecker {
  public:
-  explicit WordsChecker(const PlayedLesson& played) : played_(played), lesson_(*played.lesson) {}
+  WordsChecker(const PlayedLesson& played, const std::map<Language, ClaimWords>& lists)
+      : played_(played), lesson_(*played.lesson), lists_(lists) {}
 
   std::vector<Error> check() {
     for (const Language language : all_languages) {
@@ -69,6 +72,7 @@ class WordsChecker {
       }
       language_ = language;
       words_ = &words->second;
+      list_ = &lists_.at(language);
       require(words_->summary, 1, "the lesson has no summary below its title");
       require(words_->teacher, 1, "the section \"## teacher\" is missing");
       require(words_->sources, 1, "the section \"## sources\" is missing");
@@ -80,8 +84,11 @@ class WordsChecker {
       if (played_.steps.empty()) continue;
       const std::size_t last = played_.steps.size() - 1;
       for (const Passage* whole : {&words_->summary, &words_->teacher}) fill(last, played_.steps[last].shown, *whole);
+      for (const Passage* whole : {&words_->summary, &words_->teacher})
+        check_stated(*whole, lesson_.says, "the lesson", whole == &words_->summary);
       check_length();
     }
+    check_sayings();
     return errors_;
   }
 
@@ -118,6 +125,7 @@ class WordsChecker {
       if (other->teacher.empty() != words->teacher.empty())
         fail(words->line, fmt::format("\"### teacher\" of the step \"{}\" stands in one language only", step.id));
     }
+    check_stated(step, *words);
     if (index >= played_.steps.size()) return;
     const PlayedStep& played = played_.steps[index];
     for (const Passage* before : {&words->text, &words->question}) fill(index, played.asked, *before);
@@ -136,6 +144,49 @@ class WordsChecker {
             fmt::format("{} is {} before the answer of the step \"{}\" and {} with it", slot, *before, step.id, *after),
             fmt::format("{{at(\"{}\", ...)}} has the value of the answer in both places", step.id));
     }
+  }
+
+  /// Each word of the passage that states something needs a claim to bear it out.
+  void check_stated(const Passage& passage, const std::vector<Saying>& says, const std::string& of,
+                    bool quotes_state = true) {
+    for (const StatedWord& word : stated_words(passage.text, *list_, quotes_state)) {
+      const auto saying =
+          std::find_if(says.begin(), says.end(), [&](const Saying& each) { return each.word == word.name; });
+      if (saying != says.end())
+        used_.insert(&*saying);
+      else
+        fail(passage.line, fmt::format("\"{}\" states something that no claim of {} bears out", word.form, of),
+             fmt::format("says.{} = 'CLAIM' in lesson.toml; lessons/README.md, \"Words that state something\"",
+                         word.name));
+    }
+  }
+  void check_stated(const LessonStep& step, const StepWords& words) {
+    const std::string of = "the step \"" + step.id + "\"";
+    for (const Passage& each :
+         {Passage{words.heading, words.line}, words.text, words.question, words.reveal, words.change, words.presenter})
+      check_stated(each, step.says, of);
+    check_stated(words.teacher, step.says, of, false);
+    if (const std::string number = typed_number(words.reveal.text, *list_); !number.empty())
+      fail(words.reveal.line, fmt::format("the number {} is typed into the answer of the step \"{}\"", number, step.id),
+           "write it as a formula in braces, {count(formed)}, or as code between `");
+  }
+
+  /// What is said has to be on the lists, and in the words of some language.
+  void check_sayings() {
+    const auto check = [&](const Saying& saying) {
+      const ClaimWords& list = lists_.begin()->second;
+      std::vector<std::string_view> names;
+      for (const auto& [name, forms] : list.forms) names.push_back(name);
+      std::string message;
+      if (!list.forms.contains(saying.word))
+        message = fmt::format("says.{}: not on the list (expected {})", saying.word, one_of(names));
+      else if (!used_.contains(&saying))
+        message = fmt::format("says.{}: no word of these stands in the words, in any language", saying.word);
+      if (!message.empty()) errors_.push_back({lesson_.folder + "/lesson.toml", saying.line, 0, message, ""});
+    };
+    for (const Saying& saying : lesson_.says) check(saying);
+    for (const LessonStep& step : lesson_.steps)
+      for (const Saying& saying : step.says) check(saying);
   }
 
   void fill(std::size_t index, int position, const Passage& passage) {
@@ -158,6 +209,9 @@ class WordsChecker {
   const Lesson& lesson_;
   Language language_ = all_languages.front();
   const LessonWords* words_ = nullptr;
+  const std::map<Language, ClaimWords>& lists_;
+  const ClaimWords* list_ = nullptr;
+  std::set<const Saying*> used_;
   std::vector<Error> errors_;
 };
 
@@ -190,12 +244,17 @@ Result<std::string> filled(const PlayedLesson& played, std::size_t index, int po
   return text;
 }
 
-std::vector<Error> check_lesson(const Lesson& lesson, const std::string& scenes_folder) {
-  const PlayedLesson played = play_lesson(lesson, scenes_folder);
-  std::vector<Error> errors = played.errors;
-  const std::vector<Error> of_words = WordsChecker(played).check();
-  errors.insert(errors.end(), of_words.begin(), of_words.end());
-  return errors;
+LessonCheck check_lesson(const Lesson& lesson, const LessonCheckSettings& settings) {
+  const PlayedLesson played = play_lesson(lesson, settings.scenes_folder);
+  LessonCheck found = played.errors.empty() ? detail::check_seeds(played, settings) : LessonCheck{played.errors, {}};
+  const std::vector<Error> of_words = detail::check_words(played, settings);
+  found.errors.insert(found.errors.end(), of_words.begin(), of_words.end());
+  return found;
+}
+
+std::vector<Error> detail::check_words(const PlayedLesson& played, const LessonCheckSettings& settings) {
+  const auto lists = read_claim_words(settings.words_folder);
+  return lists ? WordsChecker(played, *lists).check() : std::vector<Error>{lists.error()};
 }
 
 }  // namespace raywalk

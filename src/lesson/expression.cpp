@@ -217,6 +217,10 @@ std::string Expression::sides(const Scope& scope) const {
   return shown(left) + " " + node.word + " " + shown(right);
 }
 
+std::optional<Expression> Expression::left_side() const {
+  return root_->kind == Kind::compare ? std::optional(root_->parts[0]) : std::nullopt;
+}
+
 std::string text_of(const Value& value, int decimals, char decimal_mark) {
   const auto number = [&](double x) {
     std::string text =

@@ -12,6 +12,7 @@
 #include "lesson/value.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,9 @@ class Expression {
   [[nodiscard]] Outcome evaluate(const Scope& scope) const;
   /// The two sides of a comparison, as values, for a message; empty for anything else.
   [[nodiscard]] std::string sides(const Scope& scope) const;
+
+  /// What stands on the left of a comparison's sign; none for anything else.
+  [[nodiscard]] std::optional<Expression> left_side() const;
 
   struct Node;
 

@@ -1,6 +1,7 @@
 #include "lesson/facts.h"
 
 #include "lesson/staging.h"
+#include "timeline/search_walk.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,16 @@ namespace raywalk {
 namespace {
 
 double number_of(std::uint64_t count) { return static_cast<double>(count); }
+
+/// Objects, those of an instance's group in its place.
+double bodies_of(const std::vector<Object>& objects) {
+  double bodies = 0;
+  for (const Object& object : objects) {
+    const auto* instance = std::get_if<Instance>(&object.shape);
+    bodies += instance != nullptr && instance->content ? bodies_of(instance->content->group.objects) : 1;
+  }
+  return bodies;
+}
 
 /// The angle between a ray, seen backwards, and the normal on its side, in degrees.
 double incidence(const RayRecord& ray) {
@@ -34,6 +45,7 @@ Outcome Facts::name(std::string_view name) const {
     if (ray >= 0 && first == "parent") ray = timeline().rays()[static_cast<std::size_t>(ray)].parent;
     return of_ray(rest, ray);
   }
+  if (name == "bodies") return bodies_of(scene().objects);
   if (name == "steps") return static_cast<double>(timeline().steps());
   if (const auto fact = event_fact(scene(), timeline(), position_, name)) return *fact;
   return wrong(fmt::format("\"{}\" is no name that formulas know; lessons/README.md lists them", name));
@@ -113,6 +125,7 @@ Outcome Facts::call(std::string_view function, const std::vector<Expression>& ar
   }
   if (function == "rms" || function == "same") return of_pictures(function, arguments);
   if (function == "pixel") return of_pixel(arguments);
+  if (function == "searched") return of_search(arguments);
   return gather(function, arguments);
 }
 
@@ -201,6 +214,27 @@ Outcome Facts::of_pixel(const std::vector<Expression>& arguments) const {
     }
   }
   return wrong("pixel takes the name of a picture of the step, and a column and a row that it has");
+}
+
+/// searched("bvh", "tests"): what the search for the ray of the line cost in a structure, or "nodes".
+Outcome Facts::of_search(const std::vector<Expression>& arguments) const {
+  std::vector<std::string> words;
+  for (const Expression& argument : arguments) {
+    const Outcome value = argument.evaluate(*this);
+    if (!value) return value;
+    if (const auto* word = std::get_if<std::string>(&*value)) words.push_back(*word);
+  }
+  if (words.size() == 2 && step().walk->searches != nullptr)
+    for (const AcceleratorKind kind : watched_accelerators) {
+      if (accelerator_name(kind) != words[0] || (words[1] != "tests" && words[1] != "nodes")) continue;
+      const int ray = timeline().current_ray(position_);
+      const auto searches = ray >= 0 ? step().walk->searches->search(ray) : nullptr;
+      if (searches == nullptr) return Nothing{};
+      const TestCounts& counts = searches->in[watched_index(kind)].counts;
+      return number_of(words[1] == "tests" ? counts.primitives : counts.nodes);
+    }
+  return wrong(
+      "searched takes bvh, grid, octree, kdtree or none, and tests or nodes, where a step shows \"structure\"");
 }
 
 }  // namespace raywalk

@@ -27,6 +27,7 @@ class Facts : public Scope {
   [[nodiscard]] Outcome gather(std::string_view function, const std::vector<Expression>& arguments) const;
   [[nodiscard]] Outcome of_pictures(std::string_view function, const std::vector<Expression>& arguments) const;
   [[nodiscard]] Outcome of_pixel(const std::vector<Expression>& arguments) const;
+  [[nodiscard]] Outcome of_search(const std::vector<Expression>& arguments) const;
 
   const PlayedLesson& played_;
   std::size_t index_;

@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "trace/fault.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,7 +34,8 @@ struct ArrowQuestion {
 struct NumberQuestion {
   Formula answer;
   double tolerance = 0;
-  std::string unit;  ///< shown behind the number; may be empty
+  std::string unit;               ///< shown behind the number; may be empty
+  std::optional<Formula> theory;  ///< what thinking finds where `answer` is measured
 };
 /// Exactly one of the choices holds in the trace; the words of each stand in the files of words, in the same order.
 struct ChoiceQuestion {
@@ -45,13 +47,23 @@ struct LineQuestion {
 };
 using LessonQuestion = std::variant<ArrowQuestion, NumberQuestion, ChoiceQuestion, LineQuestion>;
 
+/// What words of a lesson state that are on the list of claim_words.h: "half", "root". Either claims, each of which has
+/// to hold where the answer stands, or what else the word stands for here.
+struct Saying {
+  std::string word;  ///< the list's name for it, the same in every language
+  std::vector<Formula> claims;
+  std::string means;
+  int line = 0;
+};
+
 /// A 3-D picture that is rendered for what a step claims about it.
 struct PictureRequest {
   std::string name;  ///< under which formulas know it
   std::optional<ImageSize> size;
   int samples = 1;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
-  std::string changes;  ///< to the step's scene, as TOML
+  std::optional<std::uint64_t> seed;  ///< keeps its random numbers while a check tries others: a reference
+  std::string changes;                ///< to the step's scene, as TOML
   int line = 0;
 };
 
@@ -75,6 +87,7 @@ struct LessonStep {
   std::optional<Formula> reveal;     ///< the line that answers the question, when it is not the next one
   std::optional<LessonQuestion> question;
   std::vector<Formula> checks;  ///< claims about the trace, each of which must hold
+  std::vector<Saying> says;     ///< what the words of this step state
   std::vector<PictureRequest> pictures;
   LessonBeside pane = LessonBeside::unchanged;
   bool breakpoints = true;  ///< of the student: whether they stop the walk here
@@ -86,6 +99,7 @@ struct Lesson {
   std::string name;    ///< of its folder: "01-ray-casting"
   std::string folder;  ///< its path
   std::vector<LessonStep> steps;
+  std::vector<Saying> says;               ///< what the words about the whole lesson state
   std::map<Language, LessonWords> words;  ///< all_languages
 };
 

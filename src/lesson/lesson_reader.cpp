@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = std::size_t{1} << 20;
-constexpr std::int64_t most_pixels = 4096, most_samples = 4096;
+constexpr std::int64_t most_pixels = 4096, most_samples = 4096, most_seed = 1'000'000'000;
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
@@ -27,7 +27,8 @@ class Reader {
 
   Result<Lesson> read(const toml::table& root) {
     Lesson lesson;
-    known(root, "the lesson", {"step"});
+    known(root, "the lesson", {"step", "says"});
+    lesson.says = sayings(root);
     const toml::node* node = root.get("step");
     const toml::array* steps = node != nullptr ? node->as_array() : nullptr;
     if (steps == nullptr || steps->empty() || !steps->is_array_of_tables()) {
@@ -129,6 +130,32 @@ class Reader {
     return list;
   }
 
+  /// says.half = 'CLAIM', or several of them, or what else the word stands for: says.half = { means = "..." }.
+  std::vector<Saying> sayings(const toml::table& table) {
+    std::vector<Saying> list;
+    const toml::node* node = table.get("says");
+    if (node == nullptr) return list;
+    const toml::table* words = node->as_table();
+    if (words == nullptr) fail(line_of(*node), "says: expected words with their claims", "says.half = 'a == b / 2'");
+    if (words == nullptr) return list;
+    for (const auto& [word, value] : *words) {
+      Saying saying{std::string(word.str()), {}, "", line_of(value)};
+      const std::string key = "says." + saying.word;
+      if (const toml::table* other = value.as_table()) {
+        known(*other, key, {"means"});
+        saying.means = text(*other, "means").value_or("");
+        if (saying.means.empty())
+          fail(saying.line, key + ": expected a claim, or { means = \"what the word stands for here\" }", "");
+      } else if (value.is_array()) {
+        saying.claims = formulas(*words, word.str());
+      } else if (auto claim = formula_of(value, key)) {
+        saying.claims.push_back(std::move(*claim));
+      }
+      list.push_back(std::move(saying));
+    }
+    return list;
+  }
+
   std::string changes(const toml::table& table, std::string_view key) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return "";
@@ -180,7 +207,7 @@ class Reader {
            "");
       return std::nullopt;
     }
-    known(*table, "predict", {"arrow", "number", "tolerance", "unit", "choices", "line"});
+    known(*table, "predict", {"arrow", "number", "tolerance", "theory", "unit", "choices", "line"});
     if (auto answer = text(*table, "line")) return LineQuestion{std::move(*answer)};
     if (const auto degrees = number(*table, "arrow")) {
       if (!(*degrees > 0 && *degrees <= 90)) fail(line, "arrow: expected degrees above 0, at most 90", "");
@@ -189,7 +216,8 @@ class Reader {
     if (auto answer = formula(*table, "number")) {
       const double tolerance = number(*table, "tolerance").value_or(0);
       if (!(tolerance >= 0)) fail(line, "tolerance: expected a number that is 0 or more", "");
-      return NumberQuestion{std::move(*answer), tolerance, text(*table, "unit").value_or("")};
+      return NumberQuestion{std::move(*answer), tolerance, text(*table, "unit").value_or(""),
+                            formula(*table, "theory")};
     }
     ChoiceQuestion choice{formulas(*table, "choices")};
     constexpr std::size_t least = 2, most = 9;  // each has a number key
@@ -199,7 +227,7 @@ class Reader {
   }
 
   PictureRequest picture(const toml::table& table) {
-    known(table, "a picture", {"name", "size", "samples", "accelerator", "set"});
+    known(table, "a picture", {"name", "size", "samples", "seed", "accelerator", "set"});
     PictureRequest request;
     request.line = line_of(table);
     request.name = text(table, "name").value_or("");
@@ -215,6 +243,7 @@ class Reader {
       }
     }
     request.samples = whole(table, "samples", 1, most_samples).value_or(1);
+    if (const auto seed = whole(table, "seed", 0, most_seed)) request.seed = static_cast<std::uint64_t>(*seed);
     if (const auto word = text(table, "accelerator")) {
       std::vector<std::string_view> names;
       const auto at = std::find_if(all_accelerators.begin(), all_accelerators.end(),
@@ -244,8 +273,8 @@ class Reader {
 
   LessonStep read_step(const toml::table& table) {
     known(table, "[[step]]",
-          {"id", "scene", "set", "remove", "pixel", "fault", "run", "reveal", "predict", "check", "picture", "show",
-           "breakpoints", "extra"});
+          {"id", "scene", "set", "remove", "pixel", "fault", "run", "reveal", "predict", "check", "says", "picture",
+           "show", "breakpoints", "extra"});
     LessonStep step;
     step.line = line_of(table);
     step.id = text(table, "id").value_or("");
@@ -268,6 +297,7 @@ class Reader {
     step.question = question(table);
     if (step.reveal && !step.question) fail(step.line, "reveal stands without predict (expected both, or run)", "");
     step.checks = formulas(table, "check");
+    step.says = sayings(table);
     if (const toml::node* pictures = table.get("picture")) {
       const toml::array* array = pictures->as_array();
       if (array == nullptr || !array->is_array_of_tables()) {

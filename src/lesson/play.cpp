@@ -2,12 +2,15 @@
 
 #include "lesson/facts.h"
 #include "lesson/staging.h"
+#include "scene/effects.h"
 #include "timeline/event_json.h"
 #include "timeline/recorder.h"
+#include "timeline/search_walk.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace raywalk {
 
@@ -17,20 +20,25 @@ class Player {
  public:
   Player(PlayedLesson& to, const std::string& scenes_folder, Pictures pictures)
       : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), pictures_(pictures) {}
+  /// Plays again what `first` played, with other random numbers.
+  Player(PlayedLesson& to, const std::string& scenes_folder, const PlayedLesson& first, std::uint64_t seed)
+      : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), first_(&first), seed_(seed) {}
 
   void play() {
     for (const LessonStep& step : lesson_.steps) {
       if (!stage(step)) return;
       to_.steps.push_back({&step, walk_, position_, position_, {}});
+      to_.steps.back().random = draws_random(integrator_of(document_.scene));
       if (!render_pictures(step) || !move(step)) {
         to_.steps.pop_back();
         return;
       }
-      for (const Formula& check : step.checks) verify(check);
-      if (step.fault) verify_fault(step);
-      if (step.question) verify_question(step);
+      if (first_ == nullptr) verify_all(step);
       position_ = to_.steps.back().shown;
     }
+    if (first_ == nullptr)
+      for (const Saying& saying : lesson_.says)
+        for (const Formula& claim : saying.claims) verify(claim);
   }
 
  private:
@@ -42,6 +50,14 @@ class Player {
     if (error.line == 0) error = {file(), line, 0, error.message, error.hint};
     to_.errors.push_back(std::move(error));
     return false;
+  }
+
+  void verify_all(const LessonStep& step) {
+    for (const Formula& check : step.checks) verify(check);
+    for (const Saying& saying : step.says)
+      for (const Formula& claim : saying.claims) verify(claim);
+    if (step.fault) verify_fault(step);
+    if (step.question) verify_question(step);
   }
 
   /// Makes the walk that the step stands in.
@@ -68,10 +84,16 @@ class Player {
       }
       Recording how;
       how.fault = step.fault;
-      walk_ = std::make_shared<const LessonWalk>(
-          LessonWalk{document_, wanted, step.fault,
-                     wanted ? record_pixel(scene, size, wanted->column, wanted->row, how) : record_strip(scene, how)});
+      how.sampling.seed = seed_;
+      walk_ = std::make_shared<LessonWalk>(LessonWalk{
+          document_, wanted, step.fault,
+          wanted ? record_pixel(scene, size, wanted->column, wanted->row, how) : record_strip(scene, how), nullptr});
       position_ = 0;
+    }
+    if (step.pane == LessonBeside::structure && walk_->searches == nullptr) {
+      // The walk holds both, so that the one's timeline lives as long as the other.
+      const std::shared_ptr<const Timeline> timeline(std::shared_ptr<const Timeline>(), &walk_->timeline);
+      walk_->searches = std::make_shared<const SearchWalks>(document_.scene, timeline, Precision::double_);
     }
     if (!step.pixel || wanted) {
       if (wanted) position_ = 0;
@@ -98,12 +120,21 @@ class Player {
         if (!changed) return fail(changed.error(), request.line);
         scene = changed->scene;
       }
+      if (first_ != nullptr) {
+        const Rendering& before = first_->steps[to_.steps.size() - 1].pictures.find(request.name)->second;
+        if (request.seed || before.statistics.random_draws == 0) {
+          to_.steps.back().pictures.insert_or_assign(request.name, before);
+          continue;
+        }
+      }
       RenderSettings settings;
       settings.size = request.size;
       settings.sampling.per_pixel = request.samples;
+      settings.sampling.seed = request.seed.value_or(seed_);
       settings.accelerator = request.accelerator;
       auto picture = render(scene, settings);
       if (!picture) return fail(picture.error(), request.line);
+      if (picture->statistics.random_draws > 0 && !request.seed) to_.steps.back().random = true;
       to_.steps.back().pictures.insert_or_assign(request.name, std::move(*picture));
     }
     return true;
@@ -182,6 +213,18 @@ class Player {
                                   pseudocode_of(expected).text));
   }
 
+  /// Whoever answers what thinking finds has to be right.
+  void verify_theory(const NumberQuestion& question, double measured) {
+    const Outcome theory = value_at(to_, to_.steps.size() - 1, to_.steps.back().shown, question.theory->expression);
+    const double* number = theory ? std::get_if<double>(&*theory) : nullptr;
+    if (number == nullptr)
+      return fail(question.theory->line, "theory: " + question.theory->text + " is no number here");
+    if (!(std::abs(*number - measured) <= question.tolerance))
+      fail(question.theory->line,
+           fmt::format("theory: {} is {:.9g}, and the trace has {:.9g}: farther apart than the tolerance {:.9g}",
+                       question.theory->text, *number, measured, question.tolerance));
+  }
+
   void verify_question(const LessonStep& step) {
     const PlayedStep& played = to_.steps.back();
     const std::size_t index = to_.steps.size() - 1;
@@ -195,6 +238,8 @@ class Player {
         fail(number->answer.line, number->answer.text + ": " + value.error());
       else if (!std::holds_alternative<double>(*value))
         fail(number->answer.line, "predict: " + number->answer.text + " is no number here");
+      else if (number->theory)
+        verify_theory(*number, std::get<double>(*value));
     } else if (const auto* line = std::get_if<LineQuestion>(&*step.question)) {
       if (!step.fault)
         fail(step.line, "predict: a line is asked for, and no line is at fault (expected fault = \"...\")");
@@ -217,10 +262,12 @@ class Player {
   PlayedLesson& to_;
   const Lesson& lesson_;
   const std::string& scenes_folder_;
-  Pictures pictures_;
+  Pictures pictures_ = Pictures::render;
   SceneDocument document_;
-  std::shared_ptr<const LessonWalk> walk_;
+  std::shared_ptr<LessonWalk> walk_;
   int position_ = 0;
+  const PlayedLesson* first_ = nullptr;
+  std::uint64_t seed_ = 0;
 };
 
 }  // namespace
@@ -229,6 +276,13 @@ PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder,
   PlayedLesson played;
   played.lesson = &lesson;
   Player(played, scenes_folder, pictures).play();
+  return played;
+}
+
+PlayedLesson play_again(const PlayedLesson& first, const std::string& scenes_folder, std::uint64_t seed) {
+  PlayedLesson played;
+  played.lesson = first.lesson;
+  Player(played, scenes_folder, first, seed).play();
   return played;
 }
 

@@ -6,6 +6,7 @@
 #include "render/render.h"
 #include "timeline/timeline.h"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,12 +15,15 @@
 
 namespace raywalk {
 
+class SearchWalks;  // timeline/search_walk.h
+
 /// The walk that a step, and those after it, stand in.
 struct LessonWalk {
   SceneDocument document;
   std::optional<LessonPixel> pixel;  ///< what was recorded: one pixel of the image; none: the whole strip
   std::optional<Fault> fault;        ///< that the tracer had
   Timeline timeline;
+  std::shared_ptr<const SearchWalks> searches;  ///< where a step shows structures; else null
 };
 
 /// A step, and where in its walk it stands.
@@ -29,6 +33,7 @@ struct PlayedStep {
   int asked = 0;  ///< position at which the student reads and predicts
   int shown = 0;  ///< position of the answer; where nothing is asked, the same
   std::map<std::string, Rendering, std::less<>> pictures;
+  bool random = false;  ///< other random numbers would make another walk, or other pictures
 };
 
 /// What a lesson comes to. `lesson` must outlive it.
@@ -45,9 +50,9 @@ enum class Pictures { render, leave_out };
 [[nodiscard]] PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder,
                                        Pictures pictures = Pictures::render);
 
-/// All that is wrong with a lesson: what play_lesson finds, and in each language missing words, words too many, and
-/// numbers that nothing checks. Empty for a good one.
-[[nodiscard]] std::vector<Error> check_lesson(const Lesson& lesson, const std::string& scenes_folder);
+/// The same lesson with the random numbers of another seed. Steps that draw none keep their pictures, and pictures keep
+/// theirs that have a seed of their own; nothing is verified.
+[[nodiscard]] PlayedLesson play_again(const PlayedLesson& first, const std::string& scenes_folder, std::uint64_t seed);
 
 /// The value of a formula in the step number `index` at one of its positions.
 [[nodiscard]] Outcome value_at(const PlayedLesson& played, std::size_t index, int position,

@@ -1,5 +1,5 @@
 // Lessons that are right, and lessons that say what is not so.
-#include "lesson/play.h"
+#include "lesson/check.h"
 #include "lesson/script.h"
 
 #include <filesystem>
@@ -13,6 +13,7 @@ namespace {
 
 const std::string root = RAYWALK_SOURCE_DIR;
 const std::string scenes = root + "/scenes";
+const LessonCheckSettings settings{scenes, root + "/lessons/words"};
 
 const std::string good_steps = R"(
 [[step]]
@@ -115,7 +116,7 @@ std::string faults(const std::string& steps, const std::string& english = good_w
   };
   if (!lesson) return line(lesson.error());
   std::string text;
-  for (const Error& error : check_lesson(*lesson, scenes)) text += line(error);
+  for (const Error& error : check_lesson(*lesson, settings).errors) text += line(error);
   return text;
 }
 
@@ -128,7 +129,7 @@ TEST_CASE("every lesson that ships is borne out by the trace, in every language"
     const auto lesson = read_lesson(root + "/lessons/" + name);
     INFO(name);
     REQUIRE(lesson);
-    for (const Error& error : check_lesson(*lesson, scenes)) FAIL_CHECK(error.text());
+    for (const Error& error : check_lesson(*lesson, settings).errors) FAIL_CHECK(error.text());
   }
 }
 
@@ -242,8 +243,7 @@ TEST_CASE("the minutes of a step are those of its words and its question") {
 TEST_CASE("a lesson's file is refused with line and hint") {
   CHECK(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
         "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, fault, run, reveal, "
-        "predict, "
-        "check, picture, show, breakpoints or extra)\n");
+        "predict, check, says, picture, show, breakpoints or extra)\n");
   CHECK(faults("[[step]]\nid = \"a\"\n") ==
         "lesson.toml:1: the first step has no scene (expected scene = \"classic\" or another)\n");
   CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrun = '1 +'\n"),
