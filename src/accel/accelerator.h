@@ -56,8 +56,8 @@ class Accelerator {
  public:
   explicit Accelerator(Primitives<T> primitives, AcceleratorKind kind = AcceleratorKind::automatic);
 
-  /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive or
-  /// StopsShadows.
+  /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive,
+  /// StopsShadows or OfBodies.
   template <class AnyRay = Ray<T>, class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 

@@ -111,6 +111,7 @@ bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, co
 #define RAYWALK_SEARCHES(T, AnyRay)                                                                             \
   template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, AnyPrimitive) const; \
   template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, StopsShadows) const; \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, OfBodies) const;     \
   template bool Accelerator<T>::any(const AnyRay<T>&, T, TestCounts&, const ShadowHints&) const;                \
   template bool Accelerator<T>::any_stop(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&,      \
                                          std::vector<int>&, const ShadowHints&) const;

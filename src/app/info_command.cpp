@@ -59,9 +59,8 @@ std::string cells_text(const Scene& scene) {
 }
 
 /// What each structure over the scene's primitives comes to. Of large scenes only the one that is chosen for them.
-std::string structures_text(const Scene& scene) {
+std::string structures_text(const Scene& scene, const World<double>& chosen) {
   constexpr double few = 20000;
-  const World<double> chosen(scene);
   const AcceleratorKind automatic = chosen.accelerator.kind();
   std::string text =
       fmt::format("\nstructures over {}; {} is chosen\n",
@@ -121,12 +120,15 @@ std::string info_text(const Scene& scene, const std::string& path) {
 
   text += "\neffects\n";
   const Effects effects = effects_of(scene, scene.render.samples);
+  const World<double> world(scene);
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     const EffectUse& use = effects[effect];
     text += row("  " + std::string(effect_name(effect)), (use.used ? "used: " : "") + use.why);
+    if (effect == Effect::refraction && !world.bodies.empty())
+      text += row("", "bodies may lie in one another or hold the eye: rays know all that they are inside of");
   }
-  return text + structures_text(scene);
+  return text + structures_text(scene, world);
 }
 
 std::string cost_text(const study::SceneCost& cost) {

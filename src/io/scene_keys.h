@@ -205,6 +205,7 @@ void describe(Fields& f, Material& material) {
   f.number("gloss", material.gloss, lobe_angle, optional);
   f.number("translucency", material.translucency, lobe_angle, optional);
   f.colour("absorption", material.absorption);
+  f.number("priority", material.priority, any_priority, optional);
   f.choice("shadow", material.shadow);
   f.choice("normal", material.normal);
   f.check(material.normal == ShadingNormal::facing || !material.transmits(), "normal",

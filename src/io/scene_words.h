@@ -29,6 +29,12 @@ inline constexpr NumberRule coordinate{
     .high = most_magnitude,
     .hint = "in scene units: x to the right, y up, z towards the reader",
 };
+inline constexpr NumberRule any_priority{
+    .expected = "a number",
+    .low = -most_magnitude,
+    .high = most_magnitude,
+    .hint = "where transparent bodies overlap, the one with the highest counts; 0 when left out",
+};
 inline constexpr NumberRule above_zero{
     .expected = "a number above 0",
     .high = most_magnitude,

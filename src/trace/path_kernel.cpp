@@ -11,10 +11,13 @@ Statistics run(const World<T>& world, const PathLights<T>& lights, const PathSet
     tracer.main_algorithm(block, put);
     return tracer.statistics();
   };
-  using Robust = Policy<T, Watcher>;
+  constexpr HitEffects no_nesting{.nesting = false};
+  using Robust = Policy<T, Watcher, no_nesting>;
+  using Nesting = Policy<T, Watcher>;
   using Naive = Policy<T, Watcher, all_hit_effects, Numerics::naive>;
-  return world.numerics == Numerics::naive ? run_with(PathTracer<Naive>(world, lights, settings, camera, observer))
-                                           : run_with(PathTracer<Robust>(world, lights, settings, camera, observer));
+  if (world.numerics == Numerics::naive) return run_with(PathTracer<Naive>(world, lights, settings, camera, observer));
+  return world.bodies.empty() ? run_with(PathTracer<Robust>(world, lights, settings, camera, observer))
+                              : run_with(PathTracer<Nesting>(world, lights, settings, camera, observer));
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_object(Way& way, const Vertex& 
   const auto drawn = lights_.draw(at.position, pick, unit);
   if (!drawn) return Ending::facing_away;
   way.ray.direction = drawn->way;
-  way.medium = medium_after(*at.surface, at.entering, dot(drawn->way, at.lobes.side) < 0, at.medium);
+  way.medium = dot(drawn->way, at.lobes.side) < 0 ? at.behind : at.medium;
   const auto answers = at.lobes.evaluate(normalize(drawn->way));
   if (!(answers.density > 0)) return Ending::facing_away;
   way.target = {drawn->primitive, drawn->part};

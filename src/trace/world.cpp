@@ -21,14 +21,15 @@ T lobe(double degrees) {
 
 template <class T>
 typename World<T>::Surface surface_of(const Material& m, Integrator integrator) {
-  typename World<T>::Surface surface{Rgb<T>(m.ambient),
+  const bool absorbs = m.transmits() && !is_black(m.absorption);
+  typename World<T>::Surface surface{{Rgb<T>(m.absorption), static_cast<T>(m.ior), absorbs},
+                                     Rgb<T>(m.ambient),
                                      Rgb<T>(m.diffuse),
                                      Rgb<T>(m.specular),
                                      Rgb<T>(m.reflection),
                                      Rgb<T>(m.transmission),
                                      Rgb<T>(m.emission),
                                      static_cast<T>(m.shininess),
-                                     static_cast<T>(m.ior),
                                      m.dielectric,
                                      m.transmits(),
                                      m.shadow == ShadowKind::filtered && m.transmits(),
@@ -38,9 +39,8 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator) 
                                      {}};
   if (m.texture && m.texture->pixels)
     surface.picture = {m.texture->pixels, static_cast<T>(m.texture->width), static_cast<T>(m.texture->height)};
-  surface.absorption = Rgb<T>(m.absorption);
-  surface.absorbs = m.transmits() && !is_black(m.absorption);
   surface.filter = surface.transmission;
+  surface.priority = m.priority;
   if (draws_random(integrator)) {
     surface.gloss = lobe<T>(m.gloss);
     surface.translucency = lobe<T>(m.translucency);
@@ -240,6 +240,8 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
     lamp.first_dimension = dimension;
     dimension += 2 * static_cast<std::uint32_t>(lamp.samples());
   }
+  bodies = bodies_that_nest(*this, scene.camera);
+  for (Surface& each : surfaces) each.nests = !bodies.empty();
 }
 
 template <class T>
