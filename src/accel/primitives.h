@@ -153,6 +153,11 @@ class Primitives {
     if (id < shape_count()) return std::nullopt;
     return smooth_normal_of_triangle(id, at, time);
   }
+  /// The same as the mesh gives it, whichever side that is.
+  [[nodiscard]] std::optional<Vec3<T>> given_normal(int id, const SurfacePoint<T>& at, T time = 0) const {
+    if (id < shape_count()) return std::nullopt;
+    return given_normal_of_triangle(id, at, time);
+  }
 
   /// A primitive's box in the world, widened by a few ulps so that it holds every point that rounding may report.
   [[nodiscard]] Bounds<T> box(int id) const;
@@ -198,7 +203,7 @@ class Primitives {
     if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
     return point;
   }
-  // The four that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
+  // The five that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
   // or not.
   template <class Explain>
   [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max,
@@ -216,6 +221,10 @@ class Primitives {
   [[nodiscard, gnu::noinline]] std::optional<Vec3<T>> smooth_normal_of_triangle(int id, const SurfacePoint<T>& at,
                                                                                 T time) const {
     return triangles_.smooth_normal(id - shape_count(), taken_back(id, at, time));
+  }
+  [[nodiscard, gnu::noinline]] std::optional<Vec3<T>> given_normal_of_triangle(int id, const SurfacePoint<T>& at,
+                                                                               T time) const {
+    return triangles_.given_normal(id - shape_count(), taken_back(id, at, time));
   }
   [[nodiscard, gnu::noinline]] Vec2<T> uv_at_any(int id, const SurfacePoint<T>& at, int part, T time) const {
     const SurfacePoint<T> point = taken_back(id, at, time);

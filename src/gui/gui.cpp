@@ -9,6 +9,7 @@
 #include "gui/style.h"
 #include "gui/window.h"
 #include "io/file.h"
+#include "io/text_file.h"
 #include "view/action_text.h"
 
 #include <GLFW/glfw3.h>
@@ -327,7 +328,7 @@ Result<void> run_gui(const GuiOptions& options) {
   Demo demo;
   if (!options.demo_path.empty()) {
     constexpr std::size_t most_bytes = 16 << 20;
-    const Result<std::string> text = read_file(options.demo_path, most_bytes);
+    const Result<std::string> text = read_text(options.demo_path, most_bytes);
     if (!text) return tl::unexpected(text.error());
     Result<std::vector<Action>> actions = parse_demo(*text, options.demo_path);
     if (!actions) return tl::unexpected(actions.error());

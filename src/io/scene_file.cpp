@@ -5,6 +5,7 @@
 #include "io/nff_reader.h"
 #include "io/scene_reader.h"
 #include "io/test_format_reader.h"
+#include "io/text_file.h"
 #include "io/texture_file.h"
 #include "io/toml_text.h"
 
@@ -147,12 +148,15 @@ bool has_scene_ending(std::string_view path) { return ends_with(path, scene_endi
 Result<SceneDocument> read_scene(const std::string& path) {
   const SceneFormat format = scene_format_of(path);
   if (is_mesh(format)) return scene_of_mesh(path);
-  const auto text = read_file(path, format == SceneFormat::toml ? most_scene_bytes : most_foreign_bytes);
+  auto text = read_file(path, format == SceneFormat::toml ? most_scene_bytes : most_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
+  const bool marked = text->starts_with(utf8_mark);
+  if (const auto plain = make_plain_text(*text, path); !plain) return tl::unexpected(plain.error());
   switch (format) {
     case SceneFormat::toml: {
       auto document = parse_scene(*text, path);
       if (!document) return document;
+      if (marked) document->text.insert(0, utf8_mark);  // as it was, so it is written again
       const std::string folder = path.substr(0, path.find_last_of('/') + 1);
       if (const auto loaded = load_textures(document->scene, folder); !loaded) return tl::unexpected(loaded.error());
       return document;

@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include "render/adaptive.h"
+#include "render/memory_need.h"
 #include "render/parallel.h"
 #include "trace/path_kernel.h"
 
@@ -139,6 +140,11 @@ tl::unexpected<Error> no_memory(ImageSize size) {
 }
 
 Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
+  RenderSettings of_picture = settings;
+  of_picture.size = size;
+  if (const auto error = why_too_large(memory_needed(scene, of_picture), "",
+                                       "use fewer instances, coarser meshes, --precision float or a smaller --size"))
+    return tl::unexpected(*error);
   try {
     switch (settings.precision) {
       case Precision::float_:

@@ -58,6 +58,10 @@ struct Rendering {
   double done = 1;       ///< share of the samples taken; below 1 only when cancelled. What is missing is black
   bool finished = true;  ///< every sample was taken
 
+  /// Pixels that the picture's file holds as NaN or infinite.
+  [[nodiscard]] std::size_t not_finite_pixels() const {
+    return std::visit([](const auto& of) { return not_finite(of); }, film);
+  }
   /// Threads that were at work on the average; the number of threads when the work was shared evenly.
   [[nodiscard]] double busy_threads() const {
     return trace_seconds > 0 ? std::accumulate(busy_seconds.begin(), busy_seconds.end(), 0.0) / trace_seconds : 1;

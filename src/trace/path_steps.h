@@ -275,7 +275,7 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T
 template <class Policy>
 template <class Put>
 void PathTracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
-  if (!is_finite(final)) ++statistics_.not_finite;
+  if (!is_finite(Rgb<float>(final))) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::path_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
 }

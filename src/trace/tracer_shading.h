@@ -89,7 +89,7 @@ inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Sha
   const Vec3<T> side = entering ? point.normal : -point.normal;
   Shading at(hit, point.position, side, surface, entering);
   if (surface.fixed_normal) {
-    at.normal = point.normal;
+    at.normal = primitives.given_normal(hit.primitive, point, ray.ray.time).value_or(point.normal);
     at.other_side = side;
   } else if (const auto smooth = primitives.smooth_normal(hit.primitive, point, ray.ray.time)) {
     at.normal = smooth_normal_towards(ray.ray.direction, side, entering ? *smooth : -*smooth);

@@ -30,7 +30,10 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRa
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Crossing<T>{hit.t, hit.part});
   Explanation explanation;
   static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
-  const Vec3<T> normal = primitives.smooth_normal(hit.primitive, point, ray.time).value_or(point.normal);
+  const auto smooth = world.surface(hit.primitive).fixed_normal
+                          ? primitives.given_normal(hit.primitive, point, ray.time)
+                          : primitives.smooth_normal(hit.primitive, point, ray.time);
+  const Vec3<T> normal = smooth.value_or(point.normal);
   const typename World<T>::Piece piece = world.piece(hit.primitive);
   return {ray_number,
           ending,
@@ -110,7 +113,7 @@ bool Tracer<Policy>::runs_away(const Traced& parent) const {
 template <class Policy>
 template <class Put>
 void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
-  if (!is_finite(final)) ++statistics_.not_finite;
+  if (!is_finite(Rgb<float>(final))) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
 }

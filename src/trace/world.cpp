@@ -21,6 +21,7 @@ T lobe(double degrees) {
 
 template <class T>
 typename World<T>::Surface surface_of(const Material& m, Integrator integrator) {
+  const bool fixed = m.normal == ShadingNormal::fixed && integrator != Integrator::path;  // trace/path.h
   typename World<T>::Surface surface{Rgb<T>(m.ambient),
                                      Rgb<T>(m.diffuse),
                                      Rgb<T>(m.specular),
@@ -32,8 +33,8 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator) 
                                      m.dielectric,
                                      m.transmits(),
                                      m.shadow == ShadowKind::filtered && m.transmits(),
-                                     m.normal == ShadingNormal::fixed,
-                                     m.normal == ShadingNormal::fixed && !is_black(m.specular),
+                                     fixed,
+                                     fixed && !is_black(m.specular),
                                      {},
                                      {}};
   if (m.texture && m.texture->pixels)

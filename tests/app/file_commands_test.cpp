@@ -80,3 +80,21 @@ TEST_CASE("generate writes what can be rendered at once") {
   for (const std::string name : {"flake.toml", "spheres.nff"})
     CHECK(folder.run({"render", name, "-o", name + ".png", "--size", "32x32"}).exit_code == 0);
 }
+
+TEST_CASE("what is too large for the memory there is, is said before it is taken") {
+  const Folder folder;
+  std::string many = nff;
+  for (int i = 0; i < 800'000; ++i) many += "s 0 0 1 1\n";
+  folder.write("many.nff", many);
+  for (const std::string command :
+       {"render many.nff -o a.png", "info many.nff", "step many.nff", "convert many.nff a.toml"}) {
+    Process limited("/bin/bash", {"-c", "ulimit -v 500000; exec " + raywalk_program() + " " + command}, folder.path());
+    const Outcome outcome = limited.wait();
+    INFO(command << "\n" << outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.err, contains("many.nff: a scene of 800001 objects would take about "));
+    CHECK_THAT(outcome.err, contains("too much (expected at most "));
+    CHECK_THAT(outcome.err, contains("which the address-space limit (ulimit -v) leaves"));
+  }
+  CHECK(folder.names() == std::vector<std::string>{"many.nff"});
+}
