@@ -111,8 +111,7 @@ void declare_study(CLI::App& program, Run& run) {
   const auto options = std::make_shared<StudyCommandOptions>();
   StudyCommandOptions& to = *options;
   command.add_option("NAME", to.names, "Only these experiments, by name or number; left out: all")->type_name("");
-  command.add_option("-o,--output", to.folder, "The folder for the results, made when it does not exist")
-      ->type_name("DIR");
+  add_file(command, "-o,--output", to.folder, "DIR", "The folder for the results, made when it does not exist");
   command.add_flag("--quick", to.quick, "Fewer samples: a few minutes; intervals are wider");
   command.add_flag("--list", to.list, "Only name the experiments");
   constexpr int most_threads = 1024;

@@ -64,7 +64,11 @@ bool SuiteResult::good() const {
 
 Result<SuiteResult> run_suite(const std::vector<Family>& families, const SuiteOptions& options) {
   std::vector<Tested> kept;
-  if (!options.state.empty() && std::filesystem::exists(options.state)) {
+  if (!options.state.empty())
+    if (const auto claimed = claim_output(options.state, OutputUse::kept); !claimed)
+      return tl::unexpected(claimed.error());
+  std::error_code none;
+  if (!options.state.empty() && std::filesystem::exists(options.state, none)) {
     const auto text = read_file(options.state, most_state_bytes);
     if (!text) return tl::unexpected(text.error());
     auto read = read_state(options.state, *text, options);

@@ -35,6 +35,14 @@ constexpr double smoothing_every = 0.3;     // the same once only noise is being
 constexpr double image_every = 0.08;        // seconds between two pictures of a 3-D image that is being refined
 constexpr double notice_lasts = 6;          // seconds, unless it reports an error
 
+/// Whether what the action does ends in a file of the user's.
+bool writes_file(const Action& action) {
+  return std::holds_alternative<action::Export>(action) || std::holds_alternative<action::FinishExport>(action) ||
+         std::holds_alternative<action::Save>(action) || std::holds_alternative<action::SaveAs>(action) ||
+         std::holds_alternative<action::SavePredictions>(action) ||
+         std::holds_alternative<action::AnswerQuestion>(action);
+}
+
 class Loop {
  public:
   Loop(const GuiOptions& options, State state, Window& window, Demo demo, Clock::time_point begun)
@@ -112,6 +120,13 @@ class Loop {
   void act(const Action& action) {
     update(state_, action);
     frames_due_ = frames_to_settle;
+    if (!options_.demo_path.empty() && writes_file(action)) note_failure();
+  }
+
+  // Nobody may be there to read it: a demo that was to write a file and could not ends as a failure, with a message.
+  void note_failure() {
+    if (failure_ && state_.notice && state_.notice->kind == Notice::Kind::error)
+      failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.notice->text, ""});
   }
 
   // One press of a key holds STEP once: where a breakpoint ends that, the key has to be let go first.
@@ -313,7 +328,7 @@ class Loop {
 
 }  // namespace
 
-Result<void> run_gui(const GuiOptions& options) {
+Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
   const Clock::time_point begun = Clock::now();
   // Else the window is opened last: what is wrong with a scene is said without one.
   Result<std::unique_ptr<Window>> window{nullptr};
@@ -336,6 +351,11 @@ Result<void> run_gui(const GuiOptions& options) {
   if (!options.screenshot_path.empty()) {
     if (const auto format = image_format_of(options.screenshot_path); !format) return tl::unexpected(format.error());
   }
+  for (const std::string& path : {options.report_path, options.screenshot_path})
+    if (const auto claimed = path.empty() ? Result<void>() : claim_output(path); !claimed) return claimed;
+  ledger.close();
+  for (const std::string& path : {options.demo_path, options.report_path, options.screenshot_path})
+    if (!path.empty()) state->keeps.push_back(path);
   if (*window == nullptr) window = Window::open("Raywalk", options.width, options.height);
   if (!window) return tl::unexpected(window.error());
   return Loop(options, std::move(*state), **window, std::move(demo), begun).run();

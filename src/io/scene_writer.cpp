@@ -110,7 +110,9 @@ Result<void> write_scene(SceneDocument& document, const std::string& path) {
     return tl::unexpected(
         Error{path, 0, 0, "scenes in " + std::string(scene_ending(format)) + " are read, not written (expected .toml)",
               "save it as a file that ends in .toml"});
-  auto text = format_scene(document.scene, document.text);
+  auto text = with_names_from(document.scene, document.path, path).and_then([&](const Scene& scene) {
+    return format_scene(scene, document.text);
+  });
   if (!text) {
     // The place in a text that nobody has seen says nothing; the message names the key and the object.
     Error error = text.error();

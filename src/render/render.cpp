@@ -131,11 +131,18 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   return rendering;
 }
 
-tl::unexpected<Error> no_memory(ImageSize size) {
-  return tl::unexpected(Error{"", 0, 0,
-                              "a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                                  " pixels does not fit into memory",
-                              "choose a smaller size"});
+/// The one that takes more is named first, and is what the hint is about.
+tl::unexpected<Error> no_memory(const Scene& scene, ImageSize size) {
+  constexpr double of_a_pixel = 24, of_an_entry = 150;  // bytes, roughly
+  const double pixels = static_cast<double>(size.width) * size.height, entries = entries_of(scene.objects);
+  const std::string picture =
+      "the picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
+  const std::string content =
+      "the scene of " + std::to_string(static_cast<std::int64_t>(entries)) + " objects and triangles";
+  const bool is_large = pixels * of_a_pixel > entries * of_an_entry;
+  return tl::unexpected(Error{
+      "", 0, 0, (is_large ? picture : content) + " does not fit into memory, beside " + (is_large ? content : picture),
+      is_large ? "choose a smaller size" : "close other programs, use smaller meshes, or --precision float"});
 }
 
 Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
@@ -147,9 +154,9 @@ Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settin
         return render_in<double>(scene, settings, size, whole);
     }
   } catch (const std::bad_alloc&) {
-    return no_memory(size);
+    return no_memory(scene, size);
   } catch (const std::length_error&) {
-    return no_memory(size);
+    return no_memory(scene, size);
   }
   return Rendering{};
 }

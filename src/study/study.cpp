@@ -141,11 +141,12 @@ std::vector<std::string> StudyResult::broken() const {
 }
 
 Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const StudyOptions& options) {
-  std::error_code failed;
-  fs::create_directories(options.folder, failed);
-  if (failed)
-    return tl::unexpected(Error{options.folder, 0, 0, "cannot make this folder: " + failed.message(),
-                                "choose a folder that you may write to"});
+  if (const auto made = make_folder(options.folder); !made) return tl::unexpected(made.error());
+  const auto page = (fs::path(options.folder) / "index.html").string();
+  if (const auto claimed = claim_output(page); !claimed) return tl::unexpected(claimed.error());
+  for (const Experiment& experiment : experiments)
+    if (const auto claimed = claim_output(table_path(experiment, options), OutputUse::kept); !claimed)
+      return tl::unexpected(claimed.error());
   StudyResult result;
   Clockwork clock(experiments, options);
   std::vector<Law> laws;
@@ -169,8 +170,7 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
   std::size_t next = 0;
   for (Concluded& concluded : result.concluded)
     for (std::size_t i = 0; i < concluded.report.laws.size(); ++i) concluded.verdicts.push_back(verdicts[next++]);
-  const auto written =
-      write_file_atomically((fs::path(options.folder) / "index.html").string(), page_of(result, options));
+  const auto written = write_file_atomically(page, page_of(result, options));
   if (!written) return tl::unexpected(written.error());
   return result;
 }

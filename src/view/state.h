@@ -146,6 +146,7 @@ struct State {
   std::shared_ptr<Worlds> worlds;  ///< of document.scene; another with each change of it, so that copies may share it
   std::optional<EditMark> last_edit;
   std::vector<std::string> recent;  ///< paths, the latest first
+  std::vector<std::string> keeps;   ///< files of the command line that nothing may replace, such as that of a demo
   /// Folder for the autosave and the list of recent files; empty: neither is kept.
   std::string state_dir;
   /// Where this sitting's autosave goes: a name in state_dir that was free at the start.
