@@ -2,6 +2,7 @@
 
 #include "accel/triangles.h"
 #include "math/motion.h"
+#include "math/stop.h"
 #include "shape/naive.h"
 
 #include <cmath>
@@ -82,7 +83,7 @@ class Primitives {
     return first_equal_.empty() ? id : first_equal_[static_cast<std::size_t>(id)];
   }
   /// Makes `first_equal` known, in time n log n. `boxes` are those of all primitives.
-  void find_equals(const std::vector<Bounds<T>>& boxes);
+  void find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop = {});
 
   /// Nearest crossing in (0, t_max) of the ray with one primitive, in the ray's own t. For one of many tests of a ray,
   /// what triangles need of it may have been computed already: `sheared`, where no triangle moves.
@@ -277,9 +278,10 @@ class Primitives {
 /// against, are listed apart.
 template <class T>
 struct Boxes {
-  explicit Boxes(const Primitives<T>& primitives) {
+  explicit Boxes(const Primitives<T>& primitives, const Stop& stop = {}) {
     boxes.reserve(static_cast<std::size_t>(primitives.size()));
     for (int id = 0; id < primitives.size(); ++id) {
+      stop.check();
       boxes.push_back(primitives.box(id));
       if (boxes.back().empty()) continue;  // nothing to hit: a quadric cut away whole
       if (boxes.back().bounded()) {

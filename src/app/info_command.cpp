@@ -166,7 +166,7 @@ ExitCode info_command(const InfoOptions& options) {
   if (options.light_grid) choices.light_grid = options.light_grid;
   std::string text = info_text(document->scene, scene_path(options.scene));
   if (options.with_cost) {
-    const Interrupt interrupt;
+    const Interrupt interrupt(Patience::brief);
     ProgressBar bar;
     constexpr int samples = 8000, repetitions = 7;
     const auto show = [&bar](double done) {
@@ -174,7 +174,7 @@ ExitCode info_command(const InfoOptions& options) {
       progress.done = done;
       bar.show(progress);
     };
-    const auto cost = study::scene_cost(document->scene, samples, repetitions, show, &Interrupt::flag());
+    const auto cost = study::scene_cost(document->scene, samples, repetitions, show, interrupt.stop());
     if (!cost) return fail({"", 0, 0, "interrupted before all was measured", ""});
     text += cost_text(*cost);
   }

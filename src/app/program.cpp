@@ -14,6 +14,7 @@
 #include "app/window_command.h"
 #include "io/image.h"
 #include "io/scene_keys.h"
+#include "math/stop.h"
 #include "render/adaptive.h"
 
 #include <fmt/format.h>
@@ -377,6 +378,8 @@ int run_program(int argc, const char* const* argv) {
   ExitCode code = ExitCode::failed;
   try {
     code = parse_and_run(argc, argv);
+  } catch (const Stopped&) {
+    code = fail({"", 0, 0, "interrupted", ""});
   } catch (const std::bad_alloc&) {
     code = fail({"", 0, 0, "there is not enough memory", "close other programs, or use a smaller scene or image"});
   } catch (const std::exception& error) {

@@ -61,6 +61,15 @@ std::string summary(const RenderOptions& options, const Rendering& rendering, Im
   return text;
 }
 
+std::string endless_text(const TreeSize& tree) {
+  std::string text = fmt::format(
+      "warning: a single pixel may take about {:.0e} rays: to depth {}, its ray tree grows {:.1f} times a level",
+      tree.rays, tree.depth, tree.growth);
+  if (tree.shadow_rays > 1) text += fmt::format(", every hit sends out {} shadow rays", tree.shadow_rays);
+  if (tree.samples > 1) text += fmt::format(", and all that for {} samples", tree.samples);
+  return text + fmt::format("; lower --depth{}, or raise --threshold", tree.samples > 1 ? " or --spp" : "");
+}
+
 }  // namespace
 
 std::string partial_path(const std::string& image) {
@@ -117,7 +126,7 @@ ExitCode render_command(const RenderOptions& options) {
     if (const auto error = path.empty() ? std::nullopt : why_not_writable(path)) return fail(*error);
   if (!options.quiet) warn(idle_options(options, scene));
 
-  const Interrupt interrupt;
+  const Interrupt interrupt(Patience::full);
   Result<Rendering> rendering;
   {
     ProgressBar bar;
@@ -126,7 +135,8 @@ ExitCode render_command(const RenderOptions& options) {
     settings.tolerance = choices.tolerance;
     settings.shadow_cache = options.shadow_cache;
     if (!options.quiet) settings.progress = [&bar](const Progress& progress) { bar.show(progress); };
-    settings.cancel = &Interrupt::flag();
+    settings.stop = interrupt.stop();
+    if (!options.quiet) settings.endless = [](const TreeSize& tree) { note(endless_text(tree)); };
     rendering = render(scene, settings);
   }
   if (!rendering) return fail(rendering.error());

@@ -79,8 +79,9 @@ ExitCode study_command(const StudyCommandOptions& options) {
   if (options.folder.empty())
     return refuse({"", 0, 0, "raywalk study: -o DIR is required", "name a folder for the results"});
   study::StudyOptions to{options.folder, effort, options.threads, study::machine_text(), command_text(options)};
-  to.cancel = &Interrupt::flag();
-  const Interrupt interrupt;
+  const Interrupt interrupt(Patience::brief,
+                            "interrupted; what was measured is kept: the same command goes on from it\n");
+  to.stop = interrupt.stop();
   Result<study::StudyResult> result;
   {
     ProgressBar bar;
@@ -91,6 +92,7 @@ ExitCode study_command(const StudyCommandOptions& options) {
       bar.show(progress);
     };
     result = study::run_study(*experiments, to);
+    interrupt.heeded();
   }
   if (!result) return fail(result.error());
   if (!result->finished)

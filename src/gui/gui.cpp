@@ -1,5 +1,6 @@
 #include "gui/gui.h"
 
+#include "gui/attention.h"
 #include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 namespace raywalk {
@@ -37,15 +39,17 @@ constexpr double notice_lasts = 6;          // seconds, unless it reports an err
 
 class Loop {
  public:
-  Loop(const GuiOptions& options, State state, Window& window, Demo demo, Clock::time_point begun)
+  Loop(const GuiOptions& options, State state, Window& window, Attention& attention, Demo demo, Clock::time_point begun)
       : options_(options),
         state_(std::move(state)),
         window_(window),
+        attention_(attention),
         interface_(options.data_dir + "/scenes"),
         demo_(std::move(demo)),
         begun_(begun),
         settings_(settings_of(state_)),
         fonts_found_(find_fonts(font_folders(options.data_dir))) {
+    state_.stop = Stop(attention_);
     ImGui::GetIO().ConfigDragClickToInputText = true;
   }
 
@@ -110,8 +114,14 @@ class Loop {
   }
 
   void act(const Action& action) {
-    update(state_, action);
     frames_due_ = frames_to_settle;
+    const Attention::Watch watch(attention_, Attention::To::closing);
+    try {
+      update(state_, action);
+    } catch (const Stopped&) {
+      // Closed in the middle of a change. What had changed before that is in the autosave.
+      state_.quit = true;
+    }
   }
 
   // One press of a key holds STEP once: where a breakpoint ends that, the key has to be let go first.
@@ -165,7 +175,13 @@ class Loop {
 
   void work_on_image() {
     if (frames_drawn_ == 0 || image_.rests(state_)) return;
-    const bool more = image_.work(state_, image_slice);
+    bool more = true;
+    try {
+      const Attention::Watch watch(attention_, Attention::To::input);
+      more = image_.work(state_, image_slice, Stop(attention_));
+    } catch (const Stopped&) {
+      return;  // of the building: it begins again after what was done meanwhile
+    }
     const Clock::time_point now = Clock::now();
     const double every = image_.preview().has_every_pixel() ? smoothing_every : image_every;
     if (image_.preview().revision() == shown_image_ || (more && seconds_between(image_shown_, now) < every)) return;
@@ -290,6 +306,7 @@ class Loop {
   const GuiOptions& options_;
   State state_;
   Window& window_;
+  Attention& attention_;
   Interface interface_;
   Demo demo_;
   std::optional<WalkFilm> film_;  ///< being made
@@ -317,12 +334,13 @@ Result<void> run_gui(const GuiOptions& options) {
   const Clock::time_point begun = Clock::now();
   // Else the window is opened last: what is wrong with a scene is said without one.
   Result<std::unique_ptr<Window>> window{nullptr};
+  std::optional<Attention> attention;
   if (takes_long_to_read(options)) {
     window = Window::open("Raywalk", options.width, options.height);
     if (!window) return tl::unexpected(window.error());
-    show_loading(**window, options);
+    attention.emplace(**window);
   }
-  Result<State> state = start(options);
+  Result<State> state = attention ? start_in_sight(options, **window, *attention) : start(options);
   if (!state) return tl::unexpected(state.error());
   Demo demo;
   if (!options.demo_path.empty()) {
@@ -338,7 +356,8 @@ Result<void> run_gui(const GuiOptions& options) {
   }
   if (*window == nullptr) window = Window::open("Raywalk", options.width, options.height);
   if (!window) return tl::unexpected(window.error());
-  return Loop(options, std::move(*state), **window, std::move(demo), begun).run();
+  if (!attention) attention.emplace(**window);
+  return Loop(options, std::move(*state), **window, *attention, std::move(demo), begun).run();
 }
 
 }  // namespace raywalk

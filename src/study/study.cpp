@@ -60,10 +60,9 @@ class Clockwork {
   double all_ = 0, done_ = 0, skipped_ = 0;
 };
 
-/// All trials, or fewer when cancelled.
+/// All trials, or fewer when stopped.
 Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOptions& options, Clockwork& clock) {
-  static const std::atomic<bool> never{false};
-  const std::atomic<bool>& cancel = options.cancel != nullptr ? *options.cancel : never;
+  const Stop& stop = options.stop;
   std::vector<Trial> trials = kept_trials(experiment, options);
   std::set<int> done;
   for (const Trial& trial : trials) done.insert(trial.round);
@@ -73,17 +72,17 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
   const double weight = experiment.weight / experiment.rounds;
   clock.skip(weight * static_cast<double>(done.size()));
   if (left.empty()) return trials;
-  if (done.empty() && !cancel)
-    static_cast<void>(experiment.run(0, cancel));  // a round to warm up that counts for nothing
+  if (done.empty() && !stop.asked())
+    static_cast<void>(experiment.run(0, stop));  // a round to warm up that counts for nothing
   const std::size_t at_a_time = static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads());
-  for (std::size_t from = 0; from < left.size() && !cancel; from += at_a_time) {
+  for (std::size_t from = 0; from < left.size() && !stop.asked(); from += at_a_time) {
     const std::size_t count = std::min(at_a_time, left.size() - from);
     std::vector<std::vector<Trial>> found(count);
     parallel_for(static_cast<int>(count), static_cast<int>(count), [&](int index) {
       const auto i = static_cast<std::size_t>(index);
-      found[i] = experiment.run(left[from + i], cancel);
+      found[i] = experiment.run(left[from + i], stop);
     });
-    if (cancel) break;  // what was under way counts for nothing
+    if (stop.asked()) break;  // what was under way counts for nothing
     for (const std::vector<Trial>& round : found) trials.insert(trials.end(), round.begin(), round.end());
     if (const auto kept = keep(experiment, options, trials); !kept) return tl::unexpected(kept.error());
     clock.add(experiment.name, weight * static_cast<double>(count));

@@ -10,6 +10,7 @@
 // roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded.
 // Every normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
 
+#include "math/stop.h"
 #include "trace/path_lights.h"
 #include "trace/path_lobes.h"
 #include "trace/policy.h"
@@ -44,8 +45,8 @@ class PathTracer {
   using Observer = typename Policy::Observer;
 
   PathTracer(const World<T>& world, const PathLights<T>& lights, const PathSettings& settings,
-             const RayGenerator<T>& camera, Observer& observer)
-      : world_(world), lights_(lights), settings_(settings), camera_(camera), observer_(observer) {}
+             const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {})
+      : world_(world), lights_(lights), settings_(settings), camera_(camera), observer_(observer), stop_(stop) {}
 
   /// PATH TRACING. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -161,6 +162,7 @@ class PathTracer {
   const PathSettings& settings_;
   const RayGenerator<T>& camera_;
   Observer& observer_;
+  Stop stop_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   std::vector<int> filters_met_;  ///< kept so that no shadow ray allocates

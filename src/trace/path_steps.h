@@ -255,6 +255,7 @@ auto PathTracer<Policy>::decide_survival(const Traced& ray, const Vertex& at, co
 
 template <class Policy>
 auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T survival) -> Traced {
+  stop_.check();
   const RayKind kind = choice.lobe == Lobe::transparent ? RayKind::refract : RayKind::reflect;
   const Traced next{leaving<Ray>(world_, at.position, at.outwards, at.departure, choice.direction, at.time),
                     kind,

@@ -6,6 +6,7 @@
 // pseudocode line heads the statement that the line names, and a test holds the texts together. What a statement does
 // stands in the function it calls, below (trace/tracer_steps.h).
 
+#include "math/stop.h"
 #include "trace/optics.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
@@ -27,8 +28,9 @@ class Tracer {
   using Ray = typename Policy::Ray;
   using Observer = typename Policy::Observer;
 
-  Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer)
-      : world_(world), camera_(camera), observer_(observer), last_blockers_(world.lamps.size(), -1) {}
+  /// `stop` may end the work inside a pixel: `main_algorithm` throws Stopped then.
+  Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {})
+      : world_(world), camera_(camera), observer_(observer), stop_(stop), last_blockers_(world.lamps.size(), -1) {}
 
   /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -207,6 +209,7 @@ class Tracer {
   const World<T>& world_;
   const RayGenerator<T>& camera_;
   Observer& observer_;
+  Stop stop_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the sample under way

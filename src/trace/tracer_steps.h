@@ -88,6 +88,7 @@ bool Tracer<Policy>::decide_intersected(const Nearest& nearest) {
 
 template <class Policy>
 int Tracer<Policy>::call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest) {
+  if (line != Line::shade_final) stop_.check();
   int called = depth + 1;
   break_by(Fault::depth_not_counted, [&] {
     if (line == Line::shade_reflect) called = depth;

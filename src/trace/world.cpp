@@ -111,8 +111,9 @@ typename World<T>::Lamp lamp_of(int index, const Scene& scene, bool draws) {
 template <class T>
 class Flattener {
  public:
-  Flattener(const Scene& scene, World<T>& world)
+  Flattener(const Scene& scene, World<T>& world, const Stop& stop)
       : world_(world),
+        stop_(stop),
         integrator_(integrator_of(scene)),
         shutter_open_(scene.camera.shutter_open),
         shutter_close_(scene.camera.shutter_close) {
@@ -133,6 +134,7 @@ class Flattener {
 
  private:
   void add(const Object& object, const Affine<double>& outer, const Motion& outer_motion) {
+    stop_.check();
     Affine<double> map = outer * affine_of(object.transform);
     Motion motion = moved_within(object.motion, outer, outer_motion);
     if (!motion.empty() && !moves_between(motion, shutter_open_, shutter_close_)) {
@@ -198,6 +200,7 @@ class Flattener {
   }
 
   World<T>& world_;
+  Stop stop_;
   Integrator integrator_;
   double shutter_open_, shutter_close_;
   Primitives<T> primitives_;
@@ -211,14 +214,14 @@ class Flattener {
 }  // namespace
 
 template <class T>
-World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault)
+World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault, const Stop& stop)
     : background(scene.background),
       ambient(scene.ambient),
       depth(scene.limits.depth),
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)),
       draws(draws_random(integrator_of(scene))),
-      accelerator(Flattener<T>(scene, *this).take(), kind),
+      accelerator(Flattener<T>(scene, *this, stop).take(), kind, stop),
       fault(its_fault),
       numerics(fault ? Numerics::naive : scene.render.numerics),
       epsilon(static_cast<T>(scene.render.epsilon)) {

@@ -91,9 +91,10 @@ struct World {
     }
   };
 
-  /// `fault`: breaks the tracer on purpose; numerics are naive then, whatever the scene says.
+  /// `fault`: breaks the tracer on purpose; numerics are naive then, whatever the scene says. `stop` may end the
+  /// making, which throws Stopped then.
   explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic,
-                 std::optional<Fault> fault = std::nullopt);
+                 std::optional<Fault> fault = std::nullopt, const Stop& stop = {});
 
   std::vector<Surface> surfaces;
   std::vector<Lamp> lamps;

@@ -1,9 +1,11 @@
+#include "render/parallel.h"
 #include "scene/warnings.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 #include "view/update_parts.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace raywalk::detail {
 
@@ -12,7 +14,10 @@ namespace {
 void complain(State& state, const Error& error) { detail::complain(state, error.text()); }
 
 void open_file(State& state, const std::string& path) {
-  Result<SceneDocument> document = read_scene(path);
+  // No reader can be stopped inside; what it has by then is dropped.
+  const auto reading = std::make_shared<Result<SceneDocument>>();
+  run_aside(state.stop, [reading, path] { *reading = read_scene(path); });
+  Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
   forget_autosave(state);
