@@ -3,9 +3,9 @@
 // screen is a pure function of it.
 
 #include "io/scene_file.h"
-#include "lesson/language.h"
 #include "render/heat.h"
 #include "render/worlds.h"
+#include "text/language.h"
 #include "timeline/stops.h"
 #include "timeline/timeline.h"
 #include "view/bugs.h"
@@ -191,7 +191,7 @@ struct State {
 
   // Appearance.
   Theme theme = Theme::dark;
-  Language language = Language::english;
+  Language language{};
   double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
   Tab tab = Tab::image;
   CostState cost;
