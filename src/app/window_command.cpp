@@ -4,11 +4,11 @@
 
 namespace raywalk {
 
-ExitCode window_command(GuiOptions options) {
+ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger) {
   options.data_dir = data_dir();
   if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);
 #if RAYWALK_GUI
-  const Result<void> closed = run_gui(options);
+  const Result<void> closed = run_gui(options, ledger);
   return closed ? ExitCode::done : fail(closed.error());
 #else
   const std::string scene = options.scene_path.empty() ? "classic" : options.scene_path;

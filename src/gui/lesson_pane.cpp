@@ -4,11 +4,11 @@
 #include "view/bug_text.h"
 #include "view/lesson_panel.h"
 #include "view/lesson_text.h"
+#include "view/typed_number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 namespace raywalk {
@@ -112,15 +112,6 @@ void options(const Ui& ui, float width, bool open) {
     ui.act(action::AskExport{});
 }
 
-/// With a comma as with a point; nothing where there is more or less than a number.
-std::optional<double> number_in(std::string typed) {
-  std::replace(typed.begin(), typed.end(), ',', '.');
-  char* end = nullptr;
-  const double value = std::strtod(typed.c_str(), &end);
-  while (*end == ' ') ++end;
-  return end == typed.c_str() || *end != '\0' ? std::nullopt : std::optional(value);
-}
-
 // Where one is, how to close, and what it is about.
 void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) {
   const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui);
@@ -204,7 +195,8 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
   ui.publish("lesson-number");
   if (number_ != typed) {
     number_ = typed;
-    ui.act(action::GuessNumber{number_in(number_).value_or(std::numeric_limits<double>::quiet_NaN())});
+    ui.act(
+        action::GuessNumber{typed_guess(ui.state.lessons, number_).value_or(std::numeric_limits<double>::quiet_NaN())});
   }
   if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
   // What comes next is still meant for this field, and not for the walk.
@@ -213,7 +205,7 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
     ImGui::SameLine();
     label(ui.colours.text, panel.unit);
   }
-  if (!number_.empty() && !number_in(number_) && !revealed)
+  if (!number_.empty() && !typed_guess(ui.state.lessons, number_) && !revealed)
     paragraph(ui.colours.error, ui.say(LessonWord::not_a_number));
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <iterator>
 #include <utility>
 
 #ifndef GL_CLAMP_TO_EDGE
@@ -187,6 +188,13 @@ bool Window::wait(double seconds) {
   return std::exchange(happened_, false);
 }
 
+bool Window::look(bool input) {
+  glfwPollEvents();
+  if (close_requested_ || !input) return close_requested_;
+  const bool drags = happened_ && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+  return drags || !keys_.empty() || !button_places_.empty();
+}
+
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
 
 bool Window::take_key_release() { return std::exchange(key_released_, false); }
@@ -256,11 +264,15 @@ void Window::begin_frame(bool with_pointer) {
 #if IMGUI_VERSION_NUM >= 18700
     ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
 #else
-    ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
 #endif
   }
   ImGui::NewFrame();
 }
+
+void Window::end_frame_unseen() { ImGui::EndFrame(); }
 
 void Window::end_frame(const float (&background)[3], Image* picture) {
   ImGui::Render();

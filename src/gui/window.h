@@ -47,6 +47,9 @@ class Window {
   /// Waits until something happens, at most `seconds` (negative: for ever; 0: not at all), and tells ImGui of it.
   /// Whether something did.
   bool wait(double seconds);
+  /// Takes in what has happened, as `wait` does, in the middle of something else: whether the user asked the window to
+  /// close, or, with `input`, pressed a key or a button or drags. What it was is still told by the functions below.
+  [[nodiscard]] bool look(bool input);
   /// Keys pressed since the last call, in their order.
   [[nodiscard]] std::vector<KeyPress> take_keys();
   /// Whether a key was let go since the last call.
@@ -59,11 +62,13 @@ class Window {
   /// Makes the font atlas known to the graphics card after it was rebuilt.
   void upload_fonts();
 
-  /// `with_pointer` false: as if the pointer were nowhere, for pictures.
+  /// `with_pointer` false: as if the pointer were nowhere and none of its buttons down, for pictures.
   void begin_frame(bool with_pointer = true);
   /// Draws what ImGui has, on `background` (sRGB, 0..1), and shows it. `picture`: where to copy the window to, if
   /// anywhere.
   void end_frame(const float (&background)[3], Image* picture = nullptr);
+  /// In place of end_frame: a frame that nobody is to see, after which things stand where they belong.
+  void end_frame_unseen();
 
  private:
   Window() = default;

@@ -9,7 +9,7 @@ namespace raywalk::detail {
 template <class Policy, class T>
 Statistics run_tracer(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put, typename Policy::Observer& observer) {
-  Tracer<Policy> tracer(world, camera, observer);
+  Tracer<Policy> tracer(world, camera, observer, block.stop);
   tracer.main_algorithm(block, put);
   return tracer.statistics();
 }

@@ -13,8 +13,9 @@ Statistics run(const World<T>& world, const PathLights<T>& lights, const PathSet
   };
   using Robust = Policy<T, Watcher>;
   using Naive = Policy<T, Watcher, all_hit_effects, Numerics::naive>;
-  return world.numerics == Numerics::naive ? run_with(PathTracer<Naive>(world, lights, settings, camera, observer))
-                                           : run_with(PathTracer<Robust>(world, lights, settings, camera, observer));
+  return world.numerics == Numerics::naive
+             ? run_with(PathTracer<Naive>(world, lights, settings, camera, observer, block.stop))
+             : run_with(PathTracer<Robust>(world, lights, settings, camera, observer, block.stop));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // What the Structure tab says.
 
 #include "timeline/search_walk.h"
+#include "view/lesson_panel.h"
+#include "view/lesson_text.h"
 #include "view/state.h"
 #include "view/structure_text.h"
 #include "view/text.h"
@@ -92,6 +94,10 @@ class Words {
 
   void search() {
     if (!sitting_.searches) {
+      if (question_waits(state_)) {
+        panel_.sentence = text(LessonWord::predict_first, language_);
+        return;
+      }
       const int ray = state_.timeline->current_ray(state_.position);
       const bool stub = ray >= 0 && !state_.timeline->rays()[static_cast<std::size_t>(ray)].formed;
       panel_.sentence = say(stub ? StructureText::stub : ray >= 0 ? StructureText::lost : StructureText::no_ray);

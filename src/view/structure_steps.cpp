@@ -1,6 +1,7 @@
 // What the actions of the Structure tab do.
 
 #include "timeline/search_walk.h"
+#include "view/lesson_panel.h"
 #include "view/update_parts.h"
 
 #include <algorithm>
@@ -32,8 +33,9 @@ namespace detail {
 
 namespace {
 
-/// The ray that the line just run speaks of, if it was formed.
+/// The ray that the line just run speaks of, if it was formed. While a lesson asks, its search would tell the answer.
 int ray_in_hand(const State& state) {
+  if (question_waits(state)) return -1;
   const int ray = state.timeline->current_ray(state.position);
   return ray >= 0 && state.timeline->rays()[static_cast<std::size_t>(ray)].formed ? ray : -1;
 }

@@ -12,7 +12,7 @@ using namespace raywalk::test;
 
 namespace {
 
-const std::string camera = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n";
+const std::string camera_lines = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n";
 
 /// `text` after `edit` of the scene in it.
 std::string edited(const std::string& text, const std::function<void(Scene&)>& edit) {
@@ -84,16 +84,16 @@ TEST_CASE("only the number that changed is replaced") {
 }
 
 TEST_CASE("a short form stays short as long as it can") {
-  const std::string text = camera + "background = 0.5 # b\n";
+  const std::string text = camera_lines + "background = 0.5 # b\n";
   CHECK_FALSE(parse_scene(text, ""));  // it would be a key of the camera
-  const std::string good = "background = 0.5 # b\n" + camera;
-  CHECK(edited(good, [](Scene& s) { s.background = Rgbd(0.25); }) == "background = 0.25 # b\n" + camera);
-  CHECK(edited(good, [](Scene& s) { s.background = {0, 0, 1}; }) == "background = [0, 0, 1] # b\n" + camera);
-  CHECK(edited(camera, [](Scene& s) { s.camera.eye = {0, 2, 0}; }) ==
+  const std::string good = "background = 0.5 # b\n" + camera_lines;
+  CHECK(edited(good, [](Scene& s) { s.background = Rgbd(0.25); }) == "background = 0.25 # b\n" + camera_lines);
+  CHECK(edited(good, [](Scene& s) { s.background = {0, 0, 1}; }) == "background = [0, 0, 1] # b\n" + camera_lines);
+  CHECK(edited(camera_lines, [](Scene& s) { s.camera.eye = {0, 2, 0}; }) ==
         "[camera]\neye = [0, 2]\nlook_at = [1, 0]\nfov = 45\n");
-  CHECK(edited(camera, [](Scene& s) { s.camera.eye = {0, 0, 2}; }) ==
+  CHECK(edited(camera_lines, [](Scene& s) { s.camera.eye = {0, 0, 2}; }) ==
         "[camera]\neye = [0, 0, 2]\nlook_at = [1, 0]\nfov = 45\n");
-  CHECK(edited(camera, [](Scene& s) { s.camera.eye = {0, 0, -0.0}; }) ==
+  CHECK(edited(camera_lines, [](Scene& s) { s.camera.eye = {0, 0, -0.0}; }) ==
         "[camera]\neye = [0, 0, -0.0]\nlook_at = [1, 0]\nfov = 45\n");
 }
 
@@ -102,20 +102,22 @@ TEST_CASE("angle and width change places") {
     s.camera.fov.reset();
     s.camera.screen.width = 2.5;
   };
-  CHECK(edited(camera + "[screen]\ncells = 9 # c\n", to_width) ==
+  CHECK(edited(camera_lines + "[screen]\ncells = 9 # c\n", to_width) ==
         "[camera]\neye = [0, 0]\nlook_at = [1, 0]\n[screen]\ncells = 9 # c\nwidth = 2.5\n");
-  CHECK(edited(camera + "\n# the lamp\n[[light]]\nname = \"L\"\ntype = \"point\"\nposition = [1, 1]\n", to_width) ==
-        "[camera]\neye = [0, 0]\nlook_at = [1, 0]\n\n[screen]\nwidth = 2.5\n\n# the lamp\n[[light]]\nname = "
-        "\"L\"\ntype = \"point\"\nposition = [1, 1]\n");
+  CHECK(
+      edited(camera_lines + "\n# the lamp\n[[light]]\nname = \"L\"\ntype = \"point\"\nposition = [1, 1]\n", to_width) ==
+      "[camera]\neye = [0, 0]\nlook_at = [1, 0]\n\n[screen]\nwidth = 2.5\n\n# the lamp\n[[light]]\nname = "
+      "\"L\"\ntype = \"point\"\nposition = [1, 1]\n");
 }
 
 TEST_CASE("keys that were not there are added where they belong") {
-  CHECK(edited("# about\n\n" + camera, [](Scene& s) { s.title = "T"; }) == "# about\n\ntitle = \"T\"\n" + camera);
-  CHECK(edited("# about\n\n  description = \"d\" # d\n" + camera, [](Scene& s) { s.title = "T"; }) ==
-        "# about\n\n  description = \"d\" # d\n  title = \"T\"\n" + camera);
-  CHECK(edited(camera + "# end\n", [](Scene& s) { s.camera.up = {0, 0.5, 1}; }) ==
+  CHECK(edited("# about\n\n" + camera_lines, [](Scene& s) { s.title = "T"; }) ==
+        "# about\n\ntitle = \"T\"\n" + camera_lines);
+  CHECK(edited("# about\n\n  description = \"d\" # d\n" + camera_lines, [](Scene& s) { s.title = "T"; }) ==
+        "# about\n\n  description = \"d\" # d\n  title = \"T\"\n" + camera_lines);
+  CHECK(edited(camera_lines + "# end\n", [](Scene& s) { s.camera.up = {0, 0.5, 1}; }) ==
         "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nup = [0, 0.5, 1]\nfov = 45\n# end\n");
-  CHECK(edited(camera, [](Scene& s) { s.limits.depth = 9; }) == camera + "\n[limits]\ndepth = 9\n");
+  CHECK(edited(camera_lines, [](Scene& s) { s.limits.depth = 9; }) == camera_lines + "\n[limits]\ndepth = 9\n");
 }
 
 TEST_CASE("materials written in every way are edited in that way") {
@@ -124,7 +126,7 @@ TEST_CASE("materials written in every way are edited in that way") {
     s.objects[0].material.reflection = Rgbd(0.5);
     s.objects[0].material.checker = Checker{};
   };
-  const std::string ball = camera + "[[object]]\nname = \"B\"\ntype = \"sphere\"\ncentre = [0, 0]\nradius = 1\n";
+  const std::string ball = camera_lines + "[[object]]\nname = \"B\"\ntype = \"sphere\"\ncentre = [0, 0]\nradius = 1\n";
   const std::string end = "\n# floating\n";
   CHECK(edited(ball + end, edit) == ball + "[object.material]\ndiffuse = 0.25\nreflection = 0.5\nchecker = {}\n" + end);
   CHECK(edited(ball + "[object.material] # m\ndiffuse = 0.5 # d\nspecular = 0.1\n" + end, edit) ==
@@ -149,10 +151,10 @@ TEST_CASE("materials written in every way are edited in that way") {
 
 TEST_CASE("a shape that becomes another keeps its comments and its material") {
   const std::string ball =
-      camera + "\n# mine\n[[object]]\nname = \"B\"\ntype = \"sphere\" # t\ncentre = [0, 0]\nradius = 1\n";
+      camera_lines + "\n# mine\n[[object]]\nname = \"B\"\ntype = \"sphere\" # t\ncentre = [0, 0]\nradius = 1\n";
   const std::string material = "[object.material]\nior = 2 # i\n";
   CHECK(edited(ball + material, [](Scene& s) { s.objects[0].shape = Prism<double>{{{0, 0}, {1, 0}, {1, 1}}, 3}; }) ==
-        camera +
+        camera_lines +
             "\n# mine\n[[object]]\nname = \"B\"\ntype = \"polygon\" # t\ncorners = [[0, 0], [1, 0], [1, 1]]\nheight "
             "= 3\n" +
             material);
@@ -164,7 +166,7 @@ TEST_CASE("objects are added, removed and moved with their own comments") {
            "\"\ntype = \"sphere\"\ncentre = [0, 0]\nradius = 1\n" + more + "# below " + name + "\n";
   };
   const std::string a = object("A"), b = object("B", "[object.material]\nior = 2 # in B\n"), c = object("C");
-  const std::string top = "# top\n" + camera + "\n# --- objects\n\n", end = "\n# end\n";
+  const std::string top = "# top\n" + camera_lines + "\n# --- objects\n\n", end = "\n# end\n";
   const std::string all = top + a + "\n" + b + "\n" + c + end;
   const Object added{"N", Sphere<double>{{1, 1, 0}, 2}, {}};
   const std::string new_text = "[[object]]\nname = \"N\"\ntype = \"sphere\"\ncentre = [1, 1]\nradius = 2\n";
@@ -201,7 +203,7 @@ TEST_CASE("objects are added, removed and moved with their own comments") {
 }
 
 TEST_CASE("corners come and go, the others keep their comments") {
-  const std::string head = camera + "[[object]]\nname = \"P\"\ntype = \"polygon\"\n";
+  const std::string head = camera_lines + "[[object]]\nname = \"P\"\ntype = \"polygon\"\n";
   const auto text = [&](const std::string& corners) { return head + "corners = " + corners + "\n"; };
   const std::string tall = "[ # list\n  [0, 0], # a\n  [2, 0], # b\n  [2, 2], # c\n  [0, 2] # d\n]";
   const auto insert = [](int i, Vec2d corner) {
@@ -229,15 +231,15 @@ TEST_CASE("tables in one list, and other unusual texts") {
   const std::string list =
       "object = [ { name = \"A\", type = \"sphere\", centre = [0, 0], radius = 1 }, # a\n"
       "  { name = \"B\", type = \"sphere\", centre = [3, 0], radius = 1 }, # b\n]\n" +
-      camera;
+      camera_lines;
   CHECK(edited(list, [](Scene& s) { sphere(s, 1).radius = 2; }) ==
         std::string(list).replace(list.rfind("radius = 1"), 10, "radius = 2"));
   CHECK(edited(list, [](Scene& s) { s.objects.erase(s.objects.begin()); }) ==
-        "object = [ { name = \"B\", type = \"sphere\", centre = [3, 0], radius = 1 }, # b\n]\n" + camera);
+        "object = [ { name = \"B\", type = \"sphere\", centre = [3, 0], radius = 1 }, # b\n]\n" + camera_lines);
   const std::string longer =
       edited(list, [](Scene& s) { s.objects.push_back({"C", Sphere<double>{{1, 1, 0}, 2}, {}}); });
   CHECK_THAT(longer, contains("}, # b\n  { name = \"C\""));
-  const std::string lamp = edited("light = []\n" + camera,
+  const std::string lamp = edited("light = []\n" + camera_lines,
                                   [](Scene& s) { s.lights.push_back({"L", Rgbd(1.0), PointLight{{1, 1, 0}, {}}}); });
   CHECK_THAT(lamp, contains("light = [{ name = \"L\", type = \"point\", position = [1, 1] }]\n"));
   CHECK(edited("camera = { eye = [0, 0], look_at = [1, 0], fov = 45 } # c\n", [](Scene& s) {
@@ -263,7 +265,8 @@ TEST_CASE("line ends, byte order mark and a missing last newline") {
                }) ==
         "\xef\xbb\xbftitle = \"T\"\r\n# top\r\n[camera]\r\neye = [0, 0]\r\nlook_at = [1, 0]\r\nfov = 50 # f\r\n\r\n"
         "[limits]\r\ndepth = 3\r\n");
-  CHECK(edited(camera + "# end", [](Scene& s) { s.limits.depth = 3; }) == camera + "# end\n\n[limits]\ndepth = 3\n");
+  CHECK(edited(camera_lines + "# end", [](Scene& s) { s.limits.depth = 3; }) ==
+        camera_lines + "# end\n\n[limits]\ndepth = 3\n");
 }
 
 TEST_CASE("a text that is no scene gives way to a new one") {
@@ -306,7 +309,7 @@ TEST_CASE("a scene that is too large for our format is said to be, not the file 
 
 TEST_CASE("saving makes the text what was written") {
   const TemporaryFolder folder;
-  auto document = parse_scene(camera + "# end\n", "test.toml");
+  auto document = parse_scene(camera_lines + "# end\n", "test.toml");
   REQUIRE(document);
   document->scene.title = "Saved";
   REQUIRE(write_scene(*document, folder.file("saved.toml")));
