@@ -76,8 +76,11 @@ void Browser::begin(const State& state, const std::string& home) {
   if (asking_ == PathPrompt::save_predictions) typed_ = "predictions.csv";
   if (asking_ == PathPrompt::export_walk) {
     const LessonSitting& lessons = state.lessons;
-    typed_ = lessons.open ? lessons.open->lesson.name : state.path.empty() ? "walk" : current.stem().string();
-    typed_ = with_ending(typed_, lessons.open && lessons.presenter ? ExportKind::script : ExportKind::slides);
+    typed_ = lessons.open ? lessons.open->lesson.name : state.path.empty() ? "walk" : current.filename().string();
+    // A presenter asks for the script, by its button; others begin with slides.
+    export_asked_.reset();
+    if (lessons.open && lessons.presenter) export_asked_ = ExportKind::script;
+    typed_ = with_ending(typed_, export_asked_.value_or(ExportKind::slides));
   }
   focus_typed_ = true;
 }
@@ -87,8 +90,17 @@ void Browser::go_to(const std::string& folder) {
   listing_ = list_folder(folder);
 }
 
-void Browser::accept(const Ui& ui) const {
+ExportKind Browser::kind() const {
+  return export_asked_ ? *export_asked_ : export_kind_of(typed_).value_or(ExportKind::slides);
+}
+
+std::string Browser::name() const {
+  return asking_ != PathPrompt::export_walk || export_kind_of(typed_) == kind() ? typed_ : with_ending(typed_, kind());
+}
+
+void Browser::accept(const Ui& ui) {
   if (typed_.empty()) return;
+  typed_ = name();
   const fs::path typed(typed_);
   const std::string path = typed.is_absolute() ? typed_ : (fs::path(folder_) / typed).string();
   if (asking_ == PathPrompt::open) ui.act(action::Open{path});
@@ -147,7 +159,7 @@ void Browser::kinds(const Ui& ui) {
     }
     return {};
   };
-  const std::optional<ExportKind> chosen = export_kind_of(typed_);
+  const ExportKind chosen = kind();
   // The script of a lesson stands last: without one it is not to be had.
   const std::size_t shown = kinds_of_export.size() - (ui.state.lessons.open ? 0 : 1);
   const float gap = ui.px(6), count = static_cast<float>(shown);
@@ -158,9 +170,15 @@ void Browser::kinds(const Ui& ui) {
     if (&each != &kinds_of_export.front()) ImGui::SameLine(0, gap);
     if (button(ui, "export" + std::string(each.ending), ui.say(of.label), ui.say(of.hint), extent, look,
                chosen == each.kind))
-      typed_ = with_ending(typed_, each.kind);
+      export_asked_ = each.kind, typed_ = name();
   }
-  label(ui.colours.dim_text, chosen ? ui.say(words(*chosen).hint) : std::string(" "));
+  const std::string file = fs::path(name()).filename().string();
+  if (typed_.empty() || typed_ == name()) {
+    label(ui.colours.dim_text, ui.say(words(chosen).hint));
+  } else {
+    label(ui.colours.text, ui.say(WindowText::export_as, {file}));
+    ui.publish("export-as");
+  }
 }
 
 void Browser::draw(const Ui& ui, const std::string& home) {

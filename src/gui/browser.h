@@ -26,11 +26,16 @@ class Browser {
   void begin(const State& state, const std::string& home);
   void go_to(const std::string& folder);
   void entries(const Ui& ui, float height);
-  /// What an export is to be: the buttons give the name its ending.
+  /// What an export is to be: as was asked for, else as the name's ending says.
+  [[nodiscard]] ExportKind kind() const;
+  /// What was typed, with the ending of an export's kind.
+  [[nodiscard]] std::string name() const;
+  /// A button for each kind, and what comes of the one that is chosen.
   void kinds(const Ui& ui);
-  void accept(const Ui& ui) const;
+  void accept(const Ui& ui);
 
   PathPrompt asking_ = PathPrompt::none;
+  std::optional<ExportKind> export_asked_;  ///< stays, whatever ending is typed
   std::string folder_, typed_;
   FolderListing listing_;
   bool focus_typed_ = false;

@@ -86,6 +86,8 @@ enum class WindowText {
   key_space,
   reading_scene,  ///< {0} file
   key_other,      ///< {0} number
+  export_as,      ///< {0} the name of a file, with the ending of its kind
+  film_progress,  ///< {0} frame, {1} of so many
 };
 
 [[nodiscard]] std::string_view english(WindowText id);

@@ -168,6 +168,10 @@ std::string_view english(WindowText id) {
       return "Reading {0} \u2026";
     case WindowText::key_other:
       return "key {0}";
+    case WindowText::export_as:
+      return "Will be written as {0}";
+    case WindowText::film_progress:
+      return "Film: frame {0} of {1}, Esc ends it here";
   }
   return {};
 }

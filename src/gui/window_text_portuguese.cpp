@@ -168,6 +168,10 @@ std::string_view portuguese(WindowText id) {
       return "Lendo {0} \u2026";
     case WindowText::key_other:
       return "tecla {0}";
+    case WindowText::export_as:
+      return "Será gravado como {0}";
+    case WindowText::film_progress:
+      return "Filme: quadro {0} de {1}, Esc termina aqui";
   }
   return {};
 }

@@ -63,7 +63,7 @@ Result<std::string> exported(const State& state, ExportKind kind) {
 }
 
 /// Of a path, the longest that fits; null for others.
-const ExportEnding* ending_of(std::string_view path) {
+const ExportEnding* ending_in(std::string_view path) {
   std::string name = std::filesystem::path(path).filename().string();
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const ExportEnding* best = nullptr;
@@ -74,20 +74,32 @@ const ExportEnding* ending_of(std::string_view path) {
   return best;
 }
 
+/// How long the ending is that another program's file would have: a few letters and digits. "1. Casting" has none.
+std::size_t foreign_ending(const std::string& path) {
+  constexpr std::size_t most = 5;  // with its point
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const auto is = [](int (*what)(int)) { return [what](char c) { return what(static_cast<unsigned char>(c)) != 0; }; };
+  const bool fits = ending.size() > 1 && ending.size() <= most && is(std::isalpha)(ending[1]);
+  return fits && std::all_of(ending.begin() + 1, ending.end(), is(std::isalnum)) ? ending.size() : 0;
+}
+
 }  // namespace
 
 std::optional<ExportKind> export_kind_of(std::string_view path) {
-  const ExportEnding* ending = ending_of(path);
+  const ExportEnding* ending = ending_in(path);
   return ending == nullptr ? std::nullopt : std::optional(ending->kind);
 }
 
 std::string with_ending(const std::string& path, ExportKind kind) {
-  const auto wanted = std::find_if(kinds_of_export.begin(), kinds_of_export.end(),
-                                   [&](const ExportEnding& each) { return each.kind == kind; });
-  const ExportEnding* has = ending_of(path);
-  const std::string stem = has == nullptr ? std::filesystem::path(path).replace_extension().string()
-                                          : path.substr(0, path.size() - has->ending.size());
-  return stem + std::string(wanted->ending);
+  const std::string ending(std::find_if(kinds_of_export.begin(), kinds_of_export.end(), [&](const ExportEnding& each) {
+                             return each.kind == kind;
+                           })->ending);
+  const ExportEnding* has = ending_in(path);
+  std::string stem = path.substr(0, path.size() - (has != nullptr ? has->ending.size() : foreign_ending(path)));
+  // What is left may make a longer ending of a shorter one: notes.script and .html.
+  while (export_kind_of(stem + ending).value_or(kind) != kind)
+    stem.resize(stem.size() - std::filesystem::path(stem).extension().string().size());
+  return stem + ending;
 }
 
 std::vector<int> film_positions(const State& state) {
@@ -133,10 +145,13 @@ namespace raywalk::detail {
 void export_over(State& state, const std::string& path) {
   const ExportKind kind = *export_kind_of(path);
   if (kind == ExportKind::picture || kind == ExportKind::film) {
-    // The window is shown as it is meant to be seen, without the dialog.
+    // The window is shown as it is meant to be seen, without the dialog and without what the pointer points out.
     state.prompt = PathPrompt::none;
     state.notice.reset();
     state.playing = false;
+    state.pointer.reset();
+    state.hovered_line.reset();
+    hover(state);
     if (kind == ExportKind::film) state.mode = Mode::trace;
     state.window_export = WindowExport{kind, path};
     return;

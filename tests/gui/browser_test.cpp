@@ -108,6 +108,79 @@ TEST_CASE("an export's kinds can be seen, and give the name its ending") {
   }
 }
 
+TEST_CASE("a kind of export that was asked for stays, whatever is typed, and the name follows in sight") {
+  const Scenes scenes;
+  const std::string root = RAYWALK_SOURCE_DIR;
+  for (const Language language : all_languages) {
+    State state = classic();
+    state.language = language;
+    state.lessons.folder = root + "/lessons";
+    state.lessons.scenes_folder = root + "/scenes";
+    update(state, action::SetLessonOptions{true, false});
+    update(state, action::OpenLesson{"05-refraction"});
+    REQUIRE(state.lessons.open);
+    Bench bench(std::move(state));
+    for (const ExportEnding& asked : kinds_of_export) {
+      for (const ExportEnding& typed : kinds_of_export) {
+        CAPTURE(asked.ending, typed.ending);
+        bench.obedient = true;
+        update(bench.state, action::CancelPrompt{});
+        bench.frames(2);
+        update(bench.state, action::AskExport{});
+        bench.frames(4);
+        // The script is what a presenter's dialog begins with, as its button asks.
+        if (asked.kind != ExportKind::script) {
+          bench.click("export" + std::string(asked.ending));
+          bench.click("browser-path");
+        }
+        bench.type(scenes / ("walk" + std::string(typed.ending)));
+        CHECK(bench.has("export-as") == (asked.kind != typed.kind));
+        bench.obedient = false;
+        bench.enter();
+        REQUIRE(bench.last<action::Export>() != nullptr);
+        CHECK(bench.last<action::Export>()->path == scenes / ("walk" + std::string(asked.ending)));
+      }
+    }
+  }
+}
+
+TEST_CASE("until a kind is asked for the name's ending says what") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "b.toml", action::AskExport{}));
+  bench.frames(4);
+  bench.type("walk.svg");
+  bench.frames();
+  CHECK_FALSE(bench.has("export-as"));
+  bench.obedient = false;
+  bench.enter();
+  REQUIRE(bench.last<action::Export>() != nullptr);
+  CHECK(bench.last<action::Export>()->path == scenes / "walk.svg");
+  bench.click("export.gif");
+  bench.click("browser-path");
+  bench.type("walk.png");
+  bench.frames();
+  CHECK(bench.has("export-as"));
+  bench.click("browser-accept");
+  CHECK(bench.last<action::Export>()->path == scenes / "walk.gif");
+}
+
+TEST_CASE("a name that is there once its ending is right is written over only when that is said") {
+  const Scenes scenes;
+  scenes.put("walk.txt", "mine");
+  Bench bench(asking(scenes / "b.toml", action::AskExport{}));
+  bench.frames(4);
+  bench.click("export.txt");
+  bench.click("browser-path");
+  bench.type("walk.html");
+  bench.enter();
+  REQUIRE(bench.state.question);
+  CHECK(bench.state.question->path == scenes / "walk.txt");
+  update(bench.state, action::AnswerQuestion{action::Answer::cancel});
+  bench.frames(4);
+  bench.click("browser-accept");  // the dialog shows the name that it asked about
+  CHECK(bench.state.question);
+}
+
 TEST_CASE("the dialog is taken back by its button and by Escape, also while a path is typed") {
   const Scenes scenes;
   Bench bench(asking(scenes / "a.toml", action::AskOpen{}));

@@ -63,6 +63,21 @@ TEST_CASE("the ending says what is written") {
   CHECK(state.notice->kind == Notice::Kind::error);
 }
 
+TEST_CASE("whatever a name ends in, with the ending of a kind it is of that kind") {
+  for (const ExportEnding& wanted : kinds_of_export) {
+    CAPTURE(wanted.ending);
+    for (const ExportEnding& typed : kinds_of_export) {
+      for (const std::string stem : {"notes", "notes.script", "notes.html", "notes.script.script", "notes.v2", "n"}) {
+        CAPTURE(stem, typed.ending);
+        const std::string path = with_ending("a.script/" + stem + std::string(typed.ending), wanted.kind);
+        CHECK(export_kind_of(path) == wanted.kind);
+        CHECK(with_ending(path, wanted.kind) == path);
+        CHECK(path.starts_with("a.script/n"));
+      }
+    }
+  }
+}
+
 TEST_CASE("the script of the open lesson is written, and without one it is said what is missing") {
   const TemporaryFolder folder;
   State state = walked();
@@ -73,6 +88,9 @@ TEST_CASE("the script of the open lesson is written, and without one it is said 
   CHECK(with_ending("a/notes.script.html", ExportKind::plan) == "a/notes.svg");
   CHECK(with_ending("a/notes.pdf", ExportKind::script) == "a/notes.script.html");
   CHECK(with_ending("a.b/notes", ExportKind::slides) == "a.b/notes.html");
+  // What follows a point in a name is not always an ending.
+  CHECK(with_ending("a/1. Casting", ExportKind::film) == "a/1. Casting.gif");
+  CHECK(with_ending("lesson 2.5", ExportKind::plan) == "lesson 2.5.svg");
   update(state, action::Export{path});
   REQUIRE(state.notice);
   CHECK(state.notice->text.find("F2") != std::string::npos);
