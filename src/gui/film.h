@@ -17,6 +17,8 @@ class WalkFilm {
 
   /// What the next frame is to show.
   [[nodiscard]] int position() const { return positions_[next_]; }
+  [[nodiscard]] std::size_t taken() const { return next_; }
+  [[nodiscard]] std::size_t frames() const { return positions_.size(); }
   [[nodiscard]] int begun_at() const { return positions_.front(); }
   /// The window as it shows position(). Whether a further frame follows; a window of another size ends the film.
   bool take(const Image& window);

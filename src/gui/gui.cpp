@@ -8,6 +8,7 @@
 #include "gui/session.h"
 #include "gui/style.h"
 #include "gui/window.h"
+#include "gui/window_text.h"
 #include "io/file.h"
 #include "view/action_text.h"
 
@@ -203,7 +204,7 @@ class Loop {
     }
     if (!film_) film_.emplace(state_);
     act(action::Jump{film_->position()});
-    frame(nullptr);
+    frame(nullptr, false);
     frame(&picture);
     if (!film_->take(picture)) finish_film();
   }
@@ -231,10 +232,10 @@ class Loop {
     styled_theme_ = state_.theme;
   }
 
-  void frame(Image* picture) {
+  void frame(Image* picture, bool seen = true) {
     rescale();
     --frames_due_;
-    window_.begin_frame(!wants_picture());
+    window_.begin_frame(!wants_picture() && !state_.window_export);
     const ImageSize size = image_.preview().size();
     const Picture shown{texture_.id(),
                         size.width,
@@ -248,12 +249,21 @@ class Loop {
                         costs_texture_.id()};
     interface_.draw(state_, fonts_, unit(), dpi(), shown);
     const Colour ground = palette(state_.theme).window;
-    window_.end_frame(
-        {static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255, static_cast<float>(ground.b) / 255},
-        picture);
+    if (seen) {
+      window_.end_frame(
+          {static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255, static_cast<float>(ground.b) / 255},
+          picture);
+    } else {
+      window_.end_frame_unseen();
+    }
     if (frames_drawn_++ == 0) first_frame_ = seconds_between(begun_, Clock::now());
     apply();
-    if (const std::string title = document_title(state_) + " \u2013 Raywalk"; title != title_) {
+    // How far a film has come stands where it is not in the picture.
+    std::string title = document_title(state_);
+    if (film_)
+      title = fill(WindowText::film_progress, state_.language,
+                   {std::to_string(film_->taken() + 1), std::to_string(film_->frames())});
+    if (title += " \u2013 Raywalk"; title != title_) {
       window_.set_title(title);
       title_ = title;
     }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <iterator>
 #include <utility>
 
 #ifndef GL_CLAMP_TO_EDGE
@@ -256,11 +257,15 @@ void Window::begin_frame(bool with_pointer) {
 #if IMGUI_VERSION_NUM >= 18700
     ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
 #else
-    ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
 #endif
   }
   ImGui::NewFrame();
 }
+
+void Window::end_frame_unseen() { ImGui::EndFrame(); }
 
 void Window::end_frame(const float (&background)[3], Image* picture) {
   ImGui::Render();

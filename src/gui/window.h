@@ -59,11 +59,13 @@ class Window {
   /// Makes the font atlas known to the graphics card after it was rebuilt.
   void upload_fonts();
 
-  /// `with_pointer` false: as if the pointer were nowhere, for pictures.
+  /// `with_pointer` false: as if the pointer were nowhere and none of its buttons down, for pictures.
   void begin_frame(bool with_pointer = true);
   /// Draws what ImGui has, on `background` (sRGB, 0..1), and shows it. `picture`: where to copy the window to, if
   /// anywhere.
   void end_frame(const float (&background)[3], Image* picture = nullptr);
+  /// In place of end_frame: a frame that nobody is to see, after which things stand where they belong.
+  void end_frame_unseen();
 
  private:
   Window() = default;
