@@ -20,12 +20,13 @@ AcceleratorKind resolve(AcceleratorKind kind, const Boxes<T>& boxes, const Primi
 }  // namespace
 
 template <class T>
-Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind) : primitives_(std::move(primitives)) {
+Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind, const Stop& stop)
+    : primitives_(std::move(primitives)) {
   const auto begin = std::chrono::steady_clock::now();
-  Boxes<T> boxes(primitives_);
-  primitives_.find_equals(boxes.boxes);
+  Boxes<T> boxes(primitives_, stop);
+  primitives_.find_equals(boxes.boxes, stop);
   kind_ = resolve(kind, boxes, primitives_);
-  structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_)});
+  structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_, {stop})});
   if (kind_ == AcceleratorKind::none)
     boxes_ = std::move(boxes.boxes);
   else

@@ -3,6 +3,7 @@
 
 #include "accel/query.h"
 #include "accel/shaft.h"
+#include "math/stop.h"
 
 #include <array>
 #include <memory>
@@ -54,10 +55,12 @@ struct ShadowHints {
 template <class T>
 class Accelerator {
  public:
-  explicit Accelerator(Primitives<T> primitives, AcceleratorKind kind = AcceleratorKind::automatic);
+  /// `stop` may end the build: it throws Stopped then.
+  explicit Accelerator(Primitives<T> primitives, AcceleratorKind kind = AcceleratorKind::automatic,
+                       const Stop& stop = {});
 
-  /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive or
-  /// StopsShadows.
+  /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive,
+  /// StopsShadows or OfBodies.
   template <class AnyRay = Ray<T>, class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 

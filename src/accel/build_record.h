@@ -2,6 +2,7 @@
 // How an accelerator was built, and what it is made of, as plain values for whoever wants to see it.
 
 #include "math/bounds.h"
+#include "math/stop.h"
 
 #include <array>
 #include <cstddef>
@@ -65,6 +66,12 @@ struct BuildRecord {
   void add(BuildStep step) {
     if (++steps_made <= most) steps.push_back(std::move(step));
   }
+};
+
+/// What a build is given beside its boxes.
+struct Build {
+  Stop stop{};
+  BuildRecord* watcher = nullptr;  ///< is told how it goes, where there is one
 };
 
 }  // namespace raywalk

@@ -22,13 +22,13 @@ namespace raywalk {
 template <class T>
 class Bvh {
  public:
-  explicit Bvh(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) : ids_(boxes.bounded) {
+  explicit Bvh(const Boxes<T>& boxes, const Build& build = {}) : ids_(boxes.bounded) {
     if (ids_.empty()) return;
     std::vector<Half> halves;
     halves.reserve(2 * ids_.size());
     halves.push_back({boxes.whole, 0, static_cast<int>(ids_.size())});
-    split(halves, 0, boxes, 0, watcher);
-    widen(halves, 0, 0, watcher);
+    split(halves, 0, boxes, 0, build);
+    widen(halves, 0, 0, build);
     nodes_.shrink_to_fit();
   }
 
@@ -178,7 +178,8 @@ class Bvh {
   }
 
   /// Makes a wide node of the binary one at `index` and of all below it; returns its place.
-  std::int32_t widen(const std::vector<Half>& halves, int index, int depth, BuildRecord* watcher) {
+  std::int32_t widen(const std::vector<Half>& halves, int index, int depth, const Build& build) {
+    build.stop.check();
     // The largest box is opened, until there are four or only leaves.
     std::array<int, 4> open{index};
     std::size_t count = 1;
@@ -197,20 +198,20 @@ class Bvh {
     depth_ = std::max(depth_, depth);
     const auto place = nodes_.size();
     nodes_.emplace_back();
-    if (watcher != nullptr) {
+    if (build.watcher != nullptr) {
       BuildStep step{.kind = BuildStep::Kind::joined, .box = wide(halves[static_cast<std::size_t>(index)].box)};
       step.depth = depth, step.items = static_cast<int>(count);
       for (std::size_t i = 0; i < count; ++i) {
         const Half& half = halves[static_cast<std::size_t>(open[i])];
         step.parts.push_back({wide(half.box), half.count});
       }
-      watcher->add(std::move(step));
+      build.watcher->add(std::move(step));
     }
     for (std::size_t i = 0; i < count; ++i) {
       const Half& half = halves[static_cast<std::size_t>(open[i])];
       nodes_[place].boxes.set(i, half.box);
       const Child child =
-          half.leaf() ? Child{half.first, half.count} : Child{widen(halves, open[i], depth + 1, watcher), 0};
+          half.leaf() ? Child{half.first, half.count} : Child{widen(halves, open[i], depth + 1, build), 0};
       nodes_[place].children[i] = child;
     }
     return static_cast<std::int32_t>(place);
@@ -228,17 +229,17 @@ class Bvh {
     return size.x * size.y + size.y * size.z + size.z * size.x;
   }
 
-  void split(std::vector<Half>& halves, int index, const Boxes<T>& boxes, int depth, BuildRecord* watcher) {
+  void split(std::vector<Half>& halves, int index, const Boxes<T>& boxes, int depth, const Build& build) {
     const Half node = halves[static_cast<std::size_t>(index)];
     std::optional<BuildStep> told;
-    if (watcher != nullptr) {
+    if (build.watcher != nullptr) {
       told = {.kind = BuildStep::Kind::leaf, .box = wide(node.box), .depth = depth};
       told->items = node.count;
     }
     const auto tell_leaf = [&](LeafReason why) {
       if (!told) return;
       told->why = why;
-      watcher->add(std::move(*told));
+      build.watcher->add(std::move(*told));
     };
     if (node.count == 1 || depth == max_depth - 1)
       return tell_leaf(node.count == 1 ? LeafReason::single : LeafReason::too_deep);
@@ -246,7 +247,7 @@ class Bvh {
     const auto centre = [&](int id, int axis) { return (boxes.box(id).min[axis] + boxes.box(id).max[axis]) / 2; };
 
     Bounds<T> centres;
-    for (auto id = begin; id != end; ++id) centres.include(Vec3<T>(centre(*id, 0), centre(*id, 1), centre(*id, 2)));
+    build.stop.each(begin, end, [&](int id) { centres.include(Vec3<T>(centre(id, 0), centre(id, 1), centre(id, 2))); });
 
     // The cheapest plane of all axes; the cost of a split is the areas weighted with the primitives behind them.
     T best_cost = infinity<T>;
@@ -259,11 +260,11 @@ class Bvh {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(centres.max[axis] > centres.min[axis])) continue;
       std::array<Bin, bins> bin{};
-      for (auto id = begin; id != end; ++id) {
-        Bin& into = bin[static_cast<std::size_t>(bin_of(*id, axis))];
-        into.box.include(boxes.box(*id));
+      build.stop.each(begin, end, [&](int id) {
+        Bin& into = bin[static_cast<std::size_t>(bin_of(id, axis))];
+        into.box.include(boxes.box(id));
         ++into.count;
-      }
+      });
       std::array<T, bins> below{};  // cost of bins 0..i
       Bin sum;
       for (std::size_t i = 0; i + 1 < bins; ++i) {
@@ -308,10 +309,10 @@ class Bvh {
         const Half& half = halves[static_cast<std::size_t>(side)];
         told->parts.push_back({wide(half.box), half.count});
       }
-      watcher->add(std::move(*told));
+      build.watcher->add(std::move(*told));
     }
-    split(halves, left, boxes, depth + 1, watcher);
-    split(halves, left + 1, boxes, depth + 1, watcher);
+    split(halves, left, boxes, depth + 1, build);
+    split(halves, left + 1, boxes, depth + 1, build);
   }
 
   template <class Iterator>

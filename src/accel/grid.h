@@ -18,7 +18,7 @@ namespace raywalk {
 template <class T>
 class Grid {
  public:
-  explicit Grid(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) {
+  explicit Grid(const Boxes<T>& boxes, const Build& build = {}) {
     if (boxes.bounded.empty()) return;
     box_ = boxes.whole;
     const Vec3<T> size = box_.max - box_.min;
@@ -34,8 +34,8 @@ class Grid {
       const T cells = size[axis] > longest * T(1e-4) ? std::ceil(size[axis] / cell) : T(1);
       cells_[axis] = static_cast<int>(std::clamp(cells, T(1), T(max_cells)));
     }
-    fill(boxes);
-    if (watcher != nullptr) tell_build(*watcher, boxes);
+    fill(boxes, build.stop);
+    if (build.watcher != nullptr) tell_build(*build.watcher, boxes);
   }
 
   template <class AnyRay, class Query>
@@ -160,13 +160,19 @@ class Grid {
   }
 
   /// Counts, then places: all cells' lists lie one after the other.
-  void fill(const Boxes<T>& boxes) {
+  void fill(const Boxes<T>& boxes, const Stop& stop) {
     starts_.assign(index(cells_.x - 1, cells_.y - 1, cells_.z - 1) + 2, 0);
-    for (const int id : boxes.bounded) for_cells(boxes.box(id), [&](std::size_t cell) { ++starts_[cell + 1]; });
+    for (const int id : boxes.bounded) {
+      stop.check();
+      for_cells(boxes.box(id), [&](std::size_t cell) { ++starts_[cell + 1]; });
+    }
     for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
     ids_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (const int id : boxes.bounded) for_cells(boxes.box(id), [&](std::size_t cell) { ids_[next[cell]++] = id; });
+    for (const int id : boxes.bounded) {
+      stop.check();
+      for_cells(boxes.box(id), [&](std::size_t cell) { ids_[next[cell]++] = id; });
+    }
   }
 
   void tell_build(BuildRecord& watcher, const Boxes<T>& boxes) const {

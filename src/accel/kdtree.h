@@ -18,13 +18,13 @@ namespace raywalk {
 template <class T>
 class KdTree {
  public:
-  explicit KdTree(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) {
+  explicit KdTree(const Boxes<T>& boxes, const Build& build = {}) {
     if (boxes.bounded.empty()) return;
     box_ = boxes.whole;
     const int count = static_cast<int>(boxes.bounded.size());
     limit_ = std::min(max_depth, static_cast<int>(8 + 1.3 * std::log2(count)));
     nodes_.emplace_back();
-    split(0, boxes.bounded, box_, boxes, 0, 0, watcher);
+    split(0, boxes.bounded, box_, boxes, 0, 0, build);
   }
 
   template <class AnyRay, class Query>
@@ -138,7 +138,7 @@ class KdTree {
   }
 
   void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const Boxes<T>& boxes, int depth,
-             int bad_cuts, BuildRecord* watcher) {
+             int bad_cuts, const Build& build) {
     depth_ = std::max(depth_, depth);
     constexpr T cost_of_node = T(0.8), bonus_for_empty = T(0.2);
     const T count = static_cast<T>(ids.size()), area = half_area(box);
@@ -148,15 +148,15 @@ class KdTree {
     if (ids.size() > 1 && depth < limit_ && area > 0) {
       for (int axis = 0; axis < 3; ++axis) {
         faces.clear();
-        for (const int id : ids) {
+        build.stop.each(ids.begin(), ids.end(), [&](int id) {
           faces.push_back({boxes.box(id).min[axis], true});
           faces.push_back({boxes.box(id).max[axis], false});
-        }
-        std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+        });
+        build.stop.sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
           return a.place < b.place || (a.place == b.place && a.begins && !b.begins);
         });
         T below = 0, above = count;
-        for (const Face& face : faces) {
+        build.stop.each(faces.begin(), faces.end(), [&](const Face& face) {
           if (!face.begins) above -= 1;
           if (face.place > box.min[axis] && face.place < box.max[axis]) {
             Bounds<T> low = box, high = box;
@@ -166,12 +166,12 @@ class KdTree {
             if (cost < best_cost) best_cost = cost, best_axis = axis, plane = face.place;
           }
           if (face.begins) below += 1;
-        }
+        });
       }
     }
     if (best_cost > count) ++bad_cuts;
     std::optional<BuildStep> told;
-    if (watcher != nullptr) {
+    if (build.watcher != nullptr) {
       told = {.kind = BuildStep::Kind::leaf, .box = wide(box), .depth = depth};
       told->items = static_cast<int>(ids.size());
       if (best_axis != leaf)
@@ -183,7 +183,7 @@ class KdTree {
                     : depth >= limit_   ? LeafReason::too_deep
                     : best_axis == leaf ? LeafReason::same_place
                                         : LeafReason::dearer;
-        watcher->add(std::move(*told));
+        build.watcher->add(std::move(*told));
       }
       nodes_[index].first = static_cast<std::uint32_t>(ids_.size());
       nodes_[index].count = static_cast<std::uint32_t>(ids.size());
@@ -191,23 +191,23 @@ class KdTree {
       return;
     }
     std::vector<int> low_ids, high_ids;
-    for (const int id : ids) {
+    build.stop.each(ids.begin(), ids.end(), [&](int id) {
       if (boxes.box(id).min[best_axis] <= plane) low_ids.push_back(id);
       if (boxes.box(id).max[best_axis] >= plane) high_ids.push_back(id);
-    }
+    });
     Bounds<T> low = box, high = box;
     low.max[best_axis] = high.min[best_axis] = plane;
     if (told) {
       told->kind = BuildStep::Kind::split;
       told->axis = best_axis, told->plane = static_cast<double>(plane);
       told->parts = {{wide(low), static_cast<int>(low_ids.size())}, {wide(high), static_cast<int>(high_ids.size())}};
-      watcher->add(std::move(*told));
+      build.watcher->add(std::move(*told));
     }
     const std::size_t first = nodes_.size();
     nodes_.resize(first + 2);
     nodes_[index] = {plane, best_axis, static_cast<std::uint32_t>(first), 0};
-    split(first, low_ids, low, boxes, depth + 1, bad_cuts, watcher);
-    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts, watcher);
+    split(first, low_ids, low, boxes, depth + 1, bad_cuts, build);
+    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts, build);
   }
 
   Bounds<T> box_;

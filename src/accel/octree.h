@@ -16,10 +16,10 @@ namespace raywalk {
 template <class T>
 class Octree {
  public:
-  explicit Octree(const Boxes<T>& boxes, BuildRecord* watcher = nullptr) {
+  explicit Octree(const Boxes<T>& boxes, const Build& build = {}) {
     if (boxes.bounded.empty()) return;
     nodes_.push_back({boxes.whole, 0, 0, false});
-    split(0, boxes.bounded, boxes, 0, watcher);
+    split(0, boxes.bounded, boxes, 0, build);
   }
 
   template <class AnyRay, class Query>
@@ -91,7 +91,7 @@ class Octree {
     for (std::uint32_t i = 0; node.inner && i < node.count; ++i) tell_nodes(nodes, most, node.first + i, depth + 1);
   }
 
-  void split(std::size_t index, const std::vector<int>& ids, const Boxes<T>& boxes, int depth, BuildRecord* watcher) {
+  void split(std::size_t index, const std::vector<int>& ids, const Boxes<T>& boxes, int depth, const Build& build) {
     depth_ = std::max(depth_, depth);
     const Bounds<T> box = nodes_[index].box;
     const Vec3<T> middle = box.min + (box.max - box.min) / T(2);
@@ -103,21 +103,22 @@ class Octree {
         cubes[octant] = box;
         for (int axis = 0; axis < 3; ++axis)
           ((octant >> axis & 1) != 0 ? cubes[octant].min : cubes[octant].max)[axis] = middle[axis];
-        for (const int id : ids)
+        build.stop.each(ids.begin(), ids.end(), [&](int id) {
           if (overlap(boxes.box(id), cubes[octant])) parts[octant].push_back(id);
+        });
         references += parts[octant].size();
       }
     }
     // Cutting through things that fill the cube only copies them: stop when most primitives land in most octants.
     if (references == 0 || references > 4 * ids.size()) {
-      if (watcher != nullptr) {
+      if (build.watcher != nullptr) {
         BuildStep step{.kind = BuildStep::Kind::leaf, .box = wide(box), .depth = depth};
         step.items = static_cast<int>(ids.size());
         step.why = ids.size() <= 1          ? LeafReason::single
                    : ids.size() <= max_leaf ? LeafReason::few
                    : depth >= max_depth     ? LeafReason::too_deep
                                             : LeafReason::no_gain;
-        watcher->add(std::move(step));
+        build.watcher->add(std::move(step));
       }
       nodes_[index].first = static_cast<std::uint32_t>(ids_.size());
       nodes_[index].count = static_cast<std::uint32_t>(ids.size());
@@ -134,15 +135,15 @@ class Octree {
     nodes_[index].first = static_cast<std::uint32_t>(first);
     nodes_[index].count = static_cast<std::uint32_t>(nodes_.size() - first);
     nodes_[index].inner = true;
-    if (watcher != nullptr) {
+    if (build.watcher != nullptr) {
       BuildStep step{.kind = BuildStep::Kind::eight, .box = wide(box), .depth = depth};
       step.items = static_cast<int>(ids.size());
       for (std::size_t octant = 0; octant < 8; ++octant)
         if (!parts[octant].empty()) step.parts.push_back({wide(cubes[octant]), static_cast<int>(parts[octant].size())});
-      watcher->add(std::move(step));
+      build.watcher->add(std::move(step));
     }
     for (std::size_t octant = 0; octant < 8; ++octant)
-      if (!parts[octant].empty()) split(child[octant], parts[octant], boxes, depth + 1, watcher);
+      if (!parts[octant].empty()) split(child[octant], parts[octant], boxes, depth + 1, build);
   }
 
   static bool overlap(const Bounds<T>& a, const Bounds<T>& b) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 
 namespace raywalk {
 
@@ -68,14 +69,15 @@ bool Primitives<T>::equal(int a, int b) const {
 }
 
 template <class T>
-void Primitives<T>::find_equals(const std::vector<Bounds<T>>& boxes) {
+void Primitives<T>::find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop) {
   // Equal primitives have equal boxes, so that only those of one key are compared.
   std::vector<std::pair<std::uint64_t, std::int32_t>> order;
   order.reserve(boxes.size());
   for (int id = 0; id < size(); ++id) order.emplace_back(key_of(boxes[static_cast<std::size_t>(id)]), id);
-  std::sort(order.begin(), order.end());
+  stop.sort(order.begin(), order.end(), std::less<>());
   std::vector<std::int32_t> different;  // of the present key, the lowest id of each distinct primitive
   for (std::size_t i = 0; i < order.size(); ++i) {
+    stop.check();
     const auto [key, id] = order[i];
     const bool is_new_key = i == 0 || key != order[i - 1].first;
     if (is_new_key) different.clear();

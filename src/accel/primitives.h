@@ -2,6 +2,7 @@
 
 #include "accel/triangles.h"
 #include "math/motion.h"
+#include "math/stop.h"
 #include "shape/naive.h"
 
 #include <cmath>
@@ -82,7 +83,7 @@ class Primitives {
     return first_equal_.empty() ? id : first_equal_[static_cast<std::size_t>(id)];
   }
   /// Makes `first_equal` known, in time n log n. `boxes` are those of all primitives.
-  void find_equals(const std::vector<Bounds<T>>& boxes);
+  void find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop = {});
 
   /// Nearest crossing in (0, t_max) of the ray with one primitive, in the ray's own t. For one of many tests of a ray,
   /// what triangles need of it may have been computed already: `sheared`, where no triangle moves.
@@ -153,6 +154,11 @@ class Primitives {
     if (id < shape_count()) return std::nullopt;
     return smooth_normal_of_triangle(id, at, time);
   }
+  /// The same as the mesh gives it, whichever side that is.
+  [[nodiscard]] std::optional<Vec3<T>> given_normal(int id, const SurfacePoint<T>& at, T time = 0) const {
+    if (id < shape_count()) return std::nullopt;
+    return given_normal_of_triangle(id, at, time);
+  }
 
   /// A primitive's box in the world, widened by a few ulps so that it holds every point that rounding may report.
   [[nodiscard]] Bounds<T> box(int id) const;
@@ -198,7 +204,7 @@ class Primitives {
     if (const Motion* motion = motion_of(id)) point.position -= Vec3<T>(offset_at(*motion, static_cast<double>(time)));
     return point;
   }
-  // The four that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
+  // The five that follow stand apart, so that what the tracer has in its loops is the same whether motion is compiled
   // or not.
   template <class Explain>
   [[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect_any(int id, const Ray<T>& ray, T t_max,
@@ -216,6 +222,10 @@ class Primitives {
   [[nodiscard, gnu::noinline]] std::optional<Vec3<T>> smooth_normal_of_triangle(int id, const SurfacePoint<T>& at,
                                                                                 T time) const {
     return triangles_.smooth_normal(id - shape_count(), taken_back(id, at, time));
+  }
+  [[nodiscard, gnu::noinline]] std::optional<Vec3<T>> given_normal_of_triangle(int id, const SurfacePoint<T>& at,
+                                                                               T time) const {
+    return triangles_.given_normal(id - shape_count(), taken_back(id, at, time));
   }
   [[nodiscard, gnu::noinline]] Vec2<T> uv_at_any(int id, const SurfacePoint<T>& at, int part, T time) const {
     const SurfacePoint<T> point = taken_back(id, at, time);
@@ -277,9 +287,10 @@ class Primitives {
 /// against, are listed apart.
 template <class T>
 struct Boxes {
-  explicit Boxes(const Primitives<T>& primitives) {
+  explicit Boxes(const Primitives<T>& primitives, const Stop& stop = {}) {
     boxes.reserve(static_cast<std::size_t>(primitives.size()));
     for (int id = 0; id < primitives.size(); ++id) {
+      stop.check();
       boxes.push_back(primitives.box(id));
       if (boxes.back().empty()) continue;  // nothing to hit: a quadric cut away whole
       if (boxes.back().bounded()) {

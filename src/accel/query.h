@@ -54,6 +54,16 @@ struct StopsShadows {
   bool operator()(int primitive) const { return roles[static_cast<std::size_t>(primitive)] == ShadowRole::stops; }
 };
 
+/// Accepts the primitives of the bodies that are asked for.
+struct OfBodies {
+  const std::vector<std::int32_t>& body_of;  ///< by primitive; -1: of none
+  const std::vector<std::uint8_t>& asked;    ///< by body
+  bool operator()(int primitive) const {
+    const std::int32_t body = body_of[static_cast<std::size_t>(primitive)];
+    return body >= 0 && asked[static_cast<std::size_t>(body)] != 0;
+  }
+};
+
 /// What a search asks of each primitive; what it costs is added to `counts`. `AnyRay` is a Ray or a NaiveRay.
 template <class T, class Accept, class AnyRay>
 class Query {

@@ -18,28 +18,27 @@ namespace raywalk {
 template <class T>
 using AnyStructure = std::variant<List<T>, Volumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
 
-/// `watcher`, where there is one, is told how it is built.
 template <class T>
 AnyStructure<T> build_structure(AcceleratorKind kind, const Boxes<T>& boxes, const Primitives<T>& primitives,
-                                BuildRecord* watcher = nullptr) {
+                                const Build& build = {}) {
   switch (kind) {
     case AcceleratorKind::automatic:
     case AcceleratorKind::none:
       break;
     case AcceleratorKind::spheres:
-      return Volumes<T>(boxes, primitives, VolumeKind::sphere);
+      return Volumes<T>(boxes, primitives, VolumeKind::sphere, build.stop);
     case AcceleratorKind::ellipsoids:
-      return Volumes<T>(boxes, primitives, VolumeKind::ellipsoid);
+      return Volumes<T>(boxes, primitives, VolumeKind::ellipsoid, build.stop);
     case AcceleratorKind::boxes:
-      return Volumes<T>(boxes, primitives, VolumeKind::box);
+      return Volumes<T>(boxes, primitives, VolumeKind::box, build.stop);
     case AcceleratorKind::bvh:
-      return Bvh<T>(boxes, watcher);
+      return Bvh<T>(boxes, build);
     case AcceleratorKind::grid:
-      return Grid<T>(boxes, watcher);
+      return Grid<T>(boxes, build);
     case AcceleratorKind::octree:
-      return Octree<T>(boxes, watcher);
+      return Octree<T>(boxes, build);
     case AcceleratorKind::kdtree:
-      return KdTree<T>(boxes, watcher);
+      return KdTree<T>(boxes, build);
   }
   return List<T>(primitives.size());
 }
@@ -111,6 +110,7 @@ bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, co
 #define RAYWALK_SEARCHES(T, AnyRay)                                                                             \
   template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, AnyPrimitive) const; \
   template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, StopsShadows) const; \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, OfBodies) const;     \
   template bool Accelerator<T>::any(const AnyRay<T>&, T, TestCounts&, const ShadowHints&) const;                \
   template bool Accelerator<T>::any_stop(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&,      \
                                          std::vector<int>&, const ShadowHints&) const;

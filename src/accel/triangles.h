@@ -42,7 +42,9 @@ class Triangles {
   /// to the side of it from which it came.
   [[nodiscard]] bool leaves_by_edge(int from, int to, const Ray<T>& ray, T t) const;
 
-  /// The normal that smooth shading takes at a point of triangle `i`, on the side of its own; none where it is flat.
+  /// The normal between those of its corners at a point of triangle `i`, as these are given; none where it is flat.
+  [[nodiscard]] std::optional<Vec3<T>> given_normal(int i, const SurfacePoint<T>& point) const;
+  /// The one that smooth shading takes: the same on the side of the triangle's own.
   [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int i, const SurfacePoint<T>& point) const;
   [[nodiscard]] Vec2<T> uv_at(int i, const SurfacePoint<T>& point) const;
 
@@ -53,6 +55,14 @@ class Triangles {
   [[nodiscard]] const Mesh::Corners& corners(int i) const { return corners_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Vec3<T>& position(std::int32_t vertex) const {
     return positions_[static_cast<std::size_t>(vertex)];
+  }
+  /// The sum of the corners' normals by their weights, of any length above 0; none where a corner has none.
+  [[nodiscard]] std::optional<Vec3<T>> between_normals(int i, const Vec3<T>& point) const;
+  /// For `more` elements: exactly as much for the first mesh, in growing steps for the many that instances are, which
+  /// would else be copied each time.
+  template <class Element>
+  static void make_room(std::vector<Element>& list, std::size_t more) {
+    if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.capacity()));
   }
   struct Weights {
     T a, b, c;
@@ -72,9 +82,9 @@ class Triangles {
 template <class T>
 void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool smooth) {
   const auto first = static_cast<std::int32_t>(positions_.size());
-  positions_.reserve(positions_.size() + mesh.positions.size());
+  make_room(positions_, mesh.positions.size());
   for (const Vec3d& at : mesh.positions) positions_.emplace_back(to_world.point(at));
-  corners_.reserve(corners_.size() + mesh.triangles.size());
+  make_room(corners_, mesh.triangles.size());
   const bool mirrored = to_world.determinant() < 0;  // outside stays outside
   for (const auto& [a, b, c] : mesh.triangles)
     corners_.push_back({first + a, first + (mirrored ? c : b), first + (mirrored ? b : c)});
@@ -97,16 +107,28 @@ void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool sm
 }
 
 template <class T>
-std::optional<Vec3<T>> Triangles<T>::smooth_normal(int i, const SurfacePoint<T>& point) const {
+std::optional<Vec3<T>> Triangles<T>::between_normals(int i, const Vec3<T>& point) const {
   if (normals_.empty()) return std::nullopt;
   const auto normal = [&](std::size_t corner) { return normals_[static_cast<std::size_t>(corners(i)[corner])]; };
   const Vec3<T> a = normal(0), b = normal(1), c = normal(2);
   if (a == Vec3<T>(0) || b == Vec3<T>(0) || c == Vec3<T>(0)) return std::nullopt;
-  const Weights w = weights_at(i, point.position);
+  const Weights w = weights_at(i, point);
   const Vec3<T> sum = w.a * a + w.b * b + w.c * c;
-  const T size = length(sum);
-  if (!(size > 0)) return std::nullopt;
-  return dot(sum, point.normal) < 0 ? -sum / size : sum / size;
+  return length(sum) > 0 ? std::optional(sum) : std::nullopt;
+}
+
+template <class T>
+std::optional<Vec3<T>> Triangles<T>::given_normal(int i, const SurfacePoint<T>& point) const {
+  const auto between = between_normals(i, point.position);
+  return between ? std::optional(*between / length(*between)) : std::nullopt;
+}
+
+template <class T>
+std::optional<Vec3<T>> Triangles<T>::smooth_normal(int i, const SurfacePoint<T>& point) const {
+  const auto between = between_normals(i, point.position);
+  if (!between) return std::nullopt;
+  const T size = length(*between);
+  return dot(*between, point.normal) < 0 ? -*between / size : *between / size;
 }
 
 template <class T>

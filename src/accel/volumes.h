@@ -17,8 +17,10 @@ enum class VolumeKind { sphere, ellipsoid, box };
 template <class T>
 class Volumes {
  public:
-  Volumes(const Boxes<T>& boxes, const Primitives<T>& primitives, VolumeKind kind) : kind_(kind) {
+  Volumes(const Boxes<T>& boxes, const Primitives<T>& primitives, VolumeKind kind, const Stop& stop = {})
+      : kind_(kind) {
     for (const int id : boxes.bounded) {
+      stop.check();
       const Bounds<T>& box = boxes.box(id);
       Volume volume{id, box, Vec3d((Vec3d(box.min) + Vec3d(box.max)) / 2.0), Vec3d(0.0)};
       const Vec3d half = (Vec3d(box.max) - Vec3d(box.min)) / 2.0;

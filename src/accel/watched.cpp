@@ -41,11 +41,12 @@ struct WatchedAccelerator<T>::Structure {
 };
 
 template <class T>
-WatchedAccelerator<T>::WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t most_steps)
+WatchedAccelerator<T>::WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t most_steps,
+                                          const Stop& stop)
     : primitives_(primitives), build_{.most = most_steps} {
-  const Boxes<T> boxes(primitives_);
+  const Boxes<T> boxes(primitives_, stop);
   if (kind != AcceleratorKind::none) unbounded_ = boxes.unbounded;
-  structure_ = std::make_shared<const Structure>(Structure{build_structure(kind, boxes, primitives_, &build_)});
+  structure_ = std::make_shared<const Structure>(Structure{build_structure(kind, boxes, primitives_, {stop, &build_})});
 }
 
 template <class T>

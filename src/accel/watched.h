@@ -15,7 +15,8 @@ class WatchedAccelerator {
  public:
   /// Over primitives that outlive it and have been in an Accelerator, which knows those that are equal. `kind`: not
   /// `automatic`. Of the build `most_steps` are kept.
-  WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t most_steps);
+  WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t most_steps,
+                     const Stop& stop = {});
 
   /// Accelerator::closest, told to `record`. `AnyRay` is a Ray or a NaiveRay.
   template <class AnyRay>

@@ -56,8 +56,8 @@ ExitCode check_numerics_command(const CheckOptions& options) {
   suite.seed = options.seed;
   suite.threads = options.threads;
   suite.state = options.state.empty() && options.full ? usual_state : options.state;
-  suite.cancel = &Interrupt::flag();
-  const Interrupt interrupt;
+  const Interrupt interrupt(Patience::brief);
+  suite.stop = interrupt.stop();
   Result<check::SuiteResult> result;
   {
     ProgressBar bar;
@@ -68,6 +68,7 @@ ExitCode check_numerics_command(const CheckOptions& options) {
       bar.show(progress);
     };
     result = check::run_suite(*families, suite);
+    interrupt.heeded();
   }
   if (!result) return fail(result.error());
   if (const auto printed = print(check::table_text(*families, *result)); !printed) return fail(printed.error());

@@ -1,6 +1,6 @@
 #include "app/compare_command.h"
 
-#include "app/render_command.h"
+#include "io/file.h"
 #include "io/image_file.h"
 #include "study/flip.h"
 #include "study/image_metrics.h"
@@ -35,23 +35,21 @@ std::string metrics_text(const CompareOptions& options, const Image& image, cons
 }  // namespace
 
 ExitCode compare_command(const CompareOptions& options) {
-  std::optional<ImageFormat> format;
-  if (!options.difference.empty()) {
-    if (const auto error = why_not_writable(options.difference)) return fail(*error);
-    format = *image_format_of(options.difference);  // its ending was checked on the command line
-  }
   const auto test = read_image(options.test);
   if (!test) return fail(test.error());
   const auto reference = read_image(options.reference);
   if (!reference) return fail(reference.error());
-  if (const auto why = why_not_comparable(*test, *reference))
-    return fail(
-        {"", 0, 0, options.test + " and " + options.reference + ": " + *why, "render both with the same --size"});
+  if (auto why = why_not_comparable(*test, *reference)) {
+    why->message = options.test + " and " + options.reference + ": " + why->message;
+    return fail(*why);
+  }
+  if (options.difference)
+    if (const auto claimed = claim_output(*options.difference); !claimed) return fail(claimed.error());
   const ImageMetrics metrics = compare_images(*test, *reference);
-  if (format) {
-    const bool seen = *format == ImageFormat::png;
+  if (options.difference) {
+    const bool seen = *image_format_of(*options.difference) == ImageFormat::png;  // checked on the command line
     const Image difference = seen ? flip_image(*test, *reference) : difference_image(*test, *reference);
-    if (const auto written = write_image(options.difference, difference); !written) return fail(written.error());
+    if (const auto written = write_image(*options.difference, difference); !written) return fail(written.error());
   }
   const auto printed = print(metrics_text(options, *test, metrics));
   return printed ? ExitCode::done : fail(printed.error());
@@ -67,12 +65,10 @@ void declare_compare(CLI::App& program, Run& run) {
     const auto format = image_format_of(path);
     return format ? std::string() : format.error().text();
   };
-  command
-      .add_option("-o,--output", to.difference,
-                  "Write the difference: as .png what an eye sees of it (FLIP), from dark blue (0) to yellow (1);\n"
-                  "as .pfm or .exr A - B in linear light")
-      ->check(CLI::Validator(ending, "", "ending"))
-      ->type_name("IMAGE");
+  add_file(command, "-o,--output", to.difference, "IMAGE",
+           "Write the difference: as .png what an eye sees of it (FLIP), from dark blue (0) to yellow (1);\n"
+           "as .pfm or .exr A - B in linear light")
+      ->check(CLI::Validator(ending, "", "ending"));
   command.footer(
       "A .png holds 256 steps a channel and nothing above 1; to compare what was computed, use .pfm or .exr.\n\n"
       "Examples:\n"

@@ -6,7 +6,7 @@ namespace raywalk {
 
 struct CompareOptions {
   std::string test, reference;
-  std::string difference;  ///< where the picture of the difference goes; empty: nowhere
+  std::optional<std::string> difference{};  ///< where the picture of the difference goes
 };
 
 [[nodiscard]] ExitCode compare_command(const CompareOptions& options);

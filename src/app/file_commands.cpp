@@ -1,6 +1,5 @@
 #include "app/file_commands.h"
 
-#include "app/render_command.h"
 #include "app/scene_lookup.h"
 #include "io/file.h"
 #include "io/pov_writer.h"
@@ -34,14 +33,14 @@ Result<void> write_pov(const Scene& scene, const std::string& path) {
 ExitCode convert_command(const std::string& in, const std::string& out) {
   auto document = load_scene(in);
   if (!document) return fail(document.error());
-  if (const auto error = why_not_writable(out)) return fail(*error);
+  if (const auto claimed = claim_output(out); !claimed) return fail(claimed.error());
   const auto written = ending_of(out) == ".pov" ? write_pov(document->scene, out) : write_scene(*document, out);
   return written ? ExitCode::done : fail(written.error());
 }
 
 ExitCode generate_command(const GenerateOptions& options, const std::string& out) {
   if (const auto error = why_not_generated(options, out)) return refuse(*error);
-  if (const auto error = why_not_writable(out)) return fail(*error);
+  if (const auto claimed = claim_output(out); !claimed) return fail(claimed.error());
   const auto written = generate(options, out);
   return written ? ExitCode::done : fail(written.error());
 }
@@ -58,12 +57,12 @@ void declare_convert(CLI::App& program, Run& run) {
     if (is == ".toml" || is == ".pov") return std::string();
     return path + ": no scene is written as \"" + is + "\" (expected .toml or .pov)";
   };
-  command.add_option("OUT", files->out, "The scene: .toml (Raywalk's own) or .pov (POV-Ray 3.7)")
+  add_file(command, "OUT", files->out, "", "The scene: .toml (Raywalk's own) or .pov (POV-Ray 3.7)")
       ->required()
-      ->check(CLI::Validator(ending, "", "ending"))
-      ->type_name("");
+      ->check(CLI::Validator(ending, "", "ending"));
   command.footer(
-      "A .toml scene holds everything, and of a .toml scene also its comments. What POV-Ray cannot show is said.\n\n"
+      "A .toml scene holds everything, and of a .toml scene also its comments. Meshes and textures stay where they are\n"
+      "and are named from the new file's folder. What POV-Ray cannot show is said.\n\n"
       "Examples:\n"
       "  raywalk convert balls.nff balls.toml\n"
       "  raywalk convert whitted whitted.pov");
@@ -88,9 +87,7 @@ void declare_generate(CLI::App& program, Run& run) {
             "Of a flake: how often each sphere grows nine more; 6 makes 597871 (3 when left out)");
   add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which random numbers are drawn (0 when left out)");
-  command.add_option("-o,--output", asked->out, "Scenes: .nff or .toml; meshes: .ply, .obj or .nff")
-      ->required()
-      ->type_name("FILE");
+  add_file(command, "-o,--output", asked->out, "FILE", "Scenes: .nff or .toml; meshes: .ply, .obj or .nff")->required();
   command.footer(
       "The same options give the same file. It is written as it is made: a billion triangles take no more memory than "
       "ten.\n\n"

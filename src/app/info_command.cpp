@@ -59,9 +59,8 @@ std::string cells_text(const Scene& scene) {
 }
 
 /// What each structure over the scene's primitives comes to. Of large scenes only the one that is chosen for them.
-std::string structures_text(const Scene& scene) {
+std::string structures_text(const Scene& scene, const World<double>& chosen) {
   constexpr double few = 20000;
-  const World<double> chosen(scene);
   const AcceleratorKind automatic = chosen.accelerator.kind();
   std::string text =
       fmt::format("\nstructures over {}; {} is chosen\n",
@@ -121,12 +120,15 @@ std::string info_text(const Scene& scene, const std::string& path) {
 
   text += "\neffects\n";
   const Effects effects = effects_of(scene, scene.render.samples);
+  const World<double> world(scene);
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     const EffectUse& use = effects[effect];
     text += row("  " + std::string(effect_name(effect)), (use.used ? "used: " : "") + use.why);
+    if (effect == Effect::refraction && !world.bodies.empty())
+      text += row("", "bodies may lie in one another or hold the eye: rays know all that they are inside of");
   }
-  return text + structures_text(scene);
+  return text + structures_text(scene, world);
 }
 
 std::string cost_text(const study::SceneCost& cost) {
@@ -166,7 +168,7 @@ ExitCode info_command(const InfoOptions& options) {
   if (options.light_grid) choices.light_grid = options.light_grid;
   std::string text = info_text(document->scene, scene_path(options.scene));
   if (options.with_cost) {
-    const Interrupt interrupt;
+    const Interrupt interrupt(Patience::brief);
     ProgressBar bar;
     constexpr int samples = 8000, repetitions = 7;
     const auto show = [&bar](double done) {
@@ -174,7 +176,7 @@ ExitCode info_command(const InfoOptions& options) {
       progress.done = done;
       bar.show(progress);
     };
-    const auto cost = study::scene_cost(document->scene, samples, repetitions, show, &Interrupt::flag());
+    const auto cost = study::scene_cost(document->scene, samples, repetitions, show, interrupt.stop());
     if (!cost) return fail({"", 0, 0, "interrupted before all was measured", ""});
     text += cost_text(*cost);
   }

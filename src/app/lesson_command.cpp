@@ -1,6 +1,5 @@
 #include "app/lesson_command.h"
 
-#include "app/render_command.h"
 #include "app/scene_lookup.h"
 #include "io/file.h"
 #include "io/spelling.h"
@@ -104,18 +103,18 @@ ExitCode lesson_check_command(const std::vector<std::string>& names, int seeds) 
                "lessons/README.md explains how a lesson is written"});
 }
 
-ExitCode lesson_script_command(const std::string& name, Language language, const std::string& path) {
-  if (!path.empty())
-    if (const auto error = why_not_writable(path)) return fail(*error);
+ExitCode lesson_script_command(const std::string& name, Language language, const std::optional<std::string>& path) {
   const auto folder = folder_of(name, lesson_names(lessons_dir()));
   if (!folder) return refuse(folder.error());
   const auto lesson = read_lesson(*folder);
   if (!lesson) return fail(lesson.error());
+  if (path)
+    if (const auto claimed = claim_output(*path); !claimed) return fail(claimed.error());
   const PlayedLesson played = play_lesson(*lesson, data_dir() + "/scenes");
   if (!played.errors.empty()) return fail(played.errors.front());
-  const bool page = path.ends_with(".html") || path.ends_with(".htm");
+  const bool page = path && (path->ends_with(".html") || path->ends_with(".htm"));
   const std::string script = lesson_script(played, language, page ? ScriptForm::page : ScriptForm::markdown);
-  const auto written = path.empty() ? print(script) : write_file_atomically(path, script);
+  const auto written = path ? write_file_atomically(*path, script) : print(script);
   return written ? ExitCode::done : fail(written.error());
 }
 
@@ -145,11 +144,9 @@ void declare_lesson(CLI::App& program, Run& run) {
   const auto language = std::make_shared<std::optional<Language>>();
   script.add_option("NAME", *name, "A lesson, such as 5 or 05-refraction, or a folder")->required()->type_name("");
   add_choice(script, "--language", *language, all_languages, language_code, "Of the script; left out: en");
-  const auto path = std::make_shared<std::string>();
-  script
-      .add_option("-o,--output", *path,
-                  "The file: .html, a page to print or to read on a telephone, or .md; left out: printed here")
-      ->type_name("FILE");
+  const auto path = std::make_shared<std::optional<std::string>>();
+  add_file(script, "-o,--output", *path, "FILE",
+           "The file: .html, a page to print or to read on a telephone, or .md; left out: printed here");
   script.footer(
       "The script holds what stands on the screen, what to say and to ask, the answers, and when each step begins.\n\n"
       "Examples:\n"

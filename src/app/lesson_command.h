@@ -15,8 +15,10 @@ namespace raywalk {
 /// too.
 [[nodiscard]] ExitCode lesson_check_command(const std::vector<std::string>& names, int seeds);
 
-/// Writes out what the presenter of a lesson says, asks and answers: to a path as its ending says, or prints it.
-[[nodiscard]] ExitCode lesson_script_command(const std::string& name, Language language, const std::string& path);
+/// Writes out what the presenter of a lesson says, asks and answers: to a path as its ending says, or prints it
+/// where there is none.
+[[nodiscard]] ExitCode lesson_script_command(const std::string& name, Language language,
+                                             const std::optional<std::string>& path);
 
 void declare_lesson(CLI::App& program, Run& run);
 

@@ -74,6 +74,20 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& targ
   return add_value(command, name, target, parse, complain, type, help);
 }
 
+/// An option that names a file or a folder. A name that is empty, as of a variable that a script has not set, is no way
+/// to leave it out; and "-", which is standard output to other programs, is no name here.
+template <class Target>
+CLI::Option* add_file(CLI::App& command, const std::string& name, Target& target, const std::string& type,
+                      const std::string& help) {
+  const auto parse = [](const std::string& word) {
+    return word.empty() || word == "-" ? std::nullopt : std::optional(word);
+  };
+  const auto complain = [](const std::string& word) {
+    return std::string("names no file (expected a name") + (word.empty() ? ")" : "; standard output is /dev/stdout)");
+  };
+  return add_value(command, name, target, parse, complain, type, help);
+}
+
 inline CLI::Option* add_whole(CLI::App& command, const std::string& name, auto& target, int low, int high,
                               const std::string& help) {
   return add_parsed(

@@ -12,14 +12,17 @@
 #include "app/step_command.h"
 #include "app/study_command.h"
 #include "app/window_command.h"
+#include "io/file_ledger.h"
 #include "io/image.h"
 #include "io/scene_keys.h"
+#include "math/stop.h"
 #include "render/adaptive.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <functional>
 #include <memory>
 #include <new>
@@ -88,10 +91,9 @@ void declare_render(CLI::App& program, Run& run) {
     const auto format = image_format_of(path);
     return format ? std::string() : format.error().text();
   };
-  command.add_option("-o,--output", to.image, "The picture: .png (8-bit), or .pfm and .exr (linear float)")
+  add_file(command, "-o,--output", to.image, "IMAGE", "The picture: .png (8-bit), or .pfm and .exr (linear float)")
       ->required()
-      ->check(CLI::Validator(ending, "", "ending"))
-      ->type_name("IMAGE");
+      ->check(CLI::Validator(ending, "", "ending"));
   add_size(command, to.size);
   constexpr int most_threads = 1024;
   add_integrator(command, to.integrator, to.path_length);
@@ -123,11 +125,12 @@ void declare_render(CLI::App& program, Run& run) {
   command.add_flag_callback("--no-shadow-cache", [&to] { to.shadow_cache = false; }, "They do not")->excludes(cached);
   add_precision(command, to.precision);
   add_numerics(command, to.numerics, to.epsilon);
-  command.add_option("--stats", to.statistics, "Write what was done and how long it took, as JSON")->type_name("FILE");
+  add_file(command, "--stats", to.statistics, "FILE", "Write what was done and how long it took, as JSON");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
       "What is left out is as the scene says. Neither --threads nor --accel changes a bit of the picture.\n"
-      "Ctrl-C writes what is done to NAME.partial.png and leaves an old image whole; twice, it ends at once.\n\n"
+      "Ctrl-C writes what is done to NAME.partial.png, or NAME.partial-2.png and so on where there is one, and leaves an\n"
+      "old image whole; twice, it ends at once.\n\n"
       "Examples:\n"
       "  raywalk render scenes/classic.toml -o classic.png\n"
       "  raywalk render classic -o large.png --size 1921x1081 --spp 16\n"
@@ -203,9 +206,8 @@ void declare_check(CLI::App& program, Run& run) {
              "Which rays (1 when left out)");
   add_whole(numerics, "--threads", to.threads, 0, most_threads,
             "Threads; 0, as when left out: as many as the machine runs at once");
-  numerics
-      .add_option("--state", to.state, "Keep what is done here, and go on from it (--full: raywalk-numerics.state)")
-      ->type_name("FILE");
+  add_file(numerics, "--state", to.state, "FILE",
+           "Keep what is done here, and go on from it (--full: raywalk-numerics.state)");
   numerics.footer(
       "Prints a table: missed and false decisions, self-hits, near sheets missed, answers that had to be the same\n"
       "bits and differ, the worst error of t in ulps in the exact tier and in the fast one (there also divided by the\n"
@@ -224,7 +226,7 @@ std::string name_of(const CLI::Option& option) {
 }
 
 /// What pictures and tests need of the window; people find it in the window itself.
-void declare_window(CLI::App& program, Run& run) {
+void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   struct Asked {
     GuiOptions options;
     ImageSize window{0, 0};
@@ -232,24 +234,24 @@ void declare_window(CLI::App& program, Run& run) {
   const auto asked = std::make_shared<Asked>();
   GuiOptions& to = asked->options;
   program.add_option("SCENE", to.scene_path, std::string(scene_help) + "; left out: the classic scene")->type_name("");
-  program.add_option("--demo", to.demo_path, "Replay the actions in a file, one a line")->type_name("FILE");
+  add_file(program, "--demo", to.demo_path, "FILE", "Replay the actions in a file, one a line");
   add_choice(program, "--language", to.language, all_languages, language_code,
              "Of the window; left out: as it was left, else the environment's");
   const auto hide = [](CLI::Option* option) { option->group(""); };
   hide(program.add_option("--state-dir", to.state_dir));
-  hide(program.add_option("--screenshot", to.screenshot_path));
+  hide(add_file(program, "--screenshot", to.screenshot_path, "FILE", ""));
   hide(program.add_option("--start-mode", to.start_mode));
   hide(program.add_option("--start-tab", to.start_tab));
   hide(program.add_option("--start-position", to.start_position));
   hide(program.add_option("--theme", to.theme));
   hide(program.add_option("--ui-scale", to.ui_scale));
-  hide(program.add_option("--report", to.report_path));
+  hide(add_file(program, "--report", to.report_path, "FILE", ""));
   hide(add_parsed(program, "--window", asked->window, parse_size, "WxH", "such as 1280x720", ""));
-  program.callback([asked, &program, &run] {
+  program.callback([asked, &program, &ledger, &run] {
     if (program.get_subcommands().empty()) {
       asked->options.width = asked->window.width;
       asked->options.height = asked->window.height;
-      run = [asked] { return window_command(asked->options); };
+      run = [asked, &ledger] { return window_command(asked->options, ledger); };
       return;
     }
     for (const CLI::Option* option : program.get_options())
@@ -347,7 +349,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
       "  raywalk COMMAND --help                   says all about a command\n\n"
       "Exit codes: 0 done, 1 the input or the machine failed, 2 wrong use.");
   Run run;
-  declare_window(program, run);
+  FileLedger ledger;  // of whichever command this is
+  declare_window(program, ledger, run);
   declare_render(program, run);
   declare_step(program, run);
   declare_info(program, run);
@@ -368,17 +371,23 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     return refuse(
         {"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error, argc, argv)});
   }
-  return run();
+  const ExitCode code = run();
+  // Whichever command it was, and wherever it found out: it was told to write over what it uses.
+  return code == ExitCode::failed && ledger.has_refused() ? ExitCode::wrong_usage : code;
 }
 
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error like a full disk
   ExitCode code = ExitCode::failed;
   try {
     code = parse_and_run(argc, argv);
+  } catch (const Stopped&) {
+    code = fail({"", 0, 0, "interrupted", ""});
   } catch (const std::bad_alloc&) {
-    code = fail({"", 0, 0, "there is not enough memory", "close other programs, or use a smaller scene or image"});
+    code = fail({"", 0, 0, "there is not enough memory for this command",
+                 "close other programs, or give it less to do: a smaller scene or picture, fewer rays"});
   } catch (const std::exception& error) {
     code =
         fail({"", 0, 0, std::string("unexpected: ") + error.what(), "this is a defect of Raywalk; please report it"});

@@ -9,9 +9,7 @@
 #include "io/image.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -42,12 +40,16 @@ std::optional<Error> why_too_large(ImageSize size) {
 ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering, Encoding encoding) {
   const std::string interrupted = fmt::format("interrupted with {:.1f}% done", rendering.done * 100);
   if (rendering.done == 0) return fail({"", 0, 0, "interrupted before anything was done; nothing was written", ""});
-  const std::string path = partial_path(options.image);
-  if (const auto written = write_image(path, rendering.image(), encoding); !written) {
+  const auto path = new_partial_file(options.image);
+  const auto written =
+      path.and_then([&](const std::string& to) { return write_image(to, rendering.image(), encoding); });
+  if (!written) {
     note(interrupted);
+    std::error_code ignored;
+    if (path) fs::remove(*path, ignored);
     return fail(written.error());
   }
-  return fail({"", 0, 0, interrupted + ", which is in " + path, "what is missing there is black"});
+  return fail({"", 0, 0, interrupted + ", which is in " + *path, "what is missing there is black"});
 }
 
 std::string summary(const RenderOptions& options, const Rendering& rendering, ImageSize size) {
@@ -61,33 +63,29 @@ std::string summary(const RenderOptions& options, const Rendering& rendering, Im
   return text;
 }
 
-}  // namespace
-
-std::string partial_path(const std::string& image) {
-  const std::size_t dot = image.find_last_of('.');
-  return image.substr(0, dot) + ".partial" + image.substr(dot);
+std::string endless_text(const TreeSize& tree) {
+  std::string text = fmt::format(
+      "warning: a single pixel may take about {:.0e} rays: to depth {}, its ray tree grows {:.1f} times a level",
+      tree.rays, tree.depth, tree.growth);
+  if (tree.shadow_rays > 1) text += fmt::format(", every hit sends out {} shadow rays", tree.shadow_rays);
+  if (tree.samples > 1) text += fmt::format(", and all that for {} samples", tree.samples);
+  return text + fmt::format("; lower --depth{}, or raise --threshold", tree.samples > 1 ? " or --spp" : "");
 }
 
-std::optional<Error> why_not_writable(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) return Error{path, 0, 0, "cannot write: it is a folder", "give the name of a file"};
-  if (fs::exists(status) && access(path.c_str(), W_OK) != 0)
-    return Error{path, 0, 0, "cannot write: " + system_message(errno), "choose another name, or make it writable"};
-  if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;  // written in its place
-  // A link that leads nowhere is written where it points to.
-  const fs::path target = fs::weakly_canonical(path, ignored);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  if (!fs::is_directory(folder, ignored))
-    return Error{path, 0, 0, "cannot write: there is no folder " + folder.string(), "make it first, or check the path"};
-  std::string probe = (folder / ".raywalk-XXXXXX").string();
-  const int descriptor = mkstemp(probe.data());
-  if (descriptor < 0)
-    return Error{path, 0, 0, "cannot write into " + folder.string() + ": " + system_message(errno),
-                 "choose a folder that you may write to"};
-  close(descriptor);
-  unlink(probe.c_str());
-  return std::nullopt;
+}  // namespace
+
+Result<std::string> new_partial_file(const std::string& image) {
+  const std::size_t dot = image.find_last_of('.');
+  const std::string name = image.substr(0, dot) + ".partial", ending = image.substr(dot);
+  constexpr int most = 10000;
+  for (int i = 1; i < most; ++i) {
+    const std::string path = name + (i == 1 ? "" : "-" + std::to_string(i)) + ending;
+    const auto made = make_new_file(path);
+    if (!made) return tl::unexpected(made.error());
+    if (*made) return path;
+  }
+  return tl::unexpected(Error{name + ending, 0, 0, fmt::format("there are {} of this name already", most),
+                              "remove those that you do not need"});
 }
 
 ExitCode render_command(const RenderOptions& options) {
@@ -113,11 +111,12 @@ ExitCode render_command(const RenderOptions& options) {
       scene_path(options.scene), options.image, size, sampling, choices, scene.limits, options.precision,
       seconds_since(load_start)};
   if (const auto error = why_too_large(size)) return refuse(*error);
-  for (const std::string& path : {options.image, options.statistics})
-    if (const auto error = path.empty() ? std::nullopt : why_not_writable(path)) return fail(*error);
+  if (const auto claimed = claim_output(options.image); !claimed) return fail(claimed.error());
+  if (options.statistics)
+    if (const auto claimed = claim_output(*options.statistics); !claimed) return fail(claimed.error());
   if (!options.quiet) warn(idle_options(options, scene));
 
-  const Interrupt interrupt;
+  const Interrupt interrupt(Patience::full);
   Result<Rendering> rendering;
   {
     ProgressBar bar;
@@ -126,7 +125,8 @@ ExitCode render_command(const RenderOptions& options) {
     settings.tolerance = choices.tolerance;
     settings.shadow_cache = options.shadow_cache;
     if (!options.quiet) settings.progress = [&bar](const Progress& progress) { bar.show(progress); };
-    settings.cancel = &Interrupt::flag();
+    settings.stop = interrupt.stop();
+    if (!options.quiet) settings.endless = [](const TreeSize& tree) { note(endless_text(tree)); };
     rendering = render(scene, settings);
   }
   if (!rendering) return fail(rendering.error());
@@ -136,15 +136,17 @@ ExitCode render_command(const RenderOptions& options) {
   if (const auto written = write_image(options.image, rendering->image(), scene.encoding); !written)
     return fail(written.error());
   report.write_seconds = seconds_since(write_start);
-  if (!options.statistics.empty())
-    if (const auto written = write_file_atomically(options.statistics, statistics_json(*rendering, report)); !written)
+  if (options.statistics)
+    if (const auto written = write_file_atomically(*options.statistics, statistics_json(*rendering, report)); !written)
       return fail(written.error());
   if (terminal_width() > 0 && !options.quiet) note(summary(options, *rendering, size));
-  if (rendering->statistics.not_finite > 0)
-    return fail(
-        {options.image, 0, 0,
-         fmt::format("{} samples are no finite number (a PNG shows NaN in magenta)", rendering->statistics.not_finite),
-         "colours or strengths of this scene may be too large to add up"});
+  const std::size_t pixels = rendering->not_finite_pixels();
+  if (const std::uint64_t samples = rendering->statistics.not_finite; samples > 0 || pixels > 0)
+    return fail({options.image, 0, 0,
+                 fmt::format("{} samples and {} pixels are no finite number in a picture's file (a PNG shows NaN in "
+                             "magenta, what is infinite as white)",
+                             samples, pixels),
+                 "colours or strengths of this scene may be too large to add up"});
   return ExitCode::done;
 }
 

@@ -10,8 +10,9 @@ namespace raywalk {
 
 /// What `raywalk render` was asked for; what is absent is the scene's own.
 struct RenderOptions {
-  bool quiet = false;                    ///< no warnings, notes or progress, nor what was done: only what went wrong
-  std::string scene, image, statistics;  ///< paths; no statistics: empty
+  bool quiet = false;        ///< no warnings, notes or progress, nor what was done: only what went wrong
+  std::string scene, image;  ///< paths, as is the next one
+  std::optional<std::string> statistics{};
   std::optional<ImageSize> size{};
   std::optional<int> depth{};
   std::optional<double> threshold{};
@@ -33,11 +34,8 @@ struct RenderOptions {
 
 [[nodiscard]] ExitCode render_command(const RenderOptions& options);
 
-/// NAME.partial.EXT, where an interrupted render leaves what is done of NAME.EXT. `image` has an ending.
-[[nodiscard]] std::string partial_path(const std::string& image);
-
-/// Why a file at `path` could not be written, found out before hours of work and without touching it. What only shows
-/// when writing, such as a full disk, is not found out.
-[[nodiscard]] std::optional<Error> why_not_writable(const std::string& path);
+/// NAME.partial.EXT, where an interrupted render leaves what is done of NAME.EXT, or the first of NAME.partial-2.EXT,
+/// NAME.partial-3.EXT ... that is free: an empty file, made so that no one else takes it. `image` has an ending.
+[[nodiscard]] Result<std::string> new_partial_file(const std::string& image);
 
 }  // namespace raywalk

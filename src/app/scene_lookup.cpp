@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "io/spelling.h"
+#include "render/memory_need.h"
 #include "scene/warnings.h"
 
 #include <algorithm>
@@ -41,6 +42,13 @@ Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warning
   const std::string path = scene_path(scene);
   auto document = read_scene(path);
   if (document) {
+    // The least that anything else of it takes: whoever takes more asks again.
+    RenderSettings least;
+    least.size = ImageSize{1, 1};
+    least.precision = Precision::float_;
+    if (const auto large =
+            why_too_large(memory_needed(document->scene, least), path, "use fewer instances or coarser meshes"))
+      return tl::unexpected(*large);
     if (warnings == SceneWarnings::said) warn(collected(document->warnings));
     return document;
   }
@@ -51,7 +59,7 @@ Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warning
     const std::string meant = nearest_word(fs::path(scene).stem().string(), {names.begin(), names.end()});
     if (!meant.empty()) {
       error.hint = "did you mean \"" + meant + "\", which comes with Raywalk?";
-    } else if (!names.empty()) {
+    } else if (!names.empty() && !scene.empty() && !fs::path(scene).has_parent_path()) {
       error.hint = "give the path of a scene file, or the name of a scene that comes with Raywalk: " +
                    one_of({names.begin(), names.end()});
     }

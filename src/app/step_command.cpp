@@ -2,6 +2,7 @@
 
 #include "app/scene_lookup.h"
 #include "timeline/recorder.h"
+#include "trace/recursion.h"
 #include "view/export.h"
 #include "view/slides.h"
 #include "view/text.h"
@@ -105,6 +106,7 @@ ExitCode step_command(const StepOptions& options) {
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
+  if (const auto error = why_too_deep(scene.limits.depth)) return fail(*error);
   Result<Timeline> recorded = record_within_reason(options, scene, size);
   if (!recorded) return fail(recorded.error());
   const auto kept = std::make_shared<const Timeline>(std::move(*recorded));

@@ -79,8 +79,9 @@ ExitCode study_command(const StudyCommandOptions& options) {
   if (options.folder.empty())
     return refuse({"", 0, 0, "raywalk study: -o DIR is required", "name a folder for the results"});
   study::StudyOptions to{options.folder, effort, options.threads, study::machine_text(), command_text(options)};
-  to.cancel = &Interrupt::flag();
-  const Interrupt interrupt;
+  const Interrupt interrupt(Patience::brief,
+                            "interrupted; what was measured is kept: the same command goes on from it\n");
+  to.stop = interrupt.stop();
   Result<study::StudyResult> result;
   {
     ProgressBar bar;
@@ -91,6 +92,7 @@ ExitCode study_command(const StudyCommandOptions& options) {
       bar.show(progress);
     };
     result = study::run_study(*experiments, to);
+    interrupt.heeded();
   }
   if (!result) return fail(result.error());
   if (!result->finished)
@@ -111,8 +113,7 @@ void declare_study(CLI::App& program, Run& run) {
   const auto options = std::make_shared<StudyCommandOptions>();
   StudyCommandOptions& to = *options;
   command.add_option("NAME", to.names, "Only these experiments, by name or number; left out: all")->type_name("");
-  command.add_option("-o,--output", to.folder, "The folder for the results, made when it does not exist")
-      ->type_name("DIR");
+  add_file(command, "-o,--output", to.folder, "DIR", "The folder for the results, made when it does not exist");
   command.add_flag("--quick", to.quick, "Fewer samples: a few minutes; intervals are wider");
   command.add_flag("--list", to.list, "Only name the experiments");
   constexpr int most_threads = 1024;

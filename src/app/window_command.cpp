@@ -1,15 +1,20 @@
 #include "app/window_command.h"
 
 #include "app/scene_lookup.h"
+#include "math/stop.h"
 
 namespace raywalk {
 
-ExitCode window_command(GuiOptions options) {
+ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger) {
   options.data_dir = data_dir();
   if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);
 #if RAYWALK_GUI
-  const Result<void> closed = run_gui(options);
-  return closed ? ExitCode::done : fail(closed.error());
+  try {
+    const Result<void> closed = run_gui(options, ledger);
+    return closed ? ExitCode::done : fail(closed.error());
+  } catch (const Stopped&) {
+    return ExitCode::done;  // closed before there was anything to see
+  }
 #else
   const std::string scene = options.scene_path.empty() ? "classic" : options.scene_path;
   return fail({"", 0, 0, "this raywalk was built without the window",

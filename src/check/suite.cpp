@@ -34,22 +34,22 @@ void in_parallel(std::uint64_t count, int threads, const std::function<void(std:
   for (std::thread& helper : helpers) helper.join();
 }
 
-/// The line's tests 0..rays - 1, summed chunk by chunk in their order; nothing when it was cancelled.
+/// The line's tests 0..rays - 1, summed chunk by chunk in their order; nothing when it was stopped.
 std::optional<Row> run_line(const Line& line, std::uint64_t rays, const SuiteOptions& options,
                             const std::function<void(std::uint64_t)>& advance) {
   const std::uint64_t chunks = (rays + chunk_rays - 1) / chunk_rays;
   constexpr std::uint64_t at_once = 64;
   Row sum;
   for (std::uint64_t from = 0; from < chunks; from += at_once) {
-    if (options.cancel && options.cancel->load()) return std::nullopt;
+    if (options.stop.asked()) return std::nullopt;
     const std::uint64_t count = std::min(at_once, chunks - from);
     std::vector<Row> rows(count);
     in_parallel(count, options.threads, [&](std::uint64_t i) {
-      if (options.cancel && options.cancel->load()) return;
+      if (options.stop.asked()) return;
       const std::uint64_t first = (from + i) * chunk_rays;
       rows[i] = line.run(options.seed, first, std::min(chunk_rays, rays - first));
     });
-    if (options.cancel && options.cancel->load()) return std::nullopt;
+    if (options.stop.asked()) return std::nullopt;
     for (const Row& row : rows) sum += row;
     advance(std::min(rays, (from + count) * chunk_rays));
   }
@@ -64,7 +64,11 @@ bool SuiteResult::good() const {
 
 Result<SuiteResult> run_suite(const std::vector<Family>& families, const SuiteOptions& options) {
   std::vector<Tested> kept;
-  if (!options.state.empty() && std::filesystem::exists(options.state)) {
+  if (!options.state.empty())
+    if (const auto claimed = claim_output(options.state, OutputUse::kept); !claimed)
+      return tl::unexpected(claimed.error());
+  std::error_code none;
+  if (!options.state.empty() && std::filesystem::exists(options.state, none)) {
     const auto text = read_file(options.state, most_state_bytes);
     if (!text) return tl::unexpected(text.error());
     auto read = read_state(options.state, *text, options);

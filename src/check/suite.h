@@ -4,8 +4,8 @@
 
 #include "check/family.h"
 #include "io/error.h"
+#include "math/stop.h"
 
-#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,9 +15,9 @@ namespace raywalk::check {
 struct SuiteOptions {
   std::uint64_t rays = 1'000'000;  ///< a family, over all of its lines
   std::uint64_t seed = 1;
-  int threads = 1;                            ///< 0: as many as the machine runs at once
-  std::string state;                          ///< the file that keeps finished lines; empty: none
-  const std::atomic<bool>* cancel = nullptr;  ///< ends the run at the next chunk
+  int threads = 1;    ///< 0: as many as the machine runs at once
+  std::string state;  ///< the file that keeps finished lines; empty: none
+  Stop stop{};        ///< ends the run at the next chunk
   std::function<void(double done, double seconds_left)> progress{};  ///< called now and then; done in 0..1
 };
 
@@ -30,7 +30,7 @@ struct Tested {
 
 struct SuiteResult {
   std::vector<Tested> lines;
-  bool finished = true;  ///< not cancelled
+  bool finished = true;  ///< not stopped
   [[nodiscard]] bool good() const;
 };
 

@@ -1,5 +1,6 @@
 #include "gui/gui.h"
 
+#include "gui/attention.h"
 #include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
@@ -10,12 +11,14 @@
 #include "gui/window.h"
 #include "gui/window_text.h"
 #include "io/file.h"
+#include "io/text_file.h"
 #include "view/action_text.h"
 
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 namespace raywalk {
@@ -36,17 +39,27 @@ constexpr double smoothing_every = 0.3;     // the same once only noise is being
 constexpr double image_every = 0.08;        // seconds between two pictures of a 3-D image that is being refined
 constexpr double notice_lasts = 6;          // seconds, unless it reports an error
 
+/// Whether what the action does ends in a file of the user's.
+bool writes_file(const Action& action) {
+  return std::holds_alternative<action::Export>(action) || std::holds_alternative<action::FinishExport>(action) ||
+         std::holds_alternative<action::Save>(action) || std::holds_alternative<action::SaveAs>(action) ||
+         std::holds_alternative<action::SavePredictions>(action) ||
+         std::holds_alternative<action::AnswerQuestion>(action);
+}
+
 class Loop {
  public:
-  Loop(const GuiOptions& options, State state, Window& window, Demo demo, Clock::time_point begun)
+  Loop(const GuiOptions& options, State state, Window& window, Attention& attention, Demo demo, Clock::time_point begun)
       : options_(options),
         state_(std::move(state)),
         window_(window),
+        attention_(attention),
         interface_(options.data_dir + "/scenes"),
         demo_(std::move(demo)),
         begun_(begun),
         settings_(settings_of(state_)),
         fonts_found_(find_fonts(font_folders(options.data_dir))) {
+    state_.stop = Stop(attention_);
     ImGui::GetIO().ConfigDragClickToInputText = true;
   }
 
@@ -111,8 +124,22 @@ class Loop {
   }
 
   void act(const Action& action) {
-    update(state_, action);
     frames_due_ = frames_to_settle;
+    const Attention::Watch watch(attention_, Attention::To::closing);
+    try {
+      update(state_, action);
+    } catch (const Stopped&) {
+      // Closed in the middle of a change. What had changed before that is in the autosave.
+      state_.quit = true;
+      return;
+    }
+    if (!options_.demo_path.empty() && writes_file(action)) note_failure();
+  }
+
+  // Nobody may be there to read it: a demo that was to write a file and could not ends as a failure, with a message.
+  void note_failure() {
+    if (failure_ && state_.notice && state_.notice->kind == Notice::Kind::error)
+      failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.notice->text, ""});
   }
 
   // One press of a key holds STEP once: where a breakpoint ends that, the key has to be let go first.
@@ -166,7 +193,13 @@ class Loop {
 
   void work_on_image() {
     if (frames_drawn_ == 0 || image_.rests(state_)) return;
-    const bool more = image_.work(state_, image_slice);
+    bool more = true;
+    try {
+      const Attention::Watch watch(attention_, Attention::To::input);
+      more = image_.work(state_, image_slice, Stop(attention_));
+    } catch (const Stopped&) {
+      return;  // of the building: it begins again after what was done meanwhile
+    }
     const Clock::time_point now = Clock::now();
     const double every = image_.preview().has_every_pixel() ? smoothing_every : image_every;
     if (image_.preview().revision() == shown_image_ || (more && seconds_between(image_shown_, now) < every)) return;
@@ -300,6 +333,7 @@ class Loop {
   const GuiOptions& options_;
   State state_;
   Window& window_;
+  Attention& attention_;
   Interface interface_;
   Demo demo_;
   std::optional<WalkFilm> film_;  ///< being made
@@ -323,21 +357,22 @@ class Loop {
 
 }  // namespace
 
-Result<void> run_gui(const GuiOptions& options) {
+Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
   const Clock::time_point begun = Clock::now();
   // Else the window is opened last: what is wrong with a scene is said without one.
   Result<std::unique_ptr<Window>> window{nullptr};
+  std::optional<Attention> attention;
   if (takes_long_to_read(options)) {
     window = Window::open("Raywalk", options.width, options.height);
     if (!window) return tl::unexpected(window.error());
-    show_loading(**window, options);
+    attention.emplace(**window);
   }
-  Result<State> state = start(options);
+  Result<State> state = attention ? start_in_sight(options, **window, *attention) : start(options);
   if (!state) return tl::unexpected(state.error());
   Demo demo;
   if (!options.demo_path.empty()) {
     constexpr std::size_t most_bytes = 16 << 20;
-    const Result<std::string> text = read_file(options.demo_path, most_bytes);
+    const Result<std::string> text = read_text(options.demo_path, most_bytes);
     if (!text) return tl::unexpected(text.error());
     Result<std::vector<Action>> actions = parse_demo(*text, options.demo_path);
     if (!actions) return tl::unexpected(actions.error());
@@ -346,9 +381,15 @@ Result<void> run_gui(const GuiOptions& options) {
   if (!options.screenshot_path.empty()) {
     if (const auto format = image_format_of(options.screenshot_path); !format) return tl::unexpected(format.error());
   }
+  for (const std::string& path : {options.report_path, options.screenshot_path})
+    if (const auto claimed = path.empty() ? Result<void>() : claim_output(path); !claimed) return claimed;
+  ledger.close();
+  for (const std::string& path : {options.demo_path, options.report_path, options.screenshot_path})
+    if (!path.empty()) state->keeps.push_back(path);
   if (*window == nullptr) window = Window::open("Raywalk", options.width, options.height);
   if (!window) return tl::unexpected(window.error());
-  return Loop(options, std::move(*state), **window, std::move(demo), begun).run();
+  if (!attention) attention.emplace(**window);
+  return Loop(options, std::move(*state), **window, *attention, std::move(demo), begun).run();
 }
 
 }  // namespace raywalk

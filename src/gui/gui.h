@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/error.h"
+#include "io/file_ledger.h"
 #include "lesson/language.h"
 
 #include <optional>
@@ -35,6 +36,9 @@ struct GuiOptions {
 /// Opens the window and stays until it is closed. Fails, with a hint, when there is no display, no OpenGL 3.3, or a
 /// file named in `options` cannot be read or written: `app` prints the error and exits with 1. Unsaved work is never
 /// lost by a failure: it stands in the autosave.
-[[nodiscard]] Result<void> run_gui(const GuiOptions& options);
+///
+/// What is read at the start is noted in `ledger`, which is closed before the user takes over: who then replaces a file
+/// is asked first.
+[[nodiscard]] Result<void> run_gui(const GuiOptions& options, FileLedger& ledger);
 
 }  // namespace raywalk

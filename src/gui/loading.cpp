@@ -19,6 +19,8 @@ bool takes_long_to_read(const GuiOptions& options) {
   return !none && size >= long_file;
 }
 
+namespace {
+
 void show_loading(Window& window, const GuiOptions& options) {
   Settings settings = read_settings(state_folder(options));
   settings.language = language_for(options, settings);
@@ -46,6 +48,14 @@ void show_loading(Window& window, const GuiOptions& options) {
                                             to_imgui(colours.text), words.c_str());
     window.end_frame({part(ground.r), part(ground.g), part(ground.b)});
   }
+}
+
+}  // namespace
+
+Result<State> start_in_sight(const GuiOptions& options, Window& window, Attention& attention) {
+  show_loading(window, options);
+  const Attention::Watch watch(attention, Attention::To::closing);
+  return start(options, Stop(attention));
 }
 
 }  // namespace raywalk

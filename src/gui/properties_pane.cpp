@@ -26,6 +26,7 @@ void material_rows(const Ui& ui, Form& form, int index, const Object& object) {
   now |= form.colour(TextId::transmission, m.transmission, 1);
   now |= form.number(TextId::ior, m.ior, 0.005, 0.01, 100);
   now |= form.flag(TextId::dielectric, m.dielectric);
+  now |= form.number(TextId::priority, m.priority, 0.05, -1000, 1000);
   bool filtered = m.shadow == ShadowKind::filtered;
   now |= form.flag(TextId::filtered_shadow, filtered);
   m.shadow = filtered ? ShadowKind::filtered : ShadowKind::opaque;

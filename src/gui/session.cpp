@@ -2,6 +2,7 @@
 
 #include "gui/names.h"
 #include "io/file.h"
+#include "render/parallel.h"
 #include "scene/warnings.h"
 
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 namespace raywalk {
@@ -93,15 +95,17 @@ std::string state_folder(const GuiOptions& options) {
   return {};
 }
 
-Result<State> start(const GuiOptions& options) {
+Result<State> start(const GuiOptions& options, const Stop& stop) {
   const std::string path = options.scene_path.empty() ? options.data_dir + "/scenes/classic.toml" : options.scene_path;
-  Result<SceneDocument> document = read_scene(path);
+  const auto reading = std::make_shared<Result<SceneDocument>>();
+  run_aside(stop, [reading, path] { *reading = read_scene(path); });
+  Result<SceneDocument> document = std::move(*reading);
   if (!document) return tl::unexpected(document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
   // A picture is of this scene: no question about an earlier one may stand before it, and no trace of it stays behind.
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
-  State state = make_state(std::move(*document), path, folder);
+  State state = make_state(std::move(*document), path, folder, stop);
   const Settings settings = read_settings(folder);
   state.language = language_for(options, settings);
   state.lessons.folder = options.data_dir + "/lessons";
@@ -133,7 +137,7 @@ bool LiveImage::rests(const State& state) const {
   return preview_.finished() || (state.drag && preview_.has_every_pixel());
 }
 
-bool LiveImage::work(const State& state, double milliseconds) {
+bool LiveImage::work(const State& state, double milliseconds, const Stop& stop) {
   const auto begun = std::chrono::steady_clock::now();
   if (!begun_ || revision_ != state.revision || image_revision_ != state.image_revision) {
     PreviewSettings settings;
@@ -143,13 +147,13 @@ bool LiveImage::work(const State& state, double milliseconds) {
     settings.precision = state.image.single_precision ? Precision::float_ : Precision::double_;
     settings.heat = state.image.heat;
     settings.fault = fault_at_work(state);
-    preview_.reset(*pictured_scene(state), settings, state.worlds.get());
+    preview_.reset(*pictured_scene(state), settings, state.worlds.get(), stop);
     revision_ = state.revision;
     image_revision_ = state.image_revision;
     seconds_ = 0;
     begun_ = true;
   }
-  if (!rests(state)) preview_.refine(milliseconds);
+  if (!rests(state)) preview_.refine(milliseconds, 0, stop);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   return !rests(state);
 }

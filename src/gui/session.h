@@ -36,14 +36,15 @@ void write_settings(const std::string& state_dir, const Settings& settings);
 [[nodiscard]] std::string state_folder(const GuiOptions& options);
 
 /// The state that `options` ask for: the scene is read, the session restored, mode and position set.
-[[nodiscard]] Result<State> start(const GuiOptions& options);
+/// `stop` may end it: it throws Stopped then, and is the state's until another is set.
+[[nodiscard]] Result<State> start(const GuiOptions& options, const Stop& stop = {});
 
 /// The 3-D image of the state's scene, worked on in slices of time.
 class LiveImage {
  public:
   /// Starts afresh when the scene has changed, and works for about `milliseconds`; while the scene is being dragged it
   /// goes no further than the coarse picture. Whether more is to be done.
-  bool work(const State& state, double milliseconds);
+  bool work(const State& state, double milliseconds, const Stop& stop = {});
   [[nodiscard]] const Preview& preview() const { return preview_; }
   /// Seconds until it is finished at the pace so far; 0 while there is none.
   [[nodiscard]] double seconds_left() const;

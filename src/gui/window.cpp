@@ -188,6 +188,13 @@ bool Window::wait(double seconds) {
   return std::exchange(happened_, false);
 }
 
+bool Window::look(bool input) {
+  glfwPollEvents();
+  if (close_requested_ || !input) return close_requested_;
+  const bool drags = happened_ && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+  return drags || !keys_.empty() || !button_places_.empty();
+}
+
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
 
 bool Window::take_key_release() { return std::exchange(key_released_, false); }

@@ -47,6 +47,9 @@ class Window {
   /// Waits until something happens, at most `seconds` (negative: for ever; 0: not at all), and tells ImGui of it.
   /// Whether something did.
   bool wait(double seconds);
+  /// Takes in what has happened, as `wait` does, in the middle of something else: whether the user asked the window to
+  /// close, or, with `input`, pressed a key or a button or drags. What it was is still told by the functions below.
+  [[nodiscard]] bool look(bool input);
   /// Keys pressed since the last call, in their order.
   [[nodiscard]] std::vector<KeyPress> take_keys();
   /// Whether a key was let go since the last call.

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <filesystem>
+#include <utility>
 
 namespace raywalk {
 
@@ -40,8 +40,11 @@ std::string hint_for_writing(int error_number, bool replaces) {
       return "make room on the disk or write elsewhere" + whole;
     case EFBIG:
       return "the file would be larger than this system allows; write something smaller" + whole;
-    case ENOENT:
-      return "make the folder first, or check the path";
+    case ENOENT:  // the folder is there, as in /proc
+      return "no file can be made in this folder; choose another";
+    case ENOTDIR:
+    case EEXIST:
+      return "a file stands where the path has a folder; check the path";
     case EACCES:
     case EPERM:
       return "choose a folder that you may write to" + whole;
@@ -49,8 +52,31 @@ std::string hint_for_writing(int error_number, bool replaces) {
       return "this disk is read-only; choose another" + whole;
     case ENAMETOOLONG:
       return "choose a shorter name";
+    case ELOOP:
+      return "its symbolic links lead in a circle";
     default:
       return "check the path, or write elsewhere" + whole;
+  }
+}
+
+std::string hint_for_reading(const std::string& path, int error_number) {
+  std::error_code failed;
+  switch (error_number) {
+    case ENOENT:
+      if (std::filesystem::is_symlink(path, failed)) return "it is a symbolic link to a file that does not exist";
+      return path == "-" ? "nothing is read from standard input; put it into a file"
+                         : "there is no such file; check the path";
+    case ENOTDIR:
+      return "a file stands where the path has a folder; check the path";
+    case ELOOP:
+      return "its symbolic links lead in a circle";
+    case ENAMETOOLONG:
+      return "no file has so long a name; check the path";
+    case EACCES:
+    case EPERM:
+      return "check the permissions of the file and of its folders";
+    default:
+      return "check the disk that it lies on";
   }
 }
 
@@ -60,6 +86,24 @@ std::string_view what_else(mode_t mode) {
   if (S_ISDIR(mode)) return "a folder";
   if (S_ISFIFO(mode)) return "a pipe";
   return S_ISSOCK(mode) ? "a socket" : "a device";
+}
+
+/// Whether a path names what this process has open, such as the file that standard output goes to: whoever opened it
+/// wants to see it grow, not another one in its place.
+bool is_already_open(std::string_view path) {
+  return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
+         path.starts_with("/proc/self/fd/");
+}
+
+Result<void> check_folder(const std::string& path, const std::filesystem::path& folder) {
+  struct stat status{};
+  const int error = ::stat(folder.c_str(), &status) == 0 ? 0 : errno;
+  if (error == 0 && S_ISDIR(status.st_mode)) return {};
+  if (error == 0) return tl::unexpected(cannot("write", path, ENOTDIR, hint_for_writing(ENOTDIR, false)));
+  if (error == ENOENT)
+    return tl::unexpected(Error{path, 0, 0, "cannot write: there is no folder " + folder.string(),
+                                "make the folder first, or check the path"});
+  return tl::unexpected(cannot("write", path, error, hint_for_writing(error, false)));
 }
 
 /// 0, or the errno of what failed.
@@ -75,7 +119,10 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// The file that `path` means after all symbolic links, also when that file does not exist yet.
+}  // namespace
+
+namespace detail {
+
 Result<std::filesystem::path> follow_links(const std::string& path) {
   namespace fs = std::filesystem;
   fs::path target = path;
@@ -90,32 +137,24 @@ Result<std::filesystem::path> follow_links(const std::string& path) {
   return tl::unexpected(cannot("follow the link", path, ELOOP, "the symbolic links lead in a circle"));
 }
 
-/// Opens a new file in `folder` under a name that nobody has; the name is put into `name`. -1 and errno on failure.
-int open_new_file(const std::filesystem::path& folder, std::string& name) {
-  constexpr int most_tries = 1000;
-  for (int i = 0; i < most_tries; ++i) {
-    name = (folder / (".raywalk-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp")).string();
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
-  }
-  return -1;
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-}  // namespace
+}  // namespace detail
 
 Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
+  if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot read: the file name is empty", "give a file name"});
   // Asked before it is opened: to open a pipe waits for its writer, and to open a device may move it.
   struct stat status{};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (const std::string_view what = exists ? what_else(status.st_mode) : ""; !what.empty())
-    return tl::unexpected(Error{path, 0, 0, "this is " + std::string(what) + " (expected a file)",
-                                S_ISDIR(status.st_mode) ? "name a file inside it, such as classic.toml"
-                                                        : "put what it holds into a file first"});
+    return tl::unexpected(
+        Error{path, 0, 0, "this is " + std::string(what) + " (expected a file)",
+              S_ISDIR(status.st_mode) ? "name a file inside it" : "put what it holds into a file first"});
   // Should a pipe have taken its place by now, nothing waits for that one either.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!file.is_open())
-    return tl::unexpected(cannot("read", path, errno,
-                                 errno == ENOENT ? "there is no such file; check the path" : "check the permissions"));
+  if (!file.is_open()) return tl::unexpected(cannot("read", path, errno, hint_for_reading(path, errno)));
   std::string bytes;
   constexpr std::size_t chunk = std::size_t{1} << 16;
   for (;;) {
@@ -123,9 +162,12 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
     bytes.resize(have + chunk);
     ssize_t got = ::read(file.number(), bytes.data() + have, chunk);
     while (got < 0 && errno == EINTR) got = ::read(file.number(), bytes.data() + have, chunk);
-    if (got < 0) return tl::unexpected(cannot("read", path, errno, "check the disk and the permissions"));
+    if (got < 0) return tl::unexpected(cannot("read", path, errno, hint_for_reading(path, errno)));
     bytes.resize(have + static_cast<std::size_t>(got));
-    if (got == 0) return bytes;
+    if (got == 0) {
+      detail::note_read(path);
+      return bytes;
+    }
     if (bytes.size() > most_bytes)
       return tl::unexpected(
           Error{path, 0, 0, "the file is too large (expected at most " + std::to_string(most_bytes >> 20) + " MiB)",
@@ -134,77 +176,98 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
 }
 
 FileWriter::~FileWriter() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  if (!new_name_.empty()) ::unlink(new_name_.c_str());
+  if (direct_ >= 0) ::close(direct_);
 }
 
 tl::unexpected<Error> FileWriter::give_up(int error_number) {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = -1;
-  const bool replaces = exists_ && !new_name_.empty();
-  if (!new_name_.empty()) ::unlink(new_name_.c_str());
-  new_name_.clear();
-  return tl::unexpected(cannot("write", path_, error_number, hint_for_writing(error_number, replaces)));
+  if (direct_ >= 0) ::close(direct_);
+  direct_ = -1;
+  new_file_.discard();
+  return tl::unexpected(cannot("write", path_, error_number, hint_for_writing(error_number, exists_ && is_regular_)));
 }
 
-Result<void> FileWriter::open(const std::string& path) {
+Result<void> FileWriter::find_target(const std::string& path) {
   path_ = path;
   if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot write: the file name is empty", "give a file name"});
-  const auto target = follow_links(path);
+  const auto target = detail::follow_links(path);
   if (!target) return tl::unexpected(target.error());
   target_ = target->string();
   struct stat old{};
-  exists_ = ::stat(target_.c_str(), &old) == 0;
+  exists_ = ::stat(path.c_str(), &old) == 0;
+  if (!exists_ && errno != ENOENT && errno != ENOTDIR) return give_up(errno);
+  is_regular_ = !exists_ || (S_ISREG(old.st_mode) && !is_already_open(path));
   if (exists_ && S_ISDIR(old.st_mode))
     return tl::unexpected(
         Error{path, 0, 0, "cannot write: this is a folder (expected a file name)", "add a file name to the path"});
-  if (exists_ && !S_ISREG(old.st_mode)) {
-    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) return give_up(errno);
-    return {};
-  }
   if (exists_ && ::access(target_.c_str(), W_OK) != 0)
-    return tl::unexpected(cannot("write", path, errno, "the file is write-protected; choose another name"));
+    return tl::unexpected(cannot(
+        "write", path, errno,
+        errno == EROFS ? hint_for_writing(errno, is_regular_) : "the file is write-protected; choose another name"));
+  if (!exists_)
+    if (auto there = check_folder(path, detail::folder_of(target_)); !there) return there;
   old_mode_ = old.st_mode & 07777;
   old_user_ = old.st_uid;
   old_group_ = old.st_gid;
-  const std::filesystem::path folder = target->has_parent_path() ? target->parent_path() : std::filesystem::path(".");
-  std::string new_name;
-  descriptor_ = open_new_file(folder, new_name);
-  if (descriptor_ < 0) return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, exists_)));
-  new_name_ = new_name;
+  return {};
+}
+
+Result<void> FileWriter::open(const std::string& path) {
+  if (auto noted = detail::note_written(path); !noted) return noted;
+  if (auto found = find_target(path); !found) return found;
+  if (is_regular_) {
+    if (const int error = new_file_.open(detail::folder_of(target_))) return give_up(error);
+  } else {
+    direct_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (direct_ < 0) return give_up(errno);
+  }
   return {};
 }
 
 Result<void> FileWriter::write(std::string_view bytes) {
-  if (const int error = write_all(descriptor_, bytes)) return give_up(error);
+  if (const int error = write_all(is_regular_ ? new_file_.descriptor() : direct_, bytes)) return give_up(error);
   return {};
 }
 
 Result<void> FileWriter::commit() {
-  const auto close_now = [this] {
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
-    return ::close(descriptor) == 0;  // network file systems report a full disk only here
-  };
-  if (new_name_.empty()) {
-    if (!close_now()) return give_up(errno);
+  if (!is_regular_) {
+    const int descriptor = std::exchange(direct_, -1);
+    if (::close(descriptor) != 0) return give_up(errno);
     return {};
   }
+  const int descriptor = new_file_.descriptor();
   if (exists_) {
     // The owner first: changing it clears the set-user-id bits. Only the superuser may, so failing is no error.
-    if (::fchown(descriptor_, old_user_, old_group_) != 0) errno = 0;
-    if (::fchmod(descriptor_, old_mode_) != 0) return give_up(errno);
+    if (::fchown(descriptor, old_user_, old_group_) != 0) errno = 0;
+    if (::fchmod(descriptor, old_mode_) != 0) return give_up(errno);
   }
   // Without this a crash of the machine soon after could leave the name on an empty file.
-  if (::fsync(descriptor_) != 0 && errno != EINVAL) return give_up(errno);
-  if (!close_now()) return give_up(errno);
-  if (::rename(new_name_.c_str(), target_.c_str()) != 0) return give_up(errno);
-  new_name_.clear();
-  const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
-  const Descriptor directory(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.is_open()) ::fsync(directory.number());
+  if (::fsync(descriptor) != 0 && errno != EINVAL) return give_up(errno);
+  if (const int error = new_file_.take_name(target_)) return give_up(error);
+  const Descriptor folder(::open(detail::folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) ::fsync(folder.number());
   return {};
+}
+
+Result<void> claim_output(const std::string& path, OutputUse use) {
+  FileWriter attempt;
+  if (auto found = attempt.find_target(path); !found) return found;
+  if (attempt.is_regular_)
+    if (const int error = attempt.new_file_.open(detail::folder_of(attempt.target_))) return attempt.give_up(error);
+  return detail::note_claim(path, use);
+}
+
+Result<void> make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (!failed) return {};
+  return tl::unexpected(cannot("make this folder", path, failed.value(), hint_for_writing(failed.value(), false)));
+}
+
+Result<bool> make_new_file(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.is_open()) return true;
+  if (errno == EEXIST) return false;
+  return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, false)));
 }
 
 Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "io/error.h"
+#include "io/file_ledger.h"
+#include "io/temporary_file.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -26,18 +29,39 @@ class FileWriter {
   [[nodiscard]] Result<void> commit();
 
  private:
+  friend Result<void> claim_output(const std::string&, OutputUse);
   [[nodiscard]] tl::unexpected<Error> give_up(int error_number);
+  /// Finds where to write, and whether that can be; a file that is no regular one is not touched.
+  [[nodiscard]] Result<void> find_target(const std::string& path);
 
-  std::string path_, target_, new_name_;  ///< as the user named it; after all links; empty when written directly
-  int descriptor_ = -1;
-  bool exists_ = false;
+  std::string path_, target_;  ///< as the user named it; after all links
+  TemporaryFile new_file_;     ///< not open when written directly
+  int direct_ = -1;            ///< the descriptor of what is no regular file
+  bool exists_ = false, is_regular_ = true;
   unsigned old_mode_ = 0, old_user_ = 0, old_group_ = 0;
 };
+
+/// Says before hours of work that a file will be written: why it may not be (io/file_ledger.h), or could not be. What
+/// only shows when writing, such as a full disk, is not found out. Nothing is touched.
+[[nodiscard]] Result<void> claim_output(const std::string& path, OutputUse use = OutputUse::once);
+
+/// Makes a folder, with those above it, unless it is there.
+[[nodiscard]] Result<void> make_folder(const std::string& path);
+
+/// Makes an empty file, or says that there is one of this name already: false.
+[[nodiscard]] Result<bool> make_new_file(const std::string& path);
 
 /// Writes `bytes` as the file `path`, all or nothing: into a new file beside it, which then takes its name. Whatever
 /// fails or kills the program, the old file stays whole. A symbolic link keeps pointing at its file, which is what is
 /// replaced; permissions (and the owner, where allowed) are kept. What is no regular file (/dev/stdout, a pipe) is
 /// written directly. A file that is write-protected is not replaced.
 [[nodiscard]] Result<void> write_file_atomically(const std::string& path, std::string_view bytes);
+
+namespace detail {
+/// The file that `path` means after all symbolic links, also when that file does not exist yet.
+[[nodiscard]] Result<std::filesystem::path> follow_links(const std::string& path);
+/// The folder that holds the file of this name.
+[[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
+}  // namespace detail
 
 }  // namespace raywalk

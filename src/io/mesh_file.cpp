@@ -17,6 +17,12 @@ std::string path_beside(const std::string& from, const std::string& name) {
   return (folder / name).string();  // an absolute name stays what it is
 }
 
+std::string one_name(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, error);
+  return error ? path : canonical.string();
+}
+
 bool stays_beside(std::string_view name) {
   if (name.empty() || name.front() == '/' || name.front() == '\\') return false;
   if (name.find(':') != std::string_view::npos || name.find('\0') != std::string_view::npos) return false;
@@ -80,9 +86,10 @@ Result<MeshFile> read_mesh(const std::string& path) {
     return tl::unexpected(Error{path, 0, 0,
                                 "no mesh can be read from a file of this ending (expected .obj, .ply, .gltf or .glb)",
                                 "convert it with a modelling program"});
-  const auto bytes = read_file(path, detail::most_mesh_bytes);
+  auto bytes = read_file(path, detail::most_mesh_bytes);
   if (!bytes) return tl::unexpected(bytes.error());
-  return is_gltf ? parse_gltf(*bytes, path) : ending == ".obj" ? parse_obj(*bytes, path) : parse_ply(*bytes, path);
+  if (is_gltf) return parse_gltf(std::move(*bytes), path);
+  return ending == ".obj" ? parse_obj(std::move(*bytes), path) : parse_ply(std::move(*bytes), path);
 }
 
 }  // namespace raywalk

@@ -23,16 +23,16 @@ struct MeshFile {
 [[nodiscard]] Result<MeshFile> read_mesh(const std::string& path);
 
 /// From the bytes of a file; `path` is for messages, and says where the files lie that it names.
-[[nodiscard]] Result<MeshFile> parse_obj(const std::string& bytes, const std::string& path);
-[[nodiscard]] Result<MeshFile> parse_ply(const std::string& bytes, const std::string& path);
-[[nodiscard]] Result<MeshFile> parse_gltf(const std::string& bytes, const std::string& path);  ///< .gltf or .glb
+[[nodiscard]] Result<MeshFile> parse_obj(std::string bytes, const std::string& path);
+[[nodiscard]] Result<MeshFile> parse_ply(std::string bytes, const std::string& path);
+[[nodiscard]] Result<MeshFile> parse_gltf(std::string bytes, const std::string& path);  ///< .gltf or .glb
 
 /// The materials of an MTL file, in its order, with their names.
 struct NamedMaterial {
   std::string name;
   Material material;
 };
-[[nodiscard]] Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std::string& path);
+[[nodiscard]] Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::string& path);
 
 namespace detail {
 
@@ -42,6 +42,8 @@ inline constexpr std::size_t most_mesh_bytes = std::size_t{1} << 31;
 
 /// Where `name`, found in the file `from`, lies: relative to it unless absolute.
 [[nodiscard]] std::string path_beside(const std::string& from, const std::string& name);
+/// The same for all names of one file: through links, "." and "..", so that it is read once however it is spelt.
+[[nodiscard]] std::string one_name(const std::string& path);
 /// Whether `name` stays in the folder of the file that names it, or in one below. Meshes come from strangers, who need
 /// not learn what other files hold.
 [[nodiscard]] bool stays_beside(std::string_view name);

@@ -1,6 +1,7 @@
 // glTF 2.0 (Khronos, ISO/IEC 12113:2022): the triangles of the default scene, each mesh where its nodes put it.
 
 #include "io/mesh_gltf.h"
+#include "io/memory.h"
 #include "math/transform.h"
 
 #include <fmt/format.h>
@@ -100,7 +101,13 @@ class GltfReader {
   }
 
   void add_node(std::int64_t index, const Affine<double>& outer, int depth) {
-    if (depth > most_depth || ++nodes_visited_ > most_nodes)
+    if (++nodes_visited_ > most_nodes)
+      return file_.fail(
+          fmt::format(
+              "its nodes come to more than they may when all that share children are spelt out (expected at most {})",
+              most_nodes),
+          "nodes that share nodes grow fast: use fewer of them");
+    if (depth > most_depth)
       return file_.fail(
           fmt::format("its nodes are nested too deeply, or in a circle (expected at most {} deep)", most_depth),
           "no node may be its own child");
@@ -147,6 +154,14 @@ class GltfReader {
     if (first + positions.count > std::numeric_limits<std::int32_t>::max())
       return file_.fail("too many vertices", "the file is damaged");
     const auto end = static_cast<std::size_t>(first + positions.count);
+    // Nodes may repeat a mesh as often as they like.
+    constexpr double per_vertex = 2 * sizeof(Vec3d) + sizeof(Vec2d);
+    if (end > mesh_.positions.capacity()) {
+      if (const auto large = why_too_large(
+              {fmt::format("a mesh of more than {} vertices", end), 3 * per_vertex * static_cast<double>(end)}, path_,
+              "use fewer nodes, or coarser meshes"))
+        return file_.fail(large->message, large->hint);
+    }
     for (std::int64_t i = 0; i < positions.count; ++i)
       mesh_.positions.push_back(map.point({positions.number(i, 0), positions.number(i, 1), positions.number(i, 2)}));
     if (file_.find(*attributes, "NORMAL")) {
@@ -270,7 +285,8 @@ class GltfReader {
     material.transmission = through * tint;
     material.reflection = (1 - through) * colour(mirrored) * tint;
     material.diffuse = (1 - through) * (1 - colour(mirrored)) * tint;
-    material.emission = {std::max(emission[0], 0.0), std::max(emission[1], 0.0), std::max(emission[2], 0.0)};
+    const auto light = [](double x) { return std::clamp(x, 0.0, 1e12); };  // as in scenes (io/scene_words.h)
+    material.emission = {light(emission[0]), light(emission[1]), light(emission[2])};
     material.dielectric = through > 0;
     return material;
   }
@@ -285,8 +301,8 @@ class GltfReader {
 
 }  // namespace
 
-Result<MeshFile> parse_gltf(const std::string& bytes, const std::string& path) {
-  const auto file = detail::open_gltf(bytes, path);
+Result<MeshFile> parse_gltf(std::string bytes, const std::string& path) {
+  const auto file = detail::open_gltf(std::move(bytes), path);
   if (!file) return tl::unexpected(file.error());
   return GltfReader(*file, path).read();
 }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ using Json = nlohmann::json;
 class GltfFile {
  public:
   Json json;
-  std::vector<std::string> buffers;
+  std::vector<std::shared_ptr<const std::string>> buffers;  ///< those of one file share its bytes
 
   /// A member that is there, or null.
   [[nodiscard]] static const Json* find(const Json& object, const char* key);
@@ -62,6 +63,6 @@ class GltfFile {
   mutable std::optional<Failure> failure_;
 };
 
-[[nodiscard]] Result<GltfFile> open_gltf(const std::string& bytes, const std::string& path);
+[[nodiscard]] Result<GltfFile> open_gltf(std::string bytes, const std::string& path);
 
 }  // namespace raywalk::detail

@@ -1,10 +1,12 @@
 #include "io/file.h"
 #include "io/mesh_gltf.h"
+#include "io/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 namespace raywalk::detail {
@@ -121,7 +123,7 @@ int line_of(std::string_view text, const std::string& word) {
 }
 
 /// The bytes that a buffer's URI stands for: in the URI itself, or in a file beside this one. Nothing is fetched.
-std::string bytes_of(const GltfFile& file, const std::string& uri, const std::string& path) {
+std::string read_uri(const GltfFile& file, const std::string& uri, const std::string& path) {
   if (uri.rfind("data:", 0) == 0) {
     const std::size_t comma = uri.find(";base64,");
     const auto bytes = comma == std::string::npos ? std::nullopt : from_base64(std::string_view(uri).substr(comma + 8));
@@ -216,21 +218,24 @@ std::int64_t GltfFile::size_of(const char* list) const {
 
 const std::string& GltfFile::buffer(std::int64_t index) const {
   static const std::string none;
-  if (index >= 0 && index < static_cast<std::int64_t>(buffers.size())) return buffers[static_cast<std::size_t>(index)];
+  if (index >= 0 && index < static_cast<std::int64_t>(buffers.size())) return *buffers[static_cast<std::size_t>(index)];
   fail_missing("buffers", index, buffers.size());
   return none;
 }
 
-Result<GltfFile> open_gltf(const std::string& bytes, const std::string& path) {
+Result<GltfFile> open_gltf(std::string bytes, const std::string& path) {
   const auto fail = [&](const std::string& message) {
     return tl::unexpected(Error{path, 0, 0, message, "is this a glTF 2.0 file, and whole?"});
   };
   GltfFile file;
   if (bytes.empty()) return fail("the file is empty (expected a glTF 2.0 file)");
+  constexpr std::string_view magic = "glTF";
+  const bool is_binary = magic.starts_with(std::string_view(bytes).substr(0, magic.size()));
+  if (const auto plain = is_binary ? Result<void>() : make_plain_text(bytes, path); !plain)
+    return tl::unexpected(plain.error());
   std::string_view text = bytes, binary;
   std::size_t begin = 0;
-  constexpr std::string_view magic = "glTF";
-  if (magic.starts_with(text.substr(0, magic.size()))) {
+  if (is_binary) {
     // A header of 12 bytes, then chunks: length, type, bytes. The first is the JSON.
     if (bytes.size() < 20)
       return fail(fmt::format("the file ends in its header (expected 20 bytes or more) at byte {}", bytes.size()));
@@ -258,11 +263,14 @@ Result<GltfFile> open_gltf(const std::string& bytes, const std::string& path) {
   if (!version->is_string() || version->get_ref<const std::string&>().rfind("2.", 0) != 0)
     return fail(fmt::format("its version is {} (expected \"2.0\")", shown(*version)));
   int line = 0;
+  std::map<std::string, std::shared_ptr<const std::string>> read;  // each file once, however many buffers name it
   for (std::int64_t i = 0; i < file.size_of("buffers") && !file.failure(); ++i) {
     const Json& buffer = file.element("buffers", i);
     const bool is_own = i == 0 && GltfFile::find(buffer, "uri") == nullptr;
     const std::string uri = is_own ? "" : file.text(buffer, "uri");
-    file.buffers.push_back(is_own ? std::string(binary) : bytes_of(file, uri, path));
+    std::shared_ptr<const std::string>& one = read[uri.starts_with("data:") ? uri : one_name(path_beside(path, uri))];
+    if (!one) one = std::make_shared<const std::string>(is_own ? std::string(binary) : read_uri(file, uri, path));
+    file.buffers.push_back(one);
     if (file.failure() && begin == 0 && !uri.empty()) line = line_of(text, uri);
   }
   if (file.failure()) return tl::unexpected(Error{path, line, 0, file.failure()->message, file.failure()->hint});

@@ -19,8 +19,9 @@ constexpr int most_nesting = 64;
 
 std::optional<MeshFile> ReadLog::mesh(const std::string& name, const toml::source_region& where) {
   if (!reads_meshes_) return std::nullopt;
-  if (const auto known = meshes_.find(name); known != meshes_.end()) return known->second;
-  auto read = read_mesh(path_beside(file_, name));
+  const std::string path = path_beside(file_, name), file = one_name(path);
+  if (const auto known = meshes_.find(file); known != meshes_.end()) return known->second;
+  auto read = read_mesh(path);
   if (!read) {
     // The mesh's own place is what helps; that the scene names it is told along.
     const Error& error = read.error();
@@ -31,7 +32,7 @@ std::optional<MeshFile> ReadLog::mesh(const std::string& name, const toml::sourc
     return std::nullopt;
   }
   warnings_.insert(warnings_.end(), read->warnings.begin(), read->warnings.end());
-  return meshes_.emplace(name, std::move(*read)).first->second;
+  return meshes_.emplace(file, std::move(*read)).first->second;
 }
 
 void ReadLog::define(const Group& group, const toml::source_region& where) {

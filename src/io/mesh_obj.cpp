@@ -3,11 +3,13 @@
 #include "io/file.h"
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
+#include "io/text_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <list>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -33,6 +35,8 @@ struct HashCorner {
 };
 
 class ObjReader {
+  using Library = std::map<std::string, std::int32_t>;  ///< names of its materials, to their indices
+
  public:
   ObjReader(const std::string& bytes, const std::string& path) : path_(path), cursor_(bytes) {}
 
@@ -75,8 +79,7 @@ class ObjReader {
       return read_face();
     } else if (keyword == "usemtl") {
       const std::string name(cursor_.rest());
-      const auto found = material_index_.find(name);
-      material_ = found == material_index_.end() ? -1 : found->second;
+      material_ = material_named(name);
       if (material_ < 0) {
         if (unknown_.empty()) first_unknown_ = name, unknown_line_ = cursor_.line();
         unknown_.insert(name);
@@ -179,21 +182,32 @@ class ObjReader {
       return fail(fmt::format("its materials lie at \"{}\" (expected a file beside the mesh)", name.substr(0, 60)),
                   "nothing is read from elsewhere: copy the MTL file into the mesh's folder");
     const std::string path = detail::path_beside(path_, name);
+    const auto [library, is_new] = libraries_.emplace(detail::one_name(path), Library{});
+    Library* const now = &library->second;
+    latest_.remove(now);  // few files, however many lines
+    latest_.push_front(now);
+    if (!is_new) return true;
     constexpr std::size_t most_bytes = std::size_t{16} << 20;
-    const auto bytes = read_file(path, most_bytes);
+    auto bytes = read_file(path, most_bytes);
     if (!bytes)
       return fail(fmt::format("its materials cannot be read: {}", bytes.error().message),
                   fmt::format("\"{}\" is looked for beside the mesh; remove the line mtllib to do without", name));
-    const auto read = parse_mtl(*bytes, path);
+    auto read = parse_mtl(std::move(*bytes), path);
     if (!read) {
       error_ = read.error();
       return false;
     }
-    for (const NamedMaterial& each : *read) {
-      material_index_[each.name] = static_cast<std::int32_t>(materials_.size());
-      materials_.push_back(each.material);
+    for (NamedMaterial& each : *read) {
+      (*now)[std::move(each.name)] = static_cast<std::int32_t>(materials_.size());
+      materials_.push_back(std::move(each.material));
     }
     return true;
+  }
+  /// The index of the material that has this name in the library named last, of those that have it; -1 for none.
+  [[nodiscard]] std::int32_t material_named(const std::string& name) const {
+    for (const Library* library : latest_)
+      if (const auto found = library->find(name); found != library->end()) return found->second;
+    return -1;
   }
 
   const std::string& path_;
@@ -202,7 +216,8 @@ class ObjReader {
   std::vector<Vec2d> uvs_;
   std::unordered_map<ObjCorner, std::int32_t, HashCorner> vertices_;
   std::vector<Material> materials_;
-  std::map<std::string, std::int32_t> material_index_;
+  std::map<std::string, Library> libraries_;  ///< by file: each is read once
+  std::list<Library*> latest_;                ///< the one named last first
   std::int32_t material_ = -1;
   std::set<std::string> unknown_;  ///< materials that faces ask for and no library has
   std::string first_unknown_;
@@ -232,7 +247,8 @@ struct MtlMaterial {
 
 }  // namespace
 
-Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std::string& path) {
+Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::string& path) {
+  if (const auto plain = make_plain_text(bytes, path); !plain) return tl::unexpected(plain.error());
   detail::TextCursor cursor(bytes);
   std::vector<NamedMaterial> named;
   MtlMaterial current;
@@ -243,6 +259,11 @@ Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std
     const std::string keyword(cursor.word());
     if (keyword == "newmtl") {
       finish();
+      constexpr std::size_t most_materials = 100'000;
+      if (named.size() == most_materials)
+        return tl::unexpected(Error{path, cursor.line(), 0,
+                                    fmt::format("there are too many materials (expected at most {})", most_materials),
+                                    "is this the right file?"});
       named.push_back({std::string(cursor.rest()), {}});
       current = {};
       current.material.diffuse = Rgbd(0.0);
@@ -252,15 +273,17 @@ Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std
     const bool is_number =
         keyword == "Ns" || keyword == "Ni" || keyword == "d" || keyword == "Tr" || keyword == "illum";
     if (!is_colour && !is_number) continue;  // pictures and what other renderers added
+    // As in scenes (io/scene_words.h): shares of the light, light itself, and exponents and indices.
+    const double most = keyword == "Ke" ? 1e12 : is_colour ? 1000 : 1e15;
     std::array<double, 3> values{};
     int count = 0;
     for (std::string_view word = cursor.word(); !word.empty() && count < 3; word = cursor.word()) {
       if (word == "-halo") continue;
       const auto number = detail::number_in(word);
-      if (!number || *number < 0 || *number > 1e15)
+      if (!number || *number < 0 || *number > most)
         return tl::unexpected(
             Error{path, cursor.line(), 0,
-                  fmt::format("{}: found \"{}\" (expected a number from 0 to 1e+15)", keyword, word.substr(0, 40)),
+                  fmt::format("{}: found \"{}\" (expected a number from 0 to {:g})", keyword, word.substr(0, 40), most),
                   "colours are given as three numbers, such as Kd 0.8 0.2 0.1"});
       values[static_cast<std::size_t>(count++)] = *number;
     }
@@ -285,6 +308,9 @@ Result<std::vector<NamedMaterial>> parse_mtl(const std::string& bytes, const std
   return named;
 }
 
-Result<MeshFile> parse_obj(const std::string& bytes, const std::string& path) { return ObjReader(bytes, path).read(); }
+Result<MeshFile> parse_obj(std::string bytes, const std::string& path) {
+  if (const auto plain = make_plain_text(bytes, path); !plain) return tl::unexpected(plain.error());
+  return ObjReader(bytes, path).read();
+}
 
 }  // namespace raywalk

@@ -2,9 +2,11 @@
 
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
+#include "io/text_file.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -47,11 +49,13 @@ struct Element {
 
 class PlyReader {
  public:
-  PlyReader(const std::string& bytes, const std::string& path) : bytes_(bytes), path_(path), cursor_(bytes) {}
+  PlyReader(std::string& bytes, const std::string& path) : bytes_(bytes), path_(path), cursor_(bytes) {}
 
   Result<MeshFile> read() {
+    end_lines_with_lf(bytes_, 0, header_end());
     if (!read_header()) return tl::unexpected(*error_);
     at_ = cursor_.position();
+    if (format_ == Format::text) end_lines_with_lf(bytes_, at_, bytes_.size());
     for (const Element& element : elements_)
       if (!read_element(element)) return tl::unexpected(*error_);
     if (normals_given_ < 3) mesh_.normals.clear();
@@ -67,6 +71,14 @@ class PlyReader {
     const std::string place = in_text ? "" : fmt::format(" at byte {}", at_);
     if (!error_) error_ = Error{path_, in_text ? cursor_.line() : 0, 0, message + place, hint};
     return false;
+  }
+
+  /// Where numbers in binary may begin: after the header's last line, which ends as its first one does.
+  [[nodiscard]] std::size_t header_end() const {
+    const std::size_t first = std::min(bytes_.find_first_of("\r\n"), bytes_.size());
+    const bool lone_cr = bytes_.compare(first, 1, "\r") == 0 && bytes_.compare(first, 2, "\r\n") != 0;
+    const std::size_t last = std::min(bytes_.find("end_header"), bytes_.size());
+    return std::min(bytes_.find(lone_cr ? '\r' : '\n', last), bytes_.size() - 1) + 1;
   }
 
   bool read_header() {
@@ -279,7 +291,7 @@ class PlyReader {
     return true;
   }
 
-  const std::string& bytes_;
+  std::string& bytes_;
   const std::string& path_;
   detail::TextCursor cursor_;
   std::size_t at_ = 0;  ///< of binary data
@@ -292,6 +304,10 @@ class PlyReader {
 
 }  // namespace
 
-Result<MeshFile> parse_ply(const std::string& bytes, const std::string& path) { return PlyReader(bytes, path).read(); }
+Result<MeshFile> parse_ply(std::string bytes, const std::string& path) {
+  if (const auto other = why_not_utf8(bytes, path)) return tl::unexpected(*other);
+  if (bytes.starts_with(utf8_mark)) bytes.erase(0, utf8_mark.size());
+  return PlyReader(bytes, path).read();
+}
 
 }  // namespace raywalk

@@ -10,11 +10,11 @@ namespace raywalk {
 Result<SceneDocument> scene_of_mesh(const std::string& path) {
   const auto file = read_mesh(path);
   if (!file) return tl::unexpected(file.error());
-  const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
+  const std::string name = std::filesystem::path(path).filename().string();
   SceneDocument document;
   document.warnings = file->warnings;
   Scene& scene = document.scene;
-  scene.title = absolute.filename().string();
+  scene.title = name;
   scene.image = {640, 480};
   scene.background = {0.55, 0.65, 0.75};
 
@@ -29,7 +29,7 @@ Result<SceneDocument> scene_of_mesh(const std::string& path) {
   scene.camera.fov = FieldOfView{degrees, FovAxis::x};
 
   MeshShape shape;
-  shape.file = absolute.string();  // wherever the scene is saved
+  shape.file = name;  // beside the scene, as long as that is no other file
   shape.mesh = file->mesh;
   shape.materials = file->materials;
   Material clay;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -16,8 +17,8 @@ namespace {
 using detail::WordReader;
 using scene_keys::above_zero;
 using scene_keys::coordinate;
-using scene_keys::light_amount;
 using scene_keys::not_negative;
+using scene_keys::reflectance;
 using scene_keys::view_angle;
 
 constexpr scene_keys::WholeRule corner_count{3, 10'000};
@@ -39,9 +40,12 @@ std::vector<TransformStep> along(const Vec3d& foot, const Vec3d& axis) {
 
 class NffReader {
  public:
-  NffReader(std::string_view text, const std::string& file) : words_(text, file, WordReader::Scope::text) {}
+  NffReader(std::string_view text, const std::string& file)
+      : words_(text, file, WordReader::Scope::text),
+        too_large_(detail::make_room(scene_, text, file, {"s", "c"}, {"p", "pp"})) {}
 
   Result<SceneDocument> read() {
+    if (too_large_) return tl::unexpected(*too_large_);
     scene_.camera.screen.width.reset();
     scene_.camera.fov.reset();
     scene_.limits.depth = 5;
@@ -138,9 +142,14 @@ class NffReader {
   }
 
   void read_material() {
-    const Rgbd colour = words_.colour("the colour");
-    const double diffuse = words_.number("Kd", light_amount), specular = words_.number("Ks", light_amount);
-    const double shine = words_.number("the shine", not_negative), transmission = words_.number("T", light_amount);
+    const Rgbd colour = words_.colour("the colour", reflectance);
+    const double diffuse = words_.number("Kd", reflectance), specular = words_.number("Ks", reflectance);
+    const double shine = words_.number("the shine", not_negative), transmission = words_.number("T", reflectance);
+    if (std::max(diffuse, transmission) * max_component(colour) > reflectance.high)
+      return words_.fail_item(
+          "more than a thousand times the light would go on (expected Kd and T times the colour at "
+          "most 1000)",
+          std::string(reflectance.hint));
     Material material;
     material.ambient = material.diffuse = diffuse * colour;
     material.specular = material.reflection = Rgbd(specular);
@@ -256,6 +265,7 @@ class NffReader {
   detail::Names names_;
   detail::Triangles triangles_;
   std::optional<Material> material_;
+  std::optional<Error> too_large_;
   bool said_bent_ = false;
 };
 

@@ -89,6 +89,8 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
     losses.insert("gloss and translucency: mirrors and glass become sharp");
   if (material.normal == ShadingNormal::fixed) losses.insert("fixed normals: surfaces are lit from both sides");
   if (material.texture) losses.insert("image textures");
+  if (material.transmits() && material.priority != 0)
+    losses.insert("priorities: where transparent bodies overlap, the one entered last counts");
   const Rgbd through =
       material.dielectric && material.transmits() ? material.reflection + material.transmission : material.transmission;
   const bool transmits = material.transmits();

@@ -1,10 +1,12 @@
 #include "io/scene_file.h"
 
 #include "io/file.h"
+#include "io/file_ledger.h"
 #include "io/mesh_scene.h"
 #include "io/nff_reader.h"
 #include "io/scene_reader.h"
 #include "io/test_format_reader.h"
+#include "io/text_file.h"
 #include "io/texture_file.h"
 #include "io/toml_text.h"
 
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <new>
 
 namespace raywalk {
 
@@ -144,15 +147,19 @@ bool is_mesh(SceneFormat format) { return format >= SceneFormat::ply; }
 
 bool has_scene_ending(std::string_view path) { return ends_with(path, scene_ending(scene_format_of(path))); }
 
-Result<SceneDocument> read_scene(const std::string& path) {
-  const SceneFormat format = scene_format_of(path);
+namespace {
+
+Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
   if (is_mesh(format)) return scene_of_mesh(path);
-  const auto text = read_file(path, format == SceneFormat::toml ? most_scene_bytes : most_foreign_bytes);
+  auto text = read_file(path, format == SceneFormat::toml ? most_scene_bytes : most_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
+  const bool marked = text->starts_with(utf8_mark);
+  if (const auto plain = make_plain_text(*text, path); !plain) return tl::unexpected(plain.error());
   switch (format) {
     case SceneFormat::toml: {
       auto document = parse_scene(*text, path);
       if (!document) return document;
+      if (marked) document->text.insert(0, utf8_mark);  // as it was, so it is written again
       const std::string folder = path.substr(0, path.find_last_of('/') + 1);
       if (const auto loaded = load_textures(document->scene, folder); !loaded) return tl::unexpected(loaded.error());
       return document;
@@ -168,6 +175,23 @@ Result<SceneDocument> read_scene(const std::string& path) {
       break;  // read above
   }
   return SceneDocument{};
+}
+
+}  // namespace
+
+Result<SceneDocument> read_scene(const std::string& path) {
+  const FileLedger ledger;
+  Result<SceneDocument> document;
+  try {
+    document = read_format(path, scene_format_of(path));
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{path, 0, 0, "there is not enough memory to read this, with the files that it names",
+                                "close other programs, or use smaller meshes or textures"});
+  }
+  if (!document) return document;
+  document->path = path;
+  document->files = ledger.files_read();
+  return document;
 }
 
 }  // namespace raywalk

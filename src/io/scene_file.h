@@ -17,6 +17,9 @@ struct SceneDocument {
   Scene scene;
   std::string text;                   ///< empty for a scene that was never in a file
   std::vector<std::string> warnings;  ///< one line each, "FILE:LINE:COL: ..."
+  /// The file that it was read from, from whose folder its meshes and textures are named; empty when from none.
+  std::string path{};
+  std::vector<std::string> files{};  ///< all that were read for it, meshes, their materials and textures among them
 };
 
 /// Meshes come in files of their own, so a larger scene file is a mistake.
@@ -71,6 +74,11 @@ enum class MeshReading { read, skip };
 /// those set apart by an empty line). Without a previous text, or with one that is no scene, a tidy new text.
 /// Fails when `scene` breaks a rule of the format (a radius that is not finite, two objects of one name).
 [[nodiscard]] Result<std::string> format_scene(const Scene& scene, std::string_view previous_text = {});
+
+/// `scene` with the names of its meshes and textures, which were meant from the folder of the file `from`, as they are
+/// from the folder of the file `to`. Absolute names stay what they are. Fails where a folder's name is no UTF-8, which
+/// no scene can state.
+[[nodiscard]] Result<Scene> with_names_from(Scene scene, const std::string& from, const std::string& to);
 
 /// Writes `document.scene`, in our own format whatever it was read from, in the layout of `document.text`, all or
 /// nothing, and on success makes `document.text` what was written. Refuses a name with the ending of another format.

@@ -178,10 +178,18 @@ void describe(Fields& f, Instance& instance) {
   f.group_name("group", instance);
 }
 
+/// A share of the light, which goes on at every surface that a ray meets.
+template <class Fields>
+void share(Fields& f, std::string_view key, Rgbd& colour) {
+  f.colour(key, colour);
+  f.check(max_component(colour) <= reflectance.high, key,
+          "more than a thousand times the light would go on (expected at most 1000)", reflectance.hint);
+}
+
 template <class Fields>
 void describe(Fields& f, Checker& checker) {
-  f.colour("even", checker.even);
-  f.colour("odd", checker.odd);
+  share(f, "even", checker.even);
+  share(f, "odd", checker.odd);
   f.number("size", checker.size, above_zero, optional);
 }
 
@@ -194,17 +202,18 @@ void describe(Fields& f, ImageTexture& texture) {
 
 template <class Fields>
 void describe(Fields& f, Material& material) {
-  f.colour("ambient", material.ambient);
-  f.colour("diffuse", material.diffuse);
-  f.colour("specular", material.specular);
+  share(f, "ambient", material.ambient);
+  share(f, "diffuse", material.diffuse);
+  share(f, "specular", material.specular);
   f.number("shininess", material.shininess, not_negative, optional);
-  f.colour("reflection", material.reflection);
-  f.colour("transmission", material.transmission);
+  share(f, "reflection", material.reflection);
+  share(f, "transmission", material.transmission);
   f.number("ior", material.ior, above_zero, optional);
   f.yes_or_no("dielectric", material.dielectric);
   f.number("gloss", material.gloss, lobe_angle, optional);
   f.number("translucency", material.translucency, lobe_angle, optional);
   f.colour("absorption", material.absorption);
+  f.number("priority", material.priority, any_priority, optional);
   f.choice("shadow", material.shadow);
   f.choice("normal", material.normal);
   f.check(material.normal == ShadingNormal::facing || !material.transmits(), "normal",

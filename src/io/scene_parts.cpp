@@ -1,7 +1,10 @@
 #include "io/scene_parts.h"
 
+#include "io/memory.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace raywalk::detail {
@@ -52,6 +55,31 @@ void Triangles::warn(WordReader& words) const {
   if (left_out_ > 0)
     words.warn(fmt::format("{} triangle{} without an area {} left out: no ray meets them", left_out_,
                            left_out_ == 1 ? "" : "s", left_out_ == 1 ? "is" : "are"));
+}
+
+std::optional<Error> make_room(Scene& scene, std::string_view text, const std::string& file,
+                               const std::vector<std::string_view>& object_words,
+                               const std::vector<std::string_view>& triangle_words) {
+  double objects = 0, triangles = 0;
+  for (std::size_t line = 0; line < text.size(); line = std::min(text.find('\n', line), text.size() - 1) + 1) {
+    const std::size_t begin = text.find_first_not_of(" \t\r", line);
+    if (begin == std::string_view::npos) break;
+    const std::string_view word =
+        text.substr(begin, std::min<std::size_t>(text.find_first_of(" \t\r\n", begin), text.size()) - begin);
+    const auto is_one_of = [&](const auto& words) {
+      return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    if (is_one_of(object_words)) objects += 1;
+    if (is_one_of(triangle_words)) triangles += 1;
+  }
+  // Of a triangle three corners with normals, in lists that grow.
+  constexpr double per_triangle = 1.5 * (3 * 2 * sizeof(Vec3d) + sizeof(Mesh::Corners));
+  const MemoryNeed need{triangles > objects ? fmt::format("a scene of {:.0f} triangles", triangles)
+                                            : fmt::format("a scene of {:.0f} objects", objects),
+                        objects * sizeof(Object) + triangles * per_triangle};
+  if (auto error = why_too_large(need, file, "write fewer of them, or a mesh in a file of its own")) return error;
+  scene.objects.reserve(static_cast<std::size_t>(objects));
+  return std::nullopt;
 }
 
 void check_camera(const Camera& camera, WordReader& words) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raywalk::detail {
 
@@ -46,6 +47,12 @@ class Triangles {
   Material material_;
   int left_out_ = 0;
 };
+
+/// About what the scene of a text comes to in memory, by the words at the beginnings of its lines: so many `objects`,
+/// and corners and triangles of meshes. Said before it is read; makes room for the objects.
+[[nodiscard]] std::optional<Error> make_room(Scene& scene, std::string_view text, const std::string& file,
+                                             const std::vector<std::string_view>& object_words,
+                                             const std::vector<std::string_view>& triangle_words);
 
 /// Fails at the item taken last unless the camera sees something: eye and look-at apart, up not along the view.
 void check_camera(const Camera& camera, WordReader& words);

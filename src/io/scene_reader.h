@@ -42,7 +42,7 @@ class ReadLog {
   std::vector<std::string> warnings_;
   std::map<std::string, toml::source_index> names_;  ///< to the line of each
   bool reads_meshes_;
-  std::map<std::string, MeshFile> meshes_;  ///< by name
+  std::map<std::string, MeshFile> meshes_;  ///< by file
   std::map<std::string, std::shared_ptr<const GroupContent>> groups_;
 };
 

@@ -29,6 +29,12 @@ inline constexpr NumberRule coordinate{
     .high = most_magnitude,
     .hint = "in scene units: x to the right, y up, z towards the reader",
 };
+inline constexpr NumberRule any_priority{
+    .expected = "a number",
+    .low = -most_magnitude,
+    .high = most_magnitude,
+    .hint = "where transparent bodies overlap, the one with the highest counts; 0 when left out",
+};
 inline constexpr NumberRule above_zero{
     .expected = "a number above 0",
     .high = most_magnitude,
@@ -46,10 +52,17 @@ inline constexpr NumberRule not_negative{
     .high = most_magnitude,
     .hint = "such as 0 or 0.5",
 };
+/// Light that is given off, and the share of it that a surface sends on. Both are far above what any scene needs, and
+/// so low that a few surfaces in turn do not make more of them than the float of a picture's file holds, 3e38.
 inline constexpr NumberRule light_amount{
-    .expected = "a number that is 0 or more",
-    .high = most_magnitude,
+    .expected = "a number from 0 to 1e12",
+    .high = 1e12,
     .hint = "one number is a grey, [red, green, blue] a colour; light is never negative",
+};
+inline constexpr NumberRule reflectance{
+    .expected = "a number from 0 to 1000",
+    .high = 1000,
+    .hint = "the share of the light that goes on, usually from 0 to 1",
 };
 inline constexpr NumberRule view_angle{
     .expected = "an angle in degrees above 0 and below 180",

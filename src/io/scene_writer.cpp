@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -70,9 +71,33 @@ std::optional<std::string> merged(std::string text, Value old, const Value& now)
   return edits.apply(text);
 }
 
+/// Bytes that the scene's text has at least: a short name, a type and a few digits an object, "0, " a number of a mesh.
+double least_text(const Scene& scene) {
+  constexpr double per_object = 60, per_number = 3;
+  double bytes = per_object * static_cast<double>(scene.objects.size());
+  for (const Object& object : scene.objects)
+    if (const auto* mesh = std::get_if<MeshShape>(&object.shape); mesh && mesh->mesh && mesh->file.empty())
+      bytes +=
+          3 * per_number *
+          static_cast<double>(mesh->mesh->positions.size() + mesh->mesh->normals.size() + mesh->mesh->triangles.size());
+  return bytes;
+}
+
 }  // namespace
 
 Result<std::string> format_scene(const Scene& scene, std::string_view previous_text) {
+  const auto too_large = [&](std::string_view at_least, double bytes) {
+    const std::size_t count = scene.objects.size();
+    constexpr double mebibyte = 1 << 20;
+    return tl::unexpected(Error{
+        "", 0, 0,
+        fmt::format("the scene is too large for a .toml: {} object{} to {}{:.0f} MiB (expected at most {} MiB)", count,
+                    count == 1 ? " comes" : "s come", at_least, std::ceil(bytes / mebibyte), most_scene_bytes >> 20),
+        "convert it to .pov, which may be larger, or keep the file that it was read from"});
+  };
+  // The tree of values takes a thousand times the memory of what it says, so what cannot be is told before.
+  if (const double least = least_text(scene); least > static_cast<double>(most_scene_bytes))
+    return too_large("at least ", least);
   const Value now = detail::values_of(scene);
   // Reading what was written is the proof that nothing is lost, and the check of the scene itself.
   const auto holds_scene = [&](const Result<SceneDocument>& written) {
@@ -88,15 +113,7 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
     }
   }
   std::string text = detail::section_text(now, "");
-  if (text.size() > most_scene_bytes) {
-    const std::size_t count = scene.objects.size(), mebibyte = std::size_t{1} << 20;
-    return tl::unexpected(
-        Error{"", 0, 0,
-              fmt::format("the scene is too large for a .toml: {} object{} to {} MiB (expected at most {} MiB)", count,
-                          count == 1 ? " comes" : "s come", (text.size() + mebibyte - 1) / mebibyte,
-                          most_scene_bytes / mebibyte),
-              "convert it to .pov, which may be larger, or keep the file that it was read from"});
-  }
+  if (text.size() > most_scene_bytes) return too_large("", static_cast<double>(text.size()));
   const auto written = parse_scene(text, "the scene to be written", MeshReading::skip);
   if (!written) return tl::unexpected(written.error());
   if (!holds_scene(written))
@@ -110,7 +127,9 @@ Result<void> write_scene(SceneDocument& document, const std::string& path) {
     return tl::unexpected(
         Error{path, 0, 0, "scenes in " + std::string(scene_ending(format)) + " are read, not written (expected .toml)",
               "save it as a file that ends in .toml"});
-  auto text = format_scene(document.scene, document.text);
+  auto text = with_names_from(document.scene, document.path, path).and_then([&](const Scene& scene) {
+    return format_scene(scene, document.text);
+  });
   if (!text) {
     // The place in a text that nobody has seen says nothing; the message names the key and the object.
     Error error = text.error();

@@ -19,6 +19,7 @@ using detail::WordReader;
 using scene_keys::above_zero;
 using scene_keys::coordinate;
 using scene_keys::not_negative;
+using scene_keys::reflectance;
 using scene_keys::view_angle;
 
 /// Most vertices, and most matrices on the stack.
@@ -51,9 +52,12 @@ class Matrices {
 
 class TestFormatReader {
  public:
-  TestFormatReader(std::string_view text, const std::string& file) : words_(text, file, WordReader::Scope::line) {}
+  TestFormatReader(std::string_view text, const std::string& file)
+      : words_(text, file, WordReader::Scope::line),
+        too_large_(detail::make_room(scene_, text, file, {"sphere"}, {"tri", "trinormal"})) {}
 
   Result<SceneDocument> read() {
+    if (too_large_) return tl::unexpected(*too_large_);
     scene_.camera.screen.width.reset();
     scene_.camera.fov.reset();
     scene_.limits.depth = 6;
@@ -153,9 +157,9 @@ class TestFormatReader {
 
   // --- State
 
-  void read_ambient() { material_.ambient = words_.colour("the colour"); }
-  void read_diffuse() { material_.diffuse = words_.colour("the colour"); }
-  void read_specular() { material_.specular = material_.reflection = words_.colour("the colour"); }
+  void read_ambient() { material_.ambient = words_.colour("the colour", reflectance); }
+  void read_diffuse() { material_.diffuse = words_.colour("the colour", reflectance); }
+  void read_specular() { material_.specular = material_.reflection = words_.colour("the colour", reflectance); }
   void read_shininess() { material_.shininess = words_.number("the shininess", not_negative); }
   void read_emission() { material_.emission = words_.colour("the colour"); }
   void read_attenuation() {
@@ -273,6 +277,7 @@ class TestFormatReader {
   std::vector<Matrices> matrices_{1};
   std::vector<Vec3d> vertices_;
   std::vector<detail::MeshCorner> smooth_vertices_;
+  std::optional<Error> too_large_;
   bool has_size_ = false;
 };
 

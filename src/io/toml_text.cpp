@@ -1,5 +1,7 @@
 #include "io/toml_text.h"
 
+#include "io/text_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,8 +89,7 @@ std::size_t too_deep_key(std::string_view text) {
 /// The first character that TOML allows only in strings and comments. (toml++ 3.3.0 does not take such a one well: its
 /// test for blanks runs into undefined behaviour.)
 std::size_t stray_character(std::string_view text) {
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  const std::size_t skipped = text.substr(0, 3) == byte_order_mark ? 3 : 0;
+  const std::size_t skipped = text.starts_with(utf8_mark) ? utf8_mark.size() : 0;
   return skipped + first_outside(text.substr(skipped), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
 }
 
@@ -126,8 +127,7 @@ Result<void> check(std::string_view text, const std::string& file) {
   };
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return refuse(0, "the file is empty (expected a scene in TOML)", "copy scenes/classic.toml and change it");
-  if (text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff")
-    return refuse(0, "the file is in UTF-16 (expected UTF-8)", "save it again with the encoding UTF-8");
+  if (const auto other = why_not_utf8(text, file)) return tl::unexpected(*other);
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     return refuse(zero, "this is a binary file (expected a scene in TOML, which is text)", "is this the right file?");
   for (std::size_t at = 0; at < text.size();) {

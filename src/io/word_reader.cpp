@@ -188,9 +188,8 @@ Vec3d WordReader::direction(std::string_view what) {
   return v;
 }
 
-Rgbd WordReader::colour(std::string_view what) {
-  const double r = number(what, scene_keys::light_amount), g = number(what, scene_keys::light_amount),
-               b = number(what, scene_keys::light_amount);
+Rgbd WordReader::colour(std::string_view what, const NumberRule& rule) {
+  const double r = number(what, rule), g = number(what, rule), b = number(what, rule);
   return {r, g, b};
 }
 

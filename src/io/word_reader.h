@@ -43,7 +43,7 @@ class WordReader {
   int whole(std::string_view what, scene_keys::WholeRule rule);
   Vec3d point(std::string_view what);
   Vec3d direction(std::string_view what);
-  Rgbd colour(std::string_view what);
+  Rgbd colour(std::string_view what, const scene_keys::NumberRule& rule = scene_keys::light_amount);
 
   /// At the word taken last.
   void fail(std::string message, std::string hint);

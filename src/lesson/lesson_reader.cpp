@@ -1,5 +1,5 @@
-#include "io/file.h"
 #include "io/spelling.h"
+#include "io/text_file.h"
 #include "io/toml_table.h"
 #include "io/toml_text.h"
 #include "lesson/lesson.h"
@@ -342,7 +342,7 @@ Result<Lesson> parse_lesson(std::string_view text, const std::string& file_name)
 Result<Lesson> read_lesson(const std::string& folder) {
   const fs::path path(folder);
   const std::string file = (path / "lesson.toml").string();
-  const auto text = read_file(file, most_bytes);
+  const auto text = read_text(file, most_bytes);
   if (!text) return tl::unexpected(text.error());
   auto lesson = parse_lesson(*text, file);
   if (!lesson) return lesson;
@@ -350,7 +350,7 @@ Result<Lesson> read_lesson(const std::string& folder) {
   lesson->name = (path.has_filename() ? path : path.parent_path()).filename().string();
   for (const Language language : all_languages) {
     const std::string words_file = (path / (std::string(language_code(language)) + ".md")).string();
-    const auto words = read_file(words_file, most_bytes).and_then([&](const std::string& words_text) {
+    const auto words = read_text(words_file, most_bytes).and_then([&](const std::string& words_text) {
       return parse_words(words_text, words_file);
     });
     if (!words) return tl::unexpected(words.error());

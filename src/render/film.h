@@ -3,6 +3,7 @@
 #include "io/image.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -58,6 +59,13 @@ template <class T>
   image.pixels.reserve(film.pixels().size());
   for (const Rgb<T>& mean : film.pixels()) image.pixels.emplace_back(mean);
   return image;
+}
+
+/// Pixels that are no finite number in a picture's file: also where every sample was, as sums of very bright ones.
+template <class T>
+[[nodiscard]] std::size_t not_finite(const Film<T>& film) {
+  return static_cast<std::size_t>(std::count_if(film.pixels().begin(), film.pixels().end(),
+                                                [](const Rgb<T>& mean) { return !is_finite(Rgb<float>(mean)); }));
 }
 
 }  // namespace raywalk

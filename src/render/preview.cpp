@@ -3,6 +3,7 @@
 #include "io/srgb.h"
 #include "render/parallel.h"
 #include "trace/path_kernel.h"
+#include "trace/recursion.h"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +53,8 @@ double cost_of(Heat heat, const Statistics& own, double microseconds) {
 /// that trace each pixel's centre, of ever finer grids, then one pass a sample.
 class Preview::Work {
  public:
-  explicit Work(const PreviewSettings& settings) : settings_(settings) {
+  Work(const Scene& scene, const PreviewSettings& settings)
+      : settings_(settings), stack_(std::max(usual_stack, stack_for(scene.limits.depth))) {
     if (settings.heat != Heat::none)
       costs_.assign(static_cast<std::size_t>(settings.size.width) * static_cast<std::size_t>(settings.size.height),
                     -1.0f);
@@ -61,7 +63,7 @@ class Preview::Work {
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
-  void refine(double milliseconds, int threads, std::vector<std::uint8_t>& rgba);
+  void refine(double milliseconds, int threads, const Stop& stop, std::vector<std::uint8_t>& rgba);
   [[nodiscard]] bool has_every_pixel() const { return sample_ >= 0; }
   [[nodiscard]] bool finished() const { return has_every_pixel() && sample_ == samples_to_take(); }
   [[nodiscard]] double done() const {
@@ -86,8 +88,8 @@ class Preview::Work {
   /// What the pixel cost, in the unit of the heat map.
   void note_cost(int column, int row, double cost) { costs_[index_of(column, row)] = static_cast<float>(cost); }
   /// Traces what is new in row `row` of the grid of this stride.
-  virtual Statistics trace_centres(int row, int stride) = 0;
-  virtual Statistics trace_sample(int row, int sample) = 0;
+  virtual Statistics trace_centres(int row, int stride, const Stop& stop) = 0;
+  virtual Statistics trace_sample(int row, int sample, const Stop& stop) = 0;
   [[nodiscard]] virtual Rgba shown(int column, int row, int samples_taken) const = 0;
 
   [[nodiscard]] const ImageSize& size() const { return settings_.size; }
@@ -99,12 +101,13 @@ class Preview::Work {
   void begin_pass();
 
  private:
-  void trace_row(int row, std::vector<std::uint8_t>& rgba);
+  void trace_row(int row, const Stop& stop, std::vector<std::uint8_t>& rgba);
   void show_row(int row, int stride, int samples_taken, std::vector<std::uint8_t>& rgba) const;
   void end_pass();
   void show_heat(std::vector<std::uint8_t>& rgba);
 
   PreviewSettings settings_;
+  std::size_t stack_;
   std::vector<float> costs_;  ///< of a heat map, each pixel's; negative: not traced yet
   double hottest_ = 0;
   int stride_ = coarsest;  ///< of the pass under way, while centres are traced
@@ -118,9 +121,9 @@ class Preview::Work {
 template <class T>
 class Preview::WorkIn final : public Preview::Work {
  public:
-  WorkIn(const Scene& scene, const PreviewSettings& settings, Worlds& worlds)
-      : Work(settings),
-        world_(worlds.of<T>(scene, settings.accelerator, settings.fault)),
+  WorkIn(const Scene& scene, const PreviewSettings& settings, Worlds& worlds, const Stop& stop)
+      : Work(scene, settings),
+        world_(worlds.of<T>(scene, settings.accelerator, settings.fault, stop)),
         kernel_(scene, *world_),
         centres_(scene, settings.size, settings.size),
         spread_(scene, settings.size, settings.size, Sampling{std::max(samples_to_take(), 1)}),
@@ -134,16 +137,17 @@ class Preview::WorkIn final : public Preview::Work {
   [[nodiscard]] const Film<T>& film() const { return finished() && samples_to_take() > 0 ? mean_ : first_; }
 
  private:
-  Statistics trace_centres(int row, int stride) override {
+  Statistics trace_centres(int row, int stride, const Stop& stop) override {
     // A row that the grid before had too has every second of its pixels already.
     const bool old_row = stride < coarsest && row % (2 * stride) == 0;
-    const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride};
+    const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride, 1, stop};
     const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); };
     if (settings().heat == Heat::none || settings().heat == Heat::noise) return kernel_(centres_, block, put);
     Statistics sum;
     for (const Pixel& pixel : block) {
       const auto begun = Clock::now();
-      const Statistics own = kernel_(centres_, {pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0}, put);
+      const Statistics own =
+          kernel_(centres_, {pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0, 1, 1, stop}, put);
       const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - begun).count();
       note_cost(pixel.column, pixel.row, cost_of(settings().heat, own, microseconds));
       sum += own;
@@ -151,20 +155,26 @@ class Preview::WorkIn final : public Preview::Work {
     return sum;
   }
 
-  Statistics trace_sample(int row, int sample) override {
-    return kernel_(spread_, {0, size().width, row, row + 1, sample}, [this](const Pixel& p, const Rgb<T>& shade) {
-      const Rgb<T> before = p.sample > 0 ? mean_.at(p.column, p.row) : shade;
-      mean_.add(p.column, p.row, p.sample, shade);
-      if (settings().heat == Heat::noise) note_scatter(p, shade, before);
-    });
+  Statistics trace_sample(int row, int sample, const Stop& stop) override {
+    std::vector<Rgb<T>> shades(static_cast<std::size_t>(size().width));  // a row that is stopped is traced once more
+    const Statistics statistics =
+        kernel_(spread_, {0, size().width, row, row + 1, sample, 1, 1, stop},
+                [&shades](const Pixel& p, const Rgb<T>& shade) { shades[static_cast<std::size_t>(p.column)] = shade; });
+    for (int column = 0; column < size().width; ++column) {
+      const Rgb<T>& shade = shades[static_cast<std::size_t>(column)];
+      const Rgb<T> before = sample > 0 ? mean_.at(column, row) : shade;
+      mean_.add(column, row, sample, shade);
+      if (settings().heat == Heat::noise) note_scatter(column, row, sample, shade, before);
+    }
+    return statistics;
   }
 
   /// Sums the squares of the distances from the mean as the mean moves (B. Welford, Technometrics 4(3), 1962).
-  void note_scatter(const Pixel& p, const Rgb<T>& shade, const Rgb<T>& before) {
+  void note_scatter(int column, int row, int sample, const Rgb<T>& shade, const Rgb<T>& before) {
     const auto grey = [](const Rgb<T>& c) { return (Rgbd(c).x + Rgbd(c).y + Rgbd(c).z) / 3; };
-    double& squares = squares_[index_of(p.column, p.row)];
-    squares += grey(shade - before) * grey(shade - mean_.at(p.column, p.row));
-    if (p.sample > 0) note_cost(p.column, p.row, std::sqrt(std::max(squares, 0.0) / p.sample));
+    double& squares = squares_[index_of(column, row)];
+    squares += grey(shade - before) * grey(shade - mean_.at(column, row));
+    if (sample > 0) note_cost(column, row, std::sqrt(std::max(squares, 0.0) / sample));
   }
 
   /// While samples are missing, the centre counts as one more: the first samples alone lie in one corner of the pixel.
@@ -202,18 +212,23 @@ void Preview::Work::end_pass() {
   if (!finished()) begin_pass();
 }
 
-void Preview::Work::refine(double milliseconds, int threads, std::vector<std::uint8_t>& rgba) {
+void Preview::Work::refine(double milliseconds, int threads, const Stop& stop, std::vector<std::uint8_t>& rgba) {
   const auto deadline = Clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
   bool first = true;  // one row at least, so that whoever refines without time still gets there
-  while (!finished() && (first || Clock::now() < deadline)) {
+  while (!finished() && (first || Clock::now() < deadline) && !stop.asked()) {
     // Which rows the deadline leaves undone depends on the threads; each row is marked for itself.
     std::vector<std::uint8_t> traced(rows_to_do_.size(), 0);
-    parallel_for(static_cast<int>(rows_to_do_.size()), threads, [&](int i) {
+    const auto trace = [&](int i) {
       const auto index = static_cast<std::size_t>(i);
       if (!(first && i == 0) && Clock::now() >= deadline) return;
-      trace_row(rows_to_do_[index], rgba);
-      traced[index] = 1;
-    });
+      try {
+        trace_row(rows_to_do_[index], stop, rgba);
+        traced[index] = 1;
+      } catch (const Stopped&) {
+      }
+    };
+    parallel_for(static_cast<int>(rows_to_do_.size()), threads, trace, stack_,
+                 [&] { static_cast<void>(stop.asked()); });
     first = false;
     std::vector<int> left;
     for (std::size_t i = 0; i < traced.size(); ++i)
@@ -249,9 +264,9 @@ void Preview::Work::show_heat(std::vector<std::uint8_t>& rgba) {
     }
 }
 
-void Preview::Work::trace_row(int row, std::vector<std::uint8_t>& rgba) {
+void Preview::Work::trace_row(int row, const Stop& stop, std::vector<std::uint8_t>& rgba) {
   const bool centres = !has_every_pixel();
-  const Statistics statistics = centres ? trace_centres(row, stride_) : trace_sample(row, sample_);
+  const Statistics statistics = centres ? trace_centres(row, stride_, stop) : trace_sample(row, sample_, stop);
   if (settings_.heat == Heat::none) show_row(row, centres ? stride_ : 1, centres ? 0 : sample_ + 1, rgba);
   const std::lock_guard lock(statistics_mutex_);
   statistics_ += statistics;
@@ -279,16 +294,16 @@ Preview::~Preview() = default;
 Preview::Preview(Preview&&) noexcept = default;
 Preview& Preview::operator=(Preview&&) noexcept = default;
 
-void Preview::reset(const Scene& scene, const PreviewSettings& settings, Worlds* worlds) {
+void Preview::reset(const Scene& scene, const PreviewSettings& settings, Worlds* worlds, const Stop& stop) {
   Worlds own;
   if (worlds == nullptr) worlds = &own;
   const bool keep_picture = work_ && work_->settings().size == settings.size;
   switch (settings.precision) {
     case Precision::float_:
-      work_ = std::make_unique<WorkIn<float>>(scene, settings, *worlds);
+      work_ = std::make_unique<WorkIn<float>>(scene, settings, *worlds, stop);
       break;
     case Precision::double_:
-      work_ = std::make_unique<WorkIn<double>>(scene, settings, *worlds);
+      work_ = std::make_unique<WorkIn<double>>(scene, settings, *worlds, stop);
       break;
   }
   if (keep_picture) return;
@@ -298,9 +313,9 @@ void Preview::reset(const Scene& scene, const PreviewSettings& settings, Worlds*
   ++revision_;
 }
 
-bool Preview::refine(double milliseconds, int threads) {
+bool Preview::refine(double milliseconds, int threads, const Stop& stop) {
   if (finished()) return false;
-  work_->refine(milliseconds, threads, rgba_);
+  work_->refine(milliseconds, threads, stop, rgba_);
   ++revision_;
   return !finished();
 }

@@ -42,12 +42,14 @@ class Preview {
   Preview& operator=(Preview&&) noexcept;
 
   /// Starts afresh. Costs the building of the world, where `worlds`, of this scene, do not have it; the picture shown
-  /// stays until the first refine when its size is the same, so that an edit does not flicker.
-  void reset(const Scene& scene, const PreviewSettings& settings, Worlds* worlds = nullptr);
+  /// stays until the first refine when its size is the same, so that an edit does not flicker. Throws Stopped when
+  /// `stop` ends that; all is as before then.
+  void reset(const Scene& scene, const PreviewSettings& settings, Worlds* worlds = nullptr, const Stop& stop = {});
 
   /// Works for about `milliseconds`, in up to `threads` threads (0: as many as the machine runs at once): at least one
-  /// row, and no longer than that by more than one row. Whether anything is left to do.
-  bool refine(double milliseconds, int threads = 0);
+  /// row, and no longer than that by more than one row; `stop` may end it inside a pixel, and that row is left to do.
+  /// Whether anything is left to do.
+  bool refine(double milliseconds, int threads = 0, const Stop& stop = {});
   [[nodiscard]] bool finished() const;
   /// Every pixel has been traced once: the film is that of render() at one sample.
   [[nodiscard]] bool has_every_pixel() const;

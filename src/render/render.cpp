@@ -1,8 +1,10 @@
 #include "render/render.h"
 
 #include "render/adaptive.h"
+#include "render/memory_need.h"
 #include "render/parallel.h"
 #include "trace/path_kernel.h"
+#include "trace/recursion.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +14,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace raywalk {
 
@@ -22,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The rectangles that threads take one after the other: large enough that taking one costs nothing, small enough that
-/// all threads end together and a cancel is heeded at once.
+/// all threads end together.
 class Tiles {
  public:
   explicit Tiles(ImageSize size) : size_(size), across_((size.width + edge - 1) / edge) {}
@@ -65,7 +68,7 @@ template <class T>
 Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
   Film<T> film(size);
   const auto build_start = Clock::now();
-  World<T> world(scene, settings.accelerator, settings.fault);
+  World<T> world(scene, settings.accelerator, settings.fault, settings.stop);
   world.shadow_cache = settings.shadow_cache.value_or(world.accelerator.kind() != AcceleratorKind::none);
   const SceneKernel<T> kernel(scene, world);
   const RayGenerator<T> camera(scene, size, whole, settings.sampling);
@@ -75,13 +78,16 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   rendering.structure = world.accelerator.statistics();
   rendering.build_seconds = seconds_since(build_start);
 
+  if (settings.endless && scene.render.integrator != Integrator::path)  // paths are no trees
+    if (const auto tree = endless_tree(world, kernel, camera, size, settings.sampling.per_pixel, settings.stop))
+      settings.endless(*tree);
+
   const auto trace_start = Clock::now();
   const Tiles tiles(size);
   std::vector<int> order(static_cast<std::size_t>(tiles.count()));
   std::iota(order.begin(), order.end(), 0);
   if (settings.reorder_tiles) settings.reorder_tiles(order);
 
-  const auto cancelled = [&] { return settings.cancel != nullptr && settings.cancel->load(std::memory_order_relaxed); };
   std::atomic<std::uint64_t> taken{0};
   std::mutex results_mutex;
   std::map<std::thread::id, double> busy;
@@ -94,33 +100,42 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     const auto tile_start = Clock::now();
     Statistics statistics;
     const PixelBlock tile = tiles.block(order[static_cast<std::size_t>(position)]);
+    std::uint64_t put_here = 0;  // what a row has put when it is stopped in between counts too
     const PutPixel<T> put = [&](const Pixel& p, const Rgb<T>& shade) {
       adaptive.add(film, p.column, p.row, p.sample, shade);
+      constexpr std::uint64_t unasked = 8;  // a ray through a long list may take long by itself
+      if (++put_here % unasked == 0) settings.stop.check();
     };
-    PixelBlock run = tile;  // a row at a time, to heed a cancel also where the rays of a single pixel are very many
+    PixelBlock run = tile;
+    run.stop = settings.stop;
     constexpr int most_samples = 16;
-    for (run.sample = adaptive.from(); run.sample < adaptive.to(); run.sample += run.samples) {
+    const auto trace_rows = [&] {
       run.samples = std::min(most_samples, adaptive.to() - run.sample);
-      for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end && !cancelled(); ++run.row_begin) {
+      for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end; ++run.row_begin) {
+        settings.stop.check();
         run.row_end = run.row_begin + 1;
-        std::uint64_t pixels = 0;
         adaptive.for_each_run(run.row_begin, tile.column_begin, tile.column_end, [&](int begin, int end) {
           run.column_begin = begin;
           run.column_end = end;
           statistics += kernel(camera, run, put);
-          pixels += static_cast<std::uint64_t>(end - begin) * static_cast<std::uint64_t>(run.samples);
         });
         const double all = static_cast<double>(adaptive.expected());
-        reporter.report(std::min(almost, static_cast<double>(taken += pixels) / all));
+        reporter.report(std::min(almost, static_cast<double>(taken += std::exchange(put_here, 0)) / all));
       }
+    };
+    try {
+      for (run.sample = adaptive.from(); run.sample < adaptive.to(); run.sample += run.samples) trace_rows();
+    } catch (const Stopped&) {
+      taken += put_here;
     }
     const std::lock_guard lock(results_mutex);
     rendering.statistics += statistics;
     busy[std::this_thread::get_id()] += seconds_since(tile_start);
   };
+  const std::size_t stack = std::max(usual_stack, stack_for(scene.limits.depth));
   do {
-    rendering.threads = std::max(rendering.threads, parallel_for(tiles.count(), settings.threads, trace_tile));
-  } while (!cancelled() && adaptive.next(film));
+    rendering.threads = std::max(rendering.threads, parallel_for(tiles.count(), settings.threads, trace_tile, stack));
+  } while (!settings.stop.asked() && adaptive.next(film));
 
   rendering.finished = taken == adaptive.expected();
   rendering.done = static_cast<double>(taken) / static_cast<double>(adaptive.expected());
@@ -131,14 +146,39 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   return rendering;
 }
 
-tl::unexpected<Error> no_memory(ImageSize size) {
-  return tl::unexpected(Error{"", 0, 0,
-                              "a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                                  " pixels does not fit into memory",
-                              "choose a smaller size"});
+/// The one that takes more is named first, and is what the hint is about.
+tl::unexpected<Error> no_memory(const Scene& scene, ImageSize size) {
+  constexpr double of_a_pixel = 24, of_an_entry = 150;  // bytes, roughly
+  const double pixels = static_cast<double>(size.width) * size.height, entries = entries_of(scene.objects);
+  const std::string picture =
+      "the picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
+  const std::string content =
+      "the scene of " + std::to_string(static_cast<std::int64_t>(entries)) + " objects and triangles";
+  const bool is_large = pixels * of_a_pixel > entries * of_an_entry;
+  return tl::unexpected(Error{
+      "", 0, 0, (is_large ? picture : content) + " does not fit into memory, beside " + (is_large ? content : picture),
+      is_large ? "choose a smaller size" : "close other programs, use smaller meshes, or --precision float"});
+}
+
+/// Of a render that was stopped before its first pixel.
+Rendering stopped_before(const RenderSettings& settings, ImageSize size) {
+  Rendering nothing;
+  if (settings.precision == Precision::float_)
+    nothing.film = Film<float>(size);
+  else
+    nothing.film = Film<double>(size);
+  nothing.done = 0;
+  nothing.finished = false;
+  return nothing;
 }
 
 Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
+  if (const auto error = why_too_deep(scene.limits.depth)) return tl::unexpected(*error);
+  RenderSettings of_picture = settings;
+  of_picture.size = size;
+  if (const auto error = why_too_large(memory_needed(scene, of_picture), "",
+                                       "use fewer instances, coarser meshes, --precision float or a smaller --size"))
+    return tl::unexpected(*error);
   try {
     switch (settings.precision) {
       case Precision::float_:
@@ -146,10 +186,12 @@ Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settin
       case Precision::double_:
         return render_in<double>(scene, settings, size, whole);
     }
+  } catch (const Stopped&) {
+    return stopped_before(settings, size);
   } catch (const std::bad_alloc&) {
-    return no_memory(size);
+    return no_memory(scene, size);
   } catch (const std::length_error&) {
-    return no_memory(size);
+    return no_memory(scene, size);
   }
   return Rendering{};
 }

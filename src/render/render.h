@@ -1,9 +1,10 @@
 #pragma once
 
+#include "math/stop.h"
 #include "render/film.h"
+#include "render/tree_size.h"
 #include "trace/kernel.h"
 
-#include <atomic>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -39,8 +40,10 @@ struct RenderSettings {
 
   /// Told now and then, in the thread that called `render`.
   std::function<void(const Progress&)> progress{};
-  /// Once true, the render stops soon and returns what is done. May be set from another thread or a signal handler.
-  const std::atomic<bool>* cancel = nullptr;
+  /// Told before the trace where a pixel may take more rays than one would wait for.
+  std::function<void(const TreeSize&)> endless{};
+  /// Once raised, the render ends soon and returns what is done: whole samples only.
+  Stop stop{};
   /// For tests: brings the tiles, numbered from 0 on, into another order.
   std::function<void(std::vector<int>& tiles)> reorder_tiles{};
 };
@@ -48,16 +51,20 @@ struct RenderSettings {
 /// A picture and what it took.
 struct Rendering {
   std::variant<Film<double>, Film<float>> film;  ///< the alternative that the precision asked for
-  Statistics statistics;
+  Statistics statistics;  ///< of what was stopped inside a pixel, without the pixels nearest to that
   Effects effects;
   AcceleratorKind accelerator = AcceleratorKind::none;  ///< what was built
   AcceleratorStatistics structure;
   double build_seconds = 0, trace_seconds = 0;
   int threads = 1;                     ///< that took part
   std::vector<double> busy_seconds{};  ///< of each thread that traced
-  double done = 1;       ///< share of the samples taken; below 1 only when cancelled. What is missing is black
+  double done = 1;       ///< share of the samples taken; below 1 only when stopped. What is missing is black
   bool finished = true;  ///< every sample was taken
 
+  /// Pixels that the picture's file holds as NaN or infinite.
+  [[nodiscard]] std::size_t not_finite_pixels() const {
+    return std::visit([](const auto& of) { return not_finite(of); }, film);
+  }
   /// Threads that were at work on the average; the number of threads when the work was shared evenly.
   [[nodiscard]] double busy_threads() const {
     return trace_seconds > 0 ? std::accumulate(busy_seconds.begin(), busy_seconds.end(), 0.0) / trace_seconds : 1;
@@ -71,7 +78,7 @@ struct Rendering {
   }
 };
 
-/// The scene's image. Fails only when it does not fit into memory.
+/// The scene's image. Fails only when it does not fit into memory, or its depth not on the stack.
 [[nodiscard]] Result<Rendering> render(const Scene& scene, const RenderSettings& settings = {});
 
 /// The strip: one row of as many pixels as SCREEN has cells. For a planar scene, at one sample a pixel, cell i equals

@@ -29,7 +29,8 @@ Scene shell_of(const Scene& scene) {
 }  // namespace
 
 template <class T>
-std::shared_ptr<const World<T>> Worlds::of(const Scene& scene, AcceleratorKind kind, std::optional<Fault> fault) {
+std::shared_ptr<const World<T>> Worlds::of(const Scene& scene, AcceleratorKind kind, std::optional<Fault> fault,
+                                           const Stop& stop) {
   using Pointer = std::shared_ptr<const World<T>>;
   Scene shell = shell_of(scene);
   const auto same = std::find_if(made_.begin(), made_.end(), [&](const Made& made) {
@@ -40,12 +41,15 @@ std::shared_ptr<const World<T>> Worlds::of(const Scene& scene, AcceleratorKind k
     std::rotate(made_.begin(), same, same + 1);
   } else {
     if (made_.size() == most_kept) made_.pop_back();  // first: large scenes leave no room for one more
-    made_.insert(made_.begin(), {std::move(shell), kind, fault, std::make_shared<const World<T>>(scene, kind, fault)});
+    made_.insert(made_.begin(),
+                 {std::move(shell), kind, fault, std::make_shared<const World<T>>(scene, kind, fault, stop)});
   }
   return std::get<Pointer>(made_.front().world);
 }
 
-template std::shared_ptr<const World<float>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>);
-template std::shared_ptr<const World<double>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>);
+template std::shared_ptr<const World<float>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>,
+                                                        const Stop&);
+template std::shared_ptr<const World<double>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>,
+                                                         const Stop&);
 
 }  // namespace raywalk

@@ -15,11 +15,12 @@ namespace raywalk {
 /// made from may differ. To be used by one thread at a time; the worlds themselves by any number.
 class Worlds {
  public:
-  /// As World<T>(scene, kind, fault); the one made for such a scene before, if it is among the last few asked for.
+  /// As World<T>(scene, kind, fault, stop); the one made for such a scene before, if it is among the last few asked
+  /// for.
   template <class T>
   [[nodiscard]] std::shared_ptr<const World<T>> of(const Scene& scene,
                                                    AcceleratorKind kind = AcceleratorKind::automatic,
-                                                   std::optional<Fault> fault = std::nullopt);
+                                                   std::optional<Fault> fault = std::nullopt, const Stop& stop = {});
 
  private:
   struct Made {
@@ -31,7 +32,9 @@ class Worlds {
   std::vector<Made> made_;  ///< the one asked for last comes first
 };
 
-extern template std::shared_ptr<const World<float>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>);
-extern template std::shared_ptr<const World<double>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>);
+extern template std::shared_ptr<const World<float>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>,
+                                                               const Stop&);
+extern template std::shared_ptr<const World<double>> Worlds::of(const Scene&, AcceleratorKind, std::optional<Fault>,
+                                                                const Stop&);
 
 }  // namespace raywalk

@@ -61,6 +61,7 @@ struct Material {
   double gloss = 0;         ///< half angle in degrees, 0..90, of the cone about the mirror direction that kr gathers
   double translucency = 0;  ///< the same about the refracted direction, for kt; in both, all directions count the same
   Rgbd absorption{0.0};     ///< a: of the light inside, exp(-a d) is left after the way d (Beer); where kt > 0
+  double priority = 0;      ///< where bodies that transmit overlap, the one with the highest is there
   ShadowKind shadow = ShadowKind::opaque;
   ShadingNormal normal = ShadingNormal::facing;  ///< fixed only where nothing transmits
   Rgbd emission{0.0};                            ///< radiance the surface gives off by itself

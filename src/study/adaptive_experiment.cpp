@@ -78,16 +78,16 @@ Experiment adaptive_experiment(Effort effort) {
   e.question = "A pixel is sampled until it is known to X with 95% confidence. Is it, in 95% of the cases?";
   e.weight = 11;
   e.columns = {"tolerance", "share_off_by_more", "samples_a_pixel"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
     for (double tolerance = 0.16; tolerance > 0.9 * least; tolerance /= 2)
       for (Subject& subject : subjects())
         for (const Sampler sampler : samplers) {
-          if (cancel) return trials;
+          if (stop.asked()) return trials;
           subject.scene.render.sampler = sampler;
           RenderSettings settings{ImageSize{edge, edge}, {1 << 16, seed_of(round)}};
           settings.threads = 1;
-          settings.cancel = &cancel;
+          settings.stop = stop;
           settings.tolerance = tolerance;
           const double start = thread_seconds();
           const auto rendering = render(subject.scene, settings);

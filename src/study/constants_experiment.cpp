@@ -148,9 +148,9 @@ Experiment constants_experiment(Effort effort) {
   e.question = "What does it spare to compute once what stays the same for a ray, or for an image?";
   e.weight = 1;
   e.columns = {"tests_a_ray", "nanoseconds_a_test", "answers_differ"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
-    for (int count = 1; count <= 256 && !cancel; count *= 4) {
+    for (int count = 1; count <= 256 && !stop.asked(); count *= 4) {
       const Things all = things(round, count);
       const std::vector<Ray<double>> rays = rays_from_eye(round, tests / count);
       const auto timed = [&](const char* method, auto tests_all) {

@@ -84,12 +84,12 @@ Experiment depth_experiment(Effort effort, const Faults& faults) {
   e.question = "How deep must a tracer go before nobody sees what is missing?";
   e.weight = 0.4;
   e.columns = {"depth", "missing_share", "albedo"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
     for (int depth = 1; depth <= most; depth += depth < 8 ? 1 : 4)
       for (const bool mirror : {true, false})
         for (const double albedo : albedos) {
-          if (cancel) return trials;
+          if (stop.asked()) return trials;
           const Scene scene = room(albedo, mirror, depth, round);
           constexpr int never = 1 << 30;
           const PathSettings paths{depth, never, PathStrategy::directions};

@@ -197,10 +197,10 @@ std::optional<SceneCost> CostSurvey::result() const {
 }
 
 std::optional<SceneCost> scene_cost(const Scene& scene, int samples, int repetitions,
-                                    const std::function<void(double done)>& progress, const std::atomic<bool>* cancel) {
+                                    const std::function<void(double done)>& progress, const Stop& stop) {
   CostSurvey survey(scene, samples, repetitions);
   do {
-    if (cancel != nullptr && *cancel) return std::nullopt;
+    if (stop.asked()) return std::nullopt;
     if (progress) progress(survey.done());
   } while (survey.work());
   if (progress) progress(1);

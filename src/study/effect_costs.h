@@ -1,10 +1,10 @@
 #pragma once
 // Where the time of a scene goes: what each effect that it calls for adds, and what all effects would cost.
 
+#include "math/stop.h"
 #include "scene/effects.h"
 #include "study/trial.h"
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -60,9 +60,9 @@ class CostSurvey {
   std::size_t next_ = 0;  ///< picture, counted over all repetitions
 };
 
-/// A survey to its end. Empty when cancelled.
+/// A survey to its end. Empty when stopped.
 [[nodiscard]] std::optional<SceneCost> scene_cost(const Scene& scene, int samples = 8000, int repetitions = 7,
                                                   const std::function<void(double done)>& progress = {},
-                                                  const std::atomic<bool>* cancel = nullptr);
+                                                  const Stop& stop = {});
 
 }  // namespace raywalk::study

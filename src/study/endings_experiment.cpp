@@ -151,7 +151,7 @@ Experiment endings_experiment(Effort effort) {
   e.question = "Rays beget rays. Who ends that, and what does it cost: a bias, or noise?";
   e.weight = 5;
   e.columns = {"setting", "error", "pixels_or_mean_error"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
     const double pixels = edge * edge, truth = endless_furnace(1, albedo);
     for (double x = 0.5; x > 1e-5; x /= 2) {
@@ -171,7 +171,7 @@ Experiment endings_experiment(Effort effort) {
                         compared(shot.film, [&](int column, int row) { return deep.film.at(column, row).x; }).rms,
                         static_cast<double>(size.width) * size.height, shot.cost});
     };
-    for (int step = 1; step <= 12 && !cancel; ++step) {
+    for (int step = 1; step <= 12 && !stop.asked(); ++step) {
       scene.limits.depth = step;
       try_balls(by_depth, step);
       scene.limits = {30, std::ldexp(1.0, -step)};
@@ -182,7 +182,7 @@ Experiment endings_experiment(Effort effort) {
     constexpr int never = 1 << 30;
     for (int n = 1; n <= samples; n *= 4) {
       const auto try_paths = [&](const std::string& method, const PathSettings& settings) {
-        if (cancel) return;
+        if (stop.asked()) return;
         const Shot shot = shoot(paths, {edge, edge}, {n, seed_of(round)}, false, settings);
         const Compared off = compared(shot.film, [&](int, int) { return truth; });
         trials.push_back({round, method, static_cast<double>(n), off.rms / truth, off.mean / truth, shot.cost});

@@ -1,10 +1,10 @@
 #pragma once
 // An experiment: rounds of trials, and what follows from them.
 
+#include "math/stop.h"
 #include "study/report.h"
 #include "study/trial.h"
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,8 +28,8 @@ struct Experiment {
   Columns columns;
   int rounds = 24;
   double weight = 1;  ///< how long all rounds take beside those of other experiments
-  /// All trials of one round, interleaved. Stops early when `cancel` is set; such a round counts for nothing.
-  std::function<std::vector<Trial>(int round, const std::atomic<bool>& cancel)> run;
+  /// All trials of one round, interleaved. Stops early when asked to; such a round counts for nothing.
+  std::function<std::vector<Trial>(int round, const Stop& stop)> run;
   /// Of all rounds.
   std::function<Report(const std::vector<Trial>&)> conclude;
 };

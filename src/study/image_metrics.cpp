@@ -16,20 +16,25 @@ namespace {
 
 double shown(float linear) { return srgb_encode(std::clamp(static_cast<double>(linear), 0.0, 1.0)); }
 
-std::optional<std::string> not_finite(const Image& image, std::string_view which) {
+std::optional<Error> not_finite(const Image& image, std::string_view which) {
   const auto bad = std::count_if(image.pixels.begin(), image.pixels.end(),
                                  [](const Rgb<float>& pixel) { return !is_finite(pixel); });
   if (bad == 0) return std::nullopt;
-  return fmt::format("{} of {} pixels of the {} picture are no finite numbers", bad, image.pixels.size(), which);
+  return Error{"", 0, 0,
+               fmt::format("{} of {} pixels of the {} picture are no finite numbers", bad, image.pixels.size(), which),
+               "raywalk render warns of them: strengths or colours of the scene may be too large to add up"};
 }
 
 }  // namespace
 
-std::optional<std::string> why_not_comparable(const Image& test, const Image& reference) {
+std::optional<Error> why_not_comparable(const Image& test, const Image& reference) {
   if (test.width != reference.width || test.height != reference.height)
-    return fmt::format("the pictures are of different sizes ({} x {} and {} x {} pixels; expected the same)",
-                       test.width, test.height, reference.width, reference.height);
-  if (test.pixels.empty()) return "the pictures are empty (expected at least one pixel)";
+    return Error{"", 0, 0,
+                 fmt::format("the pictures are of different sizes ({} x {} and {} x {} pixels; expected the same)",
+                             test.width, test.height, reference.width, reference.height),
+                 "render both with the same --size"};
+  if (test.pixels.empty())
+    return Error{"", 0, 0, "the pictures are empty (expected at least one pixel)", "are these the right files?"};
   if (auto why = not_finite(test, "first")) return why;
   return not_finite(reference, "second");
 }

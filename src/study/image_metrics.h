@@ -19,7 +19,7 @@ struct ImageMetrics {
 };
 
 /// Why the two cannot be compared: not of one size, or not finite somewhere.
-[[nodiscard]] std::optional<std::string> why_not_comparable(const Image& test, const Image& reference);
+[[nodiscard]] std::optional<Error> why_not_comparable(const Image& test, const Image& reference);
 
 /// Both comparable.
 [[nodiscard]] ImageMetrics compare_images(const Image& test, const Image& reference);

@@ -175,12 +175,12 @@ Experiment lights_experiment(Effort effort, const Faults& faults) {
   e.question = "A penumbra by n x n shadow rays: where should they go?";
   e.weight = 0.7;
   e.columns = {"points", "rms_error", "mean_error"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
     for (int n = 1; n <= most; n *= 2)
       for (const bool blocked : {true, false})
         for (const Placing placing : placings) {
-          if (cancel) return trials;
+          if (stop.asked()) return trials;
           const Setting setting = setting_of(blocked, round);
           const Shot shot =
               shoot(scene_of(setting, placing, n), {columns, rows}, {1, seed_of(round)}, faults.shuffled_seed);

@@ -180,9 +180,9 @@ Experiment numerics_experiment(Effort effort) {
   e.question = "How many digits does it take to say whether a ray meets a sphere?";
   e.weight = 4;
   e.columns = {"distance", "share_wrong", "worst_relative_error_of_t"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
-    for (double distance = 10; distance < 2e6 && !cancel; distance *= 10) {
+    for (double distance = 10; distance < 2e6 && !stop.asked(); distance *= 10) {
       std::vector<Aimed<float>> floats;
       std::vector<Aimed<double>> doubles;
       std::vector<double> float_truths, double_truths;

@@ -169,11 +169,11 @@ Experiment offsets_experiment(Effort effort) {
   e.question = "A reflected or shadow ray starts on a surface. How far from it should it start?";
   e.weight = 2;
   e.columns = {"epsilon", "share_wrong", "share_self_hits"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Leaving> all;
     for (int i = 0; i < rays; ++i) all.push_back(leaving(round, i));
     std::vector<Trial> trials;
-    for (int power = -12; power <= -1 && !cancel; ++power) {
+    for (int power = -12; power <= -1 && !stop.asked(); ++power) {
       const double epsilon = std::pow(10.0, power);
       const auto judge = [&](const char* method, auto run) {
         const double start = thread_seconds();

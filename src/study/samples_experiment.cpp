@@ -120,12 +120,12 @@ Experiment samples_experiment(Effort effort, const Faults& faults) {
   e.question = "How much better is a pixel when it takes four times the samples, and does it matter where they lie?";
   e.weight = 2;
   e.columns = {"samples", "rms_error", "pixels"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
     for (int n = 1; n <= most; n *= 4)
       for (const Subject& from : {smooth_subject(), edge_subject()})
         for (const Sampler sampler : samplers) {
-          if (cancel) return trials;
+          if (stop.asked()) return trials;
           Subject subject = from;
           subject.scene.render.sampler = sampler;
           Camera& camera = subject.scene.camera;

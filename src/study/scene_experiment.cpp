@@ -110,13 +110,13 @@ Experiment scene_experiment(Effort effort) {
   e.question = "Does what holds for an edge and a penumbra hold where everything comes together?";
   e.weight = 4;
   e.columns = {"samples", "rms_error", "references_apart"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::call_once(once->flag, [&] { once->made = references(of_reference); });
     const References& truth = once->made;
     std::vector<Trial> trials;
     for (int n = 1; n <= most; n *= 4)
       for (const Sampler sampler : samplers) {
-        if (cancel) return trials;
+        if (stop.asked()) return trials;
         Scene scene = everything_at_once();
         scene.render.sampler = sampler;
         const Shot shot = shoot(scene, size, {n, seed_of(round)});

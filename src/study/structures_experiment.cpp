@@ -156,7 +156,7 @@ Experiment structures_experiment(Effort effort) {
   e.question = "What does a ray cost among N things, and when does building a structure pay?";
   e.weight = 4;
   e.columns = {"spheres", "tested_a_ray", "build_seconds"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
     for (int count = least; count <= most; count *= 10) {
       const Primitives<double> spheres = field(count, round);
@@ -165,7 +165,7 @@ Experiment structures_experiment(Effort effort) {
       std::optional<std::uint64_t> right;
       int different = 0;
       for (const Kind kind : kinds) {
-        if (cancel) return trials;
+        if (stop.asked()) return trials;
         if (is_flat(kind) && count > 10000) continue;  // they have shown how they grow
         const double before = thread_seconds();
         const Accelerator<double> accelerator(spheres, kind);

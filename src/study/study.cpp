@@ -60,10 +60,9 @@ class Clockwork {
   double all_ = 0, done_ = 0, skipped_ = 0;
 };
 
-/// All trials, or fewer when cancelled.
+/// All trials, or fewer when stopped.
 Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOptions& options, Clockwork& clock) {
-  static const std::atomic<bool> never{false};
-  const std::atomic<bool>& cancel = options.cancel != nullptr ? *options.cancel : never;
+  const Stop& stop = options.stop;
   std::vector<Trial> trials = kept_trials(experiment, options);
   std::set<int> done;
   for (const Trial& trial : trials) done.insert(trial.round);
@@ -73,17 +72,17 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
   const double weight = experiment.weight / experiment.rounds;
   clock.skip(weight * static_cast<double>(done.size()));
   if (left.empty()) return trials;
-  if (done.empty() && !cancel)
-    static_cast<void>(experiment.run(0, cancel));  // a round to warm up that counts for nothing
+  if (done.empty() && !stop.asked())
+    static_cast<void>(experiment.run(0, stop));  // a round to warm up that counts for nothing
   const std::size_t at_a_time = static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads());
-  for (std::size_t from = 0; from < left.size() && !cancel; from += at_a_time) {
+  for (std::size_t from = 0; from < left.size() && !stop.asked(); from += at_a_time) {
     const std::size_t count = std::min(at_a_time, left.size() - from);
     std::vector<std::vector<Trial>> found(count);
     parallel_for(static_cast<int>(count), static_cast<int>(count), [&](int index) {
       const auto i = static_cast<std::size_t>(index);
-      found[i] = experiment.run(left[from + i], cancel);
+      found[i] = experiment.run(left[from + i], stop);
     });
-    if (cancel) break;  // what was under way counts for nothing
+    if (stop.asked()) break;  // what was under way counts for nothing
     for (const std::vector<Trial>& round : found) trials.insert(trials.end(), round.begin(), round.end());
     if (const auto kept = keep(experiment, options, trials); !kept) return tl::unexpected(kept.error());
     clock.add(experiment.name, weight * static_cast<double>(count));
@@ -141,11 +140,12 @@ std::vector<std::string> StudyResult::broken() const {
 }
 
 Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const StudyOptions& options) {
-  std::error_code failed;
-  fs::create_directories(options.folder, failed);
-  if (failed)
-    return tl::unexpected(Error{options.folder, 0, 0, "cannot make this folder: " + failed.message(),
-                                "choose a folder that you may write to"});
+  if (const auto made = make_folder(options.folder); !made) return tl::unexpected(made.error());
+  const auto page = (fs::path(options.folder) / "index.html").string();
+  if (const auto claimed = claim_output(page); !claimed) return tl::unexpected(claimed.error());
+  for (const Experiment& experiment : experiments)
+    if (const auto claimed = claim_output(table_path(experiment, options), OutputUse::kept); !claimed)
+      return tl::unexpected(claimed.error());
   StudyResult result;
   Clockwork clock(experiments, options);
   std::vector<Law> laws;
@@ -169,8 +169,7 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
   std::size_t next = 0;
   for (Concluded& concluded : result.concluded)
     for (std::size_t i = 0; i < concluded.report.laws.size(); ++i) concluded.verdicts.push_back(verdicts[next++]);
-  const auto written =
-      write_file_atomically((fs::path(options.folder) / "index.html").string(), page_of(result, options));
+  const auto written = write_file_atomically(page, page_of(result, options));
   if (!written) return tl::unexpected(written.error());
   return result;
 }

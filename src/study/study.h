@@ -2,9 +2,9 @@
 // Runs experiments and writes what they found into a folder: NAME.csv with every trial, NAME-1.svg and so on with the
 // diagrams, and index.html with all of it explained.
 
+#include "math/stop.h"
 #include "study/experiment.h"
 
-#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ struct StudyOptions {
   std::string machine;  ///< in words; what was measured on another one is measured again
   std::string command;  ///< that repeats the study, for the page
   std::function<void(const std::string& experiment, double done, double seconds_left)> progress{};
-  const std::atomic<bool>* cancel = nullptr;
+  Stop stop{};
 };
 
 struct Concluded {
@@ -28,7 +28,7 @@ struct Concluded {
 };
 
 struct StudyResult {
-  bool finished = true;  ///< else it was cancelled, and goes on from the folder
+  bool finished = true;  ///< else it was stopped, and goes on from the folder
   std::vector<Concluded> concluded;
   [[nodiscard]] int laws() const;
   [[nodiscard]] std::vector<std::string> broken() const;  ///< "samples: random, edge", of laws that do not hold

@@ -90,7 +90,7 @@ Experiment tessellation_experiment(Effort effort) {
   e.question = "How many triangles make a ball, and what do they cost?";
   e.weight = 8;
   e.columns = {"bands", "rms_error", "bytes"};
-  e.run = [=](int round, const std::atomic<bool>& cancel) {
+  e.run = [=](int round, const Stop& stop) {
     std::vector<Ray<double>> aimed;
     for (int i = 0; i < rays; ++i) {
       // From far, at the inside of the outline: near it a ray may miss the triangles.
@@ -98,7 +98,7 @@ Experiment tessellation_experiment(Effort effort) {
       aimed.push_back({{at.x, at.y, 5}, {0, 0, -1}});
     }
     std::vector<Trial> trials;
-    for (int n = 4; n <= most && !cancel; n *= 2) {
+    for (int n = 4; n <= most && !stop.asked(); n *= 2) {
       const Mesh mesh = ball(n, round);
       Primitives<double> primitives;
       primitives.add(mesh, Affine<double>{}, true);

@@ -28,9 +28,7 @@ class Writer {
     spawned(formed.kind, formed.parent, formed.origin, formed.direction, formed.share);
     light(formed.light);
     if (formed.light_sample > 0) to_["light_sample"] = formed.light_sample;
-    if (!formed.snell) return;
-    const SnellNumbers& s = *formed.snell;
-    to_["snell"] = {{"n1", s.n1}, {"n2", s.n2}, {"cos_in", s.cos_in}, {"cos_out", s.cos_out}, {"fresnel", s.fresnel}};
+    if (formed.snell) snell(*formed.snell);
   }
 
   void operator()(const RayNotFormed& stub) const {
@@ -63,6 +61,7 @@ class Writer {
     to_["holds"] = decided.holds;
     to_["weight"] = triple(decided.weight);
     if (decided.why) to_["why"] = ending_name(*decided.why);
+    if (decided.snell) snell(*decided.snell);
   }
 
   void operator()(const ShadeCalled& called) const {
@@ -138,6 +137,9 @@ class Writer {
     to_["light_density"] = added.light_density;
     to_["weight"] = added.weight;
     to_["added"] = triple(added.added);
+  }
+  void snell(const SnellNumbers& s) const {
+    to_["snell"] = {{"n1", s.n1}, {"n2", s.n2}, {"cos_in", s.cos_in}, {"cos_out", s.cos_out}, {"fresnel", s.fresnel}};
   }
   void pixel(int column, int row, int sample) const {
     to_["column"] = column;

@@ -27,6 +27,8 @@ class Describer {
  private:
   [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
   [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(position_)); }
+  /// Whether it came from outside when it met the surface: against its outward normal.
+  [[nodiscard]] static bool goes_inwards(const RayRecord& shaded) { return dot(shaded.normal, shaded.direction) < 0; }
   [[nodiscard]] const FrameRecord& frame(int index) const {
     return timeline_.frames()[static_cast<std::size_t>(index)];
   }
@@ -66,11 +68,14 @@ class Describer {
         return {MessageId::reflect_formed, {shaded(), Share{max_component(formed.share)}}};
       case RayKind::refract: {
         const SnellNumbers snell = formed.snell.value_or(SnellNumbers{1, 1, 1, 1, 0});
-        // The ray that was shaded came from outside when it met the surface against its outward normal.
-        const RayRecord& parent = ray(current().parent);
-        const bool goes_in = dot(parent.normal, parent.direction) < 0;
-        return {goes_in ? MessageId::refract_formed_in : MessageId::refract_formed_out,
-                {shaded(), degrees_of(snell.cos_in), degrees_of(snell.cos_out)}};
+        const bool goes_in = goes_inwards(ray(current().parent));
+        Message message{goes_in ? MessageId::refract_formed_in : MessageId::refract_formed_out,
+                        {shaded(), degrees_of(snell.cos_in), degrees_of(snell.cos_out)}};
+        if ((goes_in ? snell.n1 : snell.n2) != 1) {
+          message.id = MessageId::refract_formed_within;
+          message.arguments.insert(message.arguments.end(), {snell.n1, snell.n2});
+        }
+        return message;
       }
     }
     return {};
@@ -149,10 +154,13 @@ class Describer {
         constexpr double rounding = 1e-6;  // of a recording in float
         const bool totally =
             material.transmits() && std::abs(missing.x) + std::abs(missing.y) + std::abs(missing.z) < rounding;
-        return {totally ? MessageId::reflective_totally : MessageId::reflective, {shaded(), decided.weight}};
+        if (!totally) return {MessageId::reflective, {shaded(), decided.weight}};
+        return {goes_inwards(current()) ? MessageId::reflective_totally_in : MessageId::reflective_totally,
+                {shaded(), decided.weight}};
       }
       case Line::if_transparent:
-        if (decided.why == Ending::total_internal_reflection) return {MessageId::totally_reflected, {shaded()}};
+        if (decided.why == Ending::total_internal_reflection)
+          return {goes_inwards(current()) ? MessageId::totally_reflected_in : MessageId::totally_reflected, {shaded()}};
         if (!decided.holds) return {MessageId::not_transparent, {shaded()}};
         return {MessageId::transparent, {shaded(), decided.weight}};
       case Line::follow_path:

@@ -32,16 +32,19 @@ enum class MessageId {
   light_blocked,            ///< [light, met]
   light_blocked_by_itself,  ///< [light, met]
   reflective,               ///< [object, kr']
-  reflective_totally,       ///< total internal reflection made it so: [object, kr']
+  reflective_totally,       ///< total internal reflection made it so, on the way out: [object, kr']
+  reflective_totally_in,    ///< the same, on the way in
   not_reflective,           ///< [object]
   reflect_formed,           ///< [object, share of the pixel]
   reflect_depth,            ///< [depth limit]
   reflect_threshold,        ///< [share of the pixel, threshold]
   transparent,              ///< [object, kt']
   not_transparent,          ///< [object]
-  totally_reflected,        ///< nothing is transmitted: [object]
+  totally_reflected,        ///< nothing is transmitted on the way out: [object]
+  totally_reflected_in,     ///< the same, on the way in
   refract_formed_in,        ///< into the object: [object, angle in degrees, angle out degrees]
   refract_formed_out,       ///< out of it: the same
+  refract_formed_within,    ///< into it or out of it, inside of another: [the same, index before, index behind]
   refract_depth,            ///< [depth limit]
   refract_threshold,        ///< [share of the pixel, threshold]
   path_length,              ///< [ray kind]

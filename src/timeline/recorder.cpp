@@ -9,7 +9,8 @@ namespace {
 template <class T>
 Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
   Worlds own;
-  const auto world = (how.worlds != nullptr ? *how.worlds : own).of<T>(scene, AcceleratorKind::automatic, how.fault);
+  const auto world =
+      (how.worlds != nullptr ? *how.worlds : own).of<T>(scene, AcceleratorKind::automatic, how.fault, how.stop);
   const RayGenerator<T> camera(scene, size, whole, how.sampling);
   Recorder recorder;
   const SceneKernel<T> kernel(scene, *world);
@@ -17,7 +18,7 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
   for (int row = block.row_begin; row < block.row_end; ++row)
     for (int column = block.column_begin; column < block.column_end; ++column)
       for (int sample = 0; sample < how.sampling.per_pixel; ++sample)
-        kernel.watched(camera, {column, column + 1, row, row + 1, sample}, recorder);
+        kernel.watched(camera, {column, column + 1, row, row + 1, sample, 1, 1, how.stop}, recorder);
   return recorder.take(size);
 }
 

@@ -23,6 +23,7 @@ struct Recording {
   Sampling sampling{};
   std::optional<Fault> fault{};  ///< breaks the tracer on purpose
   Worlds* worlds = nullptr;      ///< of the scene; null: a world is made for this recording alone
+  Stop stop{};                   ///< may end it: what records throws Stopped then
 };
 
 /// The whole strip, from its first cell to its last: row 0 of an image cells x 1, which is the middle row of every

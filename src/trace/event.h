@@ -103,8 +103,9 @@ struct Found {
 /// if_*.
 struct Decided {
   bool holds;
-  Rgbd weight{0.0};             ///< kr' or kt'; unused in MAIN ALGORITHM
-  std::optional<Ending> why{};  ///< total_internal_reflection when that is why nothing is transmitted
+  Rgbd weight{0.0};                     ///< kr' or kt'; unused in MAIN ALGORITHM
+  std::optional<Ending> why{};          ///< total_internal_reflection when that is why nothing is transmitted
+  std::optional<SnellNumbers> snell{};  ///< with `why`: the law that has no answer
 };
 
 /// shade_*: SHADE is called for `ray`. When the ray missed, it returns `background` at once.

@@ -1,6 +1,7 @@
 #pragma once
 // The tracer's compiled kernels: one for each scalar and each set of effects inside the hit loop, and a watched one.
 
+#include "math/stop.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
@@ -19,6 +20,7 @@ struct PixelBlock {
   int sample = 0;
   int stride = 1;
   int samples = 1;  ///< from `sample` on: all of a pixel before those of the next one
+  Stop stop{};      ///< may end the work inside a pixel, which is not put then: what traces the block throws Stopped
 
   class Iterator {
    public:

@@ -9,7 +9,7 @@ namespace raywalk::detail {
 template <class Policy, class T>
 Statistics run_tracer(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put, typename Policy::Observer& observer) {
-  Tracer<Policy> tracer(world, camera, observer);
+  Tracer<Policy> tracer(world, camera, observer, block.stop);
   tracer.main_algorithm(block, put);
   return tracer.statistics();
 }
@@ -36,15 +36,19 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
   return run_tracer<Policy<T, NoObserver, Set>>(world, camera, block, put, nobody);
 }
 
-/// Refraction never comes without reflection (total internal reflection), nor do lobes: five sets.
+/// Refraction never comes without reflection (total internal reflection), nor do lobes, nor nesting without refraction:
+/// seven sets.
 template <class T, bool Textures, bool Penumbra, bool Shadows>
 Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put) {
-  const HitEffects set = hit_effects(world.effects);
-  const auto run = [&]<bool Reflection, bool Refraction, bool Lobes>() {
-    return run_kernel<T, HitEffects{Reflection, Refraction, Textures, Penumbra, Lobes, Shadows}>(world, camera, block,
-                                                                                                 put);
+  const HitEffects set = hit_effects(world.effects, !world.bodies.empty());
+  const auto run = [&]<bool Reflection, bool Refraction, bool Lobes, bool Nesting = false>() {
+    return run_kernel<T, HitEffects{Reflection, Refraction, Textures, Penumbra, Lobes, Shadows, Nesting}>(world, camera,
+                                                                                                          block, put);
   };
+  if (set.nesting)
+    return set.lobes ? run.template operator()<true, true, true, true>()
+                     : run.template operator()<true, true, false, true>();
   if (set.lobes)
     return set.refraction ? run.template operator()<true, true, true>() : run.template operator()<true, false, true>();
   if (set.refraction) return run.template operator()<true, true, false>();
@@ -52,12 +56,13 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
   return run.template operator()<false, false, false>();
 }
 
-/// Each with or without textures, with shadows, shadows and penumbras or none of these: thirty sets.
+/// Each with or without textures, with shadows, shadows and penumbras or none of these: forty-two sets. The stack of
+/// bodies is a set of its own, for where nothing nests even a question to each hit would cost more than a thousandth.
 template <class T>
 Statistics run_fitting_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put) {
   if (world.numerics == Numerics::naive) return run_naive_kernel(world, camera, block, put);
-  const HitEffects set = hit_effects(world.effects);
+  const HitEffects set = hit_effects(world.effects, !world.bodies.empty());
   const auto run = [&]<bool Penumbra, bool Shadows>() {
     return set.textures ? run_kernel<T, true, Penumbra, Shadows>(world, camera, block, put)
                         : run_kernel<T, false, Penumbra, Shadows>(world, camera, block, put);

@@ -2,6 +2,7 @@
 // What of a lamp's light passes between a surface and the lamp.
 
 #include "trace/leaving.h"
+#include "trace/media.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,30 +12,6 @@
 #include <vector>
 
 namespace raywalk {
-
-/// What is left of light after a way inside an object that absorbs it (A. Beer 1852).
-template <class T>
-[[nodiscard]] Rgb<T> left_after(const Rgb<T>& absorption, T way) {
-  return {std::exp(-absorption.x * way), std::exp(-absorption.y * way), std::exp(-absorption.z * way)};
-}
-
-/// The object that a ray travels in, where that is known: from what it met last, `before` that. A ray that is not
-/// refracted goes on at the side it came from.
-template <class Surface>
-[[nodiscard]] const Surface* medium_after(const Surface& met, bool entering, bool refracted, const Surface* before) {
-  if (refracted) return entering ? &met : nullptr;
-  if (entering) return before;
-  return met.transmits ? &met : nullptr;
-}
-
-/// What is left of light after its way to a surface, if any is lost. Where the medium is not known, a way that ends by
-/// leaving an object lay inside that.
-template <class T, class Surface>
-[[nodiscard]] std::optional<Rgb<T>> left_on_way(const Surface* medium, const Surface& met, bool entering, T way) {
-  const Surface* through = medium == nullptr && !entering ? &met : medium;
-  if (through == nullptr || !through->absorbs) return std::nullopt;
-  return left_after(through->absorption, way);
-}
 
 /// How far a shadow ray runs inside an object: from all its crossings with the object's surface, in any order. Lengths
 /// are counted from the first one told, which lies near the others, so that none of their digits are lost.
@@ -121,11 +98,67 @@ template <class T, class AnyRay>
   return passed;
 }
 
+/// The same where bodies that absorb can nest: only the top one does. None where the ray is never inside of two.
+/// `stack`: the bodies that it starts in.
+template <class T, class AnyRay>
+[[nodiscard]] std::optional<Rgb<T>> light_absorbed_by_top(const World<T>& world, const AnyRay& shadow, T t_max,
+                                                          TestCounts& tests, const std::vector<int>& filters,
+                                                          BodyStack stack) {
+  struct Met {
+    T at;
+    std::int32_t body;
+    bool leaving;
+  };
+  std::vector<Met> met;
+  const T size = length(shadow.direction);
+  Rgb<T> passed{1};
+  const auto cross = [&](int id) {
+    return light_by_crossings(world, shadow, t_max, tests, id, [&](const Vec3<T>& point, bool leaving) {
+      met.push_back({dot(point - shadow.origin, shadow.direction) / size, world.bodies.of_primitive(id), leaving});
+    });
+  };
+  for (const int id : filters) {
+    passed *= cross(id);
+    if (const auto doubles = world.bodies.doubles.find(id); doubles != world.bodies.doubles.end())
+      for (const int each : doubles->second) static_cast<void>(cross(each));  // one surface weakens light once
+  }
+  std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.at < b.at; });
+  // What is left before it is entered was there from the start.
+  BodyStack known = stack;
+  for (const Met& each : met) {
+    if (holds(known, each.body)) continue;
+    known.push_back(each.body);
+    if (each.leaving) enter(stack, each.body, world.bodies);
+  }
+  std::size_t most = stack.size();
+  Rgb<T> depth{0};  // optical
+  T from = 0;
+  const auto go = [&](T to) {
+    if (!stack.empty())
+      depth += std::min(to - from, std::numeric_limits<T>::max()) *
+               world.surfaces[static_cast<std::size_t>(world.bodies[stack.back()].surface)].absorption;
+    from = to;
+  };
+  for (const Met& each : met) {
+    go(each.at);
+    each.leaving ? leave(stack, each.body) : enter(stack, each.body, world.bodies);
+    most = std::max(most, stack.size());
+  }
+  go(t_max * size);
+  if (most < 2) return std::nullopt;
+  return passed * left_after(depth, T(1));
+}
+
 /// The same where something in the scene absorbs. `medium` is what the ray starts in, where that is known.
 template <class T, class AnyRay>
 [[nodiscard, gnu::noinline]] Rgb<T> light_absorbed(const World<T>& world, const AnyRay& shadow, T t_max,
                                                    TestCounts& tests, const std::vector<int>& filters,
-                                                   const typename World<T>::Surface* medium) {
+                                                   const typename World<T>::Medium* medium) {
+  if (!world.bodies.empty()) {
+    const BodyStack& stack = NestedMedia<T>::bodies_in(medium);
+    if (const auto passed = light_absorbed_by_top(world, shadow, t_max, tests, filters, stack)) return *passed;
+    medium = stack.empty() ? nullptr : &world.surfaces[static_cast<std::size_t>(world.bodies[stack.back()].surface)];
+  }
   Rgb<T> passed{1};
   for (auto id = filters.begin(); id != filters.end();) {
     const typename World<T>::Surface& surface = world.surface(*id);
@@ -153,7 +186,7 @@ template <class T, class AnyRay>
 [[nodiscard]] inline std::optional<Rgb<T>> light_through(const World<T>& world, const AnyRay& shadow, T t_max,
                                                          TestCounts& tests, std::vector<int>& filters,
                                                          const ShadowHints& hints = {},
-                                                         const typename World<T>::Surface* medium = nullptr) {
+                                                         const typename World<T>::Medium* medium = nullptr) {
   if (hints.among != nullptr && hints.among->empty() && !world.absorbs) return Rgb<T>(1);
   const Accelerator<T>& accelerator = world.accelerator;
   const bool stopped = world.shadow_roles.empty()

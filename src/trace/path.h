@@ -10,6 +10,8 @@
 // roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded.
 // Every normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
 
+#include "math/stop.h"
+#include "trace/media.h"
 #include "trace/path_lights.h"
 #include "trace/path_lobes.h"
 #include "trace/policy.h"
@@ -35,7 +37,7 @@ struct PathSettings {
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Of the policy (trace/policy.h), `effects` is not heeded.
+/// Of the policy's effects (trace/policy.h), only nesting is heeded.
 template <class Policy>
 class PathTracer {
  public:
@@ -44,8 +46,14 @@ class PathTracer {
   using Observer = typename Policy::Observer;
 
   PathTracer(const World<T>& world, const PathLights<T>& lights, const PathSettings& settings,
-             const RayGenerator<T>& camera, Observer& observer)
-      : world_(world), lights_(lights), settings_(settings), camera_(camera), observer_(observer) {}
+             const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {})
+      : world_(world),
+        lights_(lights),
+        settings_(settings),
+        camera_(camera),
+        observer_(observer),
+        stop_(stop),
+        nested_(world) {}
 
   /// PATH TRACING. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -65,16 +73,17 @@ class PathTracer {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
  private:
+  using Medium = typename World<T>::Medium;
   using Surface = typename World<T>::Surface;
   /// A ray on its way.
   struct Traced {
     Ray ray;
     RayKind kind;
-    Rgb<T> share;                     ///< of the pixel, that the light along the ray has
-    int length;                       ///< rays of the path, this one included
-    T density;                        ///< with which its direction was chosen, by solid angle; 0: it was the only one
-    int number;                       ///< in the recording; 0 when nobody watches
-    const Surface* medium = nullptr;  ///< the transmitting object that it travels in, where that is known
+    Rgb<T> share;                    ///< of the pixel, that the light along the ray has
+    int length;                      ///< rays of the path, this one included
+    T density;                       ///< with which its direction was chosen, by solid angle; 0: it was the only one
+    int number;                      ///< in the recording; 0 when nobody watches
+    const Medium* medium = nullptr;  ///< that it travels in, where that is known
   };
   using Nearest = std::optional<Hit<T>>;
   /// The hit, made ready: place and lobes.
@@ -161,11 +170,13 @@ class PathTracer {
   const PathSettings& settings_;
   const RayGenerator<T>& camera_;
   Observer& observer_;
+  Stop stop_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   std::vector<int> filters_met_;  ///< kept so that no shadow ray allocates
   RandomKey key_;                 ///< of the pixel's present sample
   int rays_formed_ = 0;           ///< numbers the rays of a recording
+  [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NothingNests<T>> nested_;
 };
 
 }  // namespace raywalk

@@ -11,10 +11,15 @@ Statistics run(const World<T>& world, const PathLights<T>& lights, const PathSet
     tracer.main_algorithm(block, put);
     return tracer.statistics();
   };
-  using Robust = Policy<T, Watcher>;
+  constexpr HitEffects no_nesting{.nesting = false};
+  using Robust = Policy<T, Watcher, no_nesting>;
+  using Nesting = Policy<T, Watcher>;
   using Naive = Policy<T, Watcher, all_hit_effects, Numerics::naive>;
-  return world.numerics == Numerics::naive ? run_with(PathTracer<Naive>(world, lights, settings, camera, observer))
-                                           : run_with(PathTracer<Robust>(world, lights, settings, camera, observer));
+  const auto run_as = [&]<class Own>() {
+    return run_with(PathTracer<Own>(world, lights, settings, camera, observer, block.stop));
+  };
+  if (world.numerics == Numerics::naive) return run_as.template operator()<Naive>();
+  return world.bodies.empty() ? run_as.template operator()<Robust>() : run_as.template operator()<Nesting>();
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ int PathTracer<Policy>::lights_at(const Vertex& at) const {
 
 template <class Policy>
 auto PathTracer<Policy>::form_shadow_ray(const Traced& ray, const Vertex& at, int light) -> std::optional<Way> {
+  constexpr unsigned unasked = 64;  // lamps
+  if (static_cast<unsigned>(light) % unasked == unasked - 1) stop_.check();
   const bool object = light == static_cast<int>(world_.lamps.size());
   const typename World<T>::Lamp* lamp = object ? nullptr : &world_.lamps[static_cast<std::size_t>(light)];
   Way way{Ray{}, 0, lamp, {}, Rgb<T>(0), 0, 0, 1};
@@ -92,7 +94,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_object(Way& way, const Vertex& 
   const auto drawn = lights_.draw(at.position, pick, unit);
   if (!drawn) return Ending::facing_away;
   way.ray.direction = drawn->way;
-  way.medium = medium_after(*at.surface, at.entering, dot(drawn->way, at.lobes.side) < 0, at.medium);
+  way.medium = dot(drawn->way, at.lobes.side) < 0 ? at.behind : at.medium;
   const auto answers = at.lobes.evaluate(normalize(drawn->way));
   if (!(answers.density > 0)) return Ending::facing_away;
   way.target = {drawn->primitive, drawn->part};

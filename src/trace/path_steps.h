@@ -44,7 +44,8 @@ struct PathTracer<Policy>::Vertex {
   const Surface* surface;
   int number;                ///< of the ray that led here
   int length;                ///< rays of the path up to here
-  const Surface* medium;     ///< on the side the ray came from, where that is known
+  const Medium* medium;      ///< on the side the ray came from, where that is known
+  const Medium* behind;      ///< behind it
   Rgb<T> share;              ///< of the pixel, that light leaving here against the ray has
   Rgb<T> specular;           ///< ks, as lamps are seen in it
   Refraction<T> refraction;  ///< where the surface transmits; else not set
@@ -59,7 +60,7 @@ struct PathTracer<Policy>::Way {
   Departure target;                     ///< of that object, the part to be met
   Rgb<T> brings;                        ///< to the pixel, if nothing stands before it
   T direction_density, light_density, weight;
-  const Surface* medium = nullptr;  ///< that it begins in, where that is known
+  const Medium* medium = nullptr;  ///< that it begins in, where that is known
 };
 
 template <class Policy>
@@ -76,8 +77,11 @@ void PathTracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  const Traced primary{
+  Traced primary{
       Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
+  if constexpr (Policy::effects.nesting) {
+    if (nested_.any_around_eye()) primary.medium = nested_.at_eye(primary.ray, statistics_.tests);
+  }
   ++statistics_.formed(RayKind::primary);
   note(Line::path_form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -132,8 +136,18 @@ auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex
   at.number = ray.number;
   at.length = ray.length;
   at.share = ray.share;
-  if (const auto left = left_on_way(ray.medium, surface, at.entering, hit.t)) at.share *= *left;
+  const Medium* through = ray.medium;
   at.medium = medium_after(surface, at.entering, false, ray.medium);
+  at.behind = medium_after(surface, at.entering, true, ray.medium);
+  if constexpr (Policy::effects.nesting) {
+    if (surface.nests) at.medium = at.behind = ray.medium;
+    if (surface.nests && surface.transmits) {
+      const auto sides = nested_.across(ray.ray, hit, at.position, at.entering, ray.medium, statistics_.tests);
+      through = sides.before;
+      at.behind = sides.beyond;
+    }
+  }
+  if (const auto left = left_on_way(through, surface, at.entering, hit.t)) at.share *= *left;
   Lobes<T>& lobes = at.lobes;
   lobes.incident = ray.ray.direction;
   lobes.normal = lobes.side = at.entering ? point.normal : -point.normal;
@@ -152,7 +166,10 @@ auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex
   }
   lobes.mirror = surface.reflection;
   if (surface.transmits) {
-    const T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
+    T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
+    if constexpr (Policy::effects.nesting) {
+      if (surface.nests) n1 = nested_.index(through), n2 = nested_.index(at.behind);
+    }
     at.refraction = refraction_at(ray.ray.direction, lobes.normal, n1, n2);
     const Rgb<T> both = surface.reflection + surface.transmission;
     if (at.refraction.total()) {
@@ -255,6 +272,7 @@ auto PathTracer<Policy>::decide_survival(const Traced& ray, const Vertex& at, co
 
 template <class Policy>
 auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T survival) -> Traced {
+  stop_.check();
   const RayKind kind = choice.lobe == Lobe::transparent ? RayKind::refract : RayKind::reflect;
   const Traced next{leaving<Ray>(world_, at.position, at.outwards, at.departure, choice.direction, at.time),
                     kind,
@@ -262,7 +280,7 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T
                     at.length + 1,
                     choice.density,
                     rays_formed_++,
-                    medium_after(*at.surface, at.entering, kind == RayKind::refract, at.medium)};
+                    kind == RayKind::refract ? at.behind : at.medium};
   ++statistics_.formed(kind);
   note(Line::form_next_ray, at.length, [&] {
     RayFormed event{next.number, at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction), Rgbd(next.share)};
@@ -275,7 +293,7 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T
 template <class Policy>
 template <class Put>
 void PathTracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
-  if (!is_finite(final)) ++statistics_.not_finite;
+  if (!is_finite(Rgb<float>(final))) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::path_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
 }

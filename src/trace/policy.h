@@ -28,17 +28,20 @@ struct HitEffects {
   bool penumbra = true;  ///< lights with an extent
   bool lobes = true;     ///< gloss and translucency
   bool shadows = true;   ///< lights, whether or not anything stands before them
+  bool nesting = true;   ///< bodies that transmit may lie in one another, or hold the eye
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
 
-[[nodiscard]] inline HitEffects hit_effects(const Effects& effects) {
+/// `nesting`: whether the world has bodies that can nest.
+[[nodiscard]] inline HitEffects hit_effects(const Effects& effects, bool nesting) {
   return {effects.used(Effect::reflection),
           effects.used(Effect::refraction),
           effects.used(Effect::textures),
           effects.used(Effect::penumbra),
           effects.used(Effect::gloss) || effects.used(Effect::translucency),
-          effects.used(Effect::shadows)};
+          effects.used(Effect::shadows),
+          nesting};
 }
 
 [[nodiscard]] constexpr HitEffects compiled(HitEffects set) {
@@ -48,6 +51,7 @@ inline constexpr HitEffects all_hit_effects{};
   set.penumbra = set.penumbra && compiled(Effect::penumbra);
   set.lobes = set.lobes && (compiled(Effect::gloss) || compiled(Effect::translucency));
   set.shadows = set.shadows && compiled(Effect::shadows);
+  set.nesting = set.nesting && set.refraction;
   return set;
 }
 

@@ -16,7 +16,7 @@ struct Statistics {
   TestCounts tests;
   std::uint64_t random_draws = 0;                   ///< numbers drawn, of all effects together
   std::array<std::uint64_t, effect_count> draws{};  ///< and of each
-  std::uint64_t not_finite = 0;                     ///< final shades that are NaN or infinite: failures, each one
+  std::uint64_t not_finite = 0;  ///< final shades that a file's float cannot hold: failures, each one
 
   void drew(Effect effect, int numbers) {
     random_draws += static_cast<std::uint64_t>(numbers);

@@ -6,6 +6,8 @@
 // pseudocode line heads the statement that the line names, and a test holds the texts together. What a statement does
 // stands in the function it calls, below (trace/tracer_steps.h).
 
+#include "math/stop.h"
+#include "trace/media.h"
 #include "trace/optics.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
@@ -27,8 +29,14 @@ class Tracer {
   using Ray = typename Policy::Ray;
   using Observer = typename Policy::Observer;
 
-  Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer)
-      : world_(world), camera_(camera), observer_(observer), last_blockers_(world.lamps.size(), -1) {}
+  /// `stop` may end the work inside a pixel: `main_algorithm` throws Stopped then.
+  Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {})
+      : world_(world),
+        camera_(camera),
+        observer_(observer),
+        stop_(stop),
+        last_blockers_(world.lamps.size(), -1),
+        nested_(world) {}
 
   /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -59,9 +67,10 @@ class Tracer {
   struct Branch {
     std::uint64_t path = 0;
   };
-  /// The transmitting object that a ray travels in, where that is known; only kernels that refract carry it along.
-  struct Medium {
-    const typename World<T>::Surface* surface = nullptr;
+  /// What a ray travels in, where that is known; only kernels that refract carry it along.
+  using Medium = typename World<T>::Medium;
+  struct InMedium {
+    const Medium* medium = nullptr;
   };
   /// How many rays a ray descends from; only kernels that may forget to count DEPTH carry it along.
   struct Generation {
@@ -83,14 +92,14 @@ class Tracer {
     Rgb<T> share;
     int number;  ///< in the recording; 0 when nobody watches
     [[no_unique_address]] Only<draws, Branch> branch{};
-    [[no_unique_address]] Only<Policy::effects.refraction, Medium> medium{};
+    [[no_unique_address]] Only<Policy::effects.refraction, InMedium> in{};
     [[no_unique_address]] Only<Policy::faulty, Generation> generation{};
   };
   /// A ray to a light.
   struct Shadow {
     Ray ray;
     int number;  ///< as above
-    [[no_unique_address]] Only<Policy::effects.refraction, Medium> medium{};
+    [[no_unique_address]] Only<Policy::effects.refraction, InMedium> in{};
   };
   using Nearest = std::optional<Hit<T>>;
   /// The hit, made ready for SHADE: place, normal and the weights that "If reflective" and "If transparent" test.
@@ -162,6 +171,7 @@ class Tracer {
                                            const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction);
   Nearest find_closest(Line line, int depth, const Traced& ray);
   Rgb<T> find_intersection(int depth, const Shadow& shadow, const Lamp& lamp);
+  [[nodiscard]] static const Medium* medium_beside(const Shading& at, const Traced& ray, bool refracted);
   void look_between(const Shading& at, const Lamp& lamp);
   [[nodiscard]] static int samples_of(const Lamp& lamp);
   [[nodiscard]] RandomKey light_key(const Traced& ray) const;
@@ -207,6 +217,7 @@ class Tracer {
   const World<T>& world_;
   const RayGenerator<T>& camera_;
   Observer& observer_;
+  Stop stop_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the sample under way
@@ -216,6 +227,7 @@ class Tracer {
   std::vector<int> last_blockers_;                                       ///< by lamp: what the shadow cache holds
   std::vector<int> between_;  ///< primitives that may hide the light at hand from the hit at hand
   ShadowHints hints_;         ///< of the rays between those two
+  [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NothingNests<T>> nested_;
 };
 
 }  // namespace raywalk

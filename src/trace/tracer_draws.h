@@ -17,6 +17,8 @@ int Tracer<Policy>::samples_of(const Lamp& lamp) {
 /// What is known of the rays from a hit to one light before any of them is formed.
 template <class Policy>
 inline void Tracer<Policy>::look_between(const Shading& at, const Lamp& lamp) {
+  constexpr unsigned unasked = 64;  // lamps
+  if (static_cast<unsigned>(lamp.index) % unasked == unasked - 1) stop_.check();
   if (world_.shadow_cache) hints_.last = &last_blockers_[static_cast<std::size_t>(&lamp - world_.lamps.data())];
   if constexpr (culls) {
     const auto found = [&] {
@@ -44,6 +46,8 @@ inline auto Tracer<Policy>::light_point(const Shading& at, const Traced& ray, co
       const Vec2<T> cell(static_cast<T>(sample % lamp.grid), static_cast<T>(sample / lamp.grid));
       if (!world_.draws) return lamp.point_at((cell + T(0.5)) / edge);
       const auto number = static_cast<std::uint32_t>(sample);
+      constexpr std::uint32_t unasked = 256;  // samples
+      if (number % unasked == unasked - 1) stop_.check();
       statistics_.drew(Effect::penumbra, 2);
       if (lamp.grid > 1 && camera_.sampler() != Sampler::sobol) {
         const Vec2<T> unit = at.light_pairs.template draw<T>(lamp.first_dimension + 2 * number);

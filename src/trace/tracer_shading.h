@@ -52,7 +52,8 @@ struct Tracer<Policy>::Shading {
   std::optional<Vec3<T>> other_side;  ///< `side`, where it is not the normal
   std::optional<Weights> weights;     ///< kr' and kt', where they are not the surface's kr and kt
   Refraction<T> refraction;           ///< where the surface transmits; else not set
-  std::optional<Rgb<T>> passed;       ///< what the ray's way through an object that absorbs leaves
+  [[no_unique_address]] Only<Policy::effects.nesting, InMedium> behind{};  ///< a surface that transmits
+  std::optional<Rgb<T>> passed;  ///< what the ray's way through an object that absorbs leaves
   [[no_unique_address]] Only<Policy::effects.textures, Tint> tint{};
   [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< places on lights, where drawn
 
@@ -89,7 +90,7 @@ inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Sha
   const Vec3<T> side = entering ? point.normal : -point.normal;
   Shading at(hit, point.position, side, surface, entering);
   if (surface.fixed_normal) {
-    at.normal = point.normal;
+    at.normal = primitives.given_normal(hit.primitive, point, ray.ray.time).value_or(point.normal);
     at.other_side = side;
   } else if (const auto smooth = primitives.smooth_normal(hit.primitive, point, ray.ray.time)) {
     at.normal = smooth_normal_towards(ray.ray.direction, side, entering ? *smooth : -*smooth);
@@ -107,9 +108,17 @@ inline auto Tracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Sha
       at.tint.colour *= surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
   }
   if constexpr (Policy::effects.refraction) {
-    at.passed = left_on_way(ray.medium.surface, surface, entering, hit.t);
+    at.passed = left_on_way(ray.in.medium, surface, entering, hit.t);
     if (surface.transmits) {
-      const T n1 = entering ? T(1) : surface.ior, n2 = entering ? surface.ior : T(1);
+      T n1 = entering ? T(1) : surface.ior, n2 = entering ? surface.ior : T(1);
+      if constexpr (Policy::effects.nesting) {
+        if (surface.nests) {
+          const auto sides = nested_.across(ray.ray, hit, at.position, entering, ray.in.medium, statistics_.tests);
+          if (sides.before != ray.in.medium) at.passed = left_on_way(sides.before, surface, entering, hit.t);
+          at.behind.medium = sides.beyond;
+          n1 = nested_.index(sides.before), n2 = nested_.index(sides.beyond);
+        }
+      }
       at.refraction = refraction_at(ray.ray.direction, at.normal, n1, n2);
       if (at.refraction.total() || surface.dielectric) {
         const Rgb<T> both = surface.reflection + surface.transmission;

@@ -30,7 +30,10 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRa
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Crossing<T>{hit.t, hit.part});
   Explanation explanation;
   static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
-  const Vec3<T> normal = primitives.smooth_normal(hit.primitive, point, ray.time).value_or(point.normal);
+  const auto smooth = world.surface(hit.primitive).fixed_normal
+                          ? primitives.given_normal(hit.primitive, point, ray.time)
+                          : primitives.smooth_normal(hit.primitive, point, ray.time);
+  const Vec3<T> normal = smooth.value_or(point.normal);
   const typename World<T>::Piece piece = world.piece(hit.primitive);
   return {ray_number,
           ending,
@@ -56,8 +59,11 @@ void Tracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  const Traced primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
-                       rays_formed_++};
+  Traced primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
+                 rays_formed_++};
+  if constexpr (Policy::effects.nesting) {
+    if (nested_.any_around_eye()) primary.in.medium = nested_.at_eye(primary.ray, statistics_.tests);
+  }
   ++statistics_.formed(RayKind::primary);
   note(Line::form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -88,6 +94,7 @@ bool Tracer<Policy>::decide_intersected(const Nearest& nearest) {
 
 template <class Policy>
 int Tracer<Policy>::call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest) {
+  if (line != Line::shade_final) stop_.check();
   int called = depth + 1;
   break_by(Fault::depth_not_counted, [&] {
     if (line == Line::shade_reflect) called = depth;
@@ -107,10 +114,19 @@ bool Tracer<Policy>::runs_away(const Traced& parent) const {
   return false;
 }
 
+/// What a ray that leaves the hit travels in.
+template <class Policy>
+inline auto Tracer<Policy>::medium_beside(const Shading& at, const Traced& ray, bool refracted) -> const Medium* {
+  if constexpr (Policy::effects.nesting) {
+    if (at.surface->nests) return refracted ? at.behind.medium : ray.in.medium;
+  }
+  return medium_after(*at.surface, at.entering, refracted, ray.in.medium);
+}
+
 template <class Policy>
 template <class Put>
 void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
-  if (!is_finite(final)) ++statistics_.not_finite;
+  if (!is_finite(Rgb<float>(final))) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
 }
@@ -135,8 +151,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const 
     return std::nullopt;
   }
   Shadow shadow{leaving<Ray>(world_, at.position, at.side(), at.departure, to_light, ray.ray.time), rays_formed_++};
-  if constexpr (Policy::effects.refraction)
-    shadow.medium.surface = medium_after(*at.surface, at.entering, false, ray.medium.surface);
+  if constexpr (Policy::effects.refraction) shadow.in.medium = medium_beside(at, ray, false);
   break_by(Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
@@ -152,8 +167,8 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const 
 template <class Policy>
 inline auto Tracer<Policy>::find_intersection(int depth, const Shadow& shadow, const Lamp& lamp) -> Rgb<T> {
   const T t_max = lamp.directional ? infinity<T> : T(1);
-  const Surface* medium = nullptr;
-  if constexpr (Policy::effects.refraction) medium = shadow.medium.surface;
+  const Medium* medium = nullptr;
+  if constexpr (Policy::effects.refraction) medium = shadow.in.medium;
   const std::optional<Rgb<T>> passed =
       light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, hints_, medium);
   ++statistics_.ends(passed ? Ending::reached_light : Ending::blocked);
@@ -208,8 +223,9 @@ bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
   const bool total = at.surface->transmits && at.refraction.total();
   if (total) ++statistics_.ends(Ending::total_internal_reflection);
   note(Line::if_transparent, depth, [&] {
-    return Decided{holds, Rgbd(at.transmission()),
-                   total ? std::optional(Ending::total_internal_reflection) : std::nullopt};
+    Decided event{holds, Rgbd(at.transmission())};
+    if (total) event.why = Ending::total_internal_reflection, event.snell = snell_numbers(at.refraction);
+    return event;
   });
   return holds;
 }
@@ -270,8 +286,7 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   });
   if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
   if constexpr (Policy::faulty) formed.generation.number = parent.generation.number + 1;
-  if constexpr (Policy::effects.refraction)
-    formed.medium.surface = medium_after(*at.surface, at.entering, kind == RayKind::refract, parent.medium.surface);
+  if constexpr (Policy::effects.refraction) formed.in.medium = medium_beside(at, parent, kind == RayKind::refract);
   ++statistics_.formed(kind);
   note(line, depth, [&] {
     RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(share)};

@@ -21,26 +21,27 @@ T lobe(double degrees) {
 
 template <class T>
 typename World<T>::Surface surface_of(const Material& m, Integrator integrator) {
-  typename World<T>::Surface surface{Rgb<T>(m.ambient),
+  const bool fixed = m.normal == ShadingNormal::fixed && integrator != Integrator::path;  // trace/path.h
+  const bool absorbs = m.transmits() && !is_black(m.absorption);
+  typename World<T>::Surface surface{{Rgb<T>(m.absorption), static_cast<T>(m.ior), absorbs},
+                                     Rgb<T>(m.ambient),
                                      Rgb<T>(m.diffuse),
                                      Rgb<T>(m.specular),
                                      Rgb<T>(m.reflection),
                                      Rgb<T>(m.transmission),
                                      Rgb<T>(m.emission),
                                      static_cast<T>(m.shininess),
-                                     static_cast<T>(m.ior),
                                      m.dielectric,
                                      m.transmits(),
                                      m.shadow == ShadowKind::filtered && m.transmits(),
-                                     m.normal == ShadingNormal::fixed,
-                                     m.normal == ShadingNormal::fixed && !is_black(m.specular),
+                                     fixed,
+                                     fixed && !is_black(m.specular),
                                      {},
                                      {}};
   if (m.texture && m.texture->pixels)
     surface.picture = {m.texture->pixels, static_cast<T>(m.texture->width), static_cast<T>(m.texture->height)};
-  surface.absorption = Rgb<T>(m.absorption);
-  surface.absorbs = m.transmits() && !is_black(m.absorption);
   surface.filter = surface.transmission;
+  surface.priority = m.priority;
   if (draws_random(integrator)) {
     surface.gloss = lobe<T>(m.gloss);
     surface.translucency = lobe<T>(m.translucency);
@@ -111,8 +112,9 @@ typename World<T>::Lamp lamp_of(int index, const Scene& scene, bool draws) {
 template <class T>
 class Flattener {
  public:
-  Flattener(const Scene& scene, World<T>& world)
+  Flattener(const Scene& scene, World<T>& world, const Stop& stop)
       : world_(world),
+        stop_(stop),
         integrator_(integrator_of(scene)),
         shutter_open_(scene.camera.shutter_open),
         shutter_close_(scene.camera.shutter_close) {
@@ -133,6 +135,7 @@ class Flattener {
 
  private:
   void add(const Object& object, const Affine<double>& outer, const Motion& outer_motion) {
+    stop_.check();
     Affine<double> map = outer * affine_of(object.transform);
     Motion motion = moved_within(object.motion, outer, outer_motion);
     if (!motion.empty() && !moves_between(motion, shutter_open_, shutter_close_)) {
@@ -198,6 +201,7 @@ class Flattener {
   }
 
   World<T>& world_;
+  Stop stop_;
   Integrator integrator_;
   double shutter_open_, shutter_close_;
   Primitives<T> primitives_;
@@ -211,14 +215,14 @@ class Flattener {
 }  // namespace
 
 template <class T>
-World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault)
+World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault, const Stop& stop)
     : background(scene.background),
       ambient(scene.ambient),
       depth(scene.limits.depth),
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)),
       draws(draws_random(integrator_of(scene))),
-      accelerator(Flattener<T>(scene, *this).take(), kind),
+      accelerator(Flattener<T>(scene, *this, stop).take(), kind, stop),
       fault(its_fault),
       numerics(fault ? Numerics::naive : scene.render.numerics),
       epsilon(static_cast<T>(scene.render.epsilon)) {
@@ -240,6 +244,8 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
     lamp.first_dimension = dimension;
     dimension += 2 * static_cast<std::uint32_t>(lamp.samples());
   }
+  bodies = bodies_that_nest(*this, scene.camera);
+  for (Surface& each : surfaces) each.nests = !bodies.empty();
 }
 
 template <class T>

@@ -3,6 +3,7 @@
 #include "accel/accelerator.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
+#include "trace/bodies.h"
 #include "trace/fault.h"
 #include "trace/sampling.h"
 #include "trace/texture.h"
@@ -36,17 +37,25 @@ struct World {
     }
   };
 
-  struct Surface {
+  /// What light travels in; air is none.
+  struct Medium {
+    Rgb<T> absorption{0};  ///< per unit of length
+    T ior = 1;
+    bool absorbs = false;  ///< transmits, and absorption is not black
+  };
+
+  /// And the medium behind it.
+  struct Surface : Medium {
     Rgb<T> ambient, diffuse, specular, reflection, transmission, emission;
-    T shininess, ior;
+    T shininess;
     bool dielectric, transmits, filters_shadows;
     bool fixed_normal;     ///< the shading normal does not turn to face the ray
     bool lit_from_behind;  ///< and a light behind it may show its highlight
     std::optional<Pattern> checker;
     std::optional<Picture> picture;
-    Rgb<T> absorption{0};  ///< per unit of length inside
-    bool absorbs = false;  ///< transmits, and absorption is not black
-    Rgb<T> filter{1};      ///< of shadow rays, at each crossing
+    bool nests = false;   ///< the world has bodies that can nest
+    double priority = 0;  ///< where bodies overlap, that of the highest counts
+    Rgb<T> filter{1};     ///< of shadow rays, at each crossing
     /// 1 - cos of the half angle of the lobes about the mirrored and the refracted direction; 0 for sharp ones.
     T gloss = 0, translucency = 0;
   };
@@ -91,9 +100,10 @@ struct World {
     }
   };
 
-  /// `fault`: breaks the tracer on purpose; numerics are naive then, whatever the scene says.
+  /// `fault`: breaks the tracer on purpose; numerics are naive then, whatever the scene says. `stop` may end the
+  /// making, which throws Stopped then.
   explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic,
-                 std::optional<Fault> fault = std::nullopt);
+                 std::optional<Fault> fault = std::nullopt, const Stop& stop = {});
 
   std::vector<Surface> surfaces;
   std::vector<Lamp> lamps;
@@ -121,6 +131,9 @@ struct World {
   T epsilon;  ///< that naive rays start from a surface
   /// Whether a shadow ray first tries what hid the same light from the point before. Changes what a render costs.
   bool shadow_cache = false;
+  /// Where bodies that transmit can nest: what they are. Where there are none, what a ray goes into it comes to from
+  /// air.
+  Bodies bodies;
 
   [[nodiscard]] const Surface& surface(int primitive) const {
     const auto id = static_cast<std::size_t>(primitive);

@@ -242,11 +242,10 @@ class Writer {
     const RayRecord& shaded =
         ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.position))].ray);
     const double angle = angle_between(facing(shaded), -shaded.direction);
-    const bool leaves = dot(shaded.normal, shaded.direction) > 0;
-    const double index = shaded.object >= 0 ? scene().objects[static_cast<std::size_t>(shaded.object)].material.ior : 1;
     row(Kind::formula, EquationText::sine, " θ₂ = n₁ ", EquationText::sine, " θ₁ / n₂");
-    row(Kind::numbers, leaves ? index : 1.0, " · ", EquationText::sine, " ", angle, "° / ", leaves ? 1.0 : index, " > ",
-        1.0);
+    if (decided.snell)
+      row(Kind::numbers, decided.snell->n1, " · ", EquationText::sine, " ", angle, "° / ", decided.snell->n2, " > ",
+          1.0);
     row(Kind::note, EquationText::no_such_angle);
   }
 

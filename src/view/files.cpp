@@ -1,9 +1,12 @@
+#include "io/file_ledger.h"
+#include "render/parallel.h"
 #include "scene/warnings.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 #include "view/update_parts.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace raywalk::detail {
 
@@ -12,7 +15,10 @@ namespace {
 void complain(State& state, const Error& error) { detail::complain(state, error.text()); }
 
 void open_file(State& state, const std::string& path) {
-  Result<SceneDocument> document = read_scene(path);
+  // No reader can be stopped inside; what it has by then is dropped.
+  const auto reading = std::make_shared<Result<SceneDocument>>();
+  run_aside(state.stop, [reading, path] { *reading = read_scene(path); });
+  Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
   forget_autosave(state);
@@ -83,13 +89,26 @@ void overwrite(State& state, const Question& question) {
 
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code failed;
-  return a == b || std::filesystem::equivalent(a, b, failed);
+  return a == b || std::filesystem::equivalent(a, b, failed);  // folders too
 }
 
 /// Whether a file is one of the scenes that come with Raywalk: the lessons play in them.
 bool is_shipped(const State& state, const std::string& path) {
   return !state.lessons.scenes_folder.empty() &&
          same_file(std::filesystem::path(path).parent_path().string(), state.lessons.scenes_folder);
+}
+
+/// What must not be replaced. A scene may be saved over itself, also over the file that it once came from.
+std::vector<std::string> files_in_use(const State& state, PathPrompt what) {
+  std::vector<std::string> files = state.keeps;
+  const auto is_itself = [&](const std::string& file) {
+    return scene_format_of(file) == SceneFormat::toml &&
+           (same_file(file, state.path) || same_file(file, state.document.path));
+  };
+  for (const std::string& file : state.document.files)
+    if (what != PathPrompt::save_as || !is_itself(file)) files.push_back(file);
+  if (what != PathPrompt::save_as && !state.path.empty()) files.push_back(state.path);
+  return files;
 }
 
 }  // namespace
@@ -143,6 +162,10 @@ void ask_or_do(State& state, Intent intent, const std::string& path) {
 }
 
 bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
+  if (const auto error = why_in_use(path, files_in_use(state, what), "in use in this window")) {
+    complain(state, *error);
+    return true;
+  }
   std::error_code failed;
   if (!std::filesystem::exists(path, failed)) return false;
   state.question = Question{Question::Kind::overwrite, Intent::quit, path};

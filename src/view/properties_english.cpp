@@ -34,6 +34,9 @@ std::span<const Explanation> english_explanations() {
                   "Like real glass: how much of kr + kt is mirrored and how much goes through follows from the angle "
                   "(Fresnel's equations), more being mirrored the flatter light meets the surface. Off: kr and kt are "
                   "taken as they are."},
+      Explanation{TextId::priority,
+                  "Which of two transparent bodies is there where they overlap: the one with the higher number, and of "
+                  "equal ones the one that light entered last."},
       Explanation{TextId::filtered_shadow,
                   "A shadow ray goes on through this body and brings kt of the light at each surface it crosses. Off: "
                   "the body blocks light, even if it is of glass."},

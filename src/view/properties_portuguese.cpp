@@ -33,6 +33,9 @@ std::span<const Explanation> portuguese_explanations() {
           TextId::dielectric,
           "Como vidro de verdade: quanto de kr + kt se espelha e quanto atravessa depende do ângulo (equações de "
           "Fresnel); quanto mais rasante a luz, mais se espelha. Desligado: kr e kt valem como estão."},
+      Explanation{TextId::priority,
+                  "Qual de dois corpos transparentes vale onde se sobrepõem: o de número maior e, entre iguais, aquele "
+                  "em que a luz entrou por último."},
       Explanation{TextId::filtered_shadow,
                   "Um raio de sombra continua através deste corpo e traz kt da luz em cada superfície que cruza. "
                   "Desligado: o corpo bloqueia a luz, mesmo que seja de vidro."},

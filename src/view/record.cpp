@@ -31,6 +31,7 @@ Timeline record(const State& state, const Scene& scene, std::optional<Fault> fau
                 std::optional<int> cell = {}) {
   Recording how{state.image.single_precision ? Precision::float_ : Precision::double_, {}, fault, state.worlds.get()};
   how.sampling.per_pixel = samples;
+  how.stop = state.stop;
   if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
   return record_pixel(scene, state.walk->size, state.walk->column, state.walk->row, how);
 }

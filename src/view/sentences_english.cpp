@@ -89,6 +89,8 @@ std::string_view english(MessageId id) {
       return "{0} reflects with weight {1}, so a reflect ray is wanted.";
     case MessageId::reflective_totally:
       return "Total internal reflection: no light leaves {0} here, so the reflect ray gets both shares, weight {1}.";
+    case MessageId::reflective_totally_in:
+      return "Total internal reflection: no light goes into {0} here, so the reflect ray gets both shares, weight {1}.";
     case MessageId::not_reflective:
       return "{0} does not reflect here: these lines are skipped.";
     case MessageId::reflect_formed:
@@ -103,10 +105,14 @@ std::string_view english(MessageId id) {
       return "{0} lets no light through: these lines are skipped.";
     case MessageId::totally_reflected:
       return "No refract ray is formed: total internal reflection lets nothing out of {0} here.";
+    case MessageId::totally_reflected_in:
+      return "No refract ray is formed: total internal reflection lets nothing into {0} here.";
     case MessageId::refract_formed_in:
       return "A refract ray goes into {0}: {1} degrees to the normal become {2}.";
     case MessageId::refract_formed_out:
       return "A refract ray comes out of {0}: {1} degrees to the normal become {2}.";
+    case MessageId::refract_formed_within:
+      return "At {0} a refract ray goes from index {3} to index {4}: {1} degrees to the normal become {2}.";
     case MessageId::refract_depth:
       return "No refract ray is formed: SHADE may not go deeper than DEPTH {0}.";
     case MessageId::refract_threshold:

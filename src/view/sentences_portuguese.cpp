@@ -88,6 +88,8 @@ std::string_view portuguese(MessageId id) {
       return "{0} reflete com peso {1}; aqui cabe um raio refletido.";
     case MessageId::reflective_totally:
       return "Reflexão interna total: nenhuma luz sai de {0} aqui, e o raio refletido leva as duas partes, peso {1}.";
+    case MessageId::reflective_totally_in:
+      return "Reflexão interna total: nenhuma luz entra em {0} aqui, e o raio refletido leva as duas partes, peso {1}.";
     case MessageId::not_reflective:
       return "{0} não reflete aqui: estas linhas são puladas.";
     case MessageId::reflect_formed:
@@ -102,10 +104,14 @@ std::string_view portuguese(MessageId id) {
       return "{0} não deixa passar luz: estas linhas são puladas.";
     case MessageId::totally_reflected:
       return "Nenhum raio refratado se forma: a reflexão interna total não deixa nada sair de {0} aqui.";
+    case MessageId::totally_reflected_in:
+      return "Nenhum raio refratado se forma: a reflexão interna total não deixa nada entrar em {0} aqui.";
     case MessageId::refract_formed_in:
       return "Um raio refratado entra em {0}: {1} graus com a normal viram {2}.";
     case MessageId::refract_formed_out:
       return "Um raio refratado sai de {0}: {1} graus com a normal viram {2}.";
+    case MessageId::refract_formed_within:
+      return "Em {0} um raio refratado passa do índice {3} ao índice {4}: {1} graus com a normal viram {2}.";
     case MessageId::refract_depth:
       return "Nenhum raio refratado se forma: SHADE não pode ir além de DEPTH {0}.";
     case MessageId::refract_threshold:

@@ -85,10 +85,14 @@ Result<void> write_in_folder(const State& state, const std::string& path, const 
 }
 
 Result<void> write_autosave(const State& state) {
-  const Result<std::string> written = format_scene(state.scene(), state.document.text);
+  const std::string path = autosave_path(state);
+  const Result<std::string> written =
+      with_names_from(state.scene(), state.document.path, path).and_then([&](const Scene& scene) {
+        return format_scene(scene, state.document.text);
+      });
   if (!written) return tl::unexpected(written.error());
   return write_in_folder(
-      state, autosave_path(state),
+      state, path,
       std::string(autosave_head) + state.path + "\n" + std::string(time_head) + now_text() + "\n" + written.value());
 }
 
@@ -123,6 +127,11 @@ void recover(State& state, const std::string& original, const std::string& autos
   std::string& text = document->text;
   if (const auto line = head_line(text, 0, autosave_head)) text.erase(0, line->next);
   if (const auto line = head_line(text, 0, time_head)) text.erase(0, line->next);
+  // Its meshes and textures are named from the folder of autosaves; the scene goes back to its own.
+  if (auto home = with_names_from(document->scene, document->path, original); home && !original.empty()) {
+    document->scene = std::move(*home);
+    document->path = original;
+  }
   const Result<SceneDocument> file = read_scene(original);
   state.autosave_file = autosave;  // what it holds is this sitting's work now
   show_document(state, std::move(*document), original);

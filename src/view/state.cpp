@@ -7,8 +7,9 @@
 
 namespace raywalk {
 
-State make_state(SceneDocument document, std::string path, std::string state_dir) {
+State make_state(SceneDocument document, std::string path, std::string state_dir, const Stop& stop) {
   State state;
+  state.stop = stop;
   state.timeline = std::make_shared<const Timeline>();
   state.state_dir = std::move(state_dir);
   state.structure.kind = watched_accelerators.front();

@@ -4,6 +4,7 @@
 
 #include "io/scene_file.h"
 #include "lesson/language.h"
+#include "math/stop.h"
 #include "render/heat.h"
 #include "render/worlds.h"
 #include "timeline/stops.h"
@@ -144,8 +145,11 @@ struct State {
   std::uint64_t revision = 0;      ///< changes with every change of document.scene: the 3-D image is rendered anew
   std::vector<Scene> undo, redo;   ///< last in, first out; bounded (undo_entries, undo_bytes)
   std::shared_ptr<Worlds> worlds;  ///< of document.scene; another with each change of it, so that copies may share it
+  Stop stop{};  ///< what an update takes long for may be ended by this: it throws Stopped, and the state is of no use
+                ///< then
   std::optional<EditMark> last_edit;
   std::vector<std::string> recent;  ///< paths, the latest first
+  std::vector<std::string> keeps;   ///< files of the command line that nothing may replace, such as that of a demo
   /// Folder for the autosave and the list of recent files; empty: neither is kept.
   std::string state_dir;
   /// Where this sitting's autosave goes: a name in state_dir that was free at the start.
@@ -223,7 +227,8 @@ inline constexpr std::size_t undo_bytes = 64 << 20;  ///< of undo and redo toget
 inline constexpr double autosave_every = 5;          ///< seconds
 
 /// A state that shows `document`, fitted to the viewport, at position 0.
-[[nodiscard]] State make_state(SceneDocument document, std::string path = {}, std::string state_dir = {});
+[[nodiscard]] State make_state(SceneDocument document, std::string path = {}, std::string state_dir = {},
+                               const Stop& stop = {});
 
 /// Reads the list of recent files and looks for an autosave in state.state_dir; when there is one, asks whether to
 /// recover it. To be called once at the start.

@@ -136,6 +136,7 @@ enum class TextId {
   transmission,
   ior,
   dielectric,
+  priority,
   filtered_shadow,
   emission,
   checker,

@@ -195,6 +195,8 @@ std::string_view english(TextId id) {
       return "Index of refraction";
     case TextId::dielectric:
       return "Dielectric (Fresnel)";
+    case TextId::priority:
+      return "Priority";
     case TextId::filtered_shadow:
       return "Filtered shadow";
     case TextId::emission:

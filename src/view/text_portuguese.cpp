@@ -194,6 +194,8 @@ std::string_view portuguese(TextId id) {
       return "Índice de refração";
     case TextId::dielectric:
       return "Dielétrico (Fresnel)";
+    case TextId::priority:
+      return "Prioridade";
     case TextId::filtered_shadow:
       return "Sombra filtrada";
     case TextId::emission:

@@ -90,7 +90,8 @@ void show_document(State& state, SceneDocument document, std::string path);
 void ask_path(State& state, PathPrompt prompt);
 void open(State& state, const std::string& path);
 void ask_or_do(State& state, Intent intent, const std::string& path);
-/// Asks before a file that is there already is written over. Whether it has to.
+/// Asks before a file that is there already is written over, and refuses where it is a part of what is open. Whether it
+/// does either: then the file is not to be written now.
 [[nodiscard]] bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what);
 void save(State& state);
 void save_as(State& state, const std::string& path);

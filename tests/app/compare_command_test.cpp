@@ -2,6 +2,8 @@
 #include "io/image.h"
 #include "support/catch.h"
 
+#include <cmath>
+
 using namespace raywalk;
 using namespace raywalk::test;
 
@@ -61,7 +63,13 @@ TEST_CASE("compare says what it cannot compare") {
   folder.write("half.png", "\x89PNG\r\n\x1a\nand then nothing");
   Outcome outcome = folder.run({"compare", "a.pfm", "b.pfm"});
   CHECK(outcome.exit_code == 1);
-  CHECK_THAT(outcome.err, contains("8 x 6 and 6 x 8") && contains("hint: "));
+  CHECK_THAT(outcome.err, contains("8 x 6 and 6 x 8") && contains("hint: render both with the same --size"));
+  Image holes = ramp(8, 6, 1);
+  holes.at(3, 3).y = std::nanf("");
+  put(folder, "nan.pfm", holes);
+  outcome = folder.run({"compare", "a.pfm", "nan.pfm"});
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("1 of 48 pixels of the second picture") && !contains("--size"));
   outcome = folder.run({"compare", "a.pfm", "text.png"});
   CHECK(outcome.exit_code == 1);
   CHECK_THAT(outcome.err, contains("text.png") && contains("expected a PNG, PFM or EXR"));

@@ -2,7 +2,10 @@
 #include "io/scene_file.h"
 #include "support/catch.h"
 
+#include <chrono>
+#include <csignal>
 #include <string>
+#include <thread>
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -79,4 +82,60 @@ TEST_CASE("generate writes what can be rendered at once") {
   CHECK(folder.run({"generate", "spheres", "--count", "50", "--seed", "2", "-o", "spheres.nff"}).exit_code == 0);
   for (const std::string name : {"flake.toml", "spheres.nff"})
     CHECK(folder.run({"render", name, "-o", name + ".png", "--size", "32x32"}).exit_code == 0);
+}
+
+TEST_CASE("generate leaves nothing half-written, whatever ends it") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
+    CAPTURE(signal);
+    const Folder folder;
+    Process process(raywalk_program(), {"generate", "mesh", "--count", "100000000", "-o", "big.ply"}, folder.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    process.send(signal);
+    CHECK(process.wait().exit_code != 0);
+    // Where a file system knows no files without a name, the next one to write there clears what a kill left.
+    CHECK(folder.run({"generate", "spheres", "--count", "5", "-o", "small.nff"}).exit_code == 0);
+    CHECK(folder.names() == std::vector<std::string>{"small.nff"});
+  }
+}
+
+TEST_CASE("a file that grows beyond what is allowed is an error and leaves nothing") {
+  const Folder folder;
+  Process process("/bin/sh",
+                  {"-c", "ulimit -f 64; exec \"$0\" generate mesh --count 1000000 -o big.ply", raywalk_program()},
+                  folder.path());
+  const Outcome outcome = process.wait();
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("big.ply: cannot write: File too large") && contains("hint: "));
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("convert names meshes and textures from the new file's folder") {
+  const Folder folder;
+  for (const char* name : {"from", "to"}) std::filesystem::create_directory(folder / name);
+  CHECK(folder.run({"generate", "mesh", "--count", "20", "-o", "from/ball.ply"}).exit_code == 0);
+  CHECK(folder.run({"convert", "from/ball.ply", "to/ball.toml"}).exit_code == 0);
+  CHECK_THAT(folder.read("to/ball.toml"), contains("file = \"../from/ball.ply\""));
+  CHECK(folder.run({"convert", "to/ball.toml", "ball.toml"}).exit_code == 0);
+  CHECK_THAT(folder.read("ball.toml"), contains("file = \"from/ball.ply\""));
+  CHECK(folder.run({"convert", "ball.toml", "to/ball.pov"}).exit_code == 0);
+  for (const std::string name : {"to/ball.toml", "ball.toml"})
+    CHECK(folder.run({"render", name, "-o", "ball.png", "--size", "8x8"}).exit_code == 0);
+}
+
+TEST_CASE("what is too large for the memory there is, is said before it is taken") {
+  const Folder folder;
+  std::string many = nff;
+  for (int i = 0; i < 800'000; ++i) many += "s 0 0 1 1\n";
+  folder.write("many.nff", many);
+  for (const std::string command :
+       {"render many.nff -o a.png", "info many.nff", "step many.nff", "convert many.nff a.toml"}) {
+    Process limited("/bin/bash", {"-c", "ulimit -v 500000; exec " + raywalk_program() + " " + command}, folder.path());
+    const Outcome outcome = limited.wait();
+    INFO(command << "\n" << outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.err, contains("many.nff: a scene of 800001 objects would take about "));
+    CHECK_THAT(outcome.err, contains("too much (expected at most "));
+    CHECK_THAT(outcome.err, contains("which the address-space limit (ulimit -v) leaves"));
+  }
+  CHECK(folder.names() == std::vector<std::string>{"many.nff"});
 }

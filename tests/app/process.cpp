@@ -68,7 +68,7 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
   redirect(STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   alarm(most_seconds);  // whatever hangs is ended, also when the tests themselves are
   if (chdir(where.c_str()) != 0) _exit(126);
   execv(argv.front(), argv.data());

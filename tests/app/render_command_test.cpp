@@ -262,8 +262,14 @@ TEST_CASE("samples that are no finite number are reported") {
   CHECK(folder.holds("bright.png"));
 }
 
-TEST_CASE("the partial file's name keeps the folder and the ending") {
-  CHECK(partial_path("out.png") == "out.partial.png");
-  CHECK(partial_path("a.b/c.d.PFM") == "a.b/c.d.partial.PFM");
-  CHECK(partial_path("./.png") == "./.partial.png");
+TEST_CASE("the partial file's name keeps the folder and the ending, and is one that was free") {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "a.b");
+  folder.write("out.partial.png", "the user's own");
+  CHECK(new_partial_file(folder / "out.png").value() == folder / "out.partial-2.png");
+  CHECK(new_partial_file(folder / "out.png").value() == folder / "out.partial-3.png");
+  CHECK(folder.read("out.partial.png") == "the user's own");
+  CHECK(new_partial_file(folder / "a.b/c.d.PFM").value() == folder / "a.b/c.d.partial.PFM");
+  CHECK(new_partial_file(folder / ".png").value() == folder / ".partial.png");
+  CHECK_FALSE(new_partial_file(folder / "missing/out.png"));
 }

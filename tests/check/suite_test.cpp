@@ -114,10 +114,11 @@ TEST_CASE("a run goes on from its state file, and refuses another run's") {
   CHECK(damaged.error().line == 2);
 }
 
-TEST_CASE("a cancelled run says that it is not finished") {
-  std::atomic<bool> cancel = true;
+TEST_CASE("a stopped run says that it is not finished") {
+  Stopper stopper;
+  stopper.raised = true;
   SuiteOptions options;
-  options.cancel = &cancel;
+  options.stop = Stop(stopper);
   const auto result = run_suite({toy(0)}, options);
   REQUIRE(result);
   CHECK_FALSE(result->finished);

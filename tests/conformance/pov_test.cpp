@@ -175,6 +175,8 @@ TEST_CASE("mirrors and glass look in POV-Ray as they do here, but for what is sa
     CHECK_THAT(pov.text, contains("// POV-Ray renders without: " + loss + "\n"));
   CHECK(workshop.share_off_converted(scene) > 0.01);
   CHECK(format_pov(still_life(lamp, ball, dielectric)).left_out.empty());
+  dielectric.priority = 1;
+  CHECK(format_pov(still_life(lamp, ball, dielectric)).left_out.size() == 1);
 }
 
 TEST_CASE("POV-Ray renders converted scenes to nearly the same pictures") {

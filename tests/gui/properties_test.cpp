@@ -116,8 +116,8 @@ TEST_CASE("what is refused is explained below its field and gone when the field 
 
 TEST_CASE("what a property means is said where it stands") {
   for (const TextId id : {TextId::ambient, TextId::diffuse, TextId::specular, TextId::shininess, TextId::reflection,
-                          TextId::transmission, TextId::ior, TextId::dielectric, TextId::filtered_shadow,
-                          TextId::attenuation, TextId::depth_limit, TextId::threshold})
+                          TextId::transmission, TextId::ior, TextId::dielectric, TextId::priority,
+                          TextId::filtered_shadow, TextId::attenuation, TextId::depth_limit, TextId::threshold})
     CHECK_FALSE(explanation(id, Language::english).empty());
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);

@@ -271,6 +271,31 @@ TEST_CASE("what cannot be opened is said, with exit code 1", "[window]") {
   CHECK_THAT(raywalk.said(), contains("broken.toml"));
 }
 
+TEST_CASE("a demo that cannot export what it was to export says so, with exit code 1", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  const std::string demo = (desktop.folder() / "show.demo").string();
+  for (const char* ending : {"svg", "png"}) {
+    std::ofstream(demo) << "step\nexport " << (desktop.folder() / "missing/walk.").string() << ending
+                        << "\nwait 1\nquit\n";
+    Visualiser raywalk(desktop, {own_classic(desktop), "--demo", demo});
+    CHECK(raywalk.wait(100) == 1);
+    CHECK_THAT(raywalk.said(), contains("show.demo") && contains("there is no folder") && contains("missing"));
+  }
+}
+
+TEST_CASE("the window's picture replaces nothing that the window reads", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(640, 480);
+  const std::string scene = own_classic(desktop), link = (desktop.folder() / "link.png").string();
+  fs::create_symlink(scene, link);
+  const auto before = fs::file_size(scene);
+  Visualiser raywalk(desktop, {scene, "--screenshot", link});
+  CHECK(raywalk.wait(100) == 2);
+  CHECK_THAT(raywalk.said(), contains("link.png: cannot write: this is the same file as"));
+  CHECK(fs::file_size(scene) == before);
+}
+
 TEST_CASE("the program takes its own picture", "[window]") {
   NEEDS_A_DESKTOP
   const Desktop desktop(1280, 800);

@@ -86,6 +86,11 @@ TEST_CASE("course format: every fault is refused at its line, with what was expe
       {"a direction of length 0", after_head("directional 0 0 0 1 1 1\n"), 3, "has length 0"},
       {"a light too far away", after_head(repeated("scale 1e15 1 1\n", 2) + "point 1 0 0 1 1 1\n"), 5, "too far away"},
       {"a negative shininess", after_head("shininess -1\n"), 3, "found \"-1\""},
+      {"a diffuse beyond measure", after_head("diffuse 1 2000 1\n"), 3,
+       "found \"2000\" (expected a number from 0 to 1000)"},
+      {"a specular beyond measure", after_head("specular 1e12 1 1\n"), 3, "(expected a number from 0 to 1000)"},
+      {"an emission beyond measure", after_head("emission 1e13 1 1\n"), 3, "(expected a number from 0 to 1e12)"},
+      {"a light beyond measure", after_head("point 0 0 0 1e13 1 1\n"), 3, "(expected a number from 0 to 1e12)"},
       {"a grey ambient", after_head("ambient 1\n"), 3, "the line ends here"},
       {"vertices of negative number", after_head("maxverts -1\n"), 3, "found \"-1\""},
   };

@@ -158,6 +158,18 @@ TEST_CASE("what is wrong with a mesh file is told with its place") {
   check_error(obj(corner + "f 1/5 1/5 1/5\n"), 2, "names texture vertex 5, but the file has none so far");
   check_error(obj("f 1 2 3\n"), 1, "names vertex 1, but the file has none so far (expected \"v X Y Z\" above it)");
   check_error(read_mesh("bad").map_error([](Error e) { return e; }), 0, "ending");
+  for (const std::string line : {"Kd 1 2000 1", "Tf 1e12", "Ke 1e13", "Ns 1e16"}) {
+    const auto bright = parse_mtl("newmtl a\n" + line + "\n", "a.mtl");
+    REQUIRE(!bright);
+    CHECK(bright.error().line == 2);
+    CHECK_THAT(bright.error().message, contains("(expected a number from 0 to "));
+  }
+  std::string endless;
+  for (int i = 0; i < 100'001; ++i) endless += "newmtl a\n";
+  const auto many = parse_mtl(endless, "a.mtl");
+  REQUIRE(!many);
+  CHECK(many.error().line == 100'001);
+  CHECK_THAT(many.error().message, contains("too many materials (expected at most 100000)"));
   const auto mtl = parse_mtl("newmtl a\nKd red\n", "a.mtl");
   REQUIRE(!mtl);
   CHECK(mtl.error().line == 2);

@@ -37,7 +37,7 @@ TEST_CASE("a mesh opens as a scene that shows all of it, and is saved as a scene
   REQUIRE(write_scene(*document, folder.file("ball.toml")));
   const auto again = read_scene(folder.file("ball.toml"));
   REQUIRE(again);
-  CHECK(again->scene == scene);
+  CHECK(with_names_from(again->scene, again->path, ball).value() == scene);  // but for where the mesh is seen from
 }
 
 TEST_CASE("what a mesh file warns of is told, whether it is opened or a scene names it") {

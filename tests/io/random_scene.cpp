@@ -189,6 +189,7 @@ Material random_material(Random& random) {
   if (random.chance(0.2)) maybe(material.absorption);
   if (random.chance(0.2)) material.texture = ImageTexture{random_text(random), random.positive(), random.positive()};
   if (random.chance(0.2)) material.checker = Checker{random_colour(random), random_colour(random), random.positive()};
+  if (random.chance(0.2)) material.priority = 6 * random.unit() - 3;
   return material;
 }
 

@@ -130,3 +130,13 @@ mutant uv_wall_without_radius uv shape/quadric.h '{quadric.radii.x * angle, ' '{
 mutant uv_triangle_turned uv shape/triangle.h 'cross(point.normal, along)' 'cross(along, point.normal)'
 mutant uv_normal_as_a_direction uv shape/placed.h 'place.to_shape.normal(point.normal)' \
   'place.to_shape.direction(point.normal)'
+
+# --- Bodies in one another --------------------------------------------------------------------------------------------
+mutant stack_entered_twice stack trace/media.h 'if (holds(stack, body)) return;' ''
+mutant stack_first_of_equals_on_top stack trace/media.h 'bodies[each].priority > bodies[body].priority' \
+  'bodies[each].priority >= bodies[body].priority'
+mutant stack_lowest_on_top stack trace/media.h 'bodies[each].priority > bodies[body].priority' \
+  'bodies[each].priority < bodies[body].priority'
+mutant stack_never_left stack trace/media.h 'std::remove(stack.begin(), stack.end(), body)' 'stack.end()'
+mutant stack_top_is_left stack trace/media.h 'std::remove(stack.begin(), stack.end(), body)' \
+  'stack.empty() ? stack.end() : stack.end() - 1'

@@ -38,6 +38,7 @@ verdict() {
   local log=$work/$1.log program=("$(suspect "$2")" "$root/tests/mutants/suspects.cpp") libraries=(-lgmpxx -lgmp)
   # Whatever concerns no crossing has to get past a test of its own.
   [[ $2 == uv ]] && program=("-I$root/tests" "$root/tests/shape/uv_test.cpp") libraries=("${catch2[@]}")
+  [[ $2 == stack ]] && program=("-I$root/tests" "$root/tests/trace/body_stack_test.cpp") libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
     "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then
@@ -85,7 +86,7 @@ mutant() {
 # Unchanged, the suite must find nothing, or the deaths below mean nothing.
 innocent() {
   local who result
-  for who in Sphere Plane Disk Box Cone Cylinder HyperboloidTwoSheets Polygon Prism mesh accel transform arithmetic uv; do
+  for who in Sphere Plane Disk Box Cone Cylinder HyperboloidTwoSheets Polygon Prism mesh accel transform arithmetic uv stack; do
     ((${#wanted[@]} > 0)) && [[ " ${wanted[*]} " != *" $who "* ]] && continue
     grep -qx "unchanged_$who survived" "$results" && continue
     result=$(verdict "unchanged_$who" "$who" "" "$root")

@@ -214,18 +214,18 @@ TEST_CASE("progress is told in the calling thread and ends at 1") {
   for (std::size_t i = 0; i + 1 < told.size(); ++i) CHECK(told[i].done < 1);
 }
 
-TEST_CASE("a cancelled render returns what is done") {
+TEST_CASE("a stopped render returns what is done") {
   const Scene scene = busy_scene();
   RenderSettings settings{ImageSize{128, 96}};
   const auto whole = render(scene, settings).value();
-  std::atomic<bool> cancel{false};
-  settings.cancel = &cancel;
+  Stopper stopper;
+  settings.stop = Stop(stopper);
   settings.threads = 1;
   int told = 0;
   settings.sampling.per_pixel = 1 << 20;  // it would take hours
   settings.progress = [&](const Progress&) {
     ++told;
-    cancel = true;
+    stopper.raised = true;
   };
   const auto part = render(scene, settings).value();
   CHECK(told == 1);
@@ -240,10 +240,11 @@ TEST_CASE("a cancelled render returns what is done") {
   CHECK(whole.film_of<double>().at(127, 95) != Rgbd(0.0));
 }
 
-TEST_CASE("a render cancelled before it began has nothing") {
-  std::atomic<bool> cancel{true};
+TEST_CASE("a render stopped before it began has nothing") {
+  Stopper stopper;
+  stopper.raised = true;
   RenderSettings settings{small};
-  settings.cancel = &cancel;
+  settings.stop = Stop(stopper);
   const auto none = render(busy_scene(), settings).value();
   CHECK_FALSE(none.finished);
   CHECK(none.done == 0);

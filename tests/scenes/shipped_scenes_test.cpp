@@ -17,9 +17,9 @@ using raywalk::test::contains;
 
 namespace {
 
-const std::set<std::string> planar_scenes{"classic",      "glass",          "mirrors",      "shadows",
-                                          "antialiasing", "depth_of_field", "everything",   "gloss",
-                                          "motion_blur",  "penumbra",       "translucency", "many_circles"};
+const std::set<std::string> planar_scenes{
+    "classic", "glass",       "mirrors",  "shadows",      "antialiasing", "depth_of_field", "everything",
+    "gloss",   "motion_blur", "penumbra", "translucency", "many_circles", "glass_in_water"};
 
 /// Every scene of the folder, by name without ending.
 std::map<std::string, SceneDocument> shipped_scenes() {
@@ -167,6 +167,16 @@ TEST_CASE("each scene shows what it is about") {
     gets_out.push_back(out);
   }
   CHECK(gets_out == std::vector<bool>{false, false, false, false, false, true, true});
+
+  // Glass in water: rays go between each two.
+  std::set<std::pair<double, double>> crossed;
+  const Timeline water = record_strip(scenes.at("glass_in_water").scene);
+  for (int i = 0; i < water.steps(); ++i)
+    if (const auto* formed = std::get_if<RayFormed>(&water.event(i).detail); formed != nullptr && formed->snell)
+      crossed.emplace(formed->snell->n1, formed->snell->n2);
+  for (const auto& pair : {std::pair(1.0, 1.33), std::pair(1.33, 1.5), std::pair(1.5, 1.33), std::pair(1.33, 1.0),
+                           std::pair(1.33, 1.31), std::pair(1.31, 1.0)})
+    CHECK(crossed.count(pair) == 1);
 
   // Filtered light: some shadow ray arrives weakened.
   int weakened = 0;

@@ -104,16 +104,16 @@ TEST_CASE("a study that was stopped goes on, and its numbers are those of one th
   const TemporaryFolder folder;
   const std::string at = folder.path();
   const Experiment experiment = lights_experiment(Effort::glance);
-  std::atomic<bool> cancel{false};
+  Stopper stopper;
   StudyOptions options = options_in(at);
-  options.cancel = &cancel;
+  options.stop = Stop(stopper);
   int told = 0;
   double left = -1;
   options.progress = [&](const std::string& name, double done, double seconds_left) {
     CHECK(name == "lights");
     CHECK(done > 0);
     left = seconds_left;
-    if (++told == 5) cancel = true;
+    if (++told == 5) stopper.raised = true;
   };
   const auto stopped = run_study({experiment}, options);
   REQUIRE(stopped);
@@ -123,10 +123,10 @@ TEST_CASE("a study that was stopped goes on, and its numbers are those of one th
   const std::size_t before = kept(at, "lights").size();
   CHECK(before == 10u * 32);  // 5 times 2 rounds
 
-  cancel = false;
+  stopper.raised = false;
   int rounds = 0;
   Experiment counted = experiment;
-  counted.run = [&](int round, const std::atomic<bool>& stop) {
+  counted.run = [&](int round, const Stop& stop) {
     ++rounds;
     return experiment.run(round, stop);
   };

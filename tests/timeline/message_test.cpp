@@ -37,6 +37,15 @@ Scene scene_of_all_messages() {
   return scene;
 }
 
+/// The same with air in the glass.
+Scene with_bubble() {
+  Scene scene = scene_of_all_messages();
+  Material air = scene.objects[1].material;
+  air.ior = 1;
+  scene.objects.push_back({"Bubble", Sphere<double>{Vec3d(0, -0.5, 0), 0.5}, air});
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("position 0 is the start") {
@@ -60,6 +69,7 @@ TEST_CASE("one scene, lit and unlit, reaches every message but that of the path 
   Scene dark = scene_of_all_messages();
   dark.lights.clear();
   gather(dark);
+  gather(with_bubble());
   for (int i = 0; i <= static_cast<int>(MessageId::pixel_put); ++i) {
     const auto id = static_cast<MessageId>(i);
     INFO("message " << i);
@@ -126,4 +136,32 @@ TEST_CASE("a recording in float is described like one in double") {
     expected += describe(scene, in_double, position).id == MessageId::reflective_totally ? 1 : 0;
   CHECK(expected > 0);
   CHECK(totals == expected);
+}
+
+TEST_CASE("inside of another body both indices are said, and which way nothing gets through") {
+  const Scene scene = with_bubble();
+  const Timeline timeline = record_strip(scene);
+  int into_air = 0, out_of_air = 0, kept_out = 0;
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    const Message message = describe(scene, timeline, position);
+    if (message.id == MessageId::refract_formed_within) {
+      const SnellNumbers& snell = *std::get<RayFormed>(timeline.just_run(position)->detail).snell;
+      REQUIRE(message.arguments.size() == 5);
+      CHECK(std::get<std::string>(message.arguments[0]) == "Bubble");
+      CHECK(std::get<double>(message.arguments[3]) == snell.n1);
+      CHECK(std::get<double>(message.arguments[4]) == snell.n2);
+      (snell.n1 == 1.5 && snell.n2 == 1 ? into_air : out_of_air) += 1;
+    }
+    if (message.id == MessageId::totally_reflected_in) {
+      CHECK(std::get<std::string>(message.arguments[0]) == "Bubble");
+      const Decided& decided = std::get<Decided>(timeline.just_run(position)->detail);
+      REQUIRE(decided.snell);
+      CHECK(decided.snell->n1 == 1.5);
+      CHECK(decided.snell->n2 == 1);
+      ++kept_out;
+    }
+  }
+  CHECK(into_air > 0);
+  CHECK(out_of_air > 0);
+  CHECK(kept_out > 0);
 }

@@ -37,6 +37,13 @@ Scene scene_for(const HitEffects& set) {
     if (!set.textures) material.checker = std::nullopt;
     if (set.lobes) material.gloss = 4, material.translucency = 3;
   }
+  if (set.nesting) {
+    Object bubble = scene.objects[2];
+    bubble.name = "Bubble";
+    bubble.material.ior = 1.2;
+    std::get<Sphere<double>>(bubble.shape).radius = 0.5;
+    scene.objects.push_back(bubble);
+  }
   if (set.penumbra) {
     scene.lights[0].kind = SphereLight{{-3, 3, 2}, 0.7, 2, {0.5, 0.1, 0.05}};
     scene.lights.push_back({"Panel", Rgbd(0.5), RectangleLight{{-2, -3, 1}, {1, 0, 0}, {0, 0, 1}, 1, {}}});
@@ -44,10 +51,12 @@ Scene scene_for(const HitEffects& set) {
   return scene;
 }
 
-constexpr HitEffects sets[] = {{false, false, false, false, false}, {false, false, true, true, false},
-                               {true, false, false, true, true},    {true, false, true, false, false},
-                               {true, true, false, false, true},    {true, true, false, true, false},
-                               {true, true, true, false, false},    {true, true, true, true, true}};
+constexpr HitEffects sets[] = {
+    {false, false, false, false, false, true, false}, {false, false, true, true, false, true, false},
+    {true, false, false, true, true, true, false},    {true, false, true, false, false, true, false},
+    {true, true, false, false, true, true, false},    {true, true, false, true, false, true, false},
+    {true, true, true, false, false, true, false},    {true, true, false, false, false, true, true},
+    {true, true, true, true, true, true, true}};
 
 struct Counter final : Observer {
   std::uint64_t events = 0;
@@ -74,9 +83,9 @@ TEMPLATE_TEST_CASE("watched and unwatched give the same bits and the same counts
 TEMPLATE_TEST_CASE("each kernel gives the bits of the kernel with every effect", "", float, double) {
   using T = TestType;
   for (const HitEffects& set : sets) {
-    CAPTURE(set.reflection, set.refraction, set.textures, set.penumbra, set.lobes);
+    CAPTURE(set.reflection, set.refraction, set.textures, set.penumbra, set.lobes, set.nesting);
     const Scene scene = scene_for(set);
-    REQUIRE(hit_effects(effects_of(scene)) == set);
+    REQUIRE(hit_effects(effects_of(scene), !World<double>(scene).bodies.empty()) == set);
     const auto fitting = picture<T>(scene, 63, 45);
     const auto all = picture_by<T>(scene, 63, 45, {}, [](const auto&... arguments) {
       return detail::run_kernel<T, all_hit_effects>(arguments...);
@@ -106,6 +115,10 @@ TEST_CASE("the kernels are different ones") {
                         })));
   CHECK_FALSE(same_bits(full, by([](const auto&... a) {
                           return detail::run_kernel<double, HitEffects{true, true, true, true, true, false}>(a...);
+                        })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) {
+                          return detail::run_kernel<double, HitEffects{true, true, true, true, true, true, false}>(
+                              a...);
                         })));
 }
 

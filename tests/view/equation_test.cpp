@@ -96,7 +96,7 @@ double number_shown(std::string shown) {
 }  // namespace
 
 TEST_CASE("a whole walk never shows a number that is not the trace's own") {
-  for (const std::string name : {"classic", "glass"}) {
+  for (const std::string name : {"classic", "glass", "glass_in_water"}) {
     State state = walking(name);
     int compared = 0;
     for (int position = 1; position <= state.timeline->steps(); ++position) {

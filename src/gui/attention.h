@@ -1,0 +1,54 @@
+#pragma once
+// What a person does while something takes long: looked at in between, so that the window can be closed at any time.
+
+#include "gui/window.h"
+#include "math/stop.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace raywalk {
+
+/// Whom the window's work is stopped by. A thread of its own reminds it every now and then to look at the events, which
+/// only the thread that made this may do.
+class Attention final : public Stopper {
+ public:
+  explicit Attention(Window& window);
+  ~Attention() override;
+
+  /// What ends the work that is watched.
+  enum class To {
+    closing,  ///< the wish to close the window
+    input     ///< that, a key, a button, a drag
+  };
+  /// While one lives, the work is watched; at most one at a time.
+  class Watch {
+   public:
+    Watch(Attention& attention, To what) : attention_(attention) { attention_.begin(what); }
+    ~Watch() { attention_.end(); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+   private:
+    Attention& attention_;
+  };
+
+  [[nodiscard]] bool stops() override;
+
+ private:
+  void begin(To what);
+  void end();
+  void remind();
+
+  Window& window_;
+  std::thread::id own_ = std::this_thread::get_id();
+  To what_ = To::closing;
+  std::atomic<bool> decided_{false};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool watching_ = false, over_ = false;
+  std::thread reminder_;  ///< last: it uses the others
+};
+
+}  // namespace raywalk

@@ -1,0 +1,35 @@
+#pragma once
+// SHADE calls itself: how much stack that takes.
+
+#include "io/error.h"
+#include "math/stack.h"
+
+#include <optional>
+
+namespace raywalk {
+
+// Of any kernel, from one SHADE to the next; a test measures it. Sanitizers keep variables apart, and a compiler that
+// does not optimise keeps them all.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
+inline constexpr std::size_t stack_a_level = 24 << 10;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr std::size_t stack_a_level = 24 << 10;
+#else
+inline constexpr std::size_t stack_a_level = 3 << 10;
+#endif
+#else
+inline constexpr std::size_t stack_a_level = 3 << 10;
+#endif
+/// For everything around the recursion.
+inline constexpr std::size_t stack_beside = std::size_t{128} << 10;
+
+/// Stack for a trace that goes `depth` levels deep.
+[[nodiscard]] constexpr std::size_t stack_for(int depth) {
+  return stack_beside + static_cast<std::size_t>(depth) * stack_a_level;
+}
+
+/// Why a trace of that depth does not fit into what is left of the present thread's stack; nothing where it does.
+[[nodiscard]] std::optional<Error> why_too_deep(int depth);
+
+}  // namespace raywalk

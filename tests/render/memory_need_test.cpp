@@ -1,0 +1,58 @@
+#include "render/memory_need.h"
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+Object instance_of(const std::shared_ptr<const GroupContent>& content, double x) {
+  Instance instance;
+  instance.content = content;
+  Object object{"I" + std::to_string(x), instance, {}};
+  object.transform = {{Translate{{x, 0, 0}}}};
+  return object;
+}
+
+// 10^levels spheres, by groups of ten.
+Scene crowd(int levels) {
+  Group group{"G", {{"Ball", Sphere<double>{}, {}}}};
+  auto content = std::make_shared<const GroupContent>(group);
+  for (int level = 0; level < levels; ++level) {
+    group.objects.clear();
+    for (int i = 0; i < 10; ++i) group.objects.push_back(instance_of(content, i));
+    content = std::make_shared<const GroupContent>(group);
+  }
+  Scene scene;
+  scene.objects = {instance_of(content, 0)};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("instances are counted, not walked: a crowd of 10^30 is told at once") {
+  const MemoryNeed need = memory_needed(crowd(30), {});
+  CHECK(need.bytes > 1e32);
+  CHECK_THAT(need.what, contains("shapes"));
+}
+
+TEST_CASE("the estimate of a crowd is what it was measured to be, within a third") {
+  RenderSettings settings;
+  settings.size = ImageSize{1, 1};
+  const auto per_instance = [&] { return memory_needed(crowd(5), settings).bytes / 1e5; };
+  // Measured as the difference of 400,000 and 200,000 instances of a sphere.
+  CHECK(per_instance() == Approx(466).epsilon(0.33));
+  settings.precision = Precision::float_;
+  CHECK(per_instance() == Approx(305).epsilon(0.33));
+  settings.precision = Precision::double_;
+  settings.accelerator = AcceleratorKind::none;
+  CHECK(per_instance() == Approx(372).epsilon(0.33));
+}
+
+TEST_CASE("a large picture of a small scene is what is named") {
+  RenderSettings settings;
+  settings.size = ImageSize{20000, 10000};
+  const MemoryNeed need = memory_needed(crowd(1), settings);
+  CHECK(need.what == "a picture of 20000 x 10000 pixels");
+  CHECK(need.bytes >= 2e8 * 36);
+}
