@@ -9,9 +9,9 @@ namespace raywalk {
 namespace {
 
 /// Counts the rays that reflect and refract, each of which asks, and stops when they are too many.
-class Counter : public Stopper {
+class RayCounter : public Stopper {
  public:
-  Counter(int most, const Stop& outer) : most_(most), outer_(outer) { raised = true; }
+  RayCounter(int most, const Stop& outer) : most_(most), outer_(outer) { raised = true; }
   bool stops() override { return ++count_ > most_ || outer_.asked(); }
   [[nodiscard]] int count() const { return count_; }
 
@@ -24,7 +24,7 @@ class Counter : public Stopper {
 template <class T>
 std::optional<int> rays_of(const SceneKernel<T>& kernel, const RayGenerator<T>& camera, int column, int row, int most,
                            const Stop& stop) {
-  Counter counter(most, stop);
+  RayCounter counter(most, stop);
   try {
     static_cast<void>(
         kernel(camera, {column, column + 1, row, row + 1, 0, 1, 1, Stop(counter)}, [](const Pixel&, const Rgb<T>&) {}));
