@@ -104,12 +104,12 @@ template <class T, class AnyRay>
 [[nodiscard]] std::optional<Rgb<T>> light_absorbed_by_top(const World<T>& world, const AnyRay& shadow, T t_max,
                                                           TestCounts& tests, const std::vector<int>& filters,
                                                           BodyStack stack) {
-  struct Met {
+  struct Crossed {
     T at;
     std::int32_t body;
     bool leaving;
   };
-  std::vector<Met> met;
+  std::vector<Crossed> met;
   const T size = length(shadow.direction);
   Rgb<T> passed{1};
   const auto cross = [&](int id) {
@@ -122,10 +122,10 @@ template <class T, class AnyRay>
     if (const auto doubles = world.bodies.doubles.find(id); doubles != world.bodies.doubles.end())
       for (const int each : doubles->second) static_cast<void>(cross(each));  // one surface weakens light once
   }
-  std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.at < b.at; });
+  std::stable_sort(met.begin(), met.end(), [](const Crossed& a, const Crossed& b) { return a.at < b.at; });
   // What is left before it is entered was there from the start.
   BodyStack known = stack;
-  for (const Met& each : met) {
+  for (const Crossed& each : met) {
     if (holds(known, each.body)) continue;
     known.push_back(each.body);
     if (each.leaving) enter(stack, each.body, world.bodies);
@@ -139,7 +139,7 @@ template <class T, class AnyRay>
                world.surfaces[static_cast<std::size_t>(world.bodies[stack.back()].surface)].absorption;
     from = to;
   };
-  for (const Met& each : met) {
+  for (const Crossed& each : met) {
     go(each.at);
     each.leaving ? leave(stack, each.body) : enter(stack, each.body, world.bodies);
     most = std::max(most, stack.size());
