@@ -15,7 +15,7 @@ namespace {
 const std::string ply =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-const std::string scene =
+const std::string meshes_and_textures =
     "# mine\n[camera]\neye = [-5, 0]\nlook_at = [0, 0]\nfov = 45\n"
     "[[group]]\nname = \"G\"\n[[group.object]]\nname = \"P\"\ntype = \"mesh\"\nfile = \"parts/p.ply\"\n"
     "[[object]]\nname = \"M\"\ntype = \"mesh\"\nfile = \"m.ply\"  # beside it\n"
@@ -28,7 +28,7 @@ struct Place {
     for (const char* name : {"from", "from/parts", "to", "to/deep"}) fs::create_directory(folder.file(name));
     for (const char* name : {"from/m.ply", "from/parts/p.ply"}) REQUIRE(write_file_atomically(folder.file(name), ply));
     REQUIRE(write_image(folder.file("from/t.png"), {1, 1, {{1, 0, 0}}}));
-    REQUIRE(write_file_atomically(folder.file("from/s.toml"), scene));
+    REQUIRE(write_file_atomically(folder.file("from/s.toml"), meshes_and_textures));
   }
   [[nodiscard]] SceneDocument read(const std::string& name) const {
     auto document = read_scene(folder.file(name));
@@ -63,7 +63,7 @@ TEST_CASE("a scene that is written elsewhere finds its meshes and textures again
   // In the same folder, by whatever name, not a letter changes.
   fs::create_directory_symlink("from", place.folder.file("same"));
   REQUIRE(write_scene(document, place.folder.file("same/s4.toml")));
-  CHECK(contents(place.folder.file("from/s4.toml")) == scene);
+  CHECK(contents(place.folder.file("from/s4.toml")) == meshes_and_textures);
 }
 
 TEST_CASE("absolute names stay, and a mesh by itself is named from the scene's folder") {

@@ -33,7 +33,7 @@ Scene crowd(int levels) {
 TEST_CASE("instances are counted, not walked: a crowd of 10^30 is told at once") {
   const MemoryNeed need = memory_needed(crowd(30), {});
   CHECK(need.bytes > 1e32);
-  CHECK_THAT(need.what, contains("shapes"));
+  CHECK_THAT(need.what, test::contains("shapes"));
 }
 
 TEST_CASE("the estimate of a crowd is what it was measured to be, within a third") {

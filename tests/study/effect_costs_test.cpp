@@ -155,6 +155,7 @@ TEST_CASE("a survey tells what it knows after each round, and ends where all at 
 }
 
 TEST_CASE("a measurement can be stopped") {
-  const std::atomic<bool> stop{true};
-  CHECK_FALSE(scene_cost(scene_of_all(), 1200, 3, {}, &stop));
+  Stopper stopper;
+  stopper.raised = true;
+  CHECK_FALSE(scene_cost(scene_of_all(), 1200, 3, {}, Stop(stopper)));
 }
