@@ -61,7 +61,8 @@ void declare_convert(CLI::App& program, Run& run) {
       ->required()
       ->check(CLI::Validator(ending, "", "ending"));
   command.footer(
-      "A .toml scene holds everything, and of a .toml scene also its comments. Meshes and textures stay where they are\n"
+      "A .toml scene holds everything, and of a .toml scene also its comments. Meshes and textures stay where they "
+      "are\n"
       "and are named from the new file's folder. What POV-Ray cannot show is said.\n\n"
       "Examples:\n"
       "  raywalk convert balls.nff balls.toml\n"

@@ -166,7 +166,9 @@ ExitCode info_command(const InfoOptions& options) {
   choices.samples = options.samples.value_or(choices.samples);
   if (options.path_length) choices.path_length = options.path_length;
   if (options.light_grid) choices.light_grid = options.light_grid;
-  std::string text = info_text(document->scene, scene_path(options.scene));
+  const std::string path = scene_path(options.scene);
+  if (const auto error = why_no_room(document->scene, path, Precision::double_)) return fail(*error);
+  std::string text = info_text(document->scene, path);
   if (options.with_cost) {
     const Interrupt interrupt(Patience::brief);
     ProgressBar bar;

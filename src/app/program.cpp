@@ -129,7 +129,8 @@ void declare_render(CLI::App& program, Run& run) {
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
       "What is left out is as the scene says. Neither --threads nor --accel changes a bit of the picture.\n"
-      "Ctrl-C writes what is done to NAME.partial.png, or NAME.partial-2.png and so on where there is one, and leaves an\n"
+      "Ctrl-C writes what is done to NAME.partial.png, or NAME.partial-2.png and so on where there is one, and leaves "
+      "an\n"
       "old image whole; twice, it ends at once.\n\n"
       "Examples:\n"
       "  raywalk render scenes/classic.toml -o classic.png\n"

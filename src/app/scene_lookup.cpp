@@ -38,17 +38,19 @@ std::string scene_path(const std::string& scene) {
   return fs::exists(shipped, ignored) ? shipped.string() : scene;
 }
 
+std::optional<Error> why_no_room(const Scene& scene, const std::string& path, Precision precision) {
+  RenderSettings settings;
+  settings.size = ImageSize{1, 1};
+  settings.precision = precision;
+  return why_too_large(memory_needed(scene, settings), path);
+}
+
 Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warnings) {
   const std::string path = scene_path(scene);
   auto document = read_scene(path);
   if (document) {
     // The least that anything else of it takes: whoever takes more asks again.
-    RenderSettings least;
-    least.size = ImageSize{1, 1};
-    least.precision = Precision::float_;
-    if (const auto large =
-            why_too_large(memory_needed(document->scene, least), path, "use fewer instances or coarser meshes"))
-      return tl::unexpected(*large);
+    if (const auto large = why_no_room(document->scene, path, Precision::float_)) return tl::unexpected(*large);
     if (warnings == SceneWarnings::said) warn(collected(document->warnings));
     return document;
   }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "io/scene_file.h"
+#include "trace/kernel.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +23,8 @@ enum class SceneWarnings { said, kept };
 /// Reads the scene, and says its warnings on standard error unless they are kept, one line for all of a kind. Where
 /// there is no such file the hint names what there is.
 [[nodiscard]] Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warnings = SceneWarnings::said);
+
+/// Why there is no memory to trace the scene in; nothing where there is.
+[[nodiscard]] std::optional<Error> why_no_room(const Scene& scene, const std::string& path, Precision precision);
 
 }  // namespace raywalk

@@ -107,6 +107,7 @@ ExitCode step_command(const StepOptions& options) {
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
   if (const auto error = why_too_deep(scene.limits.depth)) return fail(*error);
+  if (const auto error = why_no_room(scene, scene_path(options.scene), options.precision)) return fail(*error);
   Result<Timeline> recorded = record_within_reason(options, scene, size);
   if (!recorded) return fail(recorded.error());
   const auto kept = std::make_shared<const Timeline>(std::move(*recorded));

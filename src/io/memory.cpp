@@ -80,26 +80,28 @@ std::optional<MemoryLeft> memory_left() { return std::nullopt; }
 namespace {
 
 std::string in_units(double bytes) {
-  constexpr double gib = 1 << 30, mib = 1 << 20;
+  constexpr double mib = 1 << 20, gib = 1024 * mib, tib = 1024 * gib;
+  if (bytes >= 1e6 * tib) return fmt::format("{:.1e} TiB", bytes / tib);
+  if (bytes >= tib) return fmt::format("{:.1f} TiB", bytes / tib);
   return bytes >= gib ? fmt::format("{:.1f} GiB", bytes / gib) : fmt::format("{:.0f} MiB", bytes / mib);
 }
 
 }  // namespace
 
-std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file, std::string hint) {
+std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file) {
   constexpr double always_there = 64 << 20;
   if (need.bytes <= always_there) return std::nullopt;
-  return why_too_large(need, file, std::move(hint), memory_left());
+  return why_too_large(need, file, memory_left());
 }
 
-std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file, std::string hint,
+std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file,
                                    const std::optional<MemoryLeft>& left) {
   if (!left || need.bytes <= left->bytes) return std::nullopt;
   return Error{
       file, 0, 0,
       fmt::format("{} would take about {} of memory, {} too much (expected at most {}, which {})", need.what,
                   in_units(need.bytes), in_units(need.bytes - left->bytes), in_units(left->bytes), left->limit),
-      std::move(hint)};
+      need.hint};
 }
 
 }  // namespace raywalk

@@ -18,15 +18,17 @@ struct MemoryLeft {
 /// none where nothing of this is known, as in a browser.
 [[nodiscard]] std::optional<MemoryLeft> memory_left();
 
-/// Something large to be: what it is, with its number ("10000000 objects"), and about how many bytes it takes.
+/// Something large to be: what it is, with its number ("10000000 objects"), about how many bytes it takes, and what to
+/// do where they are not there.
 struct MemoryNeed {
   std::string what;
   double bytes;
+  std::string hint;
 };
 /// Why it does not fit; none where it does. What every machine has is not asked for.
-[[nodiscard]] std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file, std::string hint);
+[[nodiscard]] std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file);
 /// The same of a machine that has just this much.
-[[nodiscard]] std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file, std::string hint,
+[[nodiscard]] std::optional<Error> why_too_large(const MemoryNeed& need, const std::string& file,
                                                  const std::optional<MemoryLeft>& left);
 
 }  // namespace raywalk

@@ -157,9 +157,10 @@ class GltfReader {
     // Nodes may repeat a mesh as often as they like.
     constexpr double per_vertex = 2 * sizeof(Vec3d) + sizeof(Vec2d);
     if (end > mesh_.positions.capacity()) {
-      if (const auto large = why_too_large(
-              {fmt::format("a mesh of more than {} vertices", end), 3 * per_vertex * static_cast<double>(end)}, path_,
-              "use fewer nodes, or coarser meshes"))
+      if (const auto large =
+              why_too_large({fmt::format("a mesh of more than {} vertices", end),
+                             3 * per_vertex * static_cast<double>(end), "use fewer nodes, or coarser meshes"},
+                            path_))
         return file_.fail(large->message, large->hint);
     }
     for (std::int64_t i = 0; i < positions.count; ++i)

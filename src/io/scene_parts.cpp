@@ -72,12 +72,15 @@ std::optional<Error> make_room(Scene& scene, std::string_view text, const std::s
     if (is_one_of(object_words)) objects += 1;
     if (is_one_of(triangle_words)) triangles += 1;
   }
+  // With its share of the text, and of what its name and material may hold beside it.
+  constexpr double per_object = 1.1 * sizeof(Object);
   // Of a triangle three corners with normals, in lists that grow.
   constexpr double per_triangle = 1.5 * (3 * 2 * sizeof(Vec3d) + sizeof(Mesh::Corners));
   const MemoryNeed need{triangles > objects ? fmt::format("a scene of {:.0f} triangles", triangles)
                                             : fmt::format("a scene of {:.0f} objects", objects),
-                        objects * sizeof(Object) + triangles * per_triangle};
-  if (auto error = why_too_large(need, file, "write fewer of them, or a mesh in a file of its own")) return error;
+                        objects * per_object + triangles * per_triangle,
+                        "write fewer of them, or a mesh in a file of its own"};
+  if (auto error = why_too_large(need, file)) return error;
   scene.objects.reserve(static_cast<std::size_t>(objects));
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #include "render/memory_need.h"
 
 #include "accel/primitives.h"
+#include "trace/world.h"
 
 #include <fmt/format.h>
 
@@ -11,15 +12,16 @@ namespace raywalk {
 
 namespace {
 
-/// What a scene comes to when all instances are spelt out.
+/// What a scene comes to when all instances are spelt out; they share their surfaces.
 struct Census {
-  double shapes = 0, placed = 0, triangles = 0, vertices = 0;
+  double shapes = 0, placed = 0, triangles = 0, vertices = 0, surfaces = 0;
 
   Census& operator+=(const Census& more) {
     shapes += more.shapes;
     placed += more.placed;
     triangles += more.triangles;
     vertices += more.vertices;
+    surfaces += more.surfaces;
     return *this;
   }
 };
@@ -38,14 +40,16 @@ class Counter {
       if (!instance->content) return {};
       const auto [entry, is_new] = known_.try_emplace({instance->content.get(), mapped});
       if (is_new) entry->second = count(instance->content->group.objects, mapped);
-      return entry->second;
+      Census census = entry->second;
+      if (!is_new) census.surfaces = 0;
+      return census;
     }
     if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
       if (!mesh->mesh) return {};
       return {0, 0, static_cast<double>(mesh->mesh->triangles.size()),
-              static_cast<double>(mesh->mesh->positions.size())};
+              static_cast<double>(mesh->mesh->positions.size()), 1};
     }
-    return {1, mapped ? 1.0 : 0.0, 0, 0};
+    return {1, mapped ? 1.0 : 0.0, 0, 0, 1};
   }
 
   std::map<std::pair<const GroupContent*, bool>, Census> known_;
@@ -86,8 +90,10 @@ MemoryNeed needed(const Scene& scene, const RenderSettings& settings) {
   constexpr double known = growing * (4 + 4 + 12 + 1 + 1);
   const Census census = Counter().count(scene.objects, false);
   const PerPrimitive structure = per_primitive(settings.accelerator);
+  // Found by its material while the lists are filled.
+  constexpr double surface = growing * sizeof(typename World<T>::Surface) + 64;
   const double shapes = census.shapes * (growing * sizeof(Shape<T>) + known + share * structure.shape) +
-                        census.placed * growing * (sizeof(Placement<T>) + 4);
+                        census.placed * growing * (sizeof(Placement<T>) + 4) + census.surfaces * surface;
   const double triangles = census.triangles * (sizeof(Mesh::Corners) + known + share * structure.triangle) +
                            census.vertices * 2 * sizeof(Vec3<T>);  // places and normals
   const ImageSize size = settings.size.value_or(scene.image);
@@ -100,10 +106,11 @@ MemoryNeed needed(const Scene& scene, const RenderSettings& settings) {
         "a scene of {:.0f} {}, with its {}", count, what,
         settings.accelerator == AcceleratorKind::automatic ? "structure" : accelerator_name(settings.accelerator));
   };
-  return {most == picture  ? fmt::format("a picture of {} x {} pixels", size.width, size.height)
-          : most == shapes ? with_structure(census.shapes, "shapes")
-                           : with_structure(census.triangles, "triangles"),
-          shapes + triangles + picture};
+  const double all = shapes + triangles + picture;
+  if (most == picture)
+    return {fmt::format("a picture of {} x {} pixels", size.width, size.height), all, "choose a smaller --size"};
+  return {most == shapes ? with_structure(census.shapes, "shapes") : with_structure(census.triangles, "triangles"), all,
+          "use fewer instances or coarser meshes, or --precision float"};
 }
 
 }  // namespace

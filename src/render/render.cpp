@@ -176,9 +176,7 @@ Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settin
   if (const auto error = why_too_deep(scene.limits.depth)) return tl::unexpected(*error);
   RenderSettings of_picture = settings;
   of_picture.size = size;
-  if (const auto error = why_too_large(memory_needed(scene, of_picture), "",
-                                       "use fewer instances, coarser meshes, --precision float or a smaller --size"))
-    return tl::unexpected(*error);
+  if (const auto error = why_too_large(memory_needed(scene, of_picture), "")) return tl::unexpected(*error);
   try {
     switch (settings.precision) {
       case Precision::float_:

@@ -27,8 +27,6 @@ class Describer {
  private:
   [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
   [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(position_)); }
-  /// Whether it came from outside when it met the surface: against its outward normal.
-  [[nodiscard]] static bool goes_inwards(const RayRecord& shaded) { return dot(shaded.normal, shaded.direction) < 0; }
   [[nodiscard]] const FrameRecord& frame(int index) const {
     return timeline_.frames()[static_cast<std::size_t>(index)];
   }
@@ -38,9 +36,13 @@ class Describer {
   [[nodiscard]] std::string light(int index) const {
     return index < 0 ? std::string() : scene_.lights[static_cast<std::size_t>(index)].name;
   }
+  /// The ray whose hit the executing SHADE shades: not the one that came back last.
+  [[nodiscard]] const RayRecord& shaded_ray() const { return ray(frame(timeline_.current_frame(position_)).ray); }
+  /// Whether it came from outside when it met the surface: against its outward normal.
+  [[nodiscard]] bool came_from_outside() const { return dot(shaded_ray().normal, shaded_ray().direction) < 0; }
   /// The object whose surface the executing SHADE shades, or at which FOLLOW PATH stands.
   [[nodiscard]] std::string shaded() const {
-    if (!timeline_.of_paths()) return object(ray(frame(timeline_.current_frame(position_)).ray).object);
+    if (!timeline_.of_paths()) return object(shaded_ray().object);
     const RayRecord& at = current();
     const bool leaves = at.kind == RayKind::shadow || at.formed_at == position_;
     return object(leaves && at.parent >= 0 ? ray(at.parent).object : at.object);
@@ -68,7 +70,7 @@ class Describer {
         return {MessageId::reflect_formed, {shaded(), Share{max_component(formed.share)}}};
       case RayKind::refract: {
         const SnellNumbers snell = formed.snell.value_or(SnellNumbers{1, 1, 1, 1, 0});
-        const bool goes_in = goes_inwards(ray(current().parent));
+        const bool goes_in = came_from_outside();
         Message message{goes_in ? MessageId::refract_formed_in : MessageId::refract_formed_out,
                         {shaded(), degrees_of(snell.cos_in), degrees_of(snell.cos_out)}};
         if ((goes_in ? snell.n1 : snell.n2) != 1) {
@@ -155,12 +157,12 @@ class Describer {
         const bool totally =
             material.transmits() && std::abs(missing.x) + std::abs(missing.y) + std::abs(missing.z) < rounding;
         if (!totally) return {MessageId::reflective, {shaded(), decided.weight}};
-        return {goes_inwards(current()) ? MessageId::reflective_totally_in : MessageId::reflective_totally,
+        return {came_from_outside() ? MessageId::reflective_totally_in : MessageId::reflective_totally,
                 {shaded(), decided.weight}};
       }
       case Line::if_transparent:
         if (decided.why == Ending::total_internal_reflection)
-          return {goes_inwards(current()) ? MessageId::totally_reflected_in : MessageId::totally_reflected, {shaded()}};
+          return {came_from_outside() ? MessageId::totally_reflected_in : MessageId::totally_reflected, {shaded()}};
         if (!decided.holds) return {MessageId::not_transparent, {shaded()}};
         return {MessageId::transparent, {shaded(), decided.weight}};
       case Line::follow_path:

@@ -2,6 +2,8 @@
 #include "io/scene_file.h"
 #include "support/catch.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -125,11 +127,11 @@ TEST_CASE("convert names meshes and textures from the new file's folder") {
 TEST_CASE("what is too large for the memory there is, is said before it is taken") {
   const Folder folder;
   std::string many = nff;
-  for (int i = 0; i < 800'000; ++i) many += "s 0 0 1 1\n";
+  for (int i = 0; i < 800'000; ++i) many += fmt::format("s {} {} {} 0.4\n", i % 100, i / 100 % 100, i / 10'000);
   folder.write("many.nff", many);
   for (const std::string command :
        {"render many.nff -o a.png", "info many.nff", "step many.nff", "convert many.nff a.toml"}) {
-    Process limited("/bin/bash", {"-c", "ulimit -v 500000; exec " + raywalk_program() + " " + command}, folder.path());
+    Process limited("/bin/bash", {"-c", "ulimit -v 400000; exec " + raywalk_program() + " " + command}, folder.path());
     const Outcome outcome = limited.wait();
     INFO(command << "\n" << outcome.err);
     CHECK(outcome.exit_code == 1);

@@ -64,8 +64,7 @@ TEST_CASE("whatever has nothing to keep ends at once") {
 TEST_CASE("a build of a structure is stopped") {
   const Folder folder;
   REQUIRE(folder.run({"generate", "mesh", "--count", "300000", "-o", "ball.ply"}).exit_code == 0);
-  folder.write("ball.toml", "[[object]]\nname = \"Ball\"\ntype = \"mesh\"\nfile = \"ball.ply\"\n");
-  Process process(raywalk_program(), {"render", "ball.toml", "-o", "ball.pfm", "--accel", "kdtree"}, folder.path());
+  Process process(raywalk_program(), {"render", "ball.ply", "-o", "ball.pfm", "--accel", "kdtree"}, folder.path());
   process.wait_until_busy_and_catching(SIGTERM);
   process.send(SIGTERM);
   const Outcome outcome = process.wait();
@@ -94,7 +93,7 @@ TEST_CASE("the deepest scenes fit on the smallest stacks") {
   CAPTURE(kibibytes);
   // Two mirrors that face each other: a ray a level, to the last one.
   folder.write("mirrors.toml",
-               "[camera]\neye = [0, 0, 0]\nlook_at = [1, 0.001, 0]\n[image]\nwidth = 3\nheight = 3\n"
+               "[camera]\neye = [0, 0, 0]\nlook_at = [1, 0.001, 0]\nfov = 45\n[image]\nwidth = 3\nheight = 3\n"
                "[limits]\ndepth = 1000\nthreshold = 0\n"
                "[[light]]\nname = \"Lamp\"\ntype = \"point\"\nposition = [0, 0.5, 0]\n"
                "[[object]]\nname = \"Right\"\ntype = \"plane\"\npoint = [1, 0, 0]\nnormal = [-1, 0, 0]\n"

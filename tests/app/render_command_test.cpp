@@ -249,16 +249,16 @@ TEST_CASE("samples that are no finite number are reported") {
   const Folder folder;
   // Bright beyond what a float can hold, though each number of the file is allowed.
   folder.write("bright.toml",
-               "background = 1e15\n[camera]\neye = [-5, 0]\nlook_at = [0, 0]\nfov = 45\n"
+               "background = 1e12\n[camera]\neye = [-5, 0]\nlook_at = [0, 0]\nfov = 45\n"
                "[[object]]\nname = \"Ball\"\ntype = \"sphere\"\ncentre = [0, 0]\nradius = 1\n"
-               "[object.material]\nreflection = 1e15\nambient = 1e15\ndiffuse = 1e15\n"
-               "[[light]]\nname = \"Lamp\"\ntype = \"point\"\nposition = [-5, 1]\nstrength = 1e15\n"
-               "attenuation = [1e-15, 0, 0]\n");
+               "[object.material]\nreflection = 1000\nambient = 1000\ndiffuse = 1000\n"
+               "[[light]]\nname = \"Lamp\"\ntype = \"point\"\nposition = [-5, 1]\nstrength = 1e12\n"
+               "attenuation = [1e-30, 0, 0]\n");
   const Outcome outcome =
       folder.run({"render", "bright.toml", "-o", "bright.png", "--size", "9x9", "--precision", "float"});
   CAPTURE(outcome.err);
   CHECK(outcome.exit_code == 1);
-  CHECK_THAT(outcome.err, contains("samples are no finite number") && contains("bright.png"));
+  CHECK_THAT(outcome.err, contains("pixels are no finite number") && contains("bright.png"));
   CHECK(folder.holds("bright.png"));
 }
 

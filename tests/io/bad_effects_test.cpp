@@ -57,7 +57,7 @@ TEST_CASE("bad lenses, shutters and lobes are refused at the place of their faul
       {"negative gloss", with_material("gloss = -1"), 10, 22, "from 0 to 90", "sharp"},
       {"gloss of a full angle", with_material("gloss = 180"), 10, 22, "from 0 to 90", ""},
       {"translucency as a word", with_material("translucency = \"a lot\""), 10, 29, "from 0 to 90", "without quotes"},
-      {"negative absorption", with_material("absorption = [0, -1, 0]"), 10, 31, "0 or more", "never negative"},
+      {"negative absorption", with_material("absorption = [0, -1, 0]"), 10, 31, "from 0 to 1e12", "never negative"},
       {"priority as a word", with_material("priority = \"high\""), 10, 25, "a number", "without quotes"},
       {"priority of all", with_material("priority = inf"), 10, 25, "found inf", "finite"},
       {"texture without a file", with_material("texture = { width = 1 }"), 10, 24, "file is missing", ""},

@@ -99,7 +99,7 @@ TEST_CASE("what is in groups wears its textures, also in groups of groups") {
           "[[group]]\nname = \"plain\"\n[[group.object]]\nname = \"Bare\"\ntype = \"sphere\"\ncentre = [9, 0]\nradius "
           "= 1\n"
           "[[object]]\nname = \"A\"\ntype = \"instance\"\ngroup = \"outer\"\n"
-          "[[object]]\nname = \"B\"\ntype = \"instance\"\ngroup = \"outer\"\ntransform = [{ translate = [3, 0, 0] }]\n"
+          "[[object]]\nname = \"B\"\ntype = \"instance\"\ngroup = \"outer\"\ntransform = [[\"translate\", 3, 0, 0]]\n"
           "[[object]]\nname = \"C\"\ntype = \"instance\"\ngroup = \"plain\"\n");
   const auto read = read_scene(folder.file("one.toml"));
   INFO((read ? "" : read.error().text()));

@@ -57,9 +57,10 @@ std::string own_text(const Case& of, bool winds_back) {
 // I = A + L (D max(n.l, 0) + S max(n.h, 0)^s)
 Rgbd by_hand(const Case& of) {
   const Vec3d n = normalize(of.normals[0] + of.normals[1] + of.normals[2]), l = normalize(of.to_light),
-              h = normalize(l + Vec3d(0, 0, of.eye_z > 0 ? 1 : -1));
-  return Rgbd(ambient) +
-         light * (std::max(dot(n, l), 0.0) * diffuse + Rgbd(specular * std::pow(std::max(dot(n, h), 0.0), shininess)));
+              h = l + Vec3d(0, 0, of.eye_z > 0 ? 1 : -1);
+  // Light from straight ahead of the eye has no direction halfway, and no highlight.
+  const double n_h = h == Vec3d(0.0) ? 0 : std::max(dot(n, normalize(h)), 0.0);
+  return Rgbd(ambient) + light * (std::max(dot(n, l), 0.0) * diffuse + Rgbd(specular * std::pow(n_h, shininess)));
 }
 
 Rgbd rendered(const Result<SceneDocument>& document) {

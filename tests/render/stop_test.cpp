@@ -14,7 +14,9 @@ namespace {
 Scene endless_room(Integrator integrator) {
   Scene scene;
   scene.background = Rgbd(0.2);
-  scene.camera.eye = {-6, 0, 0};
+  scene.camera.eye = {-6, 1.1, 0};
+  scene.camera.look_at = {0, 1.1, 0};
+  scene.camera.fov = FieldOfView{5};  // all of the picture is a ball
   scene.image = {32, 24};
   scene.limits = {60, 0};
   scene.render.integrator = integrator;

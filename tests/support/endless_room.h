@@ -7,6 +7,7 @@ inline constexpr const char* endless_room = R"(background = [0.2, 0.2, 0.2]
 [camera]
 eye = [-6, 0.3, 0]
 look_at = [0, 0, 0]
+fov = 45
 [image]
 width = 41
 height = 31

@@ -14,7 +14,7 @@ const std::string ply =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-std::string contents(const std::string& path) { return read_file(path, 1 << 20).value(); }
+std::string bytes_of(const std::string& path) { return read_file(path, 1 << 20).value(); }
 
 /// A scene in a folder of its own, with a mesh beside it.
 State mesh_state(const TemporaryFolder& folder) {
@@ -53,8 +53,8 @@ TEST_CASE("nothing that is saved or exported replaces a part of the open scene")
     update(state, action::Export{folder.file(name)});
     check_refused(state);
   }
-  CHECK(contents(folder.file("from/m.ply")) == ply);
-  CHECK(contents(folder.file("show.txt")) == "step\n");
+  CHECK(bytes_of(folder.file("from/m.ply")) == ply);
+  CHECK(bytes_of(folder.file("show.txt")) == "step\n");
   // Over itself a scene is saved without a question, over another file with one.
   update(state, action::SaveAs{folder.file("from/s.toml")});
   CHECK_FALSE(state.question);
@@ -68,17 +68,17 @@ TEST_CASE("a scene that is saved into another folder finds its mesh again, and s
   State state = mesh_state(folder);
   make_dirty(state);
   update(state, action::SaveAs{folder.file("to/s.toml")});
-  CHECK_THAT(contents(folder.file("to/s.toml")), contains("file = \"../from/m.ply\""));
+  CHECK_THAT(bytes_of(folder.file("to/s.toml")), contains("file = \"../from/m.ply\""));
   CHECK(read_document(folder.file("to/s.toml")).files.size() == 2);
   update(state, action::Undo{});
   update(state, action::Save{});
-  CHECK_THAT(contents(folder.file("to/s.toml")), contains("file = \"../from/m.ply\""));
+  CHECK_THAT(bytes_of(folder.file("to/s.toml")), contains("file = \"../from/m.ply\""));
   CHECK(read_document(folder.file("to/s.toml")).files.size() == 2);
   // The file that it came from is free now.
   update(state, action::SaveAs{folder.file("from/s.toml")});
   REQUIRE(state.question);
   update(state, action::AnswerQuestion{action::Answer::save});
-  CHECK_THAT(contents(folder.file("from/s.toml")), contains("file = \"m.ply\""));
+  CHECK_THAT(bytes_of(folder.file("from/s.toml")), contains("file = \"m.ply\""));
 }
 
 TEST_CASE("an autosave finds the scene's mesh from its own folder, and takes it home") {
@@ -93,5 +93,5 @@ TEST_CASE("an autosave finds the scene's mesh from its own folder, and takes it 
   CHECK(next.scene() == state.scene());
   CHECK(next.dirty);
   update(next, action::Save{});
-  CHECK_THAT(contents(folder.file("from/s.toml")), contains("file = \"m.ply\""));
+  CHECK_THAT(bytes_of(folder.file("from/s.toml")), contains("file = \"m.ply\""));
 }
