@@ -135,7 +135,7 @@ TEST_CASE("what is too large for the memory there is, is said before it is taken
     const Outcome outcome = limited.wait();
     INFO(command << "\n" << outcome.err);
     CHECK(outcome.exit_code == 1);
-    CHECK_THAT(outcome.err, contains("many.nff: a scene of 800001 objects would take about "));
+    CHECK_THAT(outcome.err, contains("many.nff: a scene of 800002 objects would take about "));
     CHECK_THAT(outcome.err, contains("too much (expected at most "));
     CHECK_THAT(outcome.err, contains("which the address-space limit (ulimit -v) leaves"));
   }
