@@ -1,8 +1,8 @@
 #include "gui/attention.h"
 
-#include <chrono>
-
 namespace raywalk {
+
+using Clock = std::chrono::steady_clock;
 
 Attention::Attention(Window& window) : window_(window), reminder_([this] { remind(); }) {}
 
@@ -15,8 +15,11 @@ Attention::~Attention() {
   reminder_.join();
 }
 
-void Attention::begin(To what) {
+void Attention::begin(To what, double seconds) {
   what_ = what;
+  until_.reset();
+  if (seconds >= 0)
+    until_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   decided_ = raised = false;
   {
     const std::lock_guard lock(mutex_);
@@ -44,7 +47,7 @@ void Attention::remind() {
 bool Attention::stops() {
   if (decided_ || std::this_thread::get_id() != own_) return decided_;
   raised = false;  // until the next reminder
-  decided_ = window_.look(what_ == To::input);
+  decided_ = window_.look(what_ == To::input) || (until_ && Clock::now() >= *until_);
   if (decided_) raised = true;
   return decided_;
 }

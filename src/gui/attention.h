@@ -4,8 +4,10 @@
 #include "gui/window.h"
 #include "math/stop.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace raywalk {
@@ -22,10 +24,13 @@ class Attention final : public Stopper {
     closing,  ///< the wish to close the window
     input     ///< that, a key, a button, a drag
   };
-  /// While one lives, the work is watched; at most one at a time.
+  /// While one lives, the work is watched; at most one at a time. It also ends after `seconds`, unless they are
+  /// negative: something else is to be done then.
   class Watch {
    public:
-    Watch(Attention& attention, To what) : attention_(attention) { attention_.begin(what); }
+    Watch(Attention& attention, To what, double seconds = -1) : attention_(attention) {
+      attention_.begin(what, seconds);
+    }
     ~Watch() { attention_.end(); }
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
@@ -37,13 +42,14 @@ class Attention final : public Stopper {
   [[nodiscard]] bool stops() override;
 
  private:
-  void begin(To what);
+  void begin(To what, double seconds);
   void end();
   void remind();
 
   Window& window_;
   std::thread::id own_ = std::this_thread::get_id();
   To what_ = To::closing;
+  std::optional<std::chrono::steady_clock::time_point> until_;
   std::atomic<bool> decided_{false};
   std::mutex mutex_;
   std::condition_variable changed_;

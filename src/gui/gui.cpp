@@ -34,6 +34,7 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 // After something has happened ImGui needs a few frames until all that follows from it is on the screen.
 constexpr int frames_to_settle = 3;
 constexpr double shortest_wait = 1.0 / 60;  // seconds
+constexpr double least_of_a_row = 0.25;     // seconds
 constexpr double image_slice = 14;          // milliseconds of work on the 3-D image between two looks at the events
 constexpr double smoothing_every = 0.3;     // the same once only noise is being taken out of it
 constexpr double image_every = 0.08;        // seconds between two pictures of a 3-D image that is being refined
@@ -110,6 +111,11 @@ class Loop {
   // Seconds that may pass before something has to be done; negative: for ever.
   [[nodiscard]] double patience() const {
     if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.window_export) return 0;
+    return until_due();
+  }
+
+  // The same of what is due at its time.
+  [[nodiscard]] double until_due() const {
     double wait = -1;
     const auto at_most = [&](double seconds) {
       wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
@@ -196,9 +202,15 @@ class Loop {
     bool more = true;
     try {
       const Attention::Watch watch(attention_, Attention::To::input);
-      more = image_.work(state_, image_slice, Stop(attention_));
+      image_.follow(state_, Stop(attention_));
     } catch (const Stopped&) {
-      return;  // of the building: it begins again after what was done meanwhile
+      return;  // it begins again after what was done meanwhile
+    }
+    {
+      // A row that takes long gives way to what is due, but not at once: it begins again then.
+      const double due = frames_due_ > 0 ? 0 : until_due();
+      const Attention::Watch watch(attention_, Attention::To::input, due < 0 ? due : std::max(due, least_of_a_row));
+      more = image_.work(state_, image_slice, Stop(attention_));
     }
     const Clock::time_point now = Clock::now();
     const double every = image_.preview().has_every_pixel() ? smoothing_every : image_every;

@@ -137,22 +137,24 @@ bool LiveImage::rests(const State& state) const {
   return preview_.finished() || (state.drag && preview_.has_every_pixel());
 }
 
+void LiveImage::follow(const State& state, const Stop& stop) {
+  if (begun_ && revision_ == state.revision && image_revision_ == state.image_revision) return;
+  PreviewSettings settings;
+  settings.size = state.scene().image;
+  settings.accelerator = state.image.accelerator;
+  settings.samples = state.image.samples;
+  settings.precision = state.image.single_precision ? Precision::float_ : Precision::double_;
+  settings.heat = state.image.heat;
+  settings.fault = fault_at_work(state);
+  preview_.reset(*pictured_scene(state), settings, state.worlds.get(), stop);
+  revision_ = state.revision;
+  image_revision_ = state.image_revision;
+  seconds_ = 0;
+  begun_ = true;
+}
+
 bool LiveImage::work(const State& state, double milliseconds, const Stop& stop) {
   const auto begun = std::chrono::steady_clock::now();
-  if (!begun_ || revision_ != state.revision || image_revision_ != state.image_revision) {
-    PreviewSettings settings;
-    settings.size = state.scene().image;
-    settings.accelerator = state.image.accelerator;
-    settings.samples = state.image.samples;
-    settings.precision = state.image.single_precision ? Precision::float_ : Precision::double_;
-    settings.heat = state.image.heat;
-    settings.fault = fault_at_work(state);
-    preview_.reset(*pictured_scene(state), settings, state.worlds.get(), stop);
-    revision_ = state.revision;
-    image_revision_ = state.image_revision;
-    seconds_ = 0;
-    begun_ = true;
-  }
   if (!rests(state)) preview_.refine(milliseconds, 0, stop);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   return !rests(state);

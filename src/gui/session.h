@@ -42,8 +42,10 @@ void write_settings(const std::string& state_dir, const Settings& settings);
 /// The 3-D image of the state's scene, worked on in slices of time.
 class LiveImage {
  public:
-  /// Starts afresh when the scene has changed, and works for about `milliseconds`; while the scene is being dragged it
-  /// goes no further than the coarse picture. Whether more is to be done.
+  /// Starts afresh when the scene has changed. Throws Stopped when asked to while it builds its structure.
+  void follow(const State& state, const Stop& stop = {});
+  /// Works for about `milliseconds` on the scene that it followed last; while that is being dragged it goes no further
+  /// than the coarse picture. Whether more is to be done.
   bool work(const State& state, double milliseconds, const Stop& stop = {});
   [[nodiscard]] const Preview& preview() const { return preview_; }
   /// Seconds until it is finished at the pace so far; 0 while there is none.

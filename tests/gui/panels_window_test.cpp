@@ -204,7 +204,7 @@ TEST_CASE("exports of the window: exact, without a trace of the pointer, and the
       [&](const Json& report) { return std::filesystem::exists(file("end.png")) && report["position"] == 0; }, 120));
   CHECK(contents("begin.png") == contents("pointed.png"));
   const Read film = played(contents("walk.gif"));
-  REQUIRE(film.frames.size() > 3);
+  REQUIRE(film.frames.size() >= 3);
   for (const auto& [frame, picture] :
        {std::pair(&film.frames.front(), "begin.png"), std::pair(&film.frames.back(), "end.png")}) {
     CAPTURE(picture);

@@ -160,6 +160,7 @@ TEST_CASE("the 3-D image follows the scene, and goes no further than coarse whil
   state.document.scene.image = {33, 25};
   LiveImage image;
   CHECK_FALSE(image.rests(state));
+  image.follow(state);
   while (image.work(state, 50)) {
   }
   CHECK(image.preview().finished());
@@ -168,6 +169,7 @@ TEST_CASE("the 3-D image follows the scene, and goes no further than coarse whil
   ++state.revision;
   CHECK_FALSE(image.rests(state));
   state.drag = Drag{};
+  image.follow(state);
   while (image.work(state, 1)) {
   }
   CHECK(image.preview().has_every_pixel());
@@ -182,7 +184,7 @@ TEST_CASE("the 3-D image is of the world that is walked") {
   const std::weak_ptr<const World<double>> world = state.worlds->of<double>(*pictured_scene(state));
   LiveImage image;
   const long before = world.use_count();
-  static_cast<void>(image.work(state, 1));
+  image.follow(state);
   CHECK(world.use_count() == before + 1);
 }
 

@@ -276,7 +276,7 @@ TEST_CASE("a demo that cannot export what it was to export says so, with exit co
   const Desktop desktop(1280, 800);
   const std::string demo = (desktop.folder() / "show.demo").string();
   for (const char* ending : {"svg", "png"}) {
-    std::ofstream(demo) << "step\nexport " << (desktop.folder() / "missing/walk.").string() << ending
+    std::ofstream(demo) << "step forward\nexport " << (desktop.folder() / "missing/walk.").string() << ending
                         << "\nwait 1\nquit\n";
     Visualiser raywalk(desktop, {own_classic(desktop), "--demo", demo});
     CHECK(raywalk.wait(100) == 1);
