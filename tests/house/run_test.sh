@@ -128,6 +128,13 @@ expect "and is counted" says '7 passed, 0 failed, 2 cases skipped' out
 expect "and says what it lacked" says 'skipped: no display' err
 
 all_is_well
+go test --quick
+expect "the quick tests pass" status_is 0
+expect "release alone is tested, and no format" says '3 passed, 0 failed' out
+expect "without the window and the commands" never_called '^cmake --preset release .*(gui|app)'
+expect "and without what counts for minutes" called '^ctest --preset release .*-E \^\(check'
+
+all_is_well
 stand_in clang-format-19 'exit 1'
 echo 'int x ;' >"$here/house/src/x.cpp"
 go test
