@@ -1,6 +1,7 @@
 #include "app/lesson_command.h"
 
 #include "app/scene_lookup.h"
+#include "app/texts.h"
 #include "io/file.h"
 #include "io/spelling.h"
 #include "lesson/check.h"
@@ -35,11 +36,20 @@ std::string list_text(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto lesson = read_lesson(lessons_dir() + "/" + name);
     std::string titles = lesson ? "" : "(cannot be read: raywalk lesson check " + name + " says why)";
-    for (const Language language : all_languages)
-      if (lesson) titles += (titles.empty() ? "" : " | ") + lesson->words.find(language)->second.title;
+    if (lesson)
+      for (const auto& [code, words] : lesson->words) titles += (titles.empty() ? "" : " | ") + words.title;
     text += fmt::format("{:<28}{}\n", name, titles);
   }
   return text;
+}
+
+/// "; not in es": the languages of the interface in which a lesson is told in English.
+std::string not_told(const Lesson& lesson) {
+  std::string codes;
+  for (const Language language : texts().languages->all())
+    if (lesson.told_in(language) != language)
+      codes += (codes.empty() ? "; not in " : ", ") + std::string(language.code());
+  return codes;
 }
 
 std::string summary_of(const Lesson& lesson) {
@@ -53,8 +63,8 @@ std::string summary_of(const Lesson& lesson) {
     claims += step.checks.size();
     count(step.says);
   }
-  return fmt::format("{:<28}{} steps, {} predictions, {} claims hold, in {} languages\n", lesson.name,
-                     lesson.steps.size(), questions, claims, lesson.words.size());
+  return fmt::format("{:<28}{} steps, {} predictions, {} claims hold, in {} languages{}\n", lesson.name,
+                     lesson.steps.size(), questions, claims, lesson.words.size(), not_told(lesson));
 }
 
 /// How far the numbers spread that hang on random ones.
@@ -66,6 +76,21 @@ std::string spreads_of(const LessonCheck& found, int seeds) {
                         spread.most, seeds + 1, theory);
   }
   return text;
+}
+
+/// What each language lacks of the interface, which is said in English then, and what it has that nothing asks for.
+std::string texts_report() {
+  std::string report;
+  const auto list = [&](Language language, const std::vector<std::string>& ids, const std::string& what) {
+    if (ids.empty()) return;
+    report += fmt::format("{}.toml: {} {}:\n", language.code(), ids.size(), what);
+    for (const std::string& id : ids) report += "  " + id + "\n";
+  };
+  for (const Language language : texts().languages->all()) {
+    list(language, language.catalogue().missing(), "texts are missing and said in English");
+    list(language, language.catalogue().unknown(), "texts have ids that nothing asks for");
+  }
+  return report;
 }
 
 }  // namespace
@@ -98,7 +123,9 @@ ExitCode lesson_check_command(const std::vector<std::string>& names, int seeds) 
     const auto printed = print((found.errors.empty() ? summary_of(*lesson) : "") + spreads_of(found, seeds));
     if (!printed) return fail(printed.error());
   }
-  if (wrong == 0) return ExitCode::done;
+  if (const auto printed = print(texts_report()); !printed) return fail(printed.error());
+  for (const Error& error : texts().broken) fail(error);
+  if (wrong == 0) return texts().broken.empty() ? ExitCode::done : ExitCode::failed;
   return fail({"", 0, 0, fmt::format("{} of {} lessons say what is not so", wrong, folders.size()),
                "lessons/README.md explains how a lesson is written"});
 }
@@ -134,7 +161,8 @@ void declare_lesson(CLI::App& program, Run& run) {
   check.footer(
       "A lesson fails on a step that cannot be reached, a claim that the trace does not bear out, a text that is\n"
       "missing in a language, a number in a text that nothing checks, and words such as \"half\" or \"twice\" that no\n"
-      "claim bears out. Exits with 1 when one fails.\n\n"
+      "claim bears out. Exits with 1 when one fails.\n"
+      "Below the lessons stands what each language of the window lacks.\n\n"
       "Examples:\n"
       "  raywalk lesson check\n"
       "  raywalk lesson check 5\n"
@@ -143,7 +171,7 @@ void declare_lesson(CLI::App& program, Run& run) {
   const auto name = std::make_shared<std::string>();
   const auto language = std::make_shared<std::optional<Language>>();
   script.add_option("NAME", *name, "A lesson, such as 5 or 05-refraction, or a folder")->required()->type_name("");
-  add_choice(script, "--language", *language, all_languages, language_code, "Of the script; left out: en");
+  add_language(script, *language, "Of the script; left out: en");
   const auto path = std::make_shared<std::optional<std::string>>();
   add_file(script, "-o,--output", *path, "FILE",
            "The file: .html, a page to print or to read on a telephone, or .md; left out: printed here");
@@ -153,7 +181,10 @@ void declare_lesson(CLI::App& program, Run& run) {
       "  raywalk lesson script 5 -o refraction.html\n"
       "  raywalk lesson script 5 --language pt");
   script.callback([name, language, path, &run] {
-    run = [name, language, path] { return lesson_script_command(*name, language->value_or(Language::english), *path); };
+    run = [name, language, path] {
+      warn_of_broken_texts();
+      return lesson_script_command(*name, language->value_or(texts().languages->english()), *path);
+    };
   });
   check.callback([names, seeds, &run] { run = [names, seeds] { return lesson_check_command(*names, *seeds); }; });
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/options.h"
-#include "lesson/language.h"
+#include "text/language.h"
 
 #include <string>
 #include <vector>

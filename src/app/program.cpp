@@ -11,6 +11,7 @@
 #include "app/render_command.h"
 #include "app/step_command.h"
 #include "app/study_command.h"
+#include "app/texts.h"
 #include "app/window_command.h"
 #include "io/file_ledger.h"
 #include "io/image.h"
@@ -151,8 +152,8 @@ void declare_step(CLI::App& program, Run& run) {
              std::array{StepFormat::text, StepFormat::json, StepFormat::html, StepFormat::svg}, step_format_name,
              "One line a step for people (as when left out); all numbers of each step for programs; a page for any "
              "browser that steps offline; the plan after the last step as a drawing");
-  add_choice(command, "--language", to.language, all_languages, language_code,
-             "Of the sentences, as text, page or drawing; left out: en. JSON is English always");
+  add_language(command, to.language,
+               "Of the sentences, as text, page or drawing; left out: en. JSON is English always");
   add_size(command, to.size);
   add_integrator(command, to.integrator, to.path_length);
   add_limits(command, to.depth, to.threshold);
@@ -236,8 +237,7 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   GuiOptions& to = asked->options;
   program.add_option("SCENE", to.scene_path, std::string(scene_help) + "; left out: the classic scene")->type_name("");
   add_file(program, "--demo", to.demo_path, "FILE", "Replay the actions in a file, one a line");
-  add_choice(program, "--language", to.language, all_languages, language_code,
-             "Of the window; left out: as it was left, else the environment's");
+  add_language(program, to.language, "Of the window; left out: as it was left, else the environment's");
   const auto hide = [](CLI::Option* option) { option->group(""); };
   hide(program.add_option("--state-dir", to.state_dir));
   hide(add_file(program, "--screenshot", to.screenshot_path, "FILE", ""));

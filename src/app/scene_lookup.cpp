@@ -20,6 +20,11 @@ std::string data_dir() {
   return RAYWALK_DATA_DIR;
 }
 
+std::string text_dir() {
+  const std::string data = data_dir();
+  return data == RAYWALK_DATA_DIR ? data + "/src/text" : data + "/text";
+}
+
 std::vector<std::string> shipped_scenes() {
   std::vector<std::string> names;
   std::error_code error;

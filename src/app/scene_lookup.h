@@ -12,6 +12,9 @@ namespace raywalk {
 /// The folder that holds `scenes` and `lessons`: beside an installed program, else in the source tree.
 [[nodiscard]] std::string data_dir();
 
+/// The folder that holds the files of the languages (io/languages.h).
+[[nodiscard]] std::string text_dir();
+
 /// The names of the scenes in data_dir()/scenes, sorted: "classic".
 [[nodiscard]] std::vector<std::string> shipped_scenes();
 

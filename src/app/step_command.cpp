@@ -1,6 +1,7 @@
 #include "app/step_command.h"
 
 #include "app/scene_lookup.h"
+#include "app/texts.h"
 #include "timeline/recorder.h"
 #include "trace/recursion.h"
 #include "view/export.h"
@@ -116,16 +117,20 @@ ExitCode step_command(const StepOptions& options) {
     return fail({options.scene, 0, 0,
                  fmt::format("{} steps are too many for a page (expected at most {})", timeline.steps(), most_slides),
                  "take one pixel with --pixel, or go less deep with --depth"});
+  const auto language = [&] {
+    warn_of_broken_texts();
+    return options.language.value_or(texts().languages->english());
+  };
   const auto printed = [&] {
     switch (options.format) {
       case StepFormat::text:
-        return print_text(scene, timeline, options.language);
+        return print_text(scene, timeline, language());
       case StepFormat::json:
         return print_json(scene, timeline, options);
       case StepFormat::html:
-        return print(slides_page(scene, kept, options.language));
+        return print(slides_page(scene, kept, language()));
       case StepFormat::svg:
-        return print(plan_picture(scene, kept, options.language));
+        return print(plan_picture(scene, kept, language()));
     }
     return Result<void>();
   }();

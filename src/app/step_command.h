@@ -3,7 +3,7 @@
 #include "app/arguments.h"
 #include "app/console.h"
 #include "app/names.h"
-#include "lesson/language.h"
+#include "text/language.h"
 
 #include <optional>
 #include <string>
@@ -22,8 +22,8 @@ struct StepOptions {
   Precision precision = Precision::double_;
   std::optional<Numerics> numerics{};
   std::optional<double> epsilon{};
-  std::optional<Fault> fault{};           ///< breaks the tracer on purpose
-  Language language = Language::english;  ///< of text, page and picture
+  std::optional<Fault> fault{};      ///< breaks the tracer on purpose
+  std::optional<Language> language;  ///< of text, page and picture; left out: English
   StepFormat format = StepFormat::text;
 };
 

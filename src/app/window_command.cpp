@@ -1,6 +1,7 @@
 #include "app/window_command.h"
 
 #include "app/scene_lookup.h"
+#include "app/texts.h"
 #include "math/stop.h"
 
 namespace raywalk {
@@ -9,6 +10,9 @@ ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger)
   options.data_dir = data_dir();
   if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);
 #if RAYWALK_GUI
+  options.languages = texts().languages;
+  options.broken_texts = texts().broken;
+  warn_of_broken_texts();
   try {
     const Result<void> closed = run_gui(options, ledger);
     return closed ? ExitCode::done : fail(closed.error());

@@ -1,6 +1,5 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -31,7 +30,7 @@ bool menu(const Ui& ui, std::string_view title, const char* name, bool open, con
 }
 
 void recent_menu(const Ui& ui) {
-  if (!ImGui::BeginMenu(ui.say(TextId::menu_recent).c_str(), !ui.state.recent.empty())) return;
+  if (!ImGui::BeginMenu(ui.say("menu.recent").c_str(), !ui.state.recent.empty())) return;
   int number = 0;
   for (const std::string& path : ui.state.recent) {
     ImGui::PushID(number);
@@ -66,6 +65,16 @@ void edit_menu(const Ui& ui) {
     menu_item(ui, command);
 }
 
+/// One line a language, by the name that its file gives it.
+void language_items(const Ui& ui) {
+  for (const Language language : ui.state.language.others().all()) {
+    const std::string name(language.name()), code(language.code());
+    if (ImGui::MenuItem(("    " + name).c_str(), nullptr, language == ui.state.language))
+      ui.act(action::SetLanguage{code});
+    ui.publish("menu/language/" + code);
+  }
+}
+
 void view_menu(const Ui& ui) {
   for (const Command command : {Command::fit, Command::zoom_in, Command::zoom_out}) menu_item(ui, command);
   ImGui::Separator();
@@ -73,9 +82,10 @@ void view_menu(const Ui& ui) {
                                 Command::use_camera, Command::image_settings, Command::heat})
     menu_item(ui, command);
   ImGui::Separator();
-  for (const Command command : {Command::tweens, Command::theme, Command::language, Command::scale_up,
-                                Command::scale_down, Command::scale_reset})
+  for (const Command command : {Command::tweens, Command::theme, Command::scale_up, Command::scale_down,
+                                Command::scale_reset, Command::language})
     menu_item(ui, command);
+  language_items(ui);
   ImGui::Separator();
   for (const Command command : {Command::exchange, Command::full_screen}) menu_item(ui, command);
 }
@@ -137,11 +147,11 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
     const float apart = where.width < ui.px(760) ? ui.px(7) : ui.px(14);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
-    if (menu(ui, ui.say(TextId::menu_file), "menu-file", open_menu == 0, [&] { file_menu(ui); })) is_open = 0;
-    if (menu(ui, ui.say(TextId::menu_edit), "menu-edit", open_menu == 1, [&] { edit_menu(ui); })) is_open = 1;
-    if (menu(ui, ui.say(TextId::menu_view), "menu-view", open_menu == 2, [&] { view_menu(ui); })) is_open = 2;
-    if (menu(ui, ui.say(WindowText::menu_walk), "menu-walk", open_menu == 3, [&] { walk_menu(ui); })) is_open = 3;
-    if (menu(ui, ui.say(WindowText::menu_panels), "menu-panels", open_menu == 4, [&] { panels_menu(ui); })) is_open = 4;
+    if (menu(ui, ui.say("menu.file"), "menu-file", open_menu == 0, [&] { file_menu(ui); })) is_open = 0;
+    if (menu(ui, ui.say("menu.edit"), "menu-edit", open_menu == 1, [&] { edit_menu(ui); })) is_open = 1;
+    if (menu(ui, ui.say("menu.view"), "menu-view", open_menu == 2, [&] { view_menu(ui); })) is_open = 2;
+    if (menu(ui, ui.say("menu.walk"), "menu-walk", open_menu == 3, [&] { walk_menu(ui); })) is_open = 3;
+    if (menu(ui, ui.say("menu.panels"), "menu-panels", open_menu == 4, [&] { panels_menu(ui); })) is_open = 4;
     ImGui::PopStyleVar(2);
 
     const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);

@@ -1,6 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
+#include "text/language.h"
 
 #include <algorithm>
 
@@ -10,13 +10,13 @@ namespace {
 
 // The objects to choose from, behind "nowhere".
 std::vector<std::string> object_names(const Ui& ui) {
-  std::vector<std::string> names{ui.say(WindowText::nowhere)};
+  std::vector<std::string> names{ui.say("breakpoints.nowhere")};
   for (const Object& object : ui.state.scene().objects) names.push_back(object.name);
   return names;
 }
 
 // A number that may be absent: the field shows `none` then.
-void optional_whole(Form& form, WindowText label, std::optional<int>& value, int none, int most) {
+void optional_whole(Form& form, std::string_view label, std::optional<int>& value, int none, int most) {
   int shown = value.value_or(none);
   if (form.whole(label, shown, none, most)) value = shown == none ? std::nullopt : std::optional(shown);
 }
@@ -41,21 +41,21 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   Form form(ui, memory_, width);
   int step = state.position;
   if (open) form.focus_next();
-  if (form.whole(WindowText::go_to_step, step, 0, state.timeline->steps(), true)) ui.act(action::Jump{step});
+  if (form.whole("breakpoints.go_to_step", step, 0, state.timeline->steps(), true)) ui.act(action::Jump{step});
 
-  form.heading(WindowText::breakpoints);
+  form.heading("breakpoints.title");
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-  label(ui.colours.dim_text, ui.say(WindowText::breakpoints_hint));
-  if (breakpoints_in_force(state) != state.breakpoints) label(ui.colours.error, ui.say(WindowText::breakpoints_off));
+  label(ui.colours.dim_text, ui.say("breakpoints.hint"));
+  if (breakpoints_in_force(state) != state.breakpoints) label(ui.colours.error, ui.say("breakpoints.off"));
   ImGui::PopTextWrapPos();
   Breakpoints next = state.breakpoints;
-  optional_whole(form, WindowText::at_depth, next.depth, 0, 99);
-  optional_whole(form, WindowText::at_pixel, next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
-  form.flag(WindowText::at_total, next.total_internal_reflection);
+  optional_whole(form, "breakpoints.at_depth", next.depth, 0, 99);
+  optional_whole(form, "breakpoints.at_pixel", next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
+  form.flag("breakpoints.at_total", next.total_internal_reflection);
   const std::vector<std::string> names = object_names(ui);
   const auto at = std::find(names.begin() + 1, names.end(), next.object);
   int chosen = at == names.end() ? 0 : static_cast<int>(at - names.begin());
-  if (form.pick(WindowText::at_object, names, chosen))
+  if (form.pick("breakpoints.at_object", names, chosen))
     next.object = chosen == 0 ? std::string() : names[static_cast<std::size_t>(chosen)];
   if (next != state.breakpoints) ui.act(action::SetBreakpoints{next});
 
@@ -65,8 +65,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   ImGui::SameLine();
   command_button(ui, Command::run_on, extent, look);
   ImGui::SameLine();
-  if (button(ui, "remove-breakpoints", ui.say(WindowText::remove_breakpoints), "", extent, look, false,
-             state.breakpoints.any()))
+  if (button(ui, "remove-breakpoints", ui.say("breakpoints.remove"), "", extent, look, false, state.breakpoints.any()))
     ui.act(action::SetBreakpoints{});
   ImGui::PopStyleVar();
   pop_font();

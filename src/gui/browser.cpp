@@ -1,7 +1,6 @@
 #include "gui/browser.h"
 
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -28,9 +27,9 @@ std::string title_of(PathPrompt asking, const Ui& ui) {
     case PathPrompt::none:
       return {};
     case PathPrompt::open:
-      return ui.say(TextId::menu_open);
+      return ui.say("command.open.label");
     case PathPrompt::save_as:
-      return ui.say(TextId::menu_save_as);
+      return ui.say("command.save_as.label");
     case PathPrompt::save_predictions:
       return command_label(Command::save_predictions, ui.state);
     case PathPrompt::export_walk:
@@ -128,9 +127,9 @@ void Browser::entries(const Ui& ui, float height) {
       }
       ui.publish("browser/" + name);
     }
-    if (!listing_.readable) paragraph(ui.colours.error, ui.say(WindowText::folder_unreadable));
+    if (!listing_.readable) paragraph(ui.colours.error, ui.say("files.folder_unreadable"));
     if (listing_.readable && listing_.files.empty() && asking_ == PathPrompt::open)
-      paragraph(ui.colours.dim_text, ui.say(WindowText::no_scene_here));
+      paragraph(ui.colours.dim_text, ui.say("files.no_scene_here"));
     if (!into.empty()) go_to((fs::path(folder_) / into).string());
   }
   ImGui::EndChild();
@@ -138,24 +137,24 @@ void Browser::entries(const Ui& ui, float height) {
 
 void Browser::kinds(const Ui& ui) {
   struct Words {
-    WindowText label, hint;
+    std::string_view label, hint;
   };
   const auto words = [](ExportKind kind) -> Words {
     switch (kind) {
       case ExportKind::slides:
-        return {WindowText::export_slides, WindowText::export_slides_hint};
+        return {"export.slides", "export.slides_hint"};
       case ExportKind::picture:
-        return {WindowText::export_picture, WindowText::export_picture_hint};
+        return {"export.picture", "export.picture_hint"};
       case ExportKind::film:
-        return {WindowText::export_film, WindowText::export_film_hint};
+        return {"export.film", "export.film_hint"};
       case ExportKind::plan:
-        return {WindowText::export_plan, WindowText::export_plan_hint};
+        return {"export.plan", "export.plan_hint"};
       case ExportKind::transcript:
-        return {WindowText::export_transcript, WindowText::export_transcript_hint};
+        return {"export.transcript", "export.transcript_hint"};
       case ExportKind::steps:
-        return {WindowText::export_steps, WindowText::export_steps_hint};
+        return {"export.steps", "export.steps_hint"};
       case ExportKind::script:
-        return {WindowText::export_script, WindowText::export_script_hint};
+        return {"export.script", "export.script_hint"};
     }
     return {};
   };
@@ -176,7 +175,7 @@ void Browser::kinds(const Ui& ui) {
   if (typed_.empty() || typed_ == name()) {
     label(ui.colours.dim_text, ui.say(words(chosen).hint));
   } else {
-    label(ui.colours.text, ui.say(WindowText::export_as, {file}));
+    label(ui.colours.text, ui.say("export.will_be", {{"file", file}}));
     ui.publish("export-as");
   }
 }
@@ -199,7 +198,7 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   if (!ImGui::IsPopupOpen(id.c_str())) ImGui::OpenPopup(id.c_str());
   if (!ImGui::BeginPopupModal(id.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
   const float line = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.y;
-  if (button(ui, "browser-up", ui.say(WindowText::folder_up), ui.say(WindowText::folder_up_hint), {0, line},
+  if (button(ui, "browser-up", ui.say("files.folder_up"), ui.say("files.folder_up_hint"), {0, line},
              {.look = Look::plain, .icon = Icon::up}))
     go_to(fs::path(folder_).parent_path().string());
   ImGui::SameLine();
@@ -217,17 +216,17 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   std::strncpy(buffer.data(), typed_.c_str(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
   const bool entered =
-      ImGui::InputTextWithHint("##path", ui.say(TextId::path_label).c_str(), buffer.data(), buffer.size(),
+      ImGui::InputTextWithHint("##path", ui.say("dialog.path").c_str(), buffer.data(), buffer.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   typed_ = buffer.data();
   ui.publish("browser-path");
   const ImVec2 large{ui.px(130), line};
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * large.x - ImGui::GetStyle().ItemSpacing.x -
                        ImGui::GetStyle().WindowPadding.x);
-  const bool cancelled = button(ui, "browser-cancel", ui.say(TextId::answer_cancel), "", large, {});
+  const bool cancelled = button(ui, "browser-cancel", ui.say("answer.cancel"), "", large, {});
   ImGui::SameLine();
-  const bool accepted = button(ui, "browser-accept", ui.say(saves ? TextId::menu_save : TextId::menu_open), "", large,
-                               {.look = Look::primary}, false, !typed_.empty());
+  const bool accepted = button(ui, "browser-accept", ui.say(saves ? "command.save.label" : "command.open.label"), "",
+                               large, {.look = Look::primary}, false, !typed_.empty());
   if (accepted || entered) accept(ui);
   if (cancelled) ui.act(action::CancelPrompt{});
   ImGui::EndPopup();

@@ -1,8 +1,8 @@
 #include "gui/pane_words.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "text/language.h"
 #include "view/bug_panel.h"
-#include "view/bug_text.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@ namespace {
 void list(const Ui& ui, const BugPanel& panel) {
   const Shades shades(ui.state.theme);
   for (const BugRow& row : panel.rows) {
-    std::string text = ui.say(BugText::number, {std::to_string(row.number)});
-    if (row.end == BugEnd::found) text += "  \u2713 " + ui.say(BugText::found);
-    if (row.end == BugEnd::given_up) text += "  \u00b7 " + ui.say(BugText::given_up);
+    std::string text = ui.say("bug.number", {{"number", row.number}});
+    if (row.end == BugEnd::found) text += "  \u2713 " + ui.say("bug.found");
+    if (row.end == BugEnd::given_up) text += "  \u00b7 " + ui.say("bug.given_up");
     if (wide_button(ui, fmt::format("bug/{}", row.number), text, shades.raised, ui.colours.text, true))
       ui.act(action::HuntBug{row.number});
   }
@@ -54,7 +54,7 @@ void bug_pane(const Ui& ui, const Rect& where) {
     label(ui.colours.dim_text, shortened(panel.tally, width - 2 * height));
     pop_font();
     ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
-    if (button(ui, "bugs-close", "", ui.say(BugText::leave), {height, height},
+    if (button(ui, "bugs-close", "", ui.say("bug.leave"), {height, height},
                {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
       ui.act(action::ShowBugs{false});
     ImGui::SetCursorScreenPos({left, where.y + ui.px(12) + height});
@@ -80,27 +80,27 @@ void bug_pane(const Ui& ui, const Rect& where) {
     const float y = where.bottom() - foot + ui.px(8), half = (width - gap) / 2;
     ImGui::SetCursorScreenPos({left, y});
     if (!panel.hunting) {
-      command_button(ui, Command::bug_surprise, {width, height}, {.look = Look::primary}, ui.say(BugText::surprise));
+      command_button(ui, Command::bug_surprise, {width, height}, {.look = Look::primary}, ui.say("bug.surprise"));
     } else {
       const bool open = panel.can_give_up;
       command_button(ui, open ? Command::bug_mark : Command::bug_mend, {half, height},
                      {.look = open ? Look::primary : Look::plain},
-                     ui.say(panel.can_judge        ? BugText::judge
-                            : open                 ? BugText::mark
-                            : ui.state.bug->mended ? BugText::break_again
-                                                   : BugText::mend));
+                     ui.say(panel.can_judge        ? "bug.judge"
+                            : open                 ? "bug.mark"
+                            : ui.state.bug->mended ? "bug.break_again"
+                                                   : "bug.mend"));
       ImGui::SetCursorScreenPos({left + half + gap, y});
       command_button(ui, open ? Command::bug_cure : Command::bug_surprise, {half, height},
-                     {.look = open ? Look::plain : Look::primary}, ui.say(open ? BugText::give_up : BugText::surprise));
+                     {.look = open ? Look::plain : Look::primary}, ui.say(open ? "bug.give_up" : "bug.surprise"));
     }
 
     ImGui::SetCursorScreenPos({left, y + height + gap});
     if (panel.hunting) {
-      if (button(ui, "bugs-list", ui.say(BugText::all_bugs), ui.say(BugText::all_bugs), {height, height},
+      if (button(ui, "bugs-list", ui.say("bug.all_bugs"), ui.say("bug.all_bugs"), {height, height},
                  {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
         ui.act(action::LeaveHunt{});
       ImGui::SetCursorScreenPos({left + height + gap, y + height + gap});
-      if (button(ui, "bugs-leave", ui.say(BugText::leave), "Esc", {width - height - gap, height},
+      if (button(ui, "bugs-leave", ui.say("bug.leave"), "Esc", {width - height - gap, height},
                  {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
         ui.act(action::ShowBugs{false});
     }

@@ -3,7 +3,7 @@
 
 #include "accel/accelerator.h"
 #include "gui/form.h"
-#include "gui/window_text.h"
+#include "text/language.h"
 #include "view/choice_text.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ template <class Choices, class Value, class IdOf = std::identity>
 bool pick_among(const Ui& ui, Form& form, const FormLabel& label, const Choices& choices, Value& value,
                 const IdOf& id_of = {}) {
   std::vector<std::string> names;
-  for (const auto& choice : choices) names.push_back(ui.say(id_of(choice)));
+  for (const auto& choice : choices) names.emplace_back(text(id_of(choice), ui.state.language));
   int index = static_cast<int>(index_among(choices, value));
   if (!form.pick(label, names, index)) return false;
   value = choices[static_cast<std::size_t>(index)];
@@ -47,8 +47,8 @@ inline constexpr std::array pickable_accelerators{AcceleratorKind::automatic, Ac
 
 /// Whether numbers have 24 bits.
 inline constexpr std::array precisions{false, true};
-[[nodiscard]] constexpr WindowText precision_word(bool single) {
-  return single ? WindowText::single : WindowText::double_;
+[[nodiscard]] constexpr std::string_view precision_word(bool single) {
+  return single ? "precision.float" : "precision.double";
 }
 
 }  // namespace raywalk

@@ -1,6 +1,5 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/panels.h"
 #include "view/text.h"
 
@@ -118,7 +117,7 @@ float code_height(const Ui& ui) {
 float code_width(const Ui& ui) {
   float width = 0;
   for (const CodeBox& box : code_panel(ui.state).boxes) {
-    const std::string badge = ui.say(PanelText::depth_badge, {"10"});
+    const std::string badge = ui.say("code.depth_badge", {{"number", "10"}});
     width =
         std::max(width, text_width(ui.fonts.code_strong, box.title) + text_width(ui.fonts.small, badge) + ui.px(24));
     for (const CodeRow& row : box.rows) {
@@ -162,13 +161,13 @@ void code_pane(const Ui& ui, const Rect& where) {
           ui.act(action::ToggleBreakpoint{row.line});
         ui.publish("break-" + number);
         draw_breakpoint(ui, gutter, row.breakpoint, ImGui::IsItemHovered());
-        if (!row.breakpoint) tooltip(ui, "break-" + number, ui.say(WindowText::breakpoint_hint));
+        if (!row.breakpoint) tooltip(ui, "break-" + number, ui.say("code.breakpoint_hint"));
         ImGui::SetCursorScreenPos({gutter.right(), place.y});
         if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
           ui.act(asks ? Action(action::MarkLine{row.line}) : Action(action::RunToLine{row.line}));
         if (ImGui::IsItemHovered()) pointed_at = row.line;
         ui.publish(name);
-        if (asks) tooltip(ui, name, ui.say(WindowText::mark_hint));
+        if (asks) tooltip(ui, name, ui.say("code.mark_hint"));
         draw_row(ui, row, place);
         if (row.just_run) ran = y - where.y + scroll;
         if (row.next) next = y - where.y + scroll;

@@ -1,6 +1,6 @@
 #pragma once
 // The commands, one row each: name and the keys that ask for it. What they are called, and what they do, stands in
-// gui/command_text.h.
+// src/text/*.toml.
 
 #include "gui/command_rows_scene.h"
 #include "gui/command_rows_view.h"

@@ -1,10 +1,8 @@
 #include "gui/commands.h"
 
 #include "gui/command_table.h"
-#include "gui/command_text.h"
 #include "gui/cost_commands.h"
 #include "gui/structure_commands.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <array>
@@ -15,38 +13,43 @@ namespace {
 
 const CommandRow& row_of(Command command) { return command_table[static_cast<std::size_t>(command)]; }
 
+/// Of its two texts, command.step_back.label and command.step_back.hint.
+std::string said(Command command, std::string_view what, Language language) {
+  return std::string(family_text("command", std::string(row_of(command).name) + "." + std::string(what), language));
+}
+
 }  // namespace
 
 std::string_view command_name(Command command) { return row_of(command).name; }
 
 std::string command_label(Command command, const State& state) {
-  const auto say = [&](auto id) { return std::string(text(id, state.language)); };
-  if (command == Command::play && state.playing) return say(TextId::button_pause);
+  const auto say = [&](std::string_view id) { return std::string(text(id, state.language)); };
+  if (command == Command::play && state.playing) return say("transport.pause");
   if (command == Command::theme)
-    return say(TextId::theme) + ": " + say(state.theme == Theme::dark ? TextId::theme_dark : TextId::theme_projector);
-  if (command == Command::language) return say(TextId::language) + ": " + std::string(language_name(state.language));
-  if (command == Command::lines && shows_lines(state)) return say(WindowText::plan);
-  if (const std::optional<WindowText> now = cost_label(command, state)) return say(*now);
-  return std::string(text(command, state.language).label);
+    return say("command.theme.label") + ": " + say(state.theme == Theme::dark ? "theme.dark" : "theme.projector");
+  if (command == Command::language) return say("command.language.label") + ": " + std::string(state.language.name());
+  if (command == Command::lines && shows_lines(state)) return say("plan.name");
+  if (const std::optional<std::string_view> now = cost_label(command, state)) return say(*now);
+  return said(command, "label", state.language);
 }
 
 std::string short_label(Command command, const State& state) {
-  const auto say = [&](auto id) { return std::string(text(id, state.language)); };
-  constexpr std::array in_short{std::pair{Command::add_solid_sphere, TextId::short_solid_sphere},
-                                std::pair{Command::add_transparent_sphere, TextId::short_transparent_sphere},
-                                std::pair{Command::add_polygon, TextId::short_polygon},
-                                std::pair{Command::add_light, TextId::short_light_source}};
+  const auto say = [&](std::string_view id) { return std::string(text(id, state.language)); };
+  constexpr std::array in_short{std::pair{Command::add_solid_sphere, "object.short_solid_sphere"},
+                                std::pair{Command::add_transparent_sphere, "object.short_transparent_sphere"},
+                                std::pair{Command::add_polygon, "object.short_polygon"},
+                                std::pair{Command::add_light, "object.short_light_source"}};
   for (const auto& [of, id] : in_short)
     if (of == command) return say(id);
-  if (command == Command::language) return std::string(language_sign(next_language(state.language)));
-  if (command == Command::tab_image) return say(WindowText::short_image);
-  if (command == Command::tab_tree) return say(WindowText::short_tree);
-  if (command == Command::tab_microscope) return say(WindowText::short_microscope);
-  if (command == Command::tab_structure) return say(WindowText::short_structure);
+  if (command == Command::language) return std::string(state.language.next().sign());
+  if (command == Command::tab_image) return say("tab.short_image");
+  if (command == Command::tab_tree) return say("tab.short_tree");
+  if (command == Command::tab_microscope) return say("tab.short_microscope");
+  if (command == Command::tab_structure) return say("tab.short_structure");
   return command_label(command, state);
 }
 
-std::string command_hint(Command command, Language language) { return std::string(text(command, language).hint); }
+std::string command_hint(Command command, Language language) { return said(command, "hint", language); }
 
 SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.turned_last : SpaceView::image; }
 

@@ -50,20 +50,19 @@ void perform_cost(Command command, const Ui& ui) {
   }
 }
 
-std::optional<WindowText> cost_label(Command command, const State& state) {
+std::optional<std::string_view> cost_label(Command command, const State& state) {
   if (command == Command::cost_kind)
-    return state.cost.picture == CostPicture::split ? WindowText::cost_split : WindowText::cost_difference;
+    return state.cost.picture == CostPicture::split ? "cost.shows_split" : "cost.shows_difference";
   if (command == Command::cost_page)
-    return state.tab == Tab::cost && state.cost.page == CostPage::effects ? WindowText::cost_tries
-                                                                          : WindowText::cost_effects;
+    return state.tab == Tab::cost && state.cost.page == CostPage::effects ? "cost.page_tries" : "cost.page_effects";
   if (command != Command::cost_axis) return std::nullopt;
   switch (state.cost.axis) {
     case study::CostAxis::rays:
-      return WindowText::cost_rays;
+      return "cost.axis_rays";
     case study::CostAxis::tests:
-      return WindowText::cost_tests;
+      return "cost.axis_tests";
     case study::CostAxis::seconds:
-      return WindowText::cost_seconds;
+      return "cost.axis_seconds";
   }
   return std::nullopt;
 }

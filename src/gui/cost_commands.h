@@ -2,7 +2,7 @@
 // The commands of the Cost panel. Called by gui/commands.h.
 
 #include "gui/commands.h"
-#include "gui/window_text.h"
+#include "text/language.h"
 
 #include <optional>
 
@@ -11,6 +11,6 @@ namespace raywalk {
 /// `command`: one of the Cost panel's, enabled.
 void perform_cost(Command command, const Ui& ui);
 /// What a button that goes on to the next of several shows: where it stands now. None for other commands.
-[[nodiscard]] std::optional<WindowText> cost_label(Command command, const State& state);
+[[nodiscard]] std::optional<std::string_view> cost_label(Command command, const State& state);
 
 }  // namespace raywalk

@@ -6,7 +6,7 @@
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
+#include "text/language.h"
 
 #include <algorithm>
 #include <array>
@@ -48,9 +48,11 @@ void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
   const ImageSize extent = picture.costs->size();
   if (picture.cost_texture == 0 || extent.width == 0) return;
   const CostState& cost = ui.state.cost;
-  const std::string right = cost.against < 0 ? ui.say(WindowText::cost_reference) : "B";
-  const std::string difference = broken_lines(
-      ui.say(CostText::difference, {right, number_text(picture.costs->largest(), ui.state.language)}), room.width);
+  const std::string right = cost.against < 0 ? ui.say("cost.reference_name") : "B";
+  const std::string difference =
+      broken_lines(ui.say("cost.difference",
+                          {{"other", right}, {"largest", number_text(picture.costs->largest(), ui.state.language)}}),
+                   room.width);
   const bool differs = cost.picture == CostPicture::difference;
   const float legend = ImGui::CalcTextSize(differs ? difference.c_str() : "A").y + ui.px(4);
   const float scale = std::min(room.width / static_cast<float>(extent.width),
@@ -113,19 +115,19 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   push_font(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
   Form form(ui, memory, ui.px(390));
-  form.heading(WindowText::cost_knobs);
+  form.heading("cost.knobs");
   const study::Setup now = cost_knobs(ui.state);
   study::Setup next = now;
-  form.whole(WindowText::samples, next.samples, 1, CostState::most_samples);
-  pick_among(ui, form, WindowText::sampler, samplers, next.sampler);
-  form.whole(WindowText::light_grid, next.light_grid, 0, CostState::most_grid);
-  form.whole(TextId::depth_limit, next.depth, 1, CostState::most_depth);
-  form.number(TextId::threshold, next.threshold, 0.0005, 0, 1);
-  form.number(WindowText::tolerance, next.tolerance, 0.0005, 0, 1);
-  pick_among(ui, form, WindowText::precision, precisions, next.single_precision, precision_word);
-  pick_among(ui, form, WindowText::numerics, all_numerics, next.numerics);
-  if (next.numerics == Numerics::naive) form.number(WindowText::epsilon, next.epsilon, 1e-6, 0, 1);
-  pick_among(ui, form, WindowText::accelerator, pickable_accelerators, next.accelerator);
+  form.whole("property.samples", next.samples, 1, CostState::most_samples);
+  pick_among(ui, form, "property.sampler", samplers, next.sampler);
+  form.whole("property.light_grid", next.light_grid, 0, CostState::most_grid);
+  form.whole("property.depth_limit", next.depth, 1, CostState::most_depth);
+  form.number("property.threshold", next.threshold, 0.0005, 0, 1);
+  form.number("property.tolerance", next.tolerance, 0.0005, 0, 1);
+  pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
+  pick_among(ui, form, "property.numerics", all_numerics, next.numerics);
+  if (next.numerics == Numerics::naive) form.number("property.epsilon", next.epsilon, 1e-6, 0, 1);
+  pick_among(ui, form, "property.accelerator", pickable_accelerators, next.accelerator);
   if (!(next == now)) ui.act(action::SetCostKnobs{next});
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};
@@ -164,7 +166,7 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   Rect body{where.x, row.bottom() + gap, where.width, where.bottom() - row.bottom() - text_height - 2 * gap};
   if (ui.state.cost.tried.empty()) {
     ImGui::SetCursorScreenPos({where.x, body.y});
-    paragraph(ui.colours.dim_text, ui.say(CostText::empty));
+    paragraph(ui.colours.dim_text, ui.say("cost.empty"));
     return pop_font();
   }
   // Side by side, or one above the other where that gives both more room.

@@ -73,7 +73,7 @@ void notice_bar(const Ui& ui, const Rect& plan) {
   label(error ? ui.colours.error : ui.colours.text, words);
   ImGui::PopTextWrapPos();
   ImGui::SetCursorScreenPos({at.x + width - ui.px(28) - edge, at.y});
-  if (button(ui, "dismiss-notice", ui.say(TextId::button_close), ui.say(TextId::button_close), {edge, edge},
+  if (button(ui, "dismiss-notice", ui.say("dialog.close"), ui.say("dialog.close"), {edge, edge},
              {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
     ui.act(action::DismissNotice{});
   ImGui::End();

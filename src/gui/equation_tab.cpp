@@ -1,7 +1,7 @@
 #include "gui/broken_lines.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
+#include "text/language.h"
 #include "view/equation.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void swatch(const Ui& ui, const Rgbd& light, float height) {
 
 void equation_tab(const Ui& ui, const Rect& where) {
   const EquationPanel panel = equation_panel(ui.state);
-  if (panel.rows.empty()) return paragraph(ui.colours.dim_text, ui.say(WindowText::equation_empty));
+  if (panel.rows.empty()) return paragraph(ui.colours.dim_text, ui.say("equation.empty"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(5)});
   push_font(ui.fonts.strong);
   label(ui.colours.text, panel.title);

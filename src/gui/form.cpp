@@ -2,25 +2,65 @@
 
 #include "gui/broken_lines.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "io/srgb.h"
+#include "text/language.h"
+#include "view/typed_number.h"
+
+#include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <type_traits>
+#include <vector>
 
 namespace raywalk {
 
-std::string FormLabel::words(Language language) const {
-  return std::visit([&](auto id) { return fill(id, language, {number_}); }, label_);
-}
+std::string FormLabel::words(Language language) const { return fill(id_, language, {{"number", number_}}); }
 
-std::string FormLabel::hint(Language language) const {
-  const auto* id = std::get_if<TextId>(&label_);
-  return id == nullptr ? std::string() : std::string(explanation(*id, language));
-}
+std::string FormLabel::hint(Language language) const { return std::string(explanation(id_, language)); }
 
 namespace {
+
+/// What a field shows of a number, with a point.
+std::string digits_of(double value) { return fmt::format("{:.5g}", value); }
+
+/// What is being typed into an item, or has just been, as a number; nothing where it is none. A point in it is shown as
+/// the language's mark from then on.
+std::optional<double> number_being_typed(ImGuiID item, char mark) {
+  ImGuiInputTextState* const state = ImGui::GetInputTextState(item);
+  if (state == nullptr) return std::nullopt;
+  std::string typed;
+  const auto take = [&](auto& letters, int count) {
+    for (int i = 0; i < count; ++i) {
+      if (letters[i] == '.') letters[i] = static_cast<std::decay_t<decltype(letters[i])>>(mark);
+      typed += static_cast<char>(letters[i]);
+    }
+  };
+#if IMGUI_VERSION_NUM < 19120
+  take(state->TextW, state->CurLenW);
+#else
+  take(state->TextA, state->TextLen);
+#endif
+  const std::vector<double> meant = typed_numbers(typed);
+  return meant.empty() ? std::nullopt : std::optional(meant.front());
+}
+
+/// In the middle of the last item, as ImGui writes the number of such a field, with the language's decimal mark.
+void write_number(const Ui& ui, double value, bool refused) {
+  std::string words = digits_of(value);
+  std::replace(words.begin(), words.end(), '.', ui.state.language.decimal_mark());
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 extent = ImGui::CalcTextSize(words.c_str());
+  const ImVec2 at{std::max(low.x, (low.x + high.x - extent.x) / 2), (low.y + high.y - extent.y) / 2};
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(low, high, true);
+  draw.AddText(at, to_imgui(refused ? ui.colours.error : ui.colours.text), words.c_str());
+  draw.PopClipRect();
+}
 
 float usual_label_width(const Ui& ui, float width) { return std::min(ui.px(166), width * 0.42f); }
 
@@ -49,6 +89,7 @@ void Form::row(const FormLabel& of) {
   label(ui_.colours.dim_text, of.words(ui_.state.language));
   tooltip(ui_, name_ + "/label", of.hint(ui_.state.language));
   ui_.publish(name_ + "/label");
+  if (needed > label_width_ + ui_.px(2)) ui_.publish(name_ + "/label/clipped");
   ImGui::PopClipRect();
   ImGui::SameLine();
   ImGui::SetCursorPosX(left + label_width_);
@@ -69,7 +110,7 @@ void Form::before_number(const std::string& field) {
 }
 
 void Form::after_number(const std::string& field) {
-  if (ImGui::IsItemActive())
+  if (ImGui::TempInputIsActive(ImGui::GetItemID()))
     memory_.number = field;
   else if (memory_.number == field)
     memory_.number.clear();
@@ -81,8 +122,8 @@ void Form::after_field(const std::string& field, bool refused, double least, dou
   // The next thing that is done, here or in another field, ends the talk about it.
   if (refused) {
     memory_.refused = field;
-    memory_.why = ui_.say(TextId::refused_number,
-                          {number_text(least, ui_.state.language), number_text(most, ui_.state.language)});
+    memory_.why = ui_.say("notice.refused_number", {{"least", number_text(least, ui_.state.language)},
+                                                    {"most", number_text(most, ui_.state.language)}});
   } else if (ImGui::IsItemActivated()) {
     memory_.refused.clear();
   }
@@ -117,8 +158,23 @@ bool Form::drag(const std::string& id, double& value, double step, double least,
   before_field(id, width);
   before_number(id);
   double next = value;
-  const bool now =
+  // ImGui knows the point alone. Where the language has another mark, numbers are written and read here.
+  const char mark = ui_.state.language.decimal_mark();
+  const bool own_mark = mark != '.', was_typed = memory_.number == id, hides = own_mark && !was_typed;
+  if (hides) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
+  bool now =
       ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &next, static_cast<float>(step), &least, &most, "%.5g");
+  if (hides) ImGui::PopStyleColor();
+  const ImGuiID item = ImGui::GetItemID();
+  if (own_mark && (was_typed || ImGui::TempInputIsActive(item))) {
+    ui_.rest.wake_in(0);  // to show the mark
+    // What was not changed is not rounded to the digits that were shown of it.
+    const std::optional<double> read = number_being_typed(item, mark);
+    now = read && *read != value && *read != std::strtod(digits_of(value).c_str(), nullptr);
+    next = now ? *read : value;
+  } else if (hides) {
+    write_number(ui_, next, reddened_);
+  }
   after_number(id);
   if (ImGui::IsItemActivated()) memory_.before = value;
   // Typing may leave the limits; comparing this way round also refuses what is not a number. What was typed up to then
@@ -197,7 +253,7 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
   if (ImGui::ColorButton(("##" + name_).c_str(), to_imgui4(display_colour(value)), ImGuiColorEditFlags_NoTooltip,
                          {swatch, swatch}))
     ImGui::OpenPopup(popup.c_str());
-  tooltip(ui_, popup, ui_.say(WindowText::swatch_hint));
+  tooltip(ui_, popup, ui_.say("property.swatch_hint"));
   ui_.publish(name_ + "/swatch");
   if (ImGui::BeginPopup(popup.c_str())) {
     std::array<float, 3> shown{};

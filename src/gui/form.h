@@ -1,7 +1,6 @@
 #pragma once
 
 #include "gui/ui.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <string>
@@ -26,17 +25,17 @@ struct FormMemory {
 /// The words beside a field, and what they mean.
 class FormLabel {
  public:
-  FormLabel(TextId id) : label_(id) {}      // NOLINT: stands for its words
-  FormLabel(WindowText id) : label_(id) {}  // NOLINT
-  /// {0} is the number.
-  FormLabel(TextId id, int number) : label_(id), number_(std::to_string(number)) {}
+  FormLabel(const char* id) : id_(id) {}       // NOLINT: stands for its words
+  FormLabel(std::string_view id) : id_(id) {}  // NOLINT
+  /// {number} is the number.
+  FormLabel(std::string_view id, int number) : id_(id), number_(number) {}
   [[nodiscard]] std::string words(Language language) const;
   /// Empty for those that need none.
   [[nodiscard]] std::string hint(Language language) const;
 
  private:
-  std::variant<TextId, WindowText> label_;
-  std::string number_{};
+  std::string_view id_;
+  int number_ = 0;
 };
 
 /// Rows of a label and fields. Each field changes its value in place and tells whether it did; all numbers are kept

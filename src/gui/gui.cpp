@@ -306,8 +306,8 @@ class Loop {
     // How far a film has come stands where it is not in the picture.
     std::string title = document_title(state_);
     if (film_)
-      title = fill(WindowText::film_progress, state_.language,
-                   {std::to_string(film_->taken() + 1), std::to_string(film_->frames())});
+      title = fill("export.film_progress", state_.language,
+                   {{"frame", film_->taken() + 1}, {"frames", film_->frames()}});
     if (title += " \u2013 Raywalk"; title != title_) {
       window_.set_title(title);
       title_ = title;

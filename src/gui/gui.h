@@ -2,19 +2,23 @@
 
 #include "io/error.h"
 #include "io/file_ledger.h"
-#include "lesson/language.h"
+#include "text/language.h"
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace raywalk {
 
 /// What the window starts with. Only `data_dir` is needed. The fields below `data_dir` serve pictures and tests; `app`
 /// offers them as the hidden options named beside them, each taking one value.
 struct GuiOptions {
-  std::string scene_path;  ///< scene to open; empty: the classic scene of `data_dir`
-  std::string demo_path;   ///< actions to replay, one a line, as `view` writes them; empty: none
-  std::string data_dir;    ///< folder that holds `scenes` (and `fonts`, when fonts are shipped along)
+  std::string scene_path;                        ///< scene to open; empty: the classic scene of `data_dir`
+  std::string demo_path;                         ///< actions to replay, one a line, as `view` writes them; empty: none
+  std::shared_ptr<const Languages> languages{};  ///< those that can be chosen; null: English alone
+  std::vector<Error> broken_texts{};             ///< files of languages that could not be read, to be told
+  std::string data_dir;  ///< folder that holds `scenes` (and `fonts`, when fonts are shipped along)
   /// Folder for what outlives the window: settings, recent files, autosaves. Empty: the user's own
   /// ($XDG_STATE_HOME/raywalk, else ~/.local/state/raywalk). --state-dir
   std::string state_dir;

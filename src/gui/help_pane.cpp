@@ -1,7 +1,6 @@
 #include "gui/key_list.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
     const float width = std::min(ImGui::GetContentRegionAvail().x, ui.px(760));
     const float term_width = std::min(ui.px(210), width * 0.4f), left = ImGui::GetCursorPosX();
     std::vector<HelpSection> sections = help(ui.state.language);
-    sections.push_back({ui.say(WindowText::keys), {}});
+    sections.push_back({ui.say("keys.title"), {}});
     for (const KeyListRow& row : key_list(ui.state.language)) sections.back().entries.push_back({row.keys, row.does});
     for (const HelpSection& section : sections) {
       push_font(ui.fonts.title);

@@ -3,7 +3,6 @@
 #include "gui/choices.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "render/heat.h"
 #include "view/text.h"
 
@@ -17,20 +16,20 @@ namespace {
 constexpr std::array integrators{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
                                  Integrator::path};
 
-WindowText heat_word(Heat heat) {
+std::string_view heat_word(Heat heat) {
   switch (heat) {
     case Heat::none:
-      return WindowText::heat_none;
+      return "heat.none";
     case Heat::rays:
-      return WindowText::heat_rays;
+      return "heat.rays";
     case Heat::tests:
-      return WindowText::heat_tests;
+      return "heat.tests";
     case Heat::time:
-      return WindowText::heat_time;
+      return "heat.time";
     case Heat::noise:
-      return WindowText::heat_noise;
+      return "heat.noise";
   }
-  return WindowText::heat_none;
+  return "heat.none";
 }
 
 }  // namespace
@@ -38,7 +37,7 @@ WindowText heat_word(Heat heat) {
 void epsilon_row(const Ui& ui, Form& form) {
   const RenderChoices& now = ui.state.scene().render;
   double epsilon = now.epsilon;
-  if (form.number(WindowText::epsilon, epsilon, 1e-5, 0, 1e6))
+  if (form.number("property.epsilon", epsilon, 1e-5, 0, 1e6))
     ui.act(action::SetNumerics{now.numerics, epsilon, form.continues()});
 }
 
@@ -52,26 +51,26 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   push_font(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
   Form form(ui, memory, ui.px(390));
-  form.heading(WindowText::image_settings);
+  form.heading("image.settings_title");
   const State& state = ui.state;
   ImageSettings next = state.image;
 
   Integrator integrator = next.integrator.value_or(state.scene().render.integrator);
-  if (pick_among(ui, form, WindowText::integrator, integrators, integrator)) next.integrator = integrator;
-  pick_among(ui, form, WindowText::accelerator, pickable_accelerators, next.accelerator);
-  form.whole(WindowText::samples, next.samples, 1, most_image_samples);
-  form.whole(WindowText::walk_samples, next.walk_samples, 1, most_walk_samples);
-  pick_among(ui, form, WindowText::precision, precisions, next.single_precision, precision_word);
-  pick_among(ui, form, WindowText::heat, all_heats, next.heat, heat_word);
+  if (pick_among(ui, form, "property.integrator", integrators, integrator)) next.integrator = integrator;
+  pick_among(ui, form, "property.accelerator", pickable_accelerators, next.accelerator);
+  form.whole("property.samples", next.samples, 1, most_image_samples);
+  form.whole("property.walk_samples", next.walk_samples, 1, most_walk_samples);
+  pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
+  pick_among(ui, form, "property.heat", all_heats, next.heat, heat_word);
   if (next != state.image) ui.act(action::SetImageSettings{next});
 
   // These belong to the scene: the walk and the file have them too.
   TraceLimits limits = state.scene().limits;
-  bool now = form.whole(TextId::depth_limit, limits.depth, 1, 50);
-  now |= form.number(TextId::threshold, limits.threshold, 0.0005, 0, 1);
+  bool now = form.whole("property.depth_limit", limits.depth, 1, 50);
+  now |= form.number("property.threshold", limits.threshold, 0.0005, 0, 1);
   if (now) ui.act(action::SetLimits{limits, form.continues()});
   Numerics numerics = state.scene().render.numerics;
-  if (pick_among(ui, form, WindowText::numerics, all_numerics, numerics))
+  if (pick_among(ui, form, "property.numerics", all_numerics, numerics))
     ui.act(action::SetNumerics{numerics, state.scene().render.epsilon});
   epsilon_row(ui, form);
 
@@ -87,23 +86,23 @@ void image_settings(const Ui& ui, FormMemory& memory) {
 
 void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const auto most = [&] {
+  const auto most = [&]() -> std::string_view {
     switch (heat) {
       case Heat::none:
-        return PanelText::heat_rays;
+        return "heat.scale_rays";
       case Heat::rays:
-        return PanelText::heat_rays;
+        return "heat.scale_rays";
       case Heat::tests:
-        return PanelText::heat_tests;
+        return "heat.scale_tests";
       case Heat::time:
-        return PanelText::heat_time;
+        return "heat.scale_time";
       case Heat::noise:
-        return PanelText::heat_noise;
+        return "heat.scale_noise";
     }
-    return PanelText::heat_rays;
+    return "heat.scale_rays";
   }();
   const std::array<std::string, 3> numbers{"0", number_text(hottest / 2, ui.state.language),
-                                           ui.say(most, {number_text(hottest, ui.state.language)})};
+                                           ui.say(most, {{"number", number_text(hottest, ui.state.language)}})};
   const float bar = ui.px(9), y = where.y;
   // The longest number stands to the right of the bar, the others below their colours.
   const float last = ImGui::CalcTextSize(numbers[2].c_str()).x;

@@ -1,6 +1,5 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -63,13 +62,14 @@ std::string seconds_text(double seconds) {
 }
 
 std::string status_of(const Ui& ui, const Picture& picture, bool has_row) {
-  const std::string about = ui.say(ui.state.image_camera ? PanelText::image_turned
-                                   : has_row             ? PanelText::image_row_marked
-                                                         : PanelText::image_click);
+  const std::string about = ui.say(ui.state.image_camera ? "image.turned"
+                                   : has_row             ? "image.row_marked"
+                                                         : "image.click");
   if (picture.finished) return about;
   const std::string done = percent_text(picture.done, ui.state.language);
   if (!(picture.seconds_left >= 1)) return done + "  \u00b7  " + about;
-  return ui.say(PanelText::image_progress, {done, seconds_text(picture.seconds_left)}) + "  \u00b7  " + about;
+  return ui.say("image.progress", {{"percent", done}, {"time", seconds_text(picture.seconds_left)}}) + "  \u00b7  " +
+         about;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   const float line = line_height(ui.fonts, *ui.fonts.small), side = ui.px(12);
   push_font(ui.fonts.small);
   if (picture.texture == 0) {
-    label(ui.colours.dim_text, ui.say(PanelText::image_waiting));
+    label(ui.colours.dim_text, ui.say("image.waiting"));
     pop_font();
     return;
   }
@@ -115,7 +115,7 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
                                at((mouse.y - image.y) / image.height, picture.height),
                                {picture.width, picture.height}});
     }
-    tooltip(ui, "image", ui.say(WindowText::image_hint));
+    tooltip(ui, "image", ui.say("image.hint"));
   }
   if (heat != Heat::none)
     heat_legend(ui, {room.x, room.bottom() + ui.px(6), room.width, legend}, heat, picture.hottest);

@@ -2,7 +2,7 @@
 // All keys and what they do, from the table of commands: Help shows this list and lessons/README.md has it as a table,
 // which a test compares.
 
-#include "lesson/language.h"
+#include "text/language.h"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,4 @@
 #include "gui/command_table.h"
-#include "gui/window_text.h"
 #include "view/lesson_panel.h"
 #include "view/panels.h"
 #include "view/text.h"
@@ -16,26 +15,26 @@ std::string key_name(int key, Language language) {
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
   switch (key) {
     case GLFW_KEY_SPACE:
-      return std::string(text(WindowText::key_space, language));
+      return fill("keys.name_space", language);
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
-      return "Enter";
+      return fill("keys.name_enter", language);
     case GLFW_KEY_TAB:
       return "Tab";
     case GLFW_KEY_DELETE:
-      return "Del";
+      return fill("keys.name_delete", language);
     case GLFW_KEY_BACKSPACE:
-      return "Backspace";
+      return fill("keys.name_backspace", language);
     case GLFW_KEY_COMMA:
       return ",";
     case GLFW_KEY_PAGE_UP:
-      return "Page Up";
+      return fill("keys.name_page_up", language);
     case GLFW_KEY_PAGE_DOWN:
-      return "Page Down";
+      return fill("keys.name_page_down", language);
     case GLFW_KEY_HOME:
-      return "Home";
+      return fill("keys.name_home", language);
     case GLFW_KEY_END:
-      return "End";
+      return fill("keys.name_end", language);
     case GLFW_KEY_LEFT:
       return "\u2190";
     case GLFW_KEY_RIGHT:
@@ -53,7 +52,7 @@ std::string key_name(int key, Language language) {
     case GLFW_KEY_KP_0:
       return "0";
     default:
-      return fill(WindowText::key_other, language, {std::to_string(key)});
+      return fill("keys.name_other", language, {{"number", key}});
   }
 }
 
@@ -119,7 +118,7 @@ std::string whole_name(const Key& key, Language language) {
   if (key.key == 0) return {};
   const bool plus_by_shift = key.key == GLFW_KEY_EQUAL;
   return std::string(key.ctrl ? "Ctrl+" : "") + (key.alt ? "Alt+" : "") +
-         (key.shift && !plus_by_shift ? "Shift+" : "") + key_name(key.key, language);
+         (key.shift && !plus_by_shift ? fill("keys.name_shift", language) + "+" : "") + key_name(key.key, language);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include "gui/pane_words.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/bug_text.h"
+#include "text/language.h"
 #include "view/lesson_panel.h"
-#include "view/lesson_text.h"
 #include "view/typed_number.h"
 
 #include <fmt/format.h>
@@ -27,10 +26,10 @@ void list(const Ui& ui, const LessonPanel& panel) {
     const Colour ink = row.locked ? ui.colours.dim_text : next ? shades.on_accent : ui.colours.text;
     if (wide_button(ui, "lesson/" + row.name, title, next ? shades.accent : shades.raised, ink, true))
       ui.act(action::OpenLesson{row.name});
-    if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say(LessonWord::locked));
+    if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say("lesson.locked"));
   }
   ImGui::Dummy({1, ui.px(6)});
-  command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say(BugText::title));
+  command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say("bug.title"));
 }
 
 // How many of the class are for a choice: counted while the answer is not known, as a bar beside the others.
@@ -41,11 +40,11 @@ void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i) {
   const std::string key = std::to_string(i + 1);
   const ImVec2 extent{button_height(ui), button_height(ui)};
   if (!ui.state.lessons.revealed) {
-    if (button(ui, "hand-less/" + key, ui.say(LessonWord::hand_less), "Shift+" + key, extent,
+    if (button(ui, "hand-less/" + key, ui.say("lesson.hand_less"), ui.say("keys.name_shift") + "+" + key, extent,
                {.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false}, false, hands > 0))
       ui.act(action::ShowHands{index, -1});
     ImGui::SameLine();
-    if (button(ui, "hand-more/" + key, ui.say(LessonWord::hand_more), key, extent,
+    if (button(ui, "hand-more/" + key, ui.say("lesson.hand_more"), key, extent,
                {.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false}))
       ui.act(action::ShowHands{index, 1});
     ImGui::SameLine();
@@ -84,31 +83,31 @@ void options(const Ui& ui, float width, bool open) {
   const bool presents = sitting.presenter && open;
   const float gap = ui.px(8), count = presents ? 3 : 2;
   // As wide as their words ask for, and together as wide as the pane.
-  const auto needs = [&](LessonWord label) {
+  const auto needs = [&](std::string_view label) {
     return button_width(ui, ui.say(label), {Look::plain, Icon::none, ui.fonts.small});
   };
-  const float needed = needs(LessonWord::presenter) +
-                       (presents ? needs(LessonWord::notes) + needs(LessonWord::script) : needs(LessonWord::unlock));
-  const auto extent = [&](LessonWord label) {
+  const float needed =
+      needs("lesson.presenter") + (presents ? needs("lesson.notes") + needs("lesson.script") : needs("lesson.unlock"));
+  const auto extent = [&](std::string_view label) {
     return ImVec2{(width - (count - 1) * gap) * needs(label) / needed, button_height(ui)};
   };
   action::SetLessonOptions wanted{sitting.presenter, sitting.unlocked, !sitting.notes};
-  const auto toggle = [&](const char* name, LessonWord label, LessonWord hint, bool& value, bool is_on) {
+  const auto toggle = [&](const char* name, std::string_view label, std::string_view hint, bool& value, bool is_on) {
     const ButtonLook look{is_on ? Look::choice : Look::plain, Icon::none, ui.fonts.small};
     if (!button(ui, name, ui.say(label), ui.say(hint), extent(label), look, is_on)) return;
     value = !value;
     ui.act(wanted);
   };
-  toggle("lesson-presenter", LessonWord::presenter, LessonWord::presenter_hint, wanted.presenter, sitting.presenter);
+  toggle("lesson-presenter", "lesson.presenter", "lesson.presenter_hint", wanted.presenter, sitting.presenter);
   ImGui::SameLine(0, gap);
   if (!presents) {
-    toggle("lesson-unlock", LessonWord::unlock, LessonWord::unlock_hint, wanted.unlocked, sitting.unlocked);
+    toggle("lesson-unlock", "lesson.unlock", "lesson.unlock_hint", wanted.unlocked, sitting.unlocked);
     return;
   }
-  toggle("lesson-notes", LessonWord::notes, LessonWord::notes_hint, wanted.without_notes, sitting.notes);
+  toggle("lesson-notes", "lesson.notes", "lesson.notes_hint", wanted.without_notes, sitting.notes);
   ImGui::SameLine(0, gap);
-  if (button(ui, "lesson-script", ui.say(LessonWord::script), ui.say(LessonWord::script_hint),
-             extent(LessonWord::script), {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
+  if (button(ui, "lesson-script", ui.say("lesson.script"), ui.say("lesson.script_hint"), extent("lesson.script"),
+             {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
     ui.act(action::AskExport{});
 }
 
@@ -121,15 +120,16 @@ void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) 
                   width - 2 * height));
   pop_font();
   ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
-  if (button(ui, "lesson-close", "", open ? ui.say(LessonWord::close) : "", {height, height},
+  if (button(ui, "lesson-close", "", open ? ui.say("lesson.close") : "", {height, height},
              {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false})) {
     if (open) ui.act(action::LeaveLesson{});
     ui.act(action::ShowLessons{false});
   }
   ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + height});
   push_font(ui.fonts.title);
-  paragraph(ui.colours.text, open ? panel.heading : ui.say(LessonWord::lessons));
+  paragraph(ui.colours.text, open ? panel.heading : ui.say("lesson.lessons"));
   pop_font();
+  if (!panel.told_in.empty()) paragraph(ui.colours.dim_text, panel.told_in);
 }
 
 void answer(const Ui& ui, const LessonPanel& panel) {
@@ -144,7 +144,7 @@ void answer(const Ui& ui, const LessonPanel& panel) {
   }
   if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
   if (panel.change.empty()) return;
-  heading(ui, ui.colours.text, ui.say(LessonWord::change));
+  heading(ui, ui.colours.text, ui.say("lesson.change"));
   prose(ui, ui.colours.text, panel.change);
 }
 
@@ -154,29 +154,29 @@ void notes(const Ui& ui, const LessonPanel& panel) {
     heading(ui, ui.colours.dim_text, title);
     prose(ui, ui.colours.dim_text, words);
   };
-  part(ui.say(LessonWord::presenter) + " \u00b7 " + panel.time, panel.presenter);
-  part(ui.say(LessonWord::teacher), panel.teacher);
+  part(ui.say("lesson.presenter") + " \u00b7 " + panel.time, panel.presenter);
+  part(ui.say("lesson.teacher"), panel.teacher);
   if (!panel.notes.empty()) prose(ui, ui.colours.dim_text, panel.notes);
-  part(ui.say(LessonWord::sources), panel.sources);
+  part(ui.say("lesson.sources"), panel.sources);
 }
 
 // To the list, a step back, and on: to the answer first, where one is asked for.
 void steps(const Ui& ui, const LessonPanel& panel, ImVec2 at, float width) {
   const float height = button_height(ui), gap = ui.px(8), half = (width - height - 2 * gap) / 2;
   ImGui::SetCursorScreenPos(at);
-  if (button(ui, "lesson-list", ui.say(LessonWord::all_lessons), ui.say(LessonWord::all_lessons), {height, height},
+  if (button(ui, "lesson-list", ui.say("lesson.all_lessons"), ui.say("lesson.all_lessons"), {height, height},
              {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
     ui.act(action::LeaveLesson{});
   ImGui::SameLine(0, gap);
-  if (button(ui, "lesson-back", ui.say(LessonWord::back), "", {half, height}, {}, false, panel.can_go_back))
+  if (button(ui, "lesson-back", ui.say("lesson.back"), "", {half, height}, {}, false, panel.can_go_back))
     ui.act(action::GoToLessonStep{panel.step - 2});
   ImGui::SameLine(0, gap);
   if (panel.asks != Asks::nothing && !ui.state.lessons.revealed) {
-    if (button(ui, "lesson-reveal", ui.say(LessonWord::reveal), "", {half, height}, {.look = Look::primary}, false,
+    if (button(ui, "lesson-reveal", ui.say("lesson.reveal"), "", {half, height}, {.look = Look::primary}, false,
                panel.can_reveal))
       ui.act(action::RevealLesson{});
-  } else if (button(ui, "lesson-next", ui.say(panel.is_last ? LessonWord::finish : LessonWord::next), "",
-                    {half, height}, {.look = Look::primary}, false, panel.can_go_on)) {
+  } else if (button(ui, "lesson-next", ui.say(panel.is_last ? "lesson.finish" : "lesson.next"), "", {half, height},
+                    {.look = Look::primary}, false, panel.can_go_on)) {
     ui.act(action::GoToLessonStep{panel.step});
   }
 }
@@ -206,27 +206,27 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
     label(ui.colours.text, panel.unit);
   }
   if (!number_.empty() && !typed_guess(ui.state.lessons, number_) && !revealed)
-    paragraph(ui.colours.error, ui.say(LessonWord::not_a_number));
+    paragraph(ui.colours.error, ui.say("lesson.not_a_number"));
 }
 
 void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
   const LessonSitting& sitting = ui.state.lessons;
   const ImVec2 wide{ImGui::GetContentRegionAvail().x, button_height(ui)};
-  heading(ui, Shades(ui.state.theme).accent, ui.say(LessonWord::predict));
+  heading(ui, Shades(ui.state.theme).accent, ui.say("lesson.predict"));
   prose(ui, ui.colours.text, panel.question);
   choices(ui, panel);
   if (!sitting.revealed) {
     push_font(ui.fonts.small);
-    if (panel.asks == Asks::choice && sitting.presenter) paragraph(ui.colours.dim_text, ui.say(LessonWord::hands_hint));
+    if (panel.asks == Asks::choice && sitting.presenter) paragraph(ui.colours.dim_text, ui.say("lesson.hands_hint"));
     if (panel.asks == Asks::arrow && !panel.astray)
-      paragraph(ui.colours.dim_text, "\u2192 " + ui.say(LessonWord::drag_arrow));
-    if (panel.asks == Asks::number) paragraph(ui.colours.dim_text, ui.say(LessonWord::type_number));
+      paragraph(ui.colours.dim_text, "\u2192 " + ui.say("lesson.drag_arrow"));
+    if (panel.asks == Asks::number) paragraph(ui.colours.dim_text, ui.say("lesson.type_number"));
     if (panel.asks == Asks::line) paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
     pop_font();
   }
   if (panel.asks == Asks::line && sitting.revealed && ui.state.bug) command_button(ui, Command::bug_mend, wide);
   if (panel.astray &&
-      button(ui, "lesson-question", ui.say(LessonWord::back_to_question), "", wide, {.look = Look::primary}))
+      button(ui, "lesson-question", ui.say("lesson.back_to_question"), "", wide, {.look = Look::primary}))
     ui.act(action::GoToLessonStep{panel.step - 1});
   if (panel.asks == Asks::number) number(ui, panel, is_new);
 }

@@ -1,7 +1,7 @@
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
+#include "text/language.h"
 #include "view/lines_view.h"
 #include "view/plan_view.h"
 

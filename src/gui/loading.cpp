@@ -4,7 +4,6 @@
 #include "gui/session.h"
 #include "gui/style.h"
 #include "gui/ui.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <cstdint>
@@ -22,8 +21,8 @@ bool takes_long_to_read(const GuiOptions& options) {
 namespace {
 
 void show_loading(Window& window, const GuiOptions& options) {
-  Settings settings = read_settings(state_folder(options));
-  settings.language = language_for(options, settings);
+  const Settings settings = read_settings(state_folder(options));
+  const Language language = language_for(options, settings);
   const float unit = window.scale() * static_cast<float>(settings.ui_scale * theme_scale(settings.theme));
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
@@ -33,7 +32,7 @@ void show_loading(Window& window, const GuiOptions& options) {
 
   const Palette& colours = palette(settings.theme);
   const std::string file = std::filesystem::path(options.scene_path).filename().string();
-  const std::string words = fill(WindowText::reading_scene, *settings.language, {file});
+  const std::string words = fill("files.reading_scene", language, {{"file", file}});
   const auto part = [](std::uint8_t byte) { return static_cast<float>(byte) / 255; };
   const Colour ground = colours.window;
   // A window manager shows a window some time after it was asked to, and what was drawn before that may be lost.

@@ -4,7 +4,6 @@
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ void draw_controls(const Ui& ui, ButtonRow& row, float height) {
   ImGui::SetCursorScreenPos({at.x + edge + gap, at.y});
   const auto to = slider(ui, "magnification", {bar, height}, static_cast<float>(ui.state.magnified), {});
   if (to && static_cast<double>(*to) != ui.state.magnified) ui.act(action::Magnify{static_cast<double>(*to)});
-  tooltip(ui, "magnification", ui.say(WindowText::magnification_hint));
+  tooltip(ui, "magnification", ui.say("microscope.magnification_hint"));
   ImGui::SetCursorScreenPos({at.x + edge + bar + 2 * gap, at.y});
   command_button(ui, Command::magnify, {edge, height}, plus);
   row.add(Command::to_numbers);
@@ -78,8 +77,8 @@ void draw_heads(const Ui& ui, float robust, float naive, float y) {
   draw.AddTriangle({naive + r, middle - 1.2f * r}, {naive - 0.2f * r, middle + r}, {naive + 2.2f * r, middle + r},
                    to_imgui(ui.colours.error), ui.px(2));
   const float words = 3 * r;
-  cell(ui.colours.text, ui.say(ScopeText::robust), robust + words, y, ui.px(200));
-  cell(ui.colours.text, ui.say(ScopeText::naive), naive + words, y, ui.px(200));
+  cell(ui.colours.text, ui.say("microscope.robust"), robust + words, y, ui.px(200));
+  cell(ui.colours.text, ui.say("microscope.naive"), naive + words, y, ui.px(200));
 }
 
 void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
@@ -139,7 +138,7 @@ void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, For
   }
   if (!specimen) {
     ImGui::SetCursorScreenPos({where.x, top});
-    paragraph(ui.colours.dim_text, ui.say(ScopeText::empty));
+    paragraph(ui.colours.dim_text, ui.say("microscope.empty"));
     return pop_font();
   }
   if (slide.width > 8 && slide.height > 8) draw_slide(ui, slide, *specimen);

@@ -256,7 +256,7 @@ void perform(Command command, const Ui& ui) {
     case Command::theme:
       return ui.act(action::SetTheme{state.theme == Theme::dark ? Theme::projector : Theme::dark});
     case Command::language:
-      return ui.act(action::SetLanguage{next_language(state.language)});
+      return ui.act(action::SetLanguage{std::string(state.language.next().code())});
     case Command::scale_up:
       return ui.act(action::SetUiScale{state.ui_scale + scale_step});
     case Command::scale_down:

@@ -1,7 +1,6 @@
 #include "gui/form.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/text.h"
 
 #include <cmath>
@@ -16,23 +15,23 @@ namespace {
 constexpr double tiny = 1e-6, huge = 1e6;
 
 void material_rows(const Ui& ui, Form& form, int index, const Object& object) {
-  form.heading(TextId::material);
+  form.heading("property.material");
   Material m = object.material;
-  bool now = form.colour(TextId::ambient, m.ambient, 1);
-  now |= form.colour(TextId::diffuse, m.diffuse, 1);
-  now |= form.colour(TextId::specular, m.specular, 1);
-  now |= form.number(TextId::shininess, m.shininess, 0.5, 0, 1e5);
-  now |= form.colour(TextId::reflection, m.reflection, 1);
-  now |= form.colour(TextId::transmission, m.transmission, 1);
-  now |= form.number(TextId::ior, m.ior, 0.005, 0.01, 100);
-  now |= form.flag(TextId::dielectric, m.dielectric);
-  now |= form.number(TextId::priority, m.priority, 0.05, -1000, 1000);
+  bool now = form.colour("property.ambient", m.ambient, 1);
+  now |= form.colour("property.diffuse", m.diffuse, 1);
+  now |= form.colour("property.specular", m.specular, 1);
+  now |= form.number("property.shininess", m.shininess, 0.5, 0, 1e5);
+  now |= form.colour("property.reflection", m.reflection, 1);
+  now |= form.colour("property.transmission", m.transmission, 1);
+  now |= form.number("property.ior", m.ior, 0.005, 0.01, 100);
+  now |= form.flag("property.dielectric", m.dielectric);
+  now |= form.number("property.priority", m.priority, 0.05, -1000, 1000);
   bool filtered = m.shadow == ShadowKind::filtered;
-  now |= form.flag(TextId::filtered_shadow, filtered);
+  now |= form.flag("property.filtered_shadow", filtered);
   m.shadow = filtered ? ShadowKind::filtered : ShadowKind::opaque;
-  now |= form.colour(TextId::emission, m.emission, huge);
+  now |= form.colour("property.emission", m.emission, huge);
   bool checkered = m.checker.has_value();
-  if (form.flag(TextId::checker, checkered)) {
+  if (form.flag("property.checker", checkered)) {
     now = true;
     m.checker = checkered ? std::optional<Checker>(Checker{}) : std::nullopt;
   }
@@ -40,50 +39,50 @@ void material_rows(const Ui& ui, Form& form, int index, const Object& object) {
 }
 
 bool shape_rows(Form& form, Sphere<double>& sphere) {
-  bool now = form.vector(TextId::centre, &sphere.centre.x, 3, 0.01);
-  now |= form.number(TextId::radius, sphere.radius, 0.01, tiny, huge);
+  bool now = form.vector("property.centre", &sphere.centre.x, 3, 0.01);
+  now |= form.number("property.radius", sphere.radius, 0.01, tiny, huge);
   return now;
 }
 
 bool shape_rows(Form& form, Plane<double>& plane) {
-  bool now = form.vector(TextId::position, &plane.point.x, 3, 0.01);
-  now |= form.vector(TextId::normal, &plane.normal.x, 3, 0.01);
+  bool now = form.vector("property.position", &plane.point.x, 3, 0.01);
+  now |= form.vector("property.normal", &plane.normal.x, 3, 0.01);
   return now;
 }
 
 bool shape_rows(Form& form, Prism<double>& prism) {
-  bool now = form.number(TextId::height, prism.height, 0.01, tiny, huge);
+  bool now = form.number("property.height", prism.height, 0.01, tiny, huge);
   int number = 0;
-  for (Vec2d& corner : prism.corners) now |= form.vector({TextId::corner, ++number}, &corner.x, 2, 0.01);
+  for (Vec2d& corner : prism.corners) now |= form.vector({"property.corner", ++number}, &corner.x, 2, 0.01);
   return now;
 }
 
 bool shape_rows(Form& form, Box<double>& box) {
-  bool now = form.vector(TextId::lowest, &box.min.x, 3, 0.01);
-  now |= form.vector(TextId::highest, &box.max.x, 3, 0.01);
+  bool now = form.vector("property.lowest", &box.min.x, 3, 0.01);
+  now |= form.vector("property.highest", &box.max.x, 3, 0.01);
   return now;
 }
 
 template <QuadricKind Kind>
 bool shape_rows(Form& form, Quadric<double, Kind>& quadric) {
-  bool now = form.vector(TextId::radii, &quadric.radii.x, 3, 0.01);
-  if (std::isfinite(quadric.z_min)) now |= form.number(TextId::lowest, quadric.z_min, 0.01, -huge, huge);
-  if (std::isfinite(quadric.z_max)) now |= form.number(TextId::highest, quadric.z_max, 0.01, -huge, huge);
-  now |= form.flag(TextId::capped, quadric.capped);
+  bool now = form.vector("property.radii", &quadric.radii.x, 3, 0.01);
+  if (std::isfinite(quadric.z_min)) now |= form.number("property.lowest", quadric.z_min, 0.01, -huge, huge);
+  if (std::isfinite(quadric.z_max)) now |= form.number("property.highest", quadric.z_max, 0.01, -huge, huge);
+  now |= form.flag("property.capped", quadric.capped);
   return now;
 }
 
 bool shape_rows(Form& form, Disk<double>& disk) {
-  bool now = form.vector(TextId::centre, &disk.centre.x, 3, 0.01);
-  now |= form.vector(TextId::normal, &disk.normal.x, 3, 0.01);
-  now |= form.number(TextId::radius, disk.radius, 0.01, tiny, huge);
+  bool now = form.vector("property.centre", &disk.centre.x, 3, 0.01);
+  now |= form.vector("property.normal", &disk.normal.x, 3, 0.01);
+  now |= form.number("property.radius", disk.radius, 0.01, tiny, huge);
   return now;
 }
 
 bool shape_rows(Form& form, Polygon<double>& polygon) {
   bool now = false;
   int number = 0;
-  for (Vec3d& corner : polygon.outline) now |= form.vector({TextId::corner, ++number}, &corner.x, 3, 0.01);
+  for (Vec3d& corner : polygon.outline) now |= form.vector({"property.corner", ++number}, &corner.x, 3, 0.01);
   return now;
 }
 
@@ -91,18 +90,18 @@ bool shape_rows(Form& form, Triangle<double>& triangle) {
   bool now = false;
   int number = 0;
   for (Vec3d* corner : {&triangle.a, &triangle.b, &triangle.c})
-    now |= form.vector({TextId::corner, ++number}, &corner->x, 3, 0.01);
+    now |= form.vector({"property.corner", ++number}, &corner->x, 3, 0.01);
   return now;
 }
 
 // A mesh's file and a group are chosen in the scene's file.
-bool shape_rows(Form& form, MeshShape& mesh) { return form.flag(TextId::smooth, mesh.smooth); }
+bool shape_rows(Form& form, MeshShape& mesh) { return form.flag("property.smooth", mesh.smooth); }
 bool shape_rows(Form& /*form*/, Instance& /*instance*/) { return false; }
 
 void object_rows(const Ui& ui, Form& form, int index) {
   const Object& object = ui.state.scene().objects[static_cast<std::size_t>(index)];
   std::string name = object.name;
-  if (form.text(TextId::name, name)) ui.act(action::Rename{{TargetKind::object, index}, name});
+  if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::object, index}, name});
   ObjectShape shape = object.shape;
   if (std::visit([&](auto& s) { return shape_rows(form, s); }, shape))
     ui.act(action::SetShape{index, shape, form.continues()});
@@ -112,43 +111,43 @@ void object_rows(const Ui& ui, Form& form, int index) {
 void light_rows(const Ui& ui, Form& form, int index) {
   Light light = ui.state.scene().lights[static_cast<std::size_t>(index)];
   std::string name = light.name;
-  if (form.text(TextId::name, name)) ui.act(action::Rename{{TargetKind::light, index}, name});
-  bool now = form.colour(TextId::strength, light.strength, huge);
+  if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::light, index}, name});
+  bool now = form.colour("property.strength", light.strength, huge);
   if (auto* point = std::get_if<PointLight>(&light.kind)) {
-    now |= form.vector(TextId::position, &point->position.x, 3, 0.01);
+    now |= form.vector("property.position", &point->position.x, 3, 0.01);
     Attenuation& a = point->attenuation;
     std::array<double, 3> terms{a.constant, a.linear, a.quadratic};
-    if (form.vector(TextId::attenuation, terms.data(), 3, 0.005, 0)) {
+    if (form.vector("property.attenuation", terms.data(), 3, 0.005, 0)) {
       a = {terms[0], terms[1], terms[2]};
       now = true;
     }
   } else if (auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
-    now |= form.vector(TextId::direction, &sun->direction.x, 3, 0.01);
+    now |= form.vector("property.direction", &sun->direction.x, 3, 0.01);
   }
   if (now) ui.act(action::SetLight{index, light, form.continues()});
 }
 
 void camera_rows(const Ui& ui, Form& form) {
   Camera camera = ui.state.scene().camera;
-  bool now = form.vector(TextId::position, &camera.eye.x, 3, 0.01);
-  now |= form.vector(TextId::look_at, &camera.look_at.x, 3, 0.01);
-  now |= form.number(TextId::screen_distance, camera.screen.distance, 0.01, tiny, huge);
-  if (camera.screen.width) now |= form.number(TextId::screen_width, *camera.screen.width, 0.01, tiny, huge);
-  if (camera.fov) now |= form.number(TextId::view_angle, camera.fov->degrees, 0.2, 0.1, 179.9);
-  now |= form.whole(TextId::screen_cells, camera.screen.cells, 1, 1001);
+  bool now = form.vector("property.position", &camera.eye.x, 3, 0.01);
+  now |= form.vector("property.look_at", &camera.look_at.x, 3, 0.01);
+  now |= form.number("property.screen_distance", camera.screen.distance, 0.01, tiny, huge);
+  if (camera.screen.width) now |= form.number("property.screen_width", *camera.screen.width, 0.01, tiny, huge);
+  if (camera.fov) now |= form.number("property.view_angle", camera.fov->degrees, 0.2, 0.1, 179.9);
+  now |= form.whole("property.screen_cells", camera.screen.cells, 1, 1001);
   if (now) ui.act(action::SetCamera{camera, form.continues()});
 }
 
 void scene_rows(const Ui& ui, Form& form) {
-  form.heading(WindowText::scene_settings);
+  form.heading("scene.settings");
   const Scene& scene = ui.state.scene();
   Rgbd background = scene.background, ambient = scene.ambient;
-  bool now = form.colour(TextId::background, background, huge);
-  now |= form.colour(TextId::ambient_light, ambient, huge);
+  bool now = form.colour("property.background", background, huge);
+  now |= form.colour("property.ambient_light", ambient, huge);
   if (now) ui.act(action::SetSurroundings{background, ambient, form.continues()});
   TraceLimits limits = scene.limits;
-  now = form.whole(TextId::depth_limit, limits.depth, 1, 50);
-  now |= form.number(TextId::threshold, limits.threshold, 0.0005, 0, 1);
+  now = form.whole("property.depth_limit", limits.depth, 1, 50);
+  now |= form.number("property.threshold", limits.threshold, 0.0005, 0, 1);
   if (now) ui.act(action::SetLimits{limits, form.continues()});
 }
 
@@ -173,7 +172,7 @@ std::string title_of(const Ui& ui, const Target& target) {
     case TargetKind::nothing:
       break;
   }
-  return ui.say(TextId::eye) + ", " + ui.say(TextId::screen);
+  return ui.say("object.eye") + ", " + ui.say("object.screen");
 }
 
 }  // namespace

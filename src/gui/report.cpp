@@ -82,7 +82,7 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"sentence", sentence(state)},
             {"revision", state.revision},
             {"cell", current_cell(state)},
-            {"language", language_code(state.language)},
+            {"language", state.language.code()},
             {"lines", shows_lines(state)},
             {"turned", state.image_camera.has_value()},
             {"rays", state.timeline->rays_at(state.position).size()},

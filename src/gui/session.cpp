@@ -38,7 +38,7 @@ Result<void> choose(std::initializer_list<Choice> choices, const std::string& na
 }  // namespace
 
 Settings settings_of(const State& state) {
-  return {state.theme, state.ui_scale, state.tab, state.language, state.tweens};
+  return {state.theme, state.ui_scale, state.tab, std::string(state.language.code()), state.tweens};
 }
 
 Settings read_settings(const std::string& state_dir) {
@@ -54,7 +54,7 @@ Settings read_settings(const std::string& state_dir) {
   };
   settings.theme = named(all_themes, word("theme")).value_or(settings.theme);
   settings.tab = named(all_tabs, word("tab")).value_or(settings.tab);
-  settings.language = language_of(word("language"));
+  settings.language = word("language");
   if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
     settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
   if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
@@ -67,23 +67,27 @@ void write_settings(const std::string& state_dir, const Settings& settings) {
                       {"tab", name_of(settings.tab)},
                       {"ui_scale", settings.ui_scale},
                       {"tweens", settings.tweens}};
-  if (settings.language) json["language"] = language_code(*settings.language);
+  if (!settings.language.empty()) json["language"] = settings.language;
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
   static_cast<void>(write_file_atomically(settings_path(state_dir), json.dump(2) + "\n"));
 }
 
-Language language_of_environment() {
+Language language_of_environment(const Languages& languages) {
   for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
     const char* const locale = std::getenv(variable);
     if (locale == nullptr || *locale == '\0') continue;  // as POSIX has it: the first that is set and not empty
-    return language_of(std::string_view(locale).substr(0, 2)).value_or(Language::english);
+    const std::string_view whole(locale);
+    return languages.find(whole.substr(0, whole.find_first_of("_.@"))).value_or(languages.english());
   }
-  return Language::english;
+  return languages.english();
 }
 
 Language language_for(const GuiOptions& options, const Settings& settings) {
-  return options.language ? *options.language : settings.language.value_or(language_of_environment());
+  if (options.language) return *options.language;
+  if (options.languages == nullptr) return {};
+  if (const auto kept = options.languages->find(settings.language)) return *kept;
+  return language_of_environment(*options.languages);
 }
 
 std::string state_folder(const GuiOptions& options) {
@@ -112,6 +116,9 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   state.lessons.scenes_folder = options.data_dir + "/scenes";
   restore_session(state);
   if (!warnings.empty()) state.notice = Notice{Notice::Kind::info, warnings.front()};
+  if (!options.broken_texts.empty())
+    state.notice = Notice{Notice::Kind::error,
+                          fill("notice.broken_texts", state.language, {{"why", options.broken_texts.front().text()}})};
 
   state.theme = settings.theme;
   state.ui_scale = options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;

@@ -16,7 +16,7 @@ struct Settings {
   Theme theme = Theme::dark;
   double ui_scale = 1;
   Tab tab = Tab::image;
-  std::optional<Language> language{};  ///< absent: none was kept
+  std::string language{};  ///< its code; empty: none was kept
   bool tweens = true;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -26,8 +26,8 @@ struct Settings {
 /// Fails silently for the same reason.
 void write_settings(const std::string& state_dir, const Settings& settings);
 
-/// Of the first of LC_ALL, LC_MESSAGES and LANG that is set; English where Raywalk does not speak it.
-[[nodiscard]] Language language_of_environment();
+/// Of the first of LC_ALL, LC_MESSAGES and LANG that is set; English where `languages` do not hold it.
+[[nodiscard]] Language language_of_environment(const Languages& languages);
 
 /// What `options` say, else what was chosen last, else that of the environment.
 [[nodiscard]] Language language_for(const GuiOptions& options, const Settings& settings);

@@ -3,7 +3,6 @@
 #include "gui/panes.h"
 #include "gui/structure_commands.h"
 #include "gui/widgets.h"
-#include "view/structure_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -13,10 +12,10 @@ namespace raywalk {
 
 namespace {
 
-std::string said(const Ui& ui, StructureText id) { return std::string(text(id, ui.state.language)); }
+std::string said(const Ui& ui, std::string_view id) { return std::string(text(id, ui.state.language)); }
 
 // A button of one of several, as wide as its words; what is chosen is filled.
-bool choice_button(const Ui& ui, ButtonRow& row, std::string_view name, const std::string& words, StructureText hint,
+bool choice_button(const Ui& ui, ButtonRow& row, std::string_view name, const std::string& words, std::string_view hint,
                    float height, bool is_chosen) {
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
   const float width = button_width(ui, words, look);
@@ -29,8 +28,8 @@ float draw_choices(const Ui& ui, const Rect& where, float height) {
   for (const StructurePage page : {StructurePage::search, StructurePage::build}) {
     const bool search = page == StructurePage::search;
     if (choice_button(ui, row, search ? "structure/search" : "structure/build",
-                      said(ui, search ? StructureText::search : StructureText::build),
-                      search ? StructureText::search_hint : StructureText::build_hint, height,
+                      said(ui, search ? "structure.search" : "structure.build"),
+                      search ? "structure.search_hint" : "structure.build_hint", height,
                       ui.state.structure.page == page))
       ui.act(action::ShowStructurePage{page});
   }
@@ -51,7 +50,7 @@ float draw_steps(const Ui& ui, const Rect& where, float height) {
     const int step = static_cast<int>(std::lround(*to * static_cast<float>(steps)));
     if (step != structure_step(ui.state)) ui.act(action::GoInStructure{step});
   }
-  tooltip(ui, "structure/slider", said(ui, StructureText::slider_hint));
+  tooltip(ui, "structure/slider", said(ui, "structure.slider_hint"));
   ImGui::SetCursorScreenPos({where.right() - edge, where.y});
   command_button(ui, Command::structure_next, {edge, height}, next);
   return where.y + height;
@@ -78,7 +77,7 @@ float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {where.width, line});
     const bool pointed_at = ImGui::IsItemHovered();
     ui.publish(name);
-    tooltip(ui, name, said(ui, StructureText::kind_hint));
+    tooltip(ui, name, said(ui, "structure.kind_hint"));
     if (is_chosen || pointed_at)
       draw.AddRectFilled({where.x, y}, {where.right(), y + line},
                          to_imgui(is_chosen ? shades.accent : shades.raised_hovered), ui.px(4));

@@ -1,7 +1,6 @@
 #include "gui/broken_lines.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "gui/window_text.h"
 #include "view/panels.h"
 #include "view/text.h"
 
@@ -95,7 +94,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
     const double range = std::log(max_speed / min_speed);
     const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
     const std::string rate = number_text(ui.state.lines_per_second, ui.state.language) + "/s";
-    const std::string in_full = ui.say(TextId::speed) + " " + rate;
+    const std::string in_full = ui.say("transport.speed") + " " + rate;
     const std::string value = ImGui::CalcTextSize(in_full.c_str()).x + ui.px(8) <= rows.slider ? in_full : rate;
     if (const auto to = slider(ui, "speed", {rows.slider, ui.px(small)}, static_cast<float>(fraction), value)) {
       const double speed = min_speed * std::exp(static_cast<double>(*to) * range);
@@ -105,7 +104,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
                                        : std::round(speed * 4) / 4;
       if (neat != ui.state.lines_per_second) ui.act(action::SetSpeed{neat});
     }
-    tooltip(ui, "speed", ui.say(WindowText::speed_hint));
+    tooltip(ui, "speed", ui.say("transport.speed_hint"));
     ImGui::SameLine();
   }
   command_button(ui, Command::faster, {ui.px(small), ui.px(small)}, plus);
@@ -152,7 +151,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
     const int position = static_cast<int>(std::lround(static_cast<double>(*to) * steps));
     if (position != state.position) ui.act(action::Jump{position});
   }
-  tooltip(ui, "scrub", ui.say(WindowText::scrub_hint) + "\n" + status_line(state));
+  tooltip(ui, "scrub", ui.say("transport.scrub_hint") + "\n" + status_line(state));
   ImGui::SetCursorScreenPos({left + length + ui.px(8), at.y});
   command_button(ui, Command::last, {edge, edge}, last);
   if (!with_status) return;
@@ -164,7 +163,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const bool lit = ImGui::IsItemHovered();
   ui.publish("status");
   tooltip(ui, "status",
-          ui.say(WindowText::status_hint) + "  (" + command_key(Command::breakpoints, ui.state.language) + ")");
+          ui.say("transport.status_hint") + "  (" + command_key(Command::breakpoints, ui.state.language) + ")");
   ImGui::GetWindowDrawList()->AddText(place, to_imgui(lit ? ui.colours.text : ui.colours.dim_text), status.c_str());
   pop_font();
 }
@@ -221,7 +220,7 @@ void transport_pane(const Ui& ui, const Rect& where) {
     const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
     const float grain_x = rows.beside ? speed_x - rows.grain - ui.px(4) : left;
     // Where there is room the choice says what it is about.
-    const std::string about = ui.say(TextId::grain);
+    const std::string about = ui.say("transport.grain");
     const float about_x = grain_x - ImGui::CalcTextSize(about.data(), about.data() + about.size()).x - ui.px(10);
     if (about_x > ImGui::GetItemRectMax().x + ui.px(16)) {
       ImGui::SetCursorScreenPos({about_x, centred + (ui.px(small) - ImGui::GetFontSize()) / 2});

@@ -115,7 +115,7 @@ void explain(const Ui& ui, const TreeNode& node) {
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   const TreePanel tree = tree_panel(ui.state);
   if (tree.nodes.empty()) {
-    paragraph(ui.colours.dim_text, ui.say(PanelText::tree_empty));
+    paragraph(ui.colours.dim_text, ui.say("tree.empty"));
     return -1;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

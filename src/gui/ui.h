@@ -77,8 +77,7 @@ struct Ui {
   Rest& rest;
 
   /// A text in the language of the interface, with its arguments.
-  template <class Id>
-  [[nodiscard]] std::string say(Id id, const std::vector<std::string>& arguments = {}) const {
+  [[nodiscard]] std::string say(std::string_view id, const TextArguments& arguments = {}) const {
     return fill(id, state.language, arguments);
   }
   /// In a file of its own: what moves an action about takes two seconds to compile.

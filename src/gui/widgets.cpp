@@ -194,6 +194,7 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   }
   tooltip(ui, name, hint);
   ui.publish(name);
+  if (look.label && m.width() > size.x) ui.publish(std::string(name) + "/clipped");  // which no language should be
   if (!is_enabled) ImGui::EndDisabled();
   return pressed;
 }

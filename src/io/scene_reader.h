@@ -4,7 +4,7 @@
 #include "io/mesh_file.h"
 #include "io/scene_file.h"
 #include "io/scene_keys.h"
-#include "io/toml.h"
+#include "text/toml.h"
 
 #include <map>
 #include <optional>

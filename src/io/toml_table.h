@@ -1,7 +1,7 @@
 #pragma once
 // A parsed TOML table as text again. toml++ can print one too, but 3.3 takes the logarithm of a fraction for a size.
 
-#include "io/toml.h"
+#include "text/toml.h"
 
 #include <string>
 

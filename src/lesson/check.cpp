@@ -59,20 +59,14 @@ std::vector<std::string> slots_in(const std::string& text) {
 
 class WordsChecker {
  public:
-  WordsChecker(const PlayedLesson& played, const std::map<Language, ClaimWords>& lists)
+  WordsChecker(const PlayedLesson& played, const ClaimWordsByLanguage& lists)
       : played_(played), lesson_(*played.lesson), lists_(lists) {}
 
   std::vector<Error> check() {
-    for (const Language language : all_languages) {
-      const auto words = lesson_.words.find(language);
-      if (words == lesson_.words.end()) {
-        errors_.push_back(
-            {lesson_.folder, 0, 0, fmt::format("there are no words in \"{}\"", language_code(language)), ""});
-        continue;
-      }
-      language_ = language;
-      words_ = &words->second;
-      list_ = &lists_.at(language);
+    for (const auto& [code, words] : lesson_.words) {
+      words_ = &words;
+      const auto list = lists_.find(code);
+      list_ = list == lists_.end() ? nullptr : &list->second;
       require(words_->summary, 1, "the lesson has no summary below its title");
       require(words_->teacher, 1, "the section \"## teacher\" is missing");
       require(words_->sources, 1, "the section \"## sources\" is missing");
@@ -118,7 +112,7 @@ class WordsChecker {
     if (words->choices.size() != expected)
       fail(words->line, fmt::format("the step \"{}\" has {} choices (expected {}, as in lesson.toml)", step.id,
                                     words->choices.size(), expected));
-    const LessonWords& english = lesson_.words.at(all_languages.front());
+    const LessonWords& english = lesson_.words.at("en");
     if (const StepWords* other = english.find(step.id); other != nullptr) {
       if (other->change.empty() != words->change.empty())
         fail(words->line, fmt::format("\"### change\" of the step \"{}\" stands in one language only", step.id));
@@ -136,8 +130,8 @@ class WordsChecker {
     for (const std::string& slot : slots_in(words->text.text + words->question.text)) {
       if (words->reveal.text.find(slot) == std::string::npos) continue;
       const Passage alone{slot, words->text.line};
-      const auto before = filled(played_, index, played.asked, alone, language_);
-      const auto after = filled(played_, index, played.shown, alone, language_);
+      const auto before = filled(played_, index, played.asked, alone, {});
+      const auto after = filled(played_, index, played.shown, alone, {});
       if (before && after && *before != *after)
         fail(
             words->text.line,
@@ -149,6 +143,7 @@ class WordsChecker {
   /// Each word of the passage that states something needs a claim to bear it out.
   void check_stated(const Passage& passage, const std::vector<Saying>& says, const std::string& of,
                     bool quotes_state = true) {
+    if (list_ == nullptr) return;
     for (const StatedWord& word : stated_words(passage.text, *list_, quotes_state)) {
       const auto saying =
           std::find_if(says.begin(), says.end(), [&](const Saying& each) { return each.word == word.name; });
@@ -166,6 +161,7 @@ class WordsChecker {
          {Passage{words.heading, words.line}, words.text, words.question, words.reveal, words.change, words.presenter})
       check_stated(each, step.says, of);
     check_stated(words.teacher, step.says, of, false);
+    if (list_ == nullptr) return;
     if (const std::string number = typed_number(words.reveal.text, *list_); !number.empty())
       fail(words.reveal.line, fmt::format("the number {} is typed into the answer of the step \"{}\"", number, step.id),
            "write it as a formula in braces, {count(formed)}, or as code between `");
@@ -174,7 +170,7 @@ class WordsChecker {
   /// What is said has to be on the lists, and in the words of some language.
   void check_sayings() {
     const auto check = [&](const Saying& saying) {
-      const ClaimWords& list = lists_.begin()->second;
+      const ClaimWords& list = lists_.at("en");
       std::vector<std::string_view> names;
       for (const auto& [name, forms] : list.forms) names.push_back(name);
       std::string message;
@@ -190,8 +186,8 @@ class WordsChecker {
   }
 
   void fill(std::size_t index, int position, const Passage& passage) {
-    const auto text = filled(played_, index, position, passage, language_);
-    if (!text) errors_.push_back(text.error());
+    const auto text = filled(played_, index, position, passage, {});
+    if (!text) fail(text.error().line, text.error().message, text.error().hint);
     if (const std::string number = unchecked_number(passage.text); !number.empty())
       fail(passage.line, fmt::format("the number \"{}...\" stands in the words and is checked by nothing", number),
            "write it as a formula in braces, {t:2}, or as code between `");
@@ -207,10 +203,9 @@ class WordsChecker {
 
   const PlayedLesson& played_;
   const Lesson& lesson_;
-  Language language_ = all_languages.front();
   const LessonWords* words_ = nullptr;
-  const std::map<Language, ClaimWords>& lists_;
-  const ClaimWords* list_ = nullptr;
+  const ClaimWordsByLanguage& lists_;
+  const ClaimWords* list_ = nullptr;  ///< null where the language has none
   std::set<const Saying*> used_;
   std::vector<Error> errors_;
 };
@@ -219,8 +214,7 @@ class WordsChecker {
 
 Result<std::string> filled(const PlayedLesson& played, std::size_t index, int position, const Passage& passage,
                            Language language) {
-  const auto words = played.lesson->words.find(language);
-  const std::string file = words == played.lesson->words.end() ? played.lesson->folder : words->second.file;
+  const std::string& file = played.lesson->told(language).file;
   const auto wrong = [&](const std::string& message) {
     return tl::unexpected(Error{file, passage.line, 0, message, "a formula in braces takes its number from the trace"});
   };
@@ -238,7 +232,7 @@ Result<std::string> filled(const PlayedLesson& played, std::size_t index, int po
     if (!value) return wrong(slot.formula + ": " + value.error());
     if (std::holds_alternative<Nothing>(*value))
       return wrong(fmt::format("{{{}}} is nothing at step {} of the walk", slot.formula, position));
-    text += text_of(*value, slot.decimals, decimal_mark(language));
+    text += text_of(*value, slot.decimals, language.decimal_mark());
     at = close + 1;
   }
   return text;

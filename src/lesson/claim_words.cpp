@@ -1,8 +1,9 @@
 #include "lesson/claim_words.h"
 
 #include "io/file.h"
-#include "io/toml.h"
+#include "io/languages.h"
 #include "io/toml_text.h"
+#include "text/toml.h"
 
 #include <fmt/format.h>
 
@@ -135,16 +136,16 @@ Result<ClaimWords> parse_claim_words(std::string_view text, const std::string& f
   return words;
 }
 
-Result<std::map<Language, ClaimWords>> read_claim_words(const std::string& folder) {
+Result<ClaimWordsByLanguage> read_claim_words(const std::string& folder) {
   constexpr std::size_t most_bytes = std::size_t{1} << 16;
-  std::map<Language, ClaimWords> all;
-  for (const Language language : all_languages) {
-    const std::string file = folder + "/" + std::string(language_code(language)) + ".toml";
+  ClaimWordsByLanguage all;
+  for (const std::string& code : language_codes_in(folder, ".toml")) {
+    const std::string file = folder + "/" + code + ".toml";
     const auto text = read_file(file, most_bytes);
     if (!text) return tl::unexpected(text.error());
     auto words = parse_claim_words(*text, file);
     if (!words) return tl::unexpected(words.error());
-    const ClaimWords& first = all.empty() ? *words : all.begin()->second;
+    const ClaimWords& first = all.empty() ? *words : all.at("en");
     const auto lacks = [&](const ClaimWords& one, const ClaimWords& other) {
       return std::find_if(one.forms.begin(), one.forms.end(),
                           [&](const auto& each) { return !other.forms.contains(each.first); });
@@ -154,7 +155,7 @@ Result<std::map<Language, ClaimWords>> read_claim_words(const std::string& folde
     if (const auto more = lacks(*words, first); more != words->forms.end())
       return tl::unexpected(
           Error{file, 0, 0, "\"" + more->first + "\" is in no other list", "each list has the same names"});
-    all.emplace(language, std::move(*words));
+    all.emplace(code, std::move(*words));
   }
   return all;
 }

@@ -3,7 +3,6 @@
 // lessons/words/CODE.toml; `raywalk lesson check` asks of every such word in a lesson which claim bears it out.
 
 #include "io/error.h"
-#include "lesson/language.h"
 
 #include <map>
 #include <string>
@@ -21,8 +20,12 @@ struct ClaimWords {
   std::vector<std::string> before_names;
 };
 
-/// Reads the lists of all languages. Each has to have the same names.
-[[nodiscard]] Result<std::map<Language, ClaimWords>> read_claim_words(const std::string& folder);
+/// By the languages' codes.
+using ClaimWordsByLanguage = std::map<std::string, ClaimWords, std::less<>>;
+
+/// Reads the lists of all languages, each a file such as pt.toml. Each has to have the same names; English has to be
+/// there.
+[[nodiscard]] Result<ClaimWordsByLanguage> read_claim_words(const std::string& folder);
 /// One of them. Errors name `file_name`.
 [[nodiscard]] Result<ClaimWords> parse_claim_words(std::string_view text, const std::string& file_name);
 

@@ -5,9 +5,9 @@
 #include "accel/accelerator.h"
 #include "io/error.h"
 #include "lesson/expression.h"
-#include "lesson/language.h"
 #include "lesson/words.h"
 #include "scene/scene.h"
+#include "text/language.h"
 #include "trace/fault.h"
 
 #include <cstdint>
@@ -99,8 +99,15 @@ struct Lesson {
   std::string name;    ///< of its folder: "01-ray-casting"
   std::string folder;  ///< its path
   std::vector<LessonStep> steps;
-  std::vector<Saying> says;               ///< what the words about the whole lesson state
-  std::map<Language, LessonWords> words;  ///< all_languages
+  std::vector<Saying> says;  ///< what the words about the whole lesson state
+  /// By the codes of the languages that it is told in ("en"): English and whatever else its folder holds.
+  std::map<std::string, LessonWords, std::less<>> words;
+
+  /// The language in which it is told to who speaks this one: English where it has no words in that.
+  [[nodiscard]] Language told_in(Language language) const;
+  [[nodiscard]] const LessonWords& told(Language language) const {
+    return words.find(told_in(language).code())->second;
+  }
 };
 
 /// The names of the lessons in a folder, sorted: each is a folder that holds a lesson.toml.

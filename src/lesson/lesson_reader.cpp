@@ -1,3 +1,4 @@
+#include "io/languages.h"
 #include "io/spelling.h"
 #include "io/text_file.h"
 #include "io/toml_table.h"
@@ -339,6 +340,10 @@ Result<Lesson> parse_lesson(std::string_view text, const std::string& file_name)
   return Reader(file_name).read(parsed.table());
 }
 
+Language Lesson::told_in(Language language) const {
+  return words.contains(language.code()) ? language : language.others().english();
+}
+
 Result<Lesson> read_lesson(const std::string& folder) {
   const fs::path path(folder);
   const std::string file = (path / "lesson.toml").string();
@@ -348,13 +353,13 @@ Result<Lesson> read_lesson(const std::string& folder) {
   if (!lesson) return lesson;
   lesson->folder = folder;
   lesson->name = (path.has_filename() ? path : path.parent_path()).filename().string();
-  for (const Language language : all_languages) {
-    const std::string words_file = (path / (std::string(language_code(language)) + ".md")).string();
+  for (const std::string& code : language_codes_in(folder, ".md")) {
+    const std::string words_file = (path / (code + ".md")).string();
     const auto words = read_text(words_file, most_bytes).and_then([&](const std::string& words_text) {
       return parse_words(words_text, words_file);
     });
     if (!words) return tl::unexpected(words.error());
-    lesson->words.emplace(language, *words);
+    lesson->words.emplace(code, *words);
   }
   return lesson;
 }

@@ -20,7 +20,7 @@ class Describer {
 
   [[nodiscard]] Message message() const {
     const Event* event = timeline_.just_run(position_);
-    if (event == nullptr) return {MessageId::start, {}};
+    if (event == nullptr) return {"walk.start", {}};
     return std::visit([&](const auto& detail) { return describe(*event, detail); }, event->detail);
   }
 
@@ -49,33 +49,35 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
-    if (begun.sample > 0) return {MessageId::sample_begun, {begun.sample + 1}};
-    if (!timeline_.of_strip()) return {MessageId::image_pixel_begun, {begun.column, begun.row}};
-    return {MessageId::pixel_begun, {begun.column, scene_.camera.screen.cells - 1}};
+    if (begun.sample > 0) return {"walk.sample_begun", {{"sample", begun.sample + 1}}};
+    if (!timeline_.of_strip()) return {"walk.image_pixel_begun", {{"column", begun.column}, {"row", begun.row}}};
+    return {"walk.pixel_begun", {{"cell", begun.column}, {"last", scene_.camera.screen.cells - 1}}};
   }
 
   [[nodiscard]] Message describe(const Event& event, const RayFormed& formed) const {
     if (event.line == Line::form_next_ray)
-      return {MessageId::next_formed, {shaded(), formed.kind, Share{max_component(formed.share)}}};
+      return {"walk.next_formed",
+              {{"object", shaded()}, {"ray", formed.kind}, {"share", Share{max_component(formed.share)}}}};
     switch (formed.kind) {
       case RayKind::primary: {
         const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
-        if (!timeline_.of_strip()) return {MessageId::image_primary_formed, {pixel.column, pixel.row}};
-        return {MessageId::primary_formed, {pixel.column}};
+        if (!timeline_.of_strip()) return {"walk.image_primary_formed", {{"column", pixel.column}, {"row", pixel.row}}};
+        return {"walk.primary_formed", {{"cell", pixel.column}}};
       }
       case RayKind::shadow:
-        if (formed.light < 0) return {MessageId::object_aimed_at, {shaded()}};
-        return {MessageId::shadow_formed, {shaded(), light(formed.light)}};
+        if (formed.light < 0) return {"walk.object_aimed_at", {{"object", shaded()}}};
+        return {"walk.shadow_formed", {{"object", shaded()}, {"light", light(formed.light)}}};
       case RayKind::reflect:
-        return {MessageId::reflect_formed, {shaded(), Share{max_component(formed.share)}}};
+        return {"walk.reflect_formed", {{"object", shaded()}, {"share", Share{max_component(formed.share)}}}};
       case RayKind::refract: {
         const SnellNumbers snell = formed.snell.value_or(SnellNumbers{1, 1, 1, 1, 0});
         const bool goes_in = came_from_outside();
-        Message message{goes_in ? MessageId::refract_formed_in : MessageId::refract_formed_out,
-                        {shaded(), degrees_of(snell.cos_in), degrees_of(snell.cos_out)}};
+        Message message{
+            goes_in ? "walk.refract_formed_in" : "walk.refract_formed_out",
+            {{"object", shaded()}, {"angle_in", degrees_of(snell.cos_in)}, {"angle_out", degrees_of(snell.cos_out)}}};
         if ((goes_in ? snell.n1 : snell.n2) != 1) {
-          message.id = MessageId::refract_formed_within;
-          message.arguments.insert(message.arguments.end(), {snell.n1, snell.n2});
+          message.id = "walk.refract_formed_within";
+          message.arguments.insert(message.arguments.end(), {{"index_in", snell.n1}, {"index_out", snell.n2}});
         }
         return message;
       }
@@ -87,21 +89,21 @@ class Describer {
     const bool reflect = stub.kind == RayKind::reflect;
     switch (stub.why) {
       case Ending::facing_away:
-        if (stub.light < 0) return {MessageId::object_not_aimed_at, {shaded()}};
-        return {MessageId::shadow_facing_away, {shaded(), light(stub.light)}};
+        if (stub.light < 0) return {"walk.object_not_aimed_at", {{"object", shaded()}}};
+        return {"walk.shadow_facing_away", {{"object", shaded()}, {"light", light(stub.light)}}};
       case Ending::outside_cone:
-        return {MessageId::shadow_outside_cone, {shaded(), light(stub.light)}};
+        return {"walk.shadow_outside_cone", {{"object", shaded()}, {"light", light(stub.light)}}};
       case Ending::depth: {
         const int deepest = frame(timeline_.current_frame(position_)).depth;
-        return {reflect ? MessageId::reflect_depth : MessageId::refract_depth, {deepest}};
+        return {reflect ? "walk.reflect_depth" : "walk.refract_depth", {{"depth", deepest}}};
       }
       case Ending::threshold:
-        return {reflect ? MessageId::reflect_threshold : MessageId::refract_threshold,
-                {Share{max_component(stub.share)}, Share{scene_.limits.threshold}}};
+        return {reflect ? "walk.reflect_threshold" : "walk.refract_threshold",
+                {{"share", Share{max_component(stub.share)}}, {"threshold", Share{scene_.limits.threshold}}}};
       case Ending::path_length:
-        return {MessageId::path_length, {stub.kind}};
+        return {"walk.path_length", {{"ray", stub.kind}}};
       case Ending::total_internal_reflection:
-        return {MessageId::totally_reflected, {shaded()}};
+        return {"walk.totally_reflected", {{"object", shaded()}}};
       case Ending::hit:
       case Ending::missed:
       case Ending::blocked:
@@ -118,20 +120,21 @@ class Describer {
       case Ending::hit: {
         const bool from_inside =
             dot(found.normal, record.direction) > 0 && record.parent >= 0 && ray(record.parent).object == found.object;
-        return {from_inside ? MessageId::left_through_surface : MessageId::found_hit,
-                {record.kind, met, length(found.point - record.origin)}};
+        return {from_inside ? "walk.left_through_surface" : "walk.found_hit",
+                {{"ray", record.kind}, {"object", met}, {"distance", length(found.point - record.origin)}}};
       }
       case Ending::missed:
-        return {MessageId::found_missed, {record.kind}};
+        return {"walk.found_missed", {{"ray", record.kind}}};
       case Ending::blocked: {
-        if (record.light < 0) return {MessageId::object_hidden, {met}};
+        if (record.light < 0) return {"walk.object_hidden", {{"object", met}}};
         const bool by_itself = ray(record.parent).object == found.object;
-        return {by_itself ? MessageId::light_blocked_by_itself : MessageId::light_blocked, {light(record.light), met}};
+        return {by_itself ? "walk.light_blocked_by_itself" : "walk.light_blocked",
+                {{"light", light(record.light)}, {"object", met}}};
       }
       case Ending::reached_light:
-        if (record.light < 0) return {MessageId::object_seen, {met}};
-        if (found.passed == Rgbd(1.0)) return {MessageId::light_reached, {light(record.light)}};
-        return {MessageId::light_filtered, {light(record.light), Share{max_component(found.passed)}}};
+        if (record.light < 0) return {"walk.object_seen", {{"object", met}}};
+        if (found.passed == Rgbd(1.0)) return {"walk.light_reached", {{"light", light(record.light)}}};
+        return {"walk.light_filtered", {{"light", light(record.light)}, {"share", Share{max_component(found.passed)}}}};
       case Ending::depth:
       case Ending::threshold:
       case Ending::total_internal_reflection:
@@ -146,33 +149,33 @@ class Describer {
   [[nodiscard]] Message describe(const Event& event, const Decided& decided) const {
     switch (event.line) {
       case Line::if_intersect_something:
-        if (!decided.holds) return {MessageId::intersected_nothing, {}};
-        return {MessageId::intersected, {object(current().object)}};
+        if (!decided.holds) return {"walk.intersected_nothing", {}};
+        return {"walk.intersected", {{"object", object(current().object)}}};
       case Line::if_reflective: {
-        if (!decided.holds) return {MessageId::not_reflective, {shaded()}};
+        if (!decided.holds) return {"walk.not_reflective", {{"object", shaded()}}};
         // Under total internal reflection kt goes to kr.
         const Material& material = scene_.objects[static_cast<std::size_t>(current().object)].material;
         const Rgbd above = decided.weight - material.reflection, missing = above - material.transmission;
         constexpr double rounding = 1e-6;  // of a recording in float
         const bool totally =
             material.transmits() && std::abs(missing.x) + std::abs(missing.y) + std::abs(missing.z) < rounding;
-        if (!totally) return {MessageId::reflective, {shaded(), decided.weight}};
-        return {came_from_outside() ? MessageId::reflective_totally_in : MessageId::reflective_totally,
-                {shaded(), decided.weight}};
+        if (!totally) return {"walk.reflective", {{"object", shaded()}, {"weight", decided.weight}}};
+        return {came_from_outside() ? "walk.reflective_totally_in" : "walk.reflective_totally",
+                {{"object", shaded()}, {"weight", decided.weight}}};
       }
       case Line::if_transparent:
         if (decided.why == Ending::total_internal_reflection)
-          return {came_from_outside() ? MessageId::totally_reflected_in : MessageId::totally_reflected, {shaded()}};
-        if (!decided.holds) return {MessageId::not_transparent, {shaded()}};
-        return {MessageId::transparent, {shaded(), decided.weight}};
+          return {came_from_outside() ? "walk.totally_reflected_in" : "walk.totally_reflected", {{"object", shaded()}}};
+        if (!decided.holds) return {"walk.not_transparent", {{"object", shaded()}}};
+        return {"walk.transparent", {{"object", shaded()}, {"weight", decided.weight}}};
       case Line::follow_path:
-        return {MessageId::path_called, {}};
+        return {"walk.path_called", {}};
       case Line::while_ray:
-        if (decided.holds) return {MessageId::path_goes_on, {current().kind}};
-        return {MessageId::path_over, {frame(timeline_.current_frame(position_)).returned}};
+        if (decided.holds) return {"walk.path_goes_on", {{"ray", current().kind}}};
+        return {"walk.path_over", {{"colour", frame(timeline_.current_frame(position_)).returned}}};
       case Line::if_intersect_nothing:
-        if (decided.holds) return {MessageId::path_met_nothing, {}};
-        return {MessageId::path_met, {object(current().object)}};
+        if (decided.holds) return {"walk.path_met_nothing", {}};
+        return {"walk.path_met", {{"object", object(current().object)}}};
       case Line::for_each_pixel:
       case Line::form_primary_ray:
       case Line::find_closest_intersection:
@@ -206,69 +209,77 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& /*event*/, const ShadeCalled& called) const {
     const RayRecord& record = current();
-    if (called.missed) return {MessageId::shade_missed, {record.kind, called.background}};
+    if (called.missed) return {"walk.shade_missed", {{"ray", record.kind}, {"colour", called.background}}};
     // The lines of shadow rays run once for each light: without any, the walk passes over them.
-    const MessageId id = scene_.lights.empty() ? MessageId::shade_called_unlit : MessageId::shade_called;
-    return {id, {called.depth, object(record.object), record.kind}};
+    const std::string_view id = scene_.lights.empty() ? "walk.shade_called_unlit" : "walk.shade_called";
+    return {id, {{"depth", called.depth}, {"object", object(record.object)}, {"ray", record.kind}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const ShadeComputed& computed) const {
     const FrameRecord& own = frame(timeline_.current_frame(position_));
-    if (own.parent < 0) return {MessageId::rtnshade_to_main, {shaded(), computed.total}};
-    return {MessageId::rtnshade_to_caller, {shaded(), computed.total, ray(own.ray).kind, frame(own.parent).depth}};
+    if (own.parent < 0) return {"walk.rtnshade_to_main", {{"object", shaded()}, {"colour", computed.total}}};
+    return {"walk.rtnshade_to_caller",
+            {{"object", shaded()},
+             {"colour", computed.total},
+             {"ray", ray(own.ray).kind},
+             {"depth", frame(own.parent).depth}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelPut& put) const {
     if (put.sample > 0) {
       const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
-      return {MessageId::sample_put, {put.sample + 1, put.shade, pixel.mean}};
+      return {"walk.sample_put", {{"sample", put.sample + 1}, {"colour", put.shade}, {"mean", pixel.mean}}};
     }
-    if (!timeline_.of_strip()) return {MessageId::image_pixel_put, {put.column, put.row, put.shade}};
-    return {MessageId::pixel_put, {put.column, put.shade}};
+    if (!timeline_.of_strip())
+      return {"walk.image_pixel_put", {{"column", put.column}, {"row", put.row}, {"colour", put.shade}}};
+    return {"walk.pixel_put", {{"cell", put.column}, {"colour", put.shade}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const BackgroundAdded& background) const {
-    return {MessageId::background_added, {background.added}};
+    return {"walk.background_added", {{"colour", background.added}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const EmissionAdded& emission) const {
-    if (is_black(emission.emission)) return {MessageId::emits_nothing, {shaded()}};
-    if (emission.weight > nearly_all) return {MessageId::emission_added, {shaded(), emission.added}};
-    return {MessageId::emission_weighted, {shaded(), Share{emission.weight}, emission.added}};
+    if (is_black(emission.emission)) return {"walk.emits_nothing", {{"object", shaded()}}};
+    if (emission.weight > nearly_all)
+      return {"walk.emission_added", {{"object", shaded()}, {"colour", emission.added}}};
+    return {"walk.emission_weighted",
+            {{"object", shaded()}, {"weight", Share{emission.weight}}, {"colour", emission.added}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const LightAdded& added) const {
     const std::string name = added.light >= 0 ? light(added.light) : object(added.object);
-    if (is_black(added.added)) return {MessageId::light_adds_nothing, {}};
-    if (added.weight > nearly_all) return {MessageId::light_added, {name, added.added}};
-    return {MessageId::light_added_weighted, {name, Share{added.weight}, added.added}};
+    if (is_black(added.added)) return {"walk.light_adds_nothing", {}};
+    if (added.weight > nearly_all) return {"walk.light_added", {{"light", name}, {"colour", added.added}}};
+    return {"walk.light_added_weighted", {{"light", name}, {"weight", Share{added.weight}}, {"colour", added.added}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const DirectionChosen& chosen) const {
-    if (chosen.absorbed) return {MessageId::direction_none, {shaded()}};
-    return {by_lobe(chosen.lobe), {shaded(), Share{max_component(chosen.share)}}};
+    if (chosen.absorbed) return {"walk.direction_none", {{"object", shaded()}}};
+    return {by_lobe(chosen.lobe), {{"object", shaded()}, {"share", Share{max_component(chosen.share)}}}};
   }
-  static MessageId by_lobe(Lobe lobe) {
+  static std::string_view by_lobe(Lobe lobe) {
     switch (lobe) {
       case Lobe::diffuse:
-        return MessageId::direction_diffuse;
+        return "walk.direction_diffuse";
       case Lobe::highlight:
-        return MessageId::direction_highlight;
+        return "walk.direction_highlight";
       case Lobe::mirror:
-        return MessageId::direction_mirror;
+        return "walk.direction_mirror";
       case Lobe::transparent:
-        return MessageId::direction_transparent;
+        return "walk.direction_transparent";
     }
     return {};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const SurvivalDecided& decided) const {
-    if (decided.why == Ending::path_length) return {MessageId::path_too_long, {scene_.render.path_length.value_or(0)}};
+    if (decided.why == Ending::path_length)
+      return {"walk.path_too_long", {{"count", scene_.render.path_length.value_or(0)}}};
     if (decided.why == Ending::threshold)
-      return {MessageId::path_lost_roulette, {Share{max_component(current().share)}}};
-    if (!decided.survives) return {MessageId::path_absorbed, {shaded()}};
-    if (decided.survival == 1) return {MessageId::path_survives, {}};
-    return {MessageId::path_survives_roulette, {Share{decided.survival}}};
+      return {"walk.path_lost_roulette", {{"share", Share{max_component(current().share)}}}};
+    if (!decided.survives) return {"walk.path_absorbed", {{"object", shaded()}}};
+    if (decided.survival == 1) return {"walk.path_survives", {}};
+    return {"walk.path_survives_roulette", {{"probability", Share{decided.survival}}}};
   }
 
   static constexpr double nearly_all = 0.995;  ///< a weight that reads as 100%

@@ -224,8 +224,8 @@ struct SetTheme {
   Theme theme;
 };
 struct SetLanguage {
-  Language language;
-};  ///< of the interface, the lessons and what is said about bugs
+  std::string code;
+};  ///< of the interface, the lessons and what is said about bugs: "pt"
 struct SetUiScale {
   double scale;
 };  ///< clamped

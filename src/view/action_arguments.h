@@ -284,7 +284,7 @@ void arguments(F& f, SetTheme& a) {
 }
 template <class F>
 void arguments(F& f, SetLanguage& a) {
-  f.choice(a.language, Words<Language>(language_words));
+  f.rest(a.code);
 }
 template <class F>
 void arguments(F& f, SetUiScale& a) {

@@ -56,8 +56,6 @@ inline constexpr std::pair<AcceleratorKind, std::string_view> accelerator_words[
     {AcceleratorKind::kdtree, "kdtree"}};
 inline constexpr std::pair<Theme, std::string_view> theme_words[] = {{Theme::dark, "dark"},
                                                                      {Theme::projector, "projector"}};
-inline constexpr std::pair<Language, std::string_view> language_words[] = {
-    {Language::english, language_code(Language::english)}, {Language::portuguese, language_code(Language::portuguese)}};
 inline constexpr std::pair<Answer, std::string_view> answer_words[] = {
     {Answer::save, "save"}, {Answer::discard, "discard"}, {Answer::recover, "recover"}, {Answer::cancel, "cancel"}};
 inline constexpr std::pair<ObjectKind, std::string_view> object_words[] = {

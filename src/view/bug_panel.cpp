@@ -1,7 +1,8 @@
 #include "view/bug_panel.h"
 
-#include "view/bug_text.h"
 #include "view/text.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
@@ -12,46 +13,107 @@ namespace {
 
 std::string line_text(Line line) { return std::string(pseudocode_of(line).text); }
 
+/// What a line of MAIN ALGORITHM or SHADE is there for, as a clause: "it aims from the hit at the light".
+std::string_view duty_of(Line line) {
+  switch (line) {
+    case Line::for_each_pixel:
+      return "duty.for_each_pixel";
+    case Line::form_primary_ray:
+      return "duty.form_primary_ray";
+    case Line::find_closest_intersection:
+      return "duty.find_closest_intersection";
+    case Line::if_intersect_something:
+      return "duty.if_intersect_something";
+    case Line::shade_final:
+      return "duty.shade_final";
+    case Line::put_final_shade:
+      return "duty.put_final_shade";
+    case Line::form_shadow_ray:
+      return "duty.form_shadow_ray";
+    case Line::find_intersection:
+      return "duty.find_intersection";
+    case Line::if_reflective:
+      return "duty.if_reflective";
+    case Line::form_reflect_ray:
+      return "duty.form_reflect_ray";
+    case Line::find_reflect_intersect:
+      return "duty.find_reflect_intersect";
+    case Line::shade_reflect:
+      return "duty.shade_reflect";
+    case Line::if_transparent:
+      return "duty.if_transparent";
+    case Line::form_refract_ray:
+      return "duty.form_refract_ray";
+    case Line::find_refract_intersect:
+      return "duty.find_refract_intersect";
+    case Line::shade_refract:
+      return "duty.shade_refract";
+    case Line::compute_rtnshade:
+      return "duty.compute_rtnshade";
+    case Line::path_for_each_pixel:
+    case Line::path_form_primary_ray:
+    case Line::follow_path:
+    case Line::path_put_final_shade:
+    case Line::while_ray:
+    case Line::path_find_closest_intersection:
+    case Line::if_intersect_nothing:
+    case Line::add_background:
+    case Line::add_emission:
+    case Line::path_form_shadow_ray:
+    case Line::path_find_intersection:
+    case Line::add_light:
+    case Line::choose_direction:
+    case Line::if_path_survives:
+    case Line::form_next_ray:
+      break;  // paths are never broken
+  }
+  return {};
+}
+
 }  // namespace
 
 BugPanel bug_panel(const State& state) {
   const BugSitting& bugs = state.bugs;
   const Language language = state.language;
-  const auto say = [&](BugText id, const std::vector<std::string>& arguments = {}) {
+  const auto say = [&](std::string_view id, const TextArguments& arguments = {}) {
     return fill(id, language, arguments);
   };
   BugPanel panel;
   const auto found = std::count(bugs.ends.begin(), bugs.ends.end(), BugEnd::found);
-  if (found > 0) panel.tally = say(BugText::tally, {std::to_string(found), std::to_string(all_faults.size())});
+  if (found > 0) panel.tally = say("bug.tally", {{"found", found}, {"all", all_faults.size()}});
   panel.hunting = bugs.hunt.has_value();
   if (!bugs.hunt) {
-    panel.heading = say(BugText::title);
-    panel.said.push_back({{}, say(BugText::intro)});
+    panel.heading = say("bug.title");
+    panel.said.push_back({{}, say("bug.intro")});
     for (std::size_t i = 0; i < bugs.ends.size(); ++i) panel.rows.push_back({static_cast<int>(i) + 1, bugs.ends[i]});
     return panel;
   }
   const BugHunt& hunt = *bugs.hunt;
-  const auto know = [&](FaultText id) { return std::string(text(FaultTextOf{state.bug->fault, id}, language)); };
-  panel.heading = hunt.surprise && hunt.end == BugEnd::open ? say(BugText::surprise_title)
-                                                            : say(BugText::number, {std::to_string(hunt.number)});
-  panel.said.push_back({say(BugText::seen), know(FaultText::symptom)});
+  const auto know = [&](std::string_view what) {
+    return say(fmt::format("fault.{}.{}", fault_name(state.bug->fault), what));
+  };
+  panel.heading = hunt.surprise && hunt.end == BugEnd::open ? say("bug.surprise_title")
+                                                            : say("bug.number", {{"number", hunt.number}});
+  panel.said.push_back({say("bug.seen"), know("symptom")});
   switch (hunt.end) {
     case BugEnd::open:
-      panel.said.push_back({{}, say(BugText::task, {std::to_string(hunt.pixel)})});
-      panel.marked = hunt.marked ? say(BugText::line_marked, {line_text(*hunt.marked)}) : say(BugText::no_line_marked);
+      panel.said.push_back({{}, say("bug.task", {{"pixel", hunt.pixel}})});
+      panel.marked =
+          hunt.marked ? say("bug.line_marked", {{"line", line_text(*hunt.marked)}}) : say("bug.no_line_marked");
       panel.can_judge = hunt.marked.has_value();
       panel.can_give_up = true;
       if (!hunt.acquitted) return panel;
-      panel.verdict = say(BugText::not_right, {std::string(text(DutyOf{*hunt.acquitted}, language))});
-      panel.learnt.push_back({say(BugText::hint), know(FaultText::hint)});
+      panel.verdict = say("bug.not_right", {{"duty", say(duty_of(*hunt.acquitted))}});
+      panel.learnt.push_back({say("bug.hint"), know("hint")});
       return panel;
     case BugEnd::found:
     case BugEnd::given_up:
       panel.is_right = hunt.end == BugEnd::found;
-      panel.verdict = say(panel.is_right ? BugText::right : BugText::was, {line_text(faulty_line(state.bug->fault))});
-      panel.learnt = {{say(BugText::wrong), know(FaultText::wrong)}, {say(BugText::cure), know(FaultText::cure)}};
+      panel.verdict =
+          say(panel.is_right ? "bug.right" : "bug.was", {{"line", line_text(faulty_line(state.bug->fault))}});
+      panel.learnt = {{say("bug.wrong"), know("wrong")}, {say("bug.cure"), know("cure")}};
       if (!other_rays(state).empty())
-        panel.learnt.push_back({{}, say(state.bug->mended ? BugText::other_rays_broken : BugText::other_rays_whole)});
+        panel.learnt.push_back({{}, say(state.bug->mended ? "bug.other_rays_broken" : "bug.other_rays_whole")});
       panel.can_mend = true;
       return panel;
   }
@@ -88,7 +150,7 @@ std::vector<RayRecord> other_rays(const State& state) {
 
 std::string bug_banner(const State& state) {
   if (!state.bug) return {};
-  return std::string(text(state.bug->mended ? BugText::banner_mended : BugText::banner, state.language));
+  return std::string(text(state.bug->mended ? "bug.banner_mended" : "bug.banner", state.language));
 }
 
 }  // namespace raywalk

@@ -71,8 +71,7 @@ CodePanel code_panel(const State& state) {
     box.title = procedure_title(procedure);
     if (just_run != nullptr && pseudocode_of(just_run->line).procedure == procedure) box.depth = just_run->depth;
     if (box.depth.value_or(0) > 0)
-      box.badge =
-          fill(paths ? PanelText::rays_badge : PanelText::depth_badge, state.language, {std::to_string(*box.depth)});
+      box.badge = fill(paths ? "code.rays_badge" : "code.depth_badge", state.language, {{"number", *box.depth}});
     for (const PseudocodeLine& line : lines)
       if (line.procedure == procedure) box.rows.push_back(row_of(state, line));
   }

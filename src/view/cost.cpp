@@ -89,54 +89,55 @@ void detail::show_costs(State& state, const action::ShowCosts& what) {
 }
 
 std::string setup_text(const Setup& setup, const Setup& usual, Language language) {
-  std::string all = setup.samples == 1 ? std::string(text(CostText::sample, language))
-                                       : fill(CostText::samples, language, {std::to_string(setup.samples)});
+  std::string all = fill("cost.samples", language, {{"count", setup.samples}});
   const auto add = [&](const std::string& part) { all += ", " + part; };
   if (setup.samples > 1) add(std::string(text(setup.sampler, language)));
   if (setup.tolerance != usual.tolerance)
-    add(setup.tolerance > 0 ? fill(CostText::tolerance, language, {number_text(setup.tolerance, language)})
-                            : std::string(text(CostText::no_tolerance, language)));
+    add(setup.tolerance > 0 ? fill("cost.tolerance", language, {{"tolerance", number_text(setup.tolerance, language)}})
+                            : std::string(text("cost.no_tolerance", language)));
   if (setup.light_grid != usual.light_grid && setup.light_grid > 0)
-    add(fill(CostText::light_grid, language, {std::to_string(setup.light_grid)}));
-  if (setup.depth != usual.depth) add(fill(CostText::depth, language, {std::to_string(setup.depth)}));
+    add(fill("cost.light_grid", language, {{"grid", setup.light_grid}}));
+  if (setup.depth != usual.depth) add(fill("cost.depth", language, {{"depth", setup.depth}}));
   if (setup.threshold != usual.threshold)
-    add(setup.threshold > 0 ? fill(CostText::threshold, language, {number_text(setup.threshold, language)})
-                            : std::string(text(CostText::no_threshold, language)));
+    add(setup.threshold > 0 ? fill("cost.threshold", language, {{"threshold", number_text(setup.threshold, language)}})
+                            : std::string(text("cost.no_threshold", language)));
   if (setup.single_precision != usual.single_precision)
-    add(std::string(text(setup.single_precision ? CostText::single : CostText::double_, language)));
+    add(std::string(text(setup.single_precision ? "cost.float" : "cost.double", language)));
   if (setup.accelerator != usual.accelerator) add(std::string(text(setup.accelerator, language)));
   if (setup.numerics == Numerics::naive)
-    add(fill(CostText::naive, language, {number_text(setup.epsilon, language)}));
+    add(fill("cost.naive", language, {{"epsilon", number_text(setup.epsilon, language)}}));
   else if (setup.numerics != usual.numerics)
-    add(std::string(text(CostText::robust, language)));
+    add(std::string(text("cost.robust", language)));
   return all;
 }
 
 std::string attempt_text(const State& state, const CostFindings& findings, int index) {
   const Language language = state.language;
   if (index < 0 || index >= static_cast<int>(findings.attempts.size()))
-    return std::string(text(CostText::empty, language));
+    return std::string(text("cost.empty", language));
   const Attempt& attempt = findings.attempts[static_cast<std::size_t>(index)];
   const std::string setup = setup_text(attempt.setup, study::setup_of(state.scene()), language);
   if (attempt.done < 1)
-    return setup + ": " + fill(CostText::under_way, language, {percent_text(attempt.done, language)});
+    return setup + ": " + fill("cost.under_way", language, {{"percent", percent_text(attempt.done, language)}});
   const bool known = attempt.error > 0 || findings.floor > 0;
-  const std::string times = findings.floor > 0
-                                ? fill(CostText::times_floor, language,
-                                       {fmt::format("{:.0f}", std::max(1.0, attempt.error / findings.floor))})
-                                : std::string();
+  const std::string times =
+      findings.floor > 0 ? fill("cost.times_floor", language,
+                                {{"times", fmt::format("{:.0f}", std::max(1.0, attempt.error / findings.floor))}})
+                         : std::string();
   return fill(
-      CostText::attempt, language,
-      {setup, count_text(static_cast<double>(attempt.cost.rays), language),
-       count_text(static_cast<double>(attempt.cost.nodes + attempt.cost.tests), language),
-       number_text(attempt.cost.seconds, language),
-       known ? number_text(attempt.error, language) : std::string(text(CostText::awaits_reference, language)), times});
+      "cost.attempt", language,
+      {{"setup", setup},
+       {"rays", count_text(static_cast<double>(attempt.cost.rays), language)},
+       {"tests", count_text(static_cast<double>(attempt.cost.nodes + attempt.cost.tests), language)},
+       {"seconds", number_text(attempt.cost.seconds, language)},
+       {"error", known ? number_text(attempt.error, language) : std::string(text("cost.awaits_reference", language))},
+       {"times", times}});
 }
 
 std::string reference_text(const CostFindings& findings, Language language) {
-  if (findings.reference_samples < 2) return std::string(text(CostText::no_reference, language));
-  return fill(CostText::reference, language,
-              {std::to_string(findings.reference_samples), number_text(findings.floor, language)});
+  if (findings.reference_samples < 2) return std::string(text("cost.no_reference", language));
+  return fill("cost.reference", language,
+              {{"samples", findings.reference_samples}, {"error", number_text(findings.floor, language)}});
 }
 
 std::string survey_text(const std::optional<study::SceneCost>& survey, double done, Language language) {
@@ -146,11 +147,14 @@ std::string survey_text(const std::optional<study::SceneCost>& survey, double do
     const auto times = [&](double everything, double whole) {
       return number_text(whole > 0 ? everything / whole : 1, language);
     };
-    all = fill(CostText::whole, language,
-               {count_text(rays, language), number_text(seconds, language),
-                times(static_cast<double>(survey->everything.rays), rays), times(survey->everything.seconds, seconds)});
+    all = fill("cost.whole", language,
+               {{"rays", count_text(rays, language)},
+                {"seconds", number_text(seconds, language)},
+                {"times_rays", times(static_cast<double>(survey->everything.rays), rays)},
+                {"times_time", times(survey->everything.seconds, seconds)}});
   }
-  if (done < 1) all += (all.empty() ? "" : "  ") + fill(CostText::surveying, language, {percent_text(done, language)});
+  if (done < 1)
+    all += (all.empty() ? "" : "  ") + fill("cost.surveying", language, {{"percent", percent_text(done, language)}});
   return all;
 }
 

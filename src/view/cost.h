@@ -2,9 +2,9 @@
 // The Cost panel without a window: the knobs, what was tried, and the drawing of error against cost. What the tries
 // gave is worked out beside the state (study/workbench.h) and handed in.
 
-#include "lesson/language.h"
 #include "study/effect_costs.h"
 #include "study/workbench.h"
+#include "text/language.h"
 #include "view/display_list.h"
 
 #include <optional>
@@ -117,45 +117,5 @@ struct CostPlot {
 /// the middle one, so that small differences are seen too.
 [[nodiscard]] std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right,
                                                      Encoding encoding, double& largest);
-
-/// Words of the panel.
-enum class CostText {
-  empty,      ///< nothing was tried yet
-  under_way,  ///< {0} percent
-  attempt,    ///< {0} setup, {1} rays, {2} tests, {3} seconds, {4} error, {5} times_floor or nothing
-  awaits_reference,
-  times_floor,  ///< {0} how many times the reference's own error
-  reference,    ///< {0} samples, {1} error
-  no_reference,
-  samples,  ///< {0} how many
-  sample,
-  light_grid,  ///< {0} n
-  depth,       ///< {0} N
-  threshold,   ///< {0} share
-  no_threshold,
-  single,
-  double_,
-  tolerance,  ///< {0} tolerance
-  no_tolerance,
-  naive,  ///< {0} epsilon
-  robust,
-  error_axis,
-  seconds_axis,
-  rays_axis,
-  tests_axis,
-  floor,
-  key_rays,  ///< what the bars of an effect are
-  key_time,
-  difference,  ///< {0} what from, {1} the largest
-  effects_title,
-  no_effects,
-  of_rays,    ///< {0} percent
-  of_time,    ///< {0} percent, {1} and {2} its interval
-  all_rays,   ///< the name of the last bar: shadow rays, which cannot be left out
-  whole,      ///< {0} rays, {1} seconds, {2} times the rays and {3} times the time of a tracer that does everything
-  surveying,  ///< {0} percent
-};
-[[nodiscard]] std::string_view english(CostText id);
-[[nodiscard]] std::string_view portuguese(CostText id);
 
 }  // namespace raywalk

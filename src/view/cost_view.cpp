@@ -120,11 +120,11 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
   }
   const Stroke frame{colours.dim_text, line};
   list.push_back({PolylineItem{{{left, top}, {left, bottom}, {right, bottom}}, frame}});
-  list.push_back({words({0.3 * letters, 0.7 * letters}, std::string(text(CostText::error_axis, state.language)),
-                        letters, colours.text, TextAnchor::start)});
-  const CostText name = axis == CostAxis::seconds ? CostText::seconds_axis
-                        : axis == CostAxis::rays  ? CostText::rays_axis
-                                                  : CostText::tests_axis;
+  list.push_back({words({0.3 * letters, 0.7 * letters}, std::string(text("cost.error_axis", state.language)), letters,
+                        colours.text, TextAnchor::start)});
+  const std::string_view name = axis == CostAxis::seconds ? "cost.seconds_axis"
+                                : axis == CostAxis::rays  ? "cost.rays_axis"
+                                                          : "cost.tests_axis";
   list.push_back({words({right, height - 0.8 * letters}, std::string(text(name, state.language)), letters, colours.text,
                         TextAnchor::end)});
   if (!any) return plot;
@@ -133,7 +133,7 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
     const double y = y_of(findings.floor);
     list.push_back({LineItem{{left, y}, {right, y}, {colours.dim_text, line, {{6 * unit, 4 * unit}, 2}}}});
     const double beside = bottom - y > 1.2 * letters ? 0.7 : -0.7;
-    const std::string own(text(CostText::floor, state.language));
+    const std::string own(text("cost.floor", state.language));
     if (text_width(own, letters) < right - left)
       list.push_back({words({right, y + beside * letters}, own, letters, colours.dim_text, TextAnchor::end)});
   }

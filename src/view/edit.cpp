@@ -88,18 +88,18 @@ Prism<double> new_polygon(const Vec2d& centre, double size) {
   return prism;
 }
 
-TextId name_of(action::ObjectKind kind) {
+std::string_view name_of(action::ObjectKind kind) {
   switch (kind) {
     case action::ObjectKind::solid_sphere:
-      return TextId::solid_sphere;
+      return "object.solid_sphere";
     case action::ObjectKind::transparent_sphere:
-      return TextId::transparent_sphere;
+      return "object.transparent_sphere";
     case action::ObjectKind::polygon:
-      return TextId::polygon;
+      return "object.polygon";
     case action::ObjectKind::light:
-      return TextId::light_source;
+      return "object.light_source";
   }
-  return TextId::solid_sphere;
+  return "object.solid_sphere";
 }
 
 Prism<double>* prism_of(Scene& scene, int object) {
@@ -158,7 +158,7 @@ void remove_selected(State& state) {
     case TargetKind::screen_distance:
     case TargetKind::cell:
     case TargetKind::ray:
-      return inform(state, std::string(text(TextId::select_first, state.language)));
+      return inform(state, std::string(text("notice.select_first", state.language)));
   }
   state.selected = {};
   state.hovered = {};  // what comes to stand under the pointer is not what stood there
@@ -182,7 +182,7 @@ void remove_corner(State& state, int object, int corner) {
   Scene next = state.scene();
   Prism<double>* prism = prism_of(next, object);
   if (prism == nullptr || corner < 0 || corner >= prism->sides()) return;
-  if (prism->sides() <= 3) return complain(state, std::string(text(TextId::refused_last_corners, state.language)));
+  if (prism->sides() <= 3) return complain(state, std::string(text("notice.refused_last_corners", state.language)));
   prism->corners.erase(prism->corners.begin() + corner);
   if (commit_if_valid(state, std::move(next), object, -1)) state.selected = {TargetKind::object, object};
 }
@@ -195,9 +195,9 @@ void rename(State& state, const action::Rename& rename) {
   const auto index = static_cast<std::size_t>(rename.target.index);
   std::string& name = is_object ? next.objects[index].name : next.lights[index].name;
   if (rename.name == name) return;
-  if (rename.name.empty()) return complain(state, std::string(text(TextId::refused_name_empty, state.language)));
+  if (rename.name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.language)));
   if (unique_name(next, rename.name) != rename.name)
-    return complain(state, fill(TextId::refused_name_taken, state.language, {rename.name}));
+    return complain(state, fill("notice.refused_name_taken", state.language, {{"name", rename.name}}));
   name = rename.name;
   commit_if_valid(state, std::move(next), is_object ? rename.target.index : -1, is_object ? -1 : rename.target.index);
 }

@@ -1,6 +1,5 @@
 #include "view/equation.h"
 
-#include "view/equation_text.h"
 #include "view/text.h"
 #include "view/update_parts.h"
 
@@ -16,6 +15,11 @@ namespace raywalk {
 namespace {
 
 using Kind = EquationRow::Kind;
+
+/// A text between signs and letters, which stand in no language.
+struct Word {
+  std::string_view id;
+};
 
 double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
@@ -49,7 +53,7 @@ class Writer {
       row_.text += text;
       return *this;
     }
-    Row& operator<<(EquationText id) { return *this << text(id, language_); }
+    Row& operator<<(const Word& word) { return *this << text(word.id, language_); }
     Row& operator<<(double value) {
       row_.text += equation_number(value, language_);
       row_.values.push_back(value);
@@ -57,7 +61,7 @@ class Writer {
     }
     /// Of a scene in the plan two components say it all.
     Row& operator<<(const Vec3d& v) {
-      const std::string_view between = separator(language_);
+      const std::string_view between = language_.separator();
       *this << "(" << v.x << between << v.y;
       if (v.z != 0) *this << between << v.z;
       return *this << ")";
@@ -80,7 +84,7 @@ class Writer {
     Row row(kind, state_.language);
     static_cast<void>((row << ... << name));
     row << " ";
-    const std::string_view between = separator(state_.language);
+    const std::string_view between = state_.language.separator();
     if (colour.x == colour.y && colour.y == colour.z)
       row << colour.x;
     else
@@ -111,10 +115,10 @@ class Writer {
 
   void write(const PixelBegun& begun) {
     if (timeline_.of_strip())
-      row(Kind::numbers, EquationText::pixel, " ", static_cast<double>(begun.column), " ", EquationText::of, " ",
+      row(Kind::numbers, Word{"equation.pixel"}, " ", static_cast<double>(begun.column), " ", Word{"equation.of"}, " ",
           static_cast<double>(scene().camera.screen.cells));
     else
-      row(Kind::numbers, EquationText::pixel, " ", static_cast<double>(begun.column), ", ",
+      row(Kind::numbers, Word{"equation.pixel"}, " ", static_cast<double>(begun.column), ", ",
           static_cast<double>(begun.row));
   }
 
@@ -122,7 +126,7 @@ class Writer {
     switch (formed.kind) {
       case RayKind::primary:
         line("EYE", formed.origin, "D", formed.direction);
-        return row(Kind::note, EquationText::unit_direction);
+        return row(Kind::note, Word{"equation.unit_direction"});
       case RayKind::shadow:
         return shadow(formed);
       case RayKind::reflect:
@@ -136,11 +140,11 @@ class Writer {
 
   void shadow(const RayFormed& formed) {
     line("P", formed.origin, "L", formed.direction);
-    if (formed.light_at_end) row(Kind::note, light_name(formed.light), " ", EquationText::stands_at, " t = ", 1.0);
+    if (formed.light_at_end) row(Kind::note, light_name(formed.light), " ", Word{"equation.stands_at"}, " t = ", 1.0);
     if (parent() == nullptr) return;
     const Vec3d normal = facing(*parent());
     row(Kind::formula, "cos θ = N·L / |L|");
-    row(Kind::numbers, "N = ", normal, separator(state_.language), "|L| = ", length(formed.direction));
+    row(Kind::numbers, "N = ", normal, state_.language.separator(), "|L| = ", length(formed.direction));
     row(Kind::numbers, "θ = ", angle_between(normal, formed.direction), "°");
   }
 
@@ -149,23 +153,23 @@ class Writer {
     const Vec3d normal = facing(*parent()), in = parent()->direction;
     row(Kind::formula, "R = D − 2 (N·D) N");
     row(Kind::numbers, "D = ", in);
-    row(Kind::numbers, "N = ", normal, separator(state_.language), "N·D = ", dot(normal, in));
+    row(Kind::numbers, "N = ", normal, state_.language.separator(), "N·D = ", dot(normal, in));
     row(Kind::numbers, "R = ", formed.direction);
-    row(Kind::note, EquationText::as_far_from_normal, " ", angle_between(normal, formed.direction), "°");
+    row(Kind::note, Word{"equation.as_far_from_normal"}, " ", angle_between(normal, formed.direction), "°");
   }
 
   void refract(const RayFormed& formed) {
     if (!formed.snell) return line("P", formed.origin, "T", formed.direction);
     const SnellNumbers& s = *formed.snell;
-    row(Kind::formula, "n₁ ", EquationText::sine, " θ₁ = n₂ ", EquationText::sine, " θ₂");
-    row(Kind::numbers, s.n1, " · ", EquationText::sine, " ", degrees(s.cos_in), "° = ", s.n2, " · ", EquationText::sine,
-        " ", degrees(s.cos_out), "°");
-    row(Kind::note, s.n2 > s.n1   ? EquationText::slower_beyond
-                    : s.n2 < s.n1 ? EquationText::faster_beyond
-                                  : EquationText::as_fast_beyond);
+    row(Kind::formula, "n₁ ", Word{"equation.sine"}, " θ₁ = n₂ ", Word{"equation.sine"}, " θ₂");
+    row(Kind::numbers, s.n1, " · ", Word{"equation.sine"}, " ", degrees(s.cos_in), "° = ", s.n2, " · ",
+        Word{"equation.sine"}, " ", degrees(s.cos_out), "°");
+    row(Kind::note, s.n2 > s.n1   ? Word{"equation.slower_beyond"}
+                    : s.n2 < s.n1 ? Word{"equation.faster_beyond"}
+                                  : Word{"equation.as_fast_beyond"});
     const int object = parent() == nullptr ? -1 : parent()->object;
     if (object >= 0 && scene().objects[static_cast<std::size_t>(object)].material.dielectric) {
-      row(Kind::formula, EquationText::fresnel);
+      row(Kind::formula, Word{"equation.fresnel"});
       row(Kind::numbers, "F = ", s.fresnel);
     }
     row(Kind::numbers, "T = ", formed.direction);
@@ -175,22 +179,22 @@ class Writer {
     switch (stub.why) {
       case Ending::depth: {
         const double deepest = scene().limits.depth;
-        row(Kind::formula, EquationText::depth_allowed);
+        row(Kind::formula, Word{"equation.depth_allowed"});
         row(Kind::numbers, static_cast<double>(event_->depth), " + ", 1.0, " > ", deepest);
-        return row(Kind::note, EquationText::no_ray);
+        return row(Kind::note, Word{"equation.no_ray"});
       }
       case Ending::threshold:
-        row(Kind::formula, EquationText::share_allowed);
+        row(Kind::formula, Word{"equation.share_allowed"});
         row(Kind::numbers, max_component(stub.share), " < ", scene().limits.threshold);
-        return row(Kind::note, EquationText::no_ray);
+        return row(Kind::note, Word{"equation.no_ray"});
       case Ending::facing_away: {
         row(Kind::formula, "N·L > 0?");
         if (parent() != nullptr)
           row(Kind::numbers, "θ = ", angle_between(facing(*parent()), stub.direction), "° ≥ ", 90.0, "°");
-        return row(Kind::note, EquationText::light_behind);
+        return row(Kind::note, Word{"equation.light_behind"});
       }
       case Ending::outside_cone:
-        return row(Kind::note, EquationText::spot_elsewhere);
+        return row(Kind::note, Word{"equation.spot_elsewhere"});
       case Ending::path_length:
       case Ending::total_internal_reflection:
       case Ending::hit:
@@ -203,12 +207,13 @@ class Writer {
 
   void write(const Found& found) {
     const bool shadow = current().kind == RayKind::shadow;
-    if (found.object < 0) return row(Kind::note, shadow ? EquationText::nothing_between : EquationText::nothing_ahead);
+    if (found.object < 0)
+      return row(Kind::note, shadow ? Word{"equation.nothing_between"} : Word{"equation.nothing_ahead"});
     std::visit([&](const auto& numbers) { solve(numbers, found.t); }, found.numbers);
-    const std::string_view between = separator(state_.language);
+    const std::string_view between = state_.language.separator();
     row(Kind::formula, shadow ? "P = P₀ + t L" : "P = O + t D");
     row(Kind::numbers, "P = ", found.point, between, "t = ", found.t);
-    if (shadow) return row(Kind::note, EquationText::blocked_before);
+    if (shadow) return row(Kind::note, Word{"equation.blocked_before"});
     row(Kind::numbers, "N = ", found.normal, between, "θ = ", angle_between(facing(current()), -current().direction),
         "°");
   }
@@ -216,15 +221,16 @@ class Writer {
   void solve(const std::monostate& /*none*/, double /*t*/) {}
   void solve(const QuadraticNumbers& q, double t) {
     row(Kind::formula, "a t² + b t + c = 0");
-    const std::string_view between = separator(state_.language);
+    const std::string_view between = state_.language.separator();
     row(Kind::numbers, "a = ", q.a, between, "b = ", q.b, between, "c = ", q.c);
     row(Kind::numbers, "b² − 4 a c = ", q.discriminant);
     if (!(q.discriminant >= 0)) return;
     row(Kind::formula, "t = (−b ± √(b² − 4 a c)) / 2 a");
     row(Kind::numbers, "t₀ = ", q.t0, between, "t₁ = ", q.t1);
     const auto is = [&](double root) { return std::abs(t - root) <= 1e-9 * std::max(std::abs(t), std::abs(root)); };
-    if (is(q.t0)) return row(Kind::note, EquationText::nearer_root);
-    if (is(q.t1)) row(Kind::note, q.t0 < -1e-9 ? EquationText::other_root_behind : EquationText::other_root_is_start);
+    if (is(q.t0)) return row(Kind::note, Word{"equation.nearer_root"});
+    if (is(q.t1))
+      row(Kind::note, q.t0 < -1e-9 ? Word{"equation.other_root_behind"} : Word{"equation.other_root_is_start"});
   }
   void solve(const PlaneNumbers& p, double /*t*/) {
     if (!std::isfinite(p.numerator)) return;
@@ -235,36 +241,36 @@ class Writer {
   void write(const Decided& decided) {
     const bool transparent = event_->line == Line::if_transparent;
     if (event_->line != Line::if_reflective && !transparent)
-      return row(Kind::note, decided.holds ? EquationText::yes : EquationText::no);
+      return row(Kind::note, decided.holds ? Word{"equation.yes"} : Word{"equation.no"});
     light(Kind::term, decided.weight, transparent ? "kt′ =" : "kr′ =");
-    if (!decided.why) return row(Kind::note, decided.holds ? EquationText::above_zero : EquationText::zero);
+    if (!decided.why) return row(Kind::note, decided.holds ? Word{"equation.above_zero"} : Word{"equation.is_zero"});
     // Nothing gets out: Snell's law asks for a sine above 1.
     const RayRecord& shaded =
         ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.position))].ray);
     const double angle = angle_between(facing(shaded), -shaded.direction);
-    row(Kind::formula, EquationText::sine, " θ₂ = n₁ ", EquationText::sine, " θ₁ / n₂");
+    row(Kind::formula, Word{"equation.sine"}, " θ₂ = n₁ ", Word{"equation.sine"}, " θ₁ / n₂");
     if (decided.snell)
-      row(Kind::numbers, decided.snell->n1, " · ", EquationText::sine, " ", angle, "° / ", decided.snell->n2, " > ",
+      row(Kind::numbers, decided.snell->n1, " · ", Word{"equation.sine"}, " ", angle, "° / ", decided.snell->n2, " > ",
           1.0);
-    row(Kind::note, EquationText::no_such_angle);
+    row(Kind::note, Word{"equation.no_such_angle"});
   }
 
   void write(const ShadeCalled& called) {
-    if (called.missed) return light(Kind::total, called.background, EquationText::background, " =");
+    if (called.missed) return light(Kind::total, called.background, Word{"equation.background"}, " =");
     row(Kind::numbers, "DEPTH = ", static_cast<double>(called.depth));
   }
 
   void write(const ShadeComputed& sum) {
-    light(Kind::term, sum.ambient, EquationText::ambient);
-    if (sum.emission != Rgbd(0.0)) light(Kind::term, sum.emission, "+ ", EquationText::emission);
+    light(Kind::term, sum.ambient, Word{"equation.ambient"});
+    if (sum.emission != Rgbd(0.0)) light(Kind::term, sum.emission, "+ ", Word{"equation.emission"});
     for (const LightTerm& term : sum.lights) {
-      light(Kind::term, term.diffuse, "+ ", light_name(term.light), ", ", EquationText::diffuse);
+      light(Kind::term, term.diffuse, "+ ", light_name(term.light), ", ", Word{"equation.diffuse"});
       if (term.specular != Rgbd(0.0))
-        light(Kind::term, term.specular, "+ ", light_name(term.light), ", ", EquationText::highlight);
+        light(Kind::term, term.specular, "+ ", light_name(term.light), ", ", Word{"equation.highlight"});
     }
     if (sum.reflect != Rgbd(0.0)) light(Kind::term, sum.reflect, "+ kr′ · REFLSHADE");
     if (sum.refract != Rgbd(0.0)) light(Kind::term, sum.refract, "+ kt′ · REFRSHADE");
-    if (sum.passed != Rgbd(1.0)) light(Kind::note, sum.passed, EquationText::passed);
+    if (sum.passed != Rgbd(1.0)) light(Kind::note, sum.passed, Word{"equation.passed"});
     light(Kind::total, sum.total, "= RTNSHADE");
   }
 
@@ -272,32 +278,32 @@ class Writer {
 
   // ---- Path tracing
 
-  void write(const BackgroundAdded& added) { light(Kind::total, added.added, "+ ", EquationText::background); }
+  void write(const BackgroundAdded& added) { light(Kind::total, added.added, "+ ", Word{"equation.background"}); }
   void write(const EmissionAdded& emission) {
-    light(Kind::term, emission.emission, EquationText::emission);
+    light(Kind::term, emission.emission, Word{"equation.emission"});
     if (emission.emission == Rgbd(0.0)) return;
     weighted(emission.direction_density, emission.light_density, emission.weight);
-    light(Kind::total, emission.added, "+ ", EquationText::weight, " · ", EquationText::share, " · ",
-          EquationText::emission, " =");
+    light(Kind::total, emission.added, "+ ", Word{"equation.weight"}, " · ", Word{"equation.share"}, " · ",
+          Word{"equation.emission"}, " =");
   }
   void write(const LightAdded& added) {
     weighted(added.direction_density, added.light_density, added.weight);
     light(Kind::total, added.added, "+");
   }
   void weighted(double by_direction, double by_light, double weight) {
-    row(Kind::numbers, "p(", EquationText::direction, ") = ", by_direction, separator(state_.language), "p(",
-        EquationText::light, ") = ", by_light);
-    row(Kind::numbers, EquationText::weight, " = ", weight);
+    row(Kind::numbers, "p(", Word{"equation.direction"}, ") = ", by_direction, state_.language.separator(), "p(",
+        Word{"equation.light"}, ") = ", by_light);
+    row(Kind::numbers, Word{"equation.weight"}, " = ", weight);
   }
   void write(const DirectionChosen& chosen) {
-    if (chosen.absorbed) return row(Kind::note, EquationText::absorbed);
+    if (chosen.absorbed) return row(Kind::note, Word{"equation.absorbed"});
     row(Kind::numbers, "D = ", chosen.direction);
     if (chosen.density > 0) row(Kind::numbers, "p(D) = ", chosen.density);
-    light(Kind::term, chosen.share, EquationText::share_left, " =");
+    light(Kind::term, chosen.share, Word{"equation.share_left"}, " =");
   }
   void write(const SurvivalDecided& decided) {
-    if (decided.survival < 1) row(Kind::numbers, EquationText::survival, " ", decided.survival);
-    row(Kind::note, decided.survives ? EquationText::yes : EquationText::no);
+    if (decided.survival < 1) row(Kind::numbers, Word{"equation.survival"}, " ", decided.survival);
+    row(Kind::note, decided.survives ? Word{"equation.yes"} : Word{"equation.no"});
   }
 
   const State& state_;

@@ -4,7 +4,6 @@
 #include "timeline/event_json.h"
 #include "timeline/message.h"
 #include "view/lesson_script.h"
-#include "view/lesson_text.h"
 #include "view/plan_view.h"
 #include "view/slides.h"
 #include "view/svg.h"
@@ -33,7 +32,7 @@ Result<std::string> exported(const State& state, ExportKind kind) {
     case ExportKind::slides:
       if (state.timeline->steps() > most_slides)
         return tl::unexpected(
-            Error{"", 0, 0, fill(TextId::too_many_slides, state.language, {std::to_string(most_slides)}), ""});
+            Error{"", 0, 0, fill("notice.too_many_slides", state.language, {{"most", most_slides}}), ""});
       return slides_page(scene, state.timeline, state.language, state.theme);
     case ExportKind::transcript:
       return transcript(scene, *state.timeline, state.language);
@@ -53,7 +52,7 @@ Result<std::string> exported(const State& state, ExportKind kind) {
     }
     case ExportKind::script:
       if (!state.lessons.open)
-        return tl::unexpected(Error{"", 0, 0, std::string(text(LessonWord::no_lesson, state.language)), ""});
+        return tl::unexpected(Error{"", 0, 0, std::string(text("lesson.no_lesson", state.language)), ""});
       return lesson_script(state.lessons.open->played, state.language, ScriptForm::page);
     case ExportKind::picture:
     case ExportKind::film:
@@ -128,7 +127,7 @@ Result<void> write_steps_json(const Scene& scene, const Timeline& timeline, cons
   for (int position = 1; position <= timeline.steps(); ++position) {
     Json step{{"step", position}};
     step.update(event_json(scene, timeline.event(position - 1)));
-    step["sentence"] = sentence_of(describe(scene, timeline, position), Language::english);
+    step["sentence"] = sentence_of(describe(scene, timeline, position), Language());
     text += (position == 1 ? "\n" : ",\n") + dump(step);
     constexpr std::size_t enough = 1 << 16;
     if (text.size() < enough) continue;
@@ -159,13 +158,13 @@ void export_over(State& state, const std::string& path) {
   const auto text = exported(state, kind);
   const auto written = text ? write_file_atomically(path, *text) : tl::unexpected(text.error());
   finish_export(state, written ? "" : written.error().text());
-  if (written) inform(state, fill(TextId::saved_as, state.language, {path}));
+  if (written) inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
 }
 
 void export_walk(State& state, const std::string& path) {
   if (path.empty()) return;
   if (state.prompt == PathPrompt::export_walk) state.notice.reset();
-  if (!export_kind_of(path)) return complain(state, fill(TextId::export_endings, state.language, {path}));
+  if (!export_kind_of(path)) return complain(state, fill("notice.export_endings", state.language, {{"file", path}}));
   if (!asks_to_overwrite(state, path, PathPrompt::export_walk)) export_over(state, path);
 }
 
@@ -173,7 +172,7 @@ void finish_export(State& state, const std::string& why_not) {
   const auto done = std::exchange(state.window_export, std::nullopt);
   if (!why_not.empty()) return complain(state, why_not);
   state.prompt = PathPrompt::none;
-  if (done) inform(state, fill(TextId::saved_as, state.language, {done->path}));
+  if (done) inform(state, fill("notice.saved_as", state.language, {{"file", done->path}}));
 }
 
 }  // namespace raywalk::detail

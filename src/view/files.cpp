@@ -25,7 +25,7 @@ void open_file(State& state, const std::string& path) {
   close_lesson(state);
   show_document(state, std::move(*document), path);
   add_recent(state, path);
-  inform(state, warnings.empty() ? fill(TextId::opened, state.language, {path}) : warnings.front());
+  inform(state, warnings.empty() ? fill("notice.opened", state.language, {{"file", path}}) : warnings.front());
 }
 
 /// What was asked for, now that nothing unsaved stands in its way.
@@ -66,7 +66,7 @@ bool write_to(State& state, const std::string& path) {
   state.last_edit.reset();
   forget_autosave(state);
   add_recent(state, path);
-  inform(state, fill(TextId::saved_as, state.language, {path}));
+  inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
   if (const std::optional<Intent> intent = std::exchange(state.after_save, std::nullopt))
     carry_out(state, *intent, state.after_save_path);
   return true;
@@ -179,7 +179,7 @@ void save(State& state) {
   if (!is_ours) return ask_path(state, PathPrompt::save_as);
   if (is_shipped(state, state.path)) {
     ask_path(state, PathPrompt::save_as);
-    return inform(state, std::string(text(TextId::save_elsewhere, state.language)));
+    return inform(state, std::string(text("notice.save_elsewhere", state.language)));
   }
   static_cast<void>(write_to(state, state.path));
 }

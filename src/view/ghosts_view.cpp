@@ -36,10 +36,10 @@ void draw_ghosts(Painter& painter) {
                  percent_text(share_of(ghost.brings, *state.ghosts), state.language));
   }
   if (state.ghosts->pixel < 0) return;
-  const std::string total =
-      fill(PanelText::ghosts_total, state.language, {percent_text(share_of(cut_off, *state.ghosts), state.language)});
+  const std::string total = fill("ghosts.total", state.language,
+                                 {{"percent", percent_text(share_of(cut_off, *state.ghosts), state.language)}});
   painter.note({painter.viewport.width / 2, painter.viewport.height - 1.2 * painter.sizes.text},
-               state.ghosts->rays.empty() ? std::string(text(PanelText::ghosts_none, state.language)) : total);
+               state.ghosts->rays.empty() ? std::string(text("ghosts.none", state.language)) : total);
 }
 
 }  // namespace raywalk::detail

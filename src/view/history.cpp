@@ -21,7 +21,7 @@ void trim(State& state) {
     state.undo.erase(state.undo.begin(), state.undo.end() - static_cast<std::ptrdiff_t>(most));
 }
 
-void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to, TextId when_empty) {
+void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to, std::string_view when_empty) {
   if (from.empty()) return inform(state, std::string(text(when_empty, state.language)));
   Scene next = std::move(from.back());
   from.pop_back();
@@ -72,7 +72,7 @@ std::string why_refused(const Scene& scene, int object, int light) {
 bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark, bool continues) {
   const std::string why = why_refused(next, object, light);
   if (!why.empty()) {
-    complain(state, fill(TextId::refused, state.language, {why}));
+    complain(state, fill("notice.refused", state.language, {{"why", why}}));
     return false;
   }
   commit(state, std::move(next), mark, continues);
@@ -82,9 +82,9 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 void undo(State& state) {
   // A hunt is the last thing that was done, once all that was done in it is undone.
   if (state.undo.empty() && state.bugs.hunt) return leave_hunt(state);
-  step_history(state, state.undo, state.redo, TextId::nothing_to_undo);
+  step_history(state, state.undo, state.redo, "notice.nothing_to_undo");
 }
 
-void redo(State& state) { step_history(state, state.redo, state.undo, TextId::nothing_to_redo); }
+void redo(State& state) { step_history(state, state.redo, state.undo, "notice.nothing_to_redo"); }
 
 }  // namespace raywalk::detail

@@ -91,8 +91,8 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
   const Vec2d middle_of_eye = distance > 0 ? eye + 12 * unit / distance * back : eye;
   const Vec2d screen_half(std::abs(first.x - last.x) / 2 + 10 * unit, std::abs(first.y - last.y) / 2 + 10 * unit);
   std::vector<Labelled> things;
-  things.push_back({std::string(text(TextId::eye, painter.state.language)), middle_of_eye, Vec2d(17 * unit)});
-  things.push_back({std::string(text(TextId::screen, painter.state.language)), (first + last) / 2.0, screen_half});
+  things.push_back({std::string(text("object.eye", painter.state.language)), middle_of_eye, Vec2d(17 * unit)});
+  things.push_back({std::string(text("object.screen", painter.state.language)), (first + last) / 2.0, screen_half});
   for (const Light& light : painter.scene().lights)
     things.push_back({light.name, painter.pixels(light_place(light, painter.state.camera, painter.viewport)),
                       Vec2d(14 * unit), true});

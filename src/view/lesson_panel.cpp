@@ -1,8 +1,6 @@
 #include "view/lesson_panel.h"
 
 #include "lesson/script.h"
-#include "view/bug_text.h"
-#include "view/lesson_text.h"
 #include "view/plan_geometry.h"
 #include "view/text.h"
 
@@ -61,21 +59,25 @@ bool is_open_question(const LessonSitting& sitting) {
 std::string time_of(const LessonSitting& sitting, const LessonWords& words, Language language) {
   const Lesson& lesson = sitting.open->lesson;
   const auto step = static_cast<std::size_t>(sitting.step);
-  if (lesson.steps[step].extra) return std::string(text(LessonWord::extra, language));
-  return fill(LessonWord::time, language,
-              {minutes_text(script_time(lesson, words, step).end),
-               minutes_text(script_time(lesson, words, lesson.steps.size() - 1).end)});
+  if (lesson.steps[step].extra) return std::string(text("lesson.extra", language));
+  return fill("lesson.time", language,
+              {{"end", minutes_text(script_time(lesson, words, step).end)},
+               {"all", minutes_text(script_time(lesson, words, lesson.steps.size() - 1).end)}});
 }
 
 }  // namespace
+
+const std::string& LessonEntry::title(Language language) const {
+  const auto own = titles.find(language.code());
+  return own == titles.end() ? titles.find("en")->second : own->second;
+}
 
 std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language) {
   std::vector<LessonRow> rows;
   bool before_done = true;
   for (const LessonEntry& entry : sitting.list) {
     const auto done = sitting.done.find(entry.name);
-    const auto title = entry.titles.find(language);
-    LessonRow row{entry.name, title == entry.titles.end() ? entry.name : title->second,
+    LessonRow row{entry.name, entry.title(language),
                   done == sitting.done.end() ? 0 : std::min(done->second, entry.steps), entry.steps, false};
     row.locked = !before_done && !sitting.unlocked && !sitting.presenter && row.done == 0;
     before_done = row.done == row.steps;
@@ -148,23 +150,25 @@ LessonPanel lesson_panel(const State& state) {
   const LessonSitting& sitting = state.lessons;
   const Language language = state.language;
   LessonPanel panel;
-  const auto word = [&](LessonWord w) { return std::string(text(w, language)); };
+  const auto word = [&](std::string_view w) { return std::string(text(w, language)); };
   if (sitting.judged > 0)
-    panel.score =
-        fmt::format("{} {} {} {}", sitting.right, word(LessonWord::of), sitting.judged, word(LessonWord::score));
+    panel.score = fmt::format("{} {} {} {}", sitting.right, word("lesson.of"), sitting.judged, word("lesson.score"));
   const PlayedStep* step = sitting.at();
   if (step == nullptr) {
     panel.rows = lesson_rows(sitting, language);
     return panel;
   }
-  const LessonWords& words = sitting.open->lesson.words.find(language)->second;
+  const Lesson& lesson = sitting.open->lesson;
+  const LessonWords& words = lesson.told(language);
+  const Language told_in = lesson.told_in(language);
+  if (told_in != language) panel.told_in = fill("lesson.in_english", language, {{"language", language.name()}});
   panel.lesson = words.title;
   panel.step = sitting.step + 1;
   panel.steps = static_cast<int>(sitting.open->played.steps.size());
   const StepWords* said = words.find(step->step->id);
   if (said == nullptr) return panel;
   const auto said_at = [&](const Passage& passage, int position) {
-    return filled(sitting.open->played, static_cast<std::size_t>(sitting.step), position, passage, language)
+    return filled(sitting.open->played, static_cast<std::size_t>(sitting.step), position, passage, told_in)
         .value_or(passage.text);
   };
   panel.heading = said->heading;
@@ -184,9 +188,9 @@ LessonPanel lesson_panel(const State& state) {
                  : std::holds_alternative<LineQuestion>(question) ? Asks::line
                                                                   : Asks::arrow;
     if (panel.asks == Asks::line)
-      panel.marked = sitting.guess.line
-                         ? fill(BugText::line_marked, language, {std::string(pseudocode_of(*sitting.guess.line).text)})
-                         : std::string(text(BugText::task_of_lesson, language));
+      panel.marked = sitting.guess.line ? fill("bug.line_marked", language,
+                                               {{"line", std::string(pseudocode_of(*sitting.guess.line).text)}})
+                                        : std::string(text("bug.task_of_lesson", language));
     int hands = 0, hands_right = 0;
     for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i) {
       std::string text = said_at(said->choices[i], step->asked);
@@ -198,19 +202,18 @@ LessonPanel lesson_panel(const State& state) {
       hands_right += choice.right ? choice.hands : 0;
       panel.choices.push_back(std::move(choice));
     }
-    if (answered && hands > 0)
-      panel.hands = fill(LessonWord::hands, language, {std::to_string(hands_right), std::to_string(hands)});
+    if (answered && hands > 0) panel.hands = fill("lesson.hands", language, {{"right", hands_right}, {"all", hands}});
     if (number != nullptr) panel.unit = number->unit;
     const std::optional<LessonVerdict> verdict = judge(sitting);
     panel.can_reveal = !sitting.revealed && (verdict || sitting.unlocked || sitting.presenter);
     if (sitting.revealed && verdict) {
       panel.is_right = verdict->right;
-      panel.verdict = word(verdict->right ? LessonWord::right : LessonWord::wrong);
-      const char mark = decimal_mark(language);
+      panel.verdict = word(verdict->right ? "lesson.right" : "lesson.wrong");
+      const char mark = language.decimal_mark();
       if (panel.asks == Asks::arrow)
-        panel.verdict += ": " + word(LessonWord::error) + " " + text_of(verdict->error, 1, mark) + "°";
+        panel.verdict += ": " + word("lesson.error") + " " + text_of(verdict->error, 1, mark) + "°";
       if (panel.asks == Asks::number && verdict->error > 0)
-        panel.verdict += ": " + word(LessonWord::error) + " " +
+        panel.verdict += ": " + word("lesson.error") + " " +
                          text_of(verdict->error, decimals_of(*number, verdict->error), mark) + panel.unit;
     }
   }

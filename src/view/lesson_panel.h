@@ -26,6 +26,7 @@ enum class Asks { nothing, choice, number, arrow, line };
 struct LessonPanel {
   std::vector<LessonRow> rows;  ///< the list, where no lesson is open
   std::string lesson, heading;
+  std::string told_in;      ///< that it is told in English, where it has no words in the language of the interface
   int step = 0, steps = 0;  ///< from 1
   std::string summary;      ///< of the lesson: at its first step
   std::string text;         ///< paragraphs between empty lines; items of lists begin with "- "

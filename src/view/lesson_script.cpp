@@ -3,7 +3,6 @@
 #include "io/markup.h"
 #include "lesson/script.h"
 #include "view/lesson_panel.h"
-#include "view/lesson_text.h"
 #include "view/text.h"
 
 #include <fmt/format.h>
@@ -19,20 +18,20 @@ namespace {
 /// What a passage is to the presenter.
 enum class Role { screen, say, ask, answer, teacher, change };
 
-LessonWord name_of(Role role) {
+std::string_view name_of(Role role) {
   switch (role) {
     case Role::screen:
-      return LessonWord::script_screen;
+      return "lesson.script_screen";
     case Role::say:
-      return LessonWord::script_say;
+      return "lesson.script_say";
     case Role::ask:
-      return LessonWord::script_ask;
+      return "lesson.script_ask";
     case Role::answer:
-      return LessonWord::reveal;
+      return "lesson.reveal";
     case Role::teacher:
-      return LessonWord::teacher;
+      return "lesson.teacher";
     case Role::change:
-      return LessonWord::change;
+      return "lesson.change";
   }
   return {};
 }
@@ -62,7 +61,7 @@ std::string question_of(const PlayedLesson& played, std::size_t i, const StepWor
     const Outcome value = value_at(played, i, step.shown, number->answer.expression);
     if (const double* truth = value ? std::get_if<double>(&*value) : nullptr)
       question +=
-          "\n\n" + text_of(*truth, decimals_of(*number, *truth), decimal_mark(language)) + number->unit + " \u2713";
+          "\n\n" + text_of(*truth, decimals_of(*number, *truth), language.decimal_mark()) + number->unit + " \u2713";
   } else if (const auto* line = std::get_if<LineQuestion>(&*step.step->question)) {
     question += "\n\n" + line->answer + " \u2713";
   }
@@ -81,7 +80,7 @@ std::vector<ScriptStep> steps_of(const PlayedLesson& played, const LessonWords& 
     const ScriptTime time = script_time(*played.lesson, words, i);
     const ScriptParts script = parts_of_script(filled_at(said->presenter, step.shown));
     ScriptStep written{said->heading,
-                       step.step->extra ? std::string(text(LessonWord::extra, language))
+                       step.step->extra ? std::string(text("lesson.extra", language))
                                         : minutes_text(time.begin) + "\u2013" + minutes_text(time.end),
                        {{Role::screen, filled_at(said->text, step.asked)},
                         {Role::say, script.before},
@@ -135,14 +134,13 @@ std::string passage_html(std::string_view passage) {
 
 std::string markdown(const LessonWords& words, const std::vector<ScriptStep>& steps, Language language) {
   std::string all = "# " + words.title + "\n\n" + words.summary.text + "\n\n" +
-                    std::string(text(LessonWord::script_keys, language)) + "\n";
+                    std::string(text("lesson.script_keys", language)) + "\n";
   for (std::size_t i = 0; i < steps.size(); ++i) {
     all += fmt::format("\n## {}. {} ({})\n", i + 1, steps[i].heading, steps[i].time);
     for (const ScriptLine& line : steps[i].lines)
       all += fmt::format("\n**{}**\n\n{}\n", text(name_of(line.role), language), line.text);
   }
-  for (const auto& [name, passage] :
-       {std::pair{LessonWord::teacher, words.teacher}, {LessonWord::sources, words.sources}})
+  for (const auto& [name, passage] : {std::pair{"lesson.teacher", words.teacher}, {"lesson.sources", words.sources}})
     if (!passage.empty()) all += fmt::format("\n## {}\n\n{}\n", text(name, language), passage.text);
   return all;
 }
@@ -185,9 +183,9 @@ std::string page(const LessonWords& words, const std::vector<ScriptStep>& steps,
       "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>{}</style>"
       "</head>\n<body><h1>{}</h1>\n<p class=\"summary\">{}</p>\n<p class=\"keys\">{}</p>\n",
-      language_code(language), escaped(words.title), script_style, escaped(words.title),
-      inline_html(words.summary.text), inline_html(text(LessonWord::script_keys, language)));
-  const auto row = [&](const char* kind, LessonWord name, const std::string& passage) {
+      language.code(), escaped(words.title), script_style, escaped(words.title),
+      inline_html(words.summary.text), inline_html(text("lesson.script_keys", language)));
+  const auto row = [&](const char* kind, std::string_view name, const std::string& passage) {
     return fmt::format("<div class=\"{}\"><h3>{}</h3><span>{}</span></div>\n", kind, escaped(text(name, language)),
                        passage_html(passage));
   };
@@ -196,17 +194,21 @@ std::string page(const LessonWords& words, const std::vector<ScriptStep>& steps,
     for (const ScriptLine& line : steps[i].lines) html += row(class_of(line.role), name_of(line.role), line.text);
     html += "</section>\n";
   }
-  html += "<section>" + row("teacher", LessonWord::teacher, words.teacher.text) +
-          row("teacher", LessonWord::sources, words.sources.text) + "</section>\n";
+  html += "<section>" + row("teacher", "lesson.teacher", words.teacher.text) +
+          row("teacher", "lesson.sources", words.sources.text) + "</section>\n";
   return html + "</body></html>\n";
 }
 
 }  // namespace
 
 std::string lesson_script(const PlayedLesson& played, Language language, ScriptForm form) {
-  const LessonWords& words = played.lesson->words.find(language)->second;
-  const std::vector<ScriptStep> steps = steps_of(played, words, language);
-  return form == ScriptForm::page ? page(words, steps, language) : markdown(words, steps, language);
+  const Language told_in = played.lesson->told_in(language);
+  LessonWords words = played.lesson->told(language);
+  if (told_in != language)
+    words.summary.text =
+        fill("lesson.in_english", language, {{"language", language.name()}}) + "\n\n" + words.summary.text;
+  const std::vector<ScriptStep> steps = steps_of(played, words, told_in);
+  return form == ScriptForm::page ? page(words, steps, told_in) : markdown(words, steps, told_in);
 }
 
 }  // namespace raywalk

@@ -18,8 +18,9 @@ enum class Mode;  // view/state.h
 
 /// A lesson of the list.
 struct LessonEntry {
-  std::string name;  ///< of its folder
-  std::map<Language, std::string> titles;
+  std::string name;                                                 ///< of its folder
+  std::map<std::string, std::string, std::less<>> titles;           ///< by the languages' codes
+  [[nodiscard]] const std::string& title(Language language) const;  ///< in English where there is none in this
   int steps = 0;
 };
 

@@ -2,7 +2,6 @@
 
 #include "io/file.h"
 #include "view/lesson_panel.h"
-#include "view/lesson_text.h"
 #include "view/text.h"
 #include "view/update_parts.h"
 
@@ -53,7 +52,7 @@ void read_list(State& state) {
       continue;
     }
     LessonEntry entry{name, {}, static_cast<int>(lesson->steps.size())};
-    for (const auto& [language, words] : lesson->words) entry.titles[language] = words.title;
+    for (const auto& [code, words] : lesson->words) entry.titles[code] = words.title;
     sitting.list.push_back(std::move(entry));
   }
 }
@@ -158,7 +157,7 @@ void open_lesson(State& state, const std::string& name) {
   const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
   if (row == rows.end()) return;
-  if (row->locked) return inform(state, std::string(text(LessonWord::locked, state.language)));
+  if (row->locked) return inform(state, std::string(text("lesson.locked", state.language)));
   // What is changed during a lesson belongs to the lesson.
   if (state.lessons.open) state.dirty = false;
   ask_or_do(state, Intent::lesson, name);
@@ -256,7 +255,7 @@ bool answered_by_step(State& state) {
   if (lesson_panel(state).can_reveal)
     reveal_lesson(state);
   else
-    inform(state, std::string(text(LessonWord::predict_first, state.language)));
+    inform(state, std::string(text("lesson.predict_first", state.language)));
   return true;
 }
 

@@ -109,13 +109,13 @@ class Lines {
   void say_how_many(std::size_t drawn) {
     const auto digits = [&](std::size_t count) {
       std::string all = std::to_string(count);
-      const char mark = painter_.state.language == Language::english ? ',' : '.';
+      const char mark = painter_.state.language.decimal_mark() == '.' ? ',' : '.';
       for (std::size_t at = all.size(); at > 3; at -= 3) all.insert(at - 3, 1, mark);
       return all;
     };
     const double unit = painter_.sizes.unit, size = painter_.sizes.text;
-    const std::string said =
-        fill(PanelText::objects_drawn, painter_.state.language, {digits(drawn), digits(scene_.objects.size())});
+    const std::string said = fill("plan.objects_drawn", painter_.state.language,
+                                  {{"drawn", digits(drawn)}, {"all", digits(scene_.objects.size())}});
     const Vec2d at(14 * unit, painter_.viewport.height - 14 * unit);
     painter_.kept_free.push_back({at - Vec2d(0, size / 2), at + Vec2d(text_width(said, size), size / 2)});
     painter_.add(TextItem{at, said, size, painter_.colours.dim_text});
@@ -164,7 +164,7 @@ class Lines {
     }
     if (const auto at = seen_.point(camera.eye)) {
       painter_.add(CircleItem{*at, 4 * painter_.sizes.unit, painter_.colours.ink, std::nullopt}, {TargetKind::eye});
-      draw_name(painter_, std::string(text(TextId::eye, painter_.state.language)),
+      draw_name(painter_, std::string(text("object.eye", painter_.state.language)),
                 *at + Vec2d(0, 16 * painter_.sizes.unit));
     }
   }

@@ -2,7 +2,7 @@
 // The Microscope panel without a window: the drawing of a hit at any magnification, what robust and naive numerics make
 // of it in a table, and a sentence on what is to be seen.
 
-#include "lesson/language.h"
+#include "text/language.h"
 #include "timeline/microscope.h"
 #include "view/display_list.h"
 
@@ -46,47 +46,5 @@ struct MicroscopeTable {
 [[nodiscard]] std::string ulps_text(double ulps, Language language);
 /// "× 1.6e+06"
 [[nodiscard]] std::string magnification_text(double factor, Language language);
-
-/// Words of the panel.
-enum class ScopeText {
-  empty,  ///< nothing was met yet
-  title,  ///< {0} ray, {1} object
-  robust,
-  naive,
-  naive_start,
-  error_box,
-  crossing,
-  row_hit,
-  row_t,
-  row_t_error,
-  row_point,
-  row_start,
-  nothing,
-  none,
-  ulp,      ///< {0} how many
-  outside,  ///< {0} ulps
-  inside,
-  on_surface,
-  at_point,
-  leaves,
-  hits_own,
-  goes_astray,
-  some_hit_own,  ///< {0} how many, {1} of how many
-  some_astray,
-  off_sight,  ///< {0} what, {1} how far in ulps
-  one_cell,   ///< {0} an ulp
-  two_cells,  ///< {0} axis, {1} its ulp, {2} axis, {3} its ulp
-  bar,        ///< {0} length, {1} in ulps
-  says_missed,
-  says_invented,
-  says_acne,        ///< {0} ulps, {1} ray
-  says_wrong_side,  ///< {0} ulps
-  says_astray,      ///< {0} ulps
-  says_apart,       ///< {0} ulps between the points, {1} ulps
-  says_alike,       ///< {0} ulps of the start
-  says_alike_at_surface,
-};
-[[nodiscard]] std::string_view english(ScopeText id);
-[[nodiscard]] std::string_view portuguese(ScopeText id);
 
 }  // namespace raywalk

@@ -20,10 +20,11 @@ std::string in_powers(double large, Language language) {
 }
 
 std::string off_text(const Specimen& specimen, const std::optional<double>& off, Language language) {
-  if (!off) return std::string(text(ScopeText::none, language));
+  if (!off) return std::string(text("microscope.none", language));
   const double ulps = specimen.in_ulps(*off);
-  if (ulps == 0) return std::string(text(ScopeText::on_surface, language));
-  return fill(ulps > 0 ? ScopeText::outside : ScopeText::inside, language, {ulps_text(std::abs(ulps), language)});
+  if (ulps == 0) return std::string(text("microscope.on_surface", language));
+  return fill(ulps > 0 ? "microscope.outside" : "microscope.inside", language,
+              {{"ulps", ulps_text(std::abs(ulps), language)}});
 }
 
 /// All digits that tell it from its neighbours; of many the first and the last.
@@ -36,12 +37,12 @@ std::string number_of(double t, Precision precision, Language language) {
 }
 
 std::string leaving_text(const LeavingRays& rays, Language language) {
-  if (rays.hit_own == 0 && rays.astray == 0) return std::string(text(ScopeText::leaves, language));
+  if (rays.hit_own == 0 && rays.astray == 0) return std::string(text("microscope.leaves", language));
   if (rays.count == 1)
-    return std::string(text(rays.hit_own > 0 ? ScopeText::hits_own : ScopeText::goes_astray, language));
+    return std::string(text(rays.hit_own > 0 ? "microscope.hits_own" : "microscope.goes_astray", language));
   const bool own = rays.hit_own > 0;
-  return fill(own ? ScopeText::some_hit_own : ScopeText::some_astray, language,
-              {std::to_string(own ? rays.hit_own : rays.astray), std::to_string(rays.count)});
+  return fill(own ? "microscope.some_hit_own" : "microscope.some_astray", language,
+              {{"some", own ? rays.hit_own : rays.astray}, {"all", rays.count}});
 }
 
 const LeavingRays* of_kind(const std::optional<Reading>& reading, RayKind kind) {
@@ -54,13 +55,13 @@ const LeavingRays* of_kind(const std::optional<Reading>& reading, RayKind kind) 
 std::string_view short_name(RayKind kind, Language language) {
   switch (kind) {
     case RayKind::primary:
-      return text(PanelText::short_primary, language);
+      return text("ray.short_primary", language);
     case RayKind::shadow:
-      return text(PanelText::short_shadow, language);
+      return text("ray.short_shadow", language);
     case RayKind::reflect:
-      return text(PanelText::short_reflect, language);
+      return text("ray.short_reflect", language);
     case RayKind::refract:
-      return text(PanelText::short_refract, language);
+      return text("ray.short_refract", language);
   }
   return {};
 }
@@ -69,21 +70,24 @@ bool goes_wrong(const LeavingRays& rays) { return rays.hit_own > 0 || rays.astra
 
 std::string sentence_on(const Specimen& specimen, Language language) {
   const std::optional<Reading>&robust = specimen.robust, &naive = specimen.naive;
-  if (!naive) return std::string(text(ScopeText::says_missed, language));
-  if (!robust) return std::string(text(ScopeText::says_invented, language));
+  if (!naive) return std::string(text("microscope.says_missed", language));
+  if (!robust) return std::string(text("microscope.says_invented", language));
   const Start& start = naive->starts.front();
   const std::string starts = off_text(specimen, start.off, language);
   for (const LeavingRays& rays : naive->leaving)
-    if (rays.hit_own > 0) return fill(ScopeText::says_acne, language, {starts, std::string(text(rays.kind, language))});
+    if (rays.hit_own > 0)
+      return fill("microscope.says_acne", language,
+                  {{"starts", starts}, {"ray", std::string(text(rays.kind, language))}});
   if (std::any_of(naive->leaving.begin(), naive->leaving.end(), goes_wrong))
-    return fill(ScopeText::says_astray, language, {starts});
-  if (!start.right_side()) return fill(ScopeText::says_wrong_side, language, {starts});
+    return fill("microscope.says_astray", language, {{"starts", starts}});
+  if (!start.right_side()) return fill("microscope.says_wrong_side", language, {{"starts", starts}});
   const double apart = specimen.in_ulps(length(naive->point - robust->point));
   constexpr double far_apart = 8;  // ulps
-  if (apart > far_apart) return fill(ScopeText::says_apart, language, {ulps_text(apart, language), starts});
+  if (apart > far_apart)
+    return fill("microscope.says_apart", language, {{"ulps", ulps_text(apart, language)}, {"starts", starts}});
   if (!start.off || specimen.in_ulps(*start.off) == 0)
-    return std::string(text(ScopeText::says_alike_at_surface, language));
-  return fill(ScopeText::says_alike, language, {starts});
+    return std::string(text("microscope.says_alike_at_surface", language));
+  return fill("microscope.says_alike", language, {{"starts", starts}});
 }
 
 }  // namespace
@@ -103,16 +107,17 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
   const Language language = state.language;
   const auto name_of = [&](const std::optional<Reading>& reading) {
     return reading ? state.scene().objects[static_cast<std::size_t>(reading->object)].name
-                   : std::string(text(ScopeText::nothing, language));
+                   : std::string(text("microscope.nothing", language));
   };
   MicroscopeTable table;
   std::string ray(text(specimen.kind, language));
   if (!ray.empty()) ray[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(ray[0])));
-  table.title = fill(ScopeText::title, language, {ray, name_of(specimen.robust ? specimen.robust : specimen.naive)});
+  table.title = fill("microscope.title", language,
+                     {{"ray", ray}, {"object", name_of(specimen.robust ? specimen.robust : specimen.naive)}});
   table.sentence = sentence_on(specimen, language);
   const auto add = [&](std::string what, const auto& of, bool wrong) {
     const auto said = [&](const std::optional<Reading>& reading) {
-      return reading ? of(*reading) : std::string(text(ScopeText::none, language));
+      return reading ? of(*reading) : std::string(text("microscope.none", language));
     };
     table.rows.push_back({std::move(what), said(specimen.robust), said(specimen.naive), wrong});
   };
@@ -120,28 +125,28 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
   const bool alike = specimen.robust && specimen.naive && specimen.robust->object == specimen.naive->object;
   if (!alike)
     table.rows.push_back(
-        {std::string(text(ScopeText::row_hit, language)), name_of(specimen.robust), name_of(specimen.naive), true});
+        {std::string(text("microscope.row_hit", language)), name_of(specimen.robust), name_of(specimen.naive), true});
   add(
-      std::string(text(ScopeText::row_t, language)),
+      std::string(text("microscope.row_t", language)),
       [&](const Reading& r) { return number_of(r.t, specimen.precision, language); }, false);
   add(
-      std::string(text(ScopeText::row_t_error, language)),
+      std::string(text("microscope.row_t_error", language)),
       [&](const Reading& r) {
-        return r.t_error ? fill(ScopeText::ulp, language, {ulps_text(std::abs(*r.t_error), language)})
-                         : std::string(text(ScopeText::none, language));
+        return r.t_error ? fill("microscope.ulp", language, {{"ulps", ulps_text(std::abs(*r.t_error), language)}})
+                         : std::string(text("microscope.none", language));
       },
       false);
   add(
-      std::string(text(ScopeText::row_point, language)),
+      std::string(text("microscope.row_point", language)),
       [&](const Reading& r) { return off_text(specimen, r.off, language); }, false);
   add(
-      std::string(text(ScopeText::row_start, language)),
+      std::string(text("microscope.row_start", language)),
       [&](const Reading& r) {
         const Start& start = r.starts.front();
         // A robust ray knows the surface that it starts on, whichever side rounding put the point.
         const bool knows = specimen.robust && &r == &*specimen.robust;
         return start.place == r.point && (knows || start.right_side())
-                   ? std::string(text(ScopeText::at_point, language))
+                   ? std::string(text("microscope.at_point", language))
                    : off_text(specimen, start.off, language);
       },
       specimen.naive && !specimen.naive->starts.front().right_side());
@@ -149,7 +154,7 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
     const LeavingRays *robust = of_kind(specimen.robust, kind), *naive = of_kind(specimen.naive, kind);
     if (robust == nullptr && naive == nullptr) continue;
     const auto said = [&](const LeavingRays* rays) {
-      return rays != nullptr ? leaving_text(*rays, language) : std::string(text(ScopeText::none, language));
+      return rays != nullptr ? leaving_text(*rays, language) : std::string(text("microscope.none", language));
     };
     table.rows.push_back(
         {std::string(short_name(kind, language)), said(robust), said(naive), naive != nullptr && goes_wrong(*naive)});

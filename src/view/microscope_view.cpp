@@ -47,12 +47,26 @@ class Drawing {
   }
 
  private:
+  enum class Sign { robust, naive, naive_start, crossing };
   struct Mark {
     Vec2d at;
-    ScopeText name;
+    Sign sign;
     bool joins = true;  ///< names itself in the label of one that it covers
   };
 
+  [[nodiscard]] std::string name_of(const Mark& mark) const {
+    switch (mark.sign) {
+      case Sign::robust:
+        return fill("microscope.robust", painter_.state.language);
+      case Sign::naive:
+        return fill("microscope.naive", painter_.state.language);
+      case Sign::naive_start:
+        return fill("microscope.naive_start", painter_.state.language);
+      case Sign::crossing:
+        return fill("microscope.crossing", painter_.state.language);
+    }
+    return {};
+  }
   [[nodiscard]] Vec2d flat(const Vec3d& v) const { return {v[specimen_.axes[0]], v[specimen_.axes[1]]}; }
   [[nodiscard]] Vec2d pixels(const Vec2d& from_focus) const {
     return middle_ + scale_ * Vec2d(from_focus.x, -from_focus.y);
@@ -154,7 +168,7 @@ void Drawing::draw_error_box() {
   painter_.add(PolygonItem{{corners.begin(), corners.end()}, painter_.colours.text.with_alpha(18), std::nullopt});
   for (std::size_t i = 0; i < 4; ++i) painter_.add_clipped({corners[i], corners[(i + 1) % 4], stroke});
   if (std::min(half.x, half.y) < 14 * unit_) return;
-  const std::string words(text(ScopeText::error_box, painter_.state.language));
+  const std::string words(text("microscope.error_box", painter_.state.language));
   const Vec2d below(corners[3].x + text_width(words, painter_.sizes.text) / 2,
                     corners[3].y + 0.8 * painter_.sizes.text);
   if (in_sight(below, 20 * unit_)) painter_.note(below, words);
@@ -198,23 +212,23 @@ void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
 void Drawing::draw_sign(const Mark& mark) {
   const Vec2d& at = mark.at;
   const Stroke naive{painter_.colours.error, 2.4 * unit_}, thin{painter_.colours.text, 1.8 * unit_};
-  switch (mark.name) {
-    case ScopeText::robust:
+  switch (mark.sign) {
+    case Sign::robust:
       painter_.add(CircleItem{at, 5.5 * unit_, painter_.colours.hovered, Stroke{painter_.colours.plan, 1.5 * unit_}});
       return;
-    case ScopeText::naive: {
+    case Sign::naive: {
       const double r = 11 * unit_;
       painter_.add(PolygonItem{
           {at + Vec2d(0, -r), at + Vec2d(0.87 * r, 0.5 * r), at + Vec2d(-0.87 * r, 0.5 * r)}, std::nullopt, naive});
       return;
     }
-    case ScopeText::naive_start: {
+    case Sign::naive_start: {
       const double r = 8 * unit_;
       painter_.add(
           PolygonItem{{at + Vec2d(0, -r), at + Vec2d(r, 0), at + Vec2d(0, r), at + Vec2d(-r, 0)}, std::nullopt, naive});
       return;
     }
-    default:
+    case Sign::crossing:
       for (const double turn : {1.0, -1.0})
         painter_.add(LineItem{at - 6 * unit_ * Vec2d(1, turn), at + 6 * unit_ * Vec2d(1, turn), thin});
   }
@@ -228,19 +242,19 @@ void Drawing::point_at(const Mark& mark) {
   const Stroke stroke{painter_.colours.error, 2.4 * unit_};
   painter_.add(LineItem{tip - 24 * unit_ * towards, tip, stroke, 11 * unit_});
   label(tip - 12 * unit_ * towards, 16 * unit_,
-        fill(ScopeText::off_sight, painter_.state.language,
-             {std::string(text(mark.name, painter_.state.language)),
-              ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.language)}));
+        fill("microscope.off_sight", painter_.state.language,
+             {{"point", name_of(mark)},
+              {"ulps", ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.language)}}));
 }
 
 void Drawing::draw_marks() {
   std::vector<Mark> marks;
-  if (specimen_.robust) marks.push_back({place_of(specimen_.robust->point), ScopeText::robust});
+  if (specimen_.robust) marks.push_back({place_of(specimen_.robust->point), Sign::robust});
   if (specimen_.naive) {
-    marks.push_back({place_of(specimen_.naive->point), ScopeText::naive});
-    for (const Start& start : specimen_.naive->starts) marks.push_back({place_of(start.place), ScopeText::naive_start});
+    marks.push_back({place_of(specimen_.naive->point), Sign::naive});
+    for (const Start& start : specimen_.naive->starts) marks.push_back({place_of(start.place), Sign::naive_start});
   }
-  if (specimen_.crossing) marks.push_back({pixels(flat(*specimen_.crossing)), ScopeText::crossing, false});
+  if (specimen_.crossing) marks.push_back({pixels(flat(*specimen_.crossing)), Sign::crossing, false});
   struct Group {
     Vec2d at;
     std::string words;
@@ -250,11 +264,11 @@ void Drawing::draw_marks() {
   for (const Mark& mark : marks) {
     if (!in_sight(mark.at, margin)) continue;
     painter_.keep_free(mark.at, 11 * unit_);
-    if (mark.name == ScopeText::naive_start && specimen_.naive) {
+    if (mark.sign == Sign::naive_start && specimen_.naive) {
       const Vec2d from = place_of(specimen_.naive->point);
       painter_.add_clipped({from, mark.at, {painter_.colours.error, 1.4 * unit_, painter_.scaled({{2, 4}, 2})}});
     }
-    const std::string own(text(mark.name, painter_.state.language));
+    const std::string own = name_of(mark);
     const auto near = std::find_if(groups.begin(), groups.end(),
                                    [&](const Group& group) { return length(group.at - mark.at) < margin; });
     if (near == groups.end())
@@ -263,9 +277,9 @@ void Drawing::draw_marks() {
       near->words += ", " + own;
   }
   for (const Mark& mark : marks)
-    if (mark.name == ScopeText::naive && in_sight(mark.at, margin)) draw_sign(mark);
+    if (mark.sign == Sign::naive && in_sight(mark.at, margin)) draw_sign(mark);
   for (const Mark& mark : marks)
-    if (mark.name != ScopeText::naive && in_sight(mark.at, margin) &&
+    if (mark.sign != Sign::naive && in_sight(mark.at, margin) &&
         (mark.joins || std::none_of(groups.begin(), groups.end(), [&](const Group& group) {
            return group.at != mark.at && length(group.at - mark.at) < 4 * unit_;
          })))
@@ -317,9 +331,12 @@ void Drawing::draw_scale() {
   std::string words;
   if (cells >= 14 * unit_) {
     const bool alike = cell(0) == cell(1);
-    words = alike ? fill(ScopeText::one_cell, painter_.state.language, {spacing(0)})
-                  : fill(ScopeText::two_cells, painter_.state.language,
-                         {axis_name(0), spacing(0), axis_name(1), spacing(1)});
+    words = alike ? fill("microscope.one_cell", painter_.state.language, {{"ulp", spacing(0)}})
+                  : fill("microscope.two_cells", painter_.state.language,
+                         {{"first", axis_name(0)},
+                          {"first_ulp", spacing(0)},
+                          {"second", axis_name(1)},
+                          {"second_ulp", spacing(1)}});
   } else {
     const double most = 130 * unit_ / scale_;
     double length = std::pow(10.0, std::floor(std::log10(most)));
@@ -328,9 +345,9 @@ void Drawing::draw_scale() {
     else if (2 * length <= most)
       length *= 2;
     bar = length * scale_;
-    words = fill(
-        ScopeText::bar, painter_.state.language,
-        {number_text(length, painter_.state.language), ulps_text(specimen_.in_ulps(length), painter_.state.language)});
+    words = fill("microscope.bar", painter_.state.language,
+                 {{"length", number_text(length, painter_.state.language)},
+                  {"ulps", ulps_text(specimen_.in_ulps(length), painter_.state.language)}});
   }
   const Vec2d at(12 * unit_, 2 * middle_.y - 12 * unit_);
   const double width = std::max(bar, 0.8 * text_width(words, size)) + 0.6 * size;

@@ -47,7 +47,7 @@ std::optional<Scene> checked(State& state, const Grip& grip) {
   const int light = grip.target.kind == TargetKind::light ? grip.target.index : -1;
   const std::string why = why_refused(*next, object, light);
   if (why.empty()) return next;
-  complain(state, fill(TextId::refused, state.language, {why}));
+  complain(state, fill("notice.refused", state.language, {{"why", why}}));
   return std::nullopt;
 }
 
@@ -173,7 +173,7 @@ void pan(State& state, const Vec2d& by) {
 
 void nudge(State& state, const action::Nudge& nudge) {
   if (!state.selected || !exists(state, state.selected))
-    return inform(state, std::string(text(TextId::select_first, state.language)));
+    return inform(state, std::string(text("notice.select_first", state.language)));
   const Vec2d from = place_of(state, state.selected, state.viewport);
   const double step = grid_step(state.camera) * (nudge.coarse ? 1.0 : 0.1);
   const Vec2d direction = {std::clamp(nudge.direction.x, -1e3, 1e3), std::clamp(nudge.direction.y, -1e3, 1e3)};

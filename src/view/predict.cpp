@@ -72,10 +72,10 @@ bool may_ask(const State& state) {
 }
 
 std::string name_of(const State& state, const Target& target) {
-  return target ? target_text(state, target) : std::string(text(PredictText::nothing, state.language));
+  return target ? target_text(state, target) : std::string(text("predict.nothing", state.language));
 }
 
-std::string said(const State& state, PredictText id, const std::vector<std::string>& arguments = {}) {
+std::string said(const State& state, std::string_view id, const TextArguments& arguments = {}) {
   return fill(id, state.language, arguments);
 }
 
@@ -110,26 +110,25 @@ std::string prediction_sentence(const State& state) {
     const Prediction& last = predictions.judged.back();
     const std::string truth = name_of(state, met_by(ray_of(state, last.of)));
     if (last.of.what == Foretold::way)
-      verdict = said(state, last.right ? PredictText::off : PredictText::off_too_far,
-                     {number_text(std::round(last.degrees), state.language)});
+      verdict = said(state, last.right ? "predict.off" : "predict.off_too_far",
+                     {{"degrees", number_text(std::round(last.degrees), state.language)}});
     else if (last.right)
-      verdict = said(state, PredictText::met_right, {truth});
+      verdict = said(state, "predict.met_right", {{"object", truth}});
     else
-      verdict = said(state, PredictText::met_wrong, {truth, name_of(state, last.met)});
+      verdict = said(state, "predict.met_wrong", {{"object", truth}, {"guess", name_of(state, last.met)}});
     verdict += " ";
   }
   if (const auto asked = prediction_asked(state)) {
     const std::string kind(text(ray_of(state, *asked).kind, state.language));
     const bool guessed = predictions.open && predictions.open->of == *asked;
     if (asked->what == Foretold::way)
-      return verdict + said(state, guessed ? PredictText::way_guessed : PredictText::ask_way, {kind});
-    return verdict + (guessed ? said(state, PredictText::end_guessed, {name_of(state, predictions.open->met)})
-                              : said(state, PredictText::ask_end, {kind}));
+      return verdict + said(state, guessed ? "predict.way_guessed" : "predict.ask_way", {{"ray", kind}});
+    return verdict + (guessed ? said(state, "predict.end_guessed", {{"guess", name_of(state, predictions.open->met)}})
+                              : said(state, "predict.ask_end", {{"ray", kind}}));
   }
   const bool at_end = state.position == state.timeline->steps();
-  if (predictions.made.empty()) return said(state, at_end ? PredictText::idle_at_end : PredictText::idle);
-  return verdict + said(state, PredictText::score,
-                        {std::to_string(predictions.right()), std::to_string(predictions.made.size())});
+  if (predictions.made.empty()) return said(state, at_end ? "predict.idle_at_end" : "predict.idle");
+  return verdict + said(state, "predict.score", {{"right", predictions.right()}, {"all", predictions.made.size()}});
 }
 
 std::string prediction_table(const Predictions& predictions) {
@@ -176,7 +175,7 @@ void forget_aim(State& state) {
 
 void ask_save_predictions(State& state) {
   if (state.predictions.made.empty())
-    return inform(state, std::string(text(PredictText::nothing_to_save, state.language)));
+    return inform(state, std::string(text("predict.nothing_to_save", state.language)));
   ask_path(state, PathPrompt::save_predictions);
 }
 
@@ -190,7 +189,7 @@ void write_predictions(State& state, const std::string& path) {
   if (const auto written = write_file_atomically(path, prediction_table(state.predictions)); !written)
     return complain(state, written.error().text());
   state.prompt = PathPrompt::none;
-  inform(state, fill(TextId::saved_as, state.language, {path}));
+  inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
 }
 
 void follow_with_predictions(State& state) {

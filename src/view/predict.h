@@ -3,7 +3,7 @@
 // will meet. The step that shows the answer judges the guess, and the guess stays beside the ray. (A lesson asks
 // questions of its own: lesson_panel.h.)
 
-#include "lesson/language.h"
+#include "text/language.h"
 #include "timeline/timeline.h"
 #include "view/display_list.h"
 
@@ -89,24 +89,6 @@ struct SavePredictions {
 
 /// Where the arrow starts that the plan takes from the mouse now: of a lesson's question, or of a prediction.
 [[nodiscard]] std::optional<Vec2d> aim_origin(const State& state);
-
-enum class PredictText {
-  ask_way,      ///< {0} the kind of ray
-  way_guessed,  ///< {0} the kind of ray
-  ask_end,      ///< {0} the kind of ray
-  end_guessed,  ///< {0} what was clicked
-  nothing,
-  off,          ///< {0} degrees; that counts as right
-  off_too_far,  ///< {0} degrees
-  met_right,    ///< {0} what it meets
-  met_wrong,    ///< {0} what it meets, {1} the guess
-  score,        ///< {0} right, {1} of how many
-  idle,
-  idle_at_end,  ///< of the walk
-  nothing_to_save,
-};
-[[nodiscard]] std::string_view english(PredictText id);
-[[nodiscard]] std::string_view portuguese(PredictText id);
 
 namespace detail {
 void set_predictions(State& state, bool on);

@@ -104,9 +104,9 @@ void record_again(State& state) {
   state.planar = is_planar(state.scene());
   Recorded recorded = record_within(state);
   if (recorded.depth < state.scene().limits.depth)
-    inform(state, fill(TextId::too_many_steps, state.language, {std::to_string(recorded.depth)}));
+    inform(state, fill("notice.too_many_steps", state.language, {{"depth", recorded.depth}}));
   if (recorded.samples < state.image.walk_samples)
-    inform(state, fill(PanelText::too_many_samples, state.language, {std::to_string(recorded.samples)}));
+    inform(state, fill("notice.too_many_samples", state.language, {{"samples", recorded.samples}}));
   if (state.bug) state.bug->other = record_other(state, recorded.depth, recorded.samples);
   const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
   state.position = same_place(*state.timeline, state.position, *after);

@@ -76,8 +76,10 @@ void draw_samples(Painter& painter) {
 
   const double unit = painter.sizes.unit, letters = painter.sizes.text, gap = 8 * unit;
   const auto said_of = [&](const std::string& count, double mean, double half) {
-    return fill(PanelText::samples_mean, state.language,
-                {count, number_text(mean, state.language), number_text(half, state.language)});
+    return fill("plan.samples_mean", state.language,
+                {{"samples", count},
+                 {"mean", number_text(mean, state.language)},
+                 {"interval", number_text(half, state.language)}});
   };
   const double longest = text_width(said_of(std::to_string(samples), 0.888, 0.888), letters);
   const double width = std::max(std::min(230 * unit, 0.45 * painter.viewport.width), longest), tall = 92 * unit;

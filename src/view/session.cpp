@@ -104,7 +104,7 @@ void autosave(State& state, double seconds) {
   state.autosave_in = autosave_every;
   state.autosaved_revision = state.revision;
   const Result<void> written = write_autosave(state);
-  if (!written) complain(state, fill(TextId::autosave_failed, state.language, {written.error().text()}));
+  if (!written) complain(state, fill("notice.autosave_failed", state.language, {{"why", written.error().text()}}));
 }
 
 void forget_autosave(State& state) {
@@ -139,7 +139,7 @@ void recover(State& state, const std::string& original, const std::string& autos
   state.dirty = !file || file->scene != state.scene();
   if (state.dirty) state.saved = file ? file->scene : Scene{};
   state.autosaved_revision = 0;
-  inform(state, fill(TextId::recovered, state.language, {document_title(state)}));
+  inform(state, fill("notice.recovered", state.language, {{"file", document_title(state)}}));
 }
 
 void add_recent(State& state, const std::string& path) {

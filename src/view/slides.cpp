@@ -144,7 +144,7 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>\n",
-      language_code(language), title);
+      language.code(), title);
   page += fmt::format(
       "body{{margin:1rem;background:{0};color:{1};font:16px Inter,Helvetica,Arial,sans-serif}}"
       "main{{display:grid;grid-template-columns:minmax(0,2fr) minmax(20rem,1fr);gap:1rem}}"
@@ -174,9 +174,9 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
       "</svg></button><span id=\"count\"></span></div>\n"
       "<input id=\"bar\" type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"{}\"/></div>\n"
       "<div>{}<div id=\"equation\"></div></div></main><template id=\"pause\">{}</template>\n",
-      title, page_size.width, page_size.height, say(PanelText::to_start), say(TextId::button_back),
-      say(TextId::button_step), say(TextId::button_auto), say(PanelText::to_end), state.timeline->steps(),
-      say(PanelText::step_bar), code_of(state), say(TextId::button_pause));
+      title, page_size.width, page_size.height, say("slides.to_start"), say("command.step_back.label"),
+      say("command.step.label"), say("command.play.label"), say("slides.to_end"), state.timeline->steps(),
+      say("slides.step_bar"), code_of(state), say("transport.pause"));
   return page + "<script>\nconst W = " + data + ";" + std::string(script) + "</script></body></html>\n";
 }
 

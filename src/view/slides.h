@@ -1,8 +1,8 @@
 #pragma once
 // A walk as one page of HTML that needs nothing but a browser: it steps offline, by buttons, keys and a bar.
 
-#include "lesson/language.h"
 #include "scene/scene.h"
+#include "text/language.h"
 #include "timeline/timeline.h"
 #include "view/theme.h"
 

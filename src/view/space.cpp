@@ -108,12 +108,12 @@ void reset_view(State& state, SpaceView view) {
 }
 
 void use_image_camera(State& state) {
-  if (!state.image_camera) return inform(state, std::string(text(TextId::camera_is_the_scenes, state.language)));
+  if (!state.image_camera) return inform(state, std::string(text("notice.camera_is_the_scenes", state.language)));
   Scene next = state.scene();
   next.camera = *state.image_camera;
   if (!commit_if_valid(state, std::move(next), -1, -1)) return;
   reset_view(state, SpaceView::image);
-  inform(state, std::string(text(TextId::camera_taken, state.language)));
+  inform(state, std::string(text("notice.camera_taken", state.language)));
 }
 
 void set_image_settings(State& state, ImageSettings settings) {

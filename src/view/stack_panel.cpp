@@ -18,29 +18,30 @@ const RayRecord& ray_of(const Timeline& timeline, int index) {
 
 /// What a call that was made for this kind of ray returns, and what its caller does meanwhile.
 struct ReturnName {
-  PanelText name, waiting;
+  std::string_view name, waiting;
 };
 ReturnName returns(RayKind kind) {
   switch (kind) {
     case RayKind::primary:
     case RayKind::shadow:
-      return {PanelText::name_final, PanelText::waits_final};
+      return {"stack.name_final", "stack.waits_final"};
     case RayKind::reflect:
-      return {PanelText::name_refl, PanelText::waits_refl};
+      return {"stack.name_refl", "stack.waits_refl"};
     case RayKind::refract:
-      return {PanelText::name_refr, PanelText::waits_refr};
+      return {"stack.name_refr", "stack.waits_refr"};
   }
-  return {PanelText::name_final, PanelText::waits_final};
+  return {"stack.name_final", "stack.waits_final"};
 }
 
 std::string ray_text(const State& state, const RayRecord& ray) {
   const Timeline& timeline = *state.timeline;
   if (ray.parent < 0)
-    return fill(PanelText::stack_primary_ray, state.language,
-                {std::to_string(timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column)});
+    return fill("stack.primary_ray", state.language,
+                {{"pixel", timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column}});
   const int from = ray_of(timeline, ray.parent).object;
   const std::string name = from < 0 ? std::string() : state.scene().objects[static_cast<std::size_t>(from)].name;
-  return fill(PanelText::stack_ray_from, state.language, {std::string(text(ray.kind, state.language)), name});
+  return fill("stack.ray_from", state.language,
+              {{"ray", std::string(text(ray.kind, state.language))}, {"object", name}});
 }
 
 /// The SHADE at the end of `ray`'s hit has returned by now: what it brought.
@@ -74,7 +75,7 @@ StackPanel stack_panel(const State& state) {
   const Event* next = timeline.next(state.position);
   const bool running = next != nullptr && !timeline.pixel_done(pixel, state.position);
   const std::string at =
-      running ? fill(PanelText::works_on, state.language, {std::string(pseudocode_of(next->line).text)}) : "";
+      running ? fill("stack.works_on", state.language, {{"line", std::string(pseudocode_of(next->line).text)}}) : "";
 
   // What the row below the present one waits for; the innermost call waits for nothing, it works.
   std::optional<RayKind> waits_for;
@@ -89,15 +90,14 @@ StackPanel stack_panel(const State& state) {
     const int ray_index = timeline.of_paths() ? on_path(timeline, state.position) : frame.ray;
     const RayRecord& ray = ray_of(timeline, ray_index);
     StackRow row;
-    row.title = timeline.of_paths()
-                    ? fill(PanelText::stack_path, state.language, {std::to_string(ran == nullptr ? 1 : ran->depth)})
-                    : fill(PanelText::stack_shade, state.language, {std::to_string(frame.depth)});
+    row.title = timeline.of_paths() ? fill("stack.path", state.language, {{"ray", ran == nullptr ? 1 : ran->depth}})
+                                    : fill("stack.shade", state.language, {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
     if (ray.object >= 0) row.object = state.scene().objects[static_cast<std::size_t>(ray.object)].name;
     const bool returns_now = returning && call == calls.front();
     row.waiting = returns_now
-                      ? fill(PanelText::stack_returns, state.language, {colour_text(frame.returned, state.language)})
+                      ? fill("stack.returns", state.language, {{"colour", colour_text(frame.returned, state.language)}})
                       : waiting();
     for (int i = range.first; i < std::min(range.last, formed); ++i)
       if (ray_of(timeline, i).parent == frame.ray) add_returned(state, i, row.returned);
@@ -105,7 +105,7 @@ StackPanel stack_panel(const State& state) {
     panel.rows.push_back(std::move(row));
   }
   StackRow main;
-  main.title = str(state, timeline.of_paths() ? PanelText::stack_paths : PanelText::stack_main);
+  main.title = str(state, timeline.of_paths() ? "stack.paths" : "stack.main");
   main.waiting = waiting();
   if (range.first < formed && range.first < range.last) add_returned(state, range.first, main.returned);
   panel.rows.push_back(std::move(main));

@@ -70,8 +70,8 @@ bool wants_autosave(const State& state) {
 std::string document_title(const State& state) {
   const std::size_t slash = state.path.find_last_of('/');
   const OpenedLesson* lesson = state.lessons.open.get();
-  const std::string name = state.path.empty() && lesson ? lesson->lesson.words.at(state.language).title
-                           : state.path.empty()         ? std::string(text(TextId::untitled, state.language))
+  const std::string name = state.path.empty() && lesson ? lesson->lesson.told(state.language).title
+                           : state.path.empty()         ? std::string(text("scene.untitled", state.language))
                            : slash == std::string::npos ? state.path
                                                         : state.path.substr(slash + 1);
   return (state.dirty ? "*" : "") + name;

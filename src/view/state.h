@@ -3,10 +3,10 @@
 // screen is a pure function of it.
 
 #include "io/scene_file.h"
-#include "lesson/language.h"
 #include "math/stop.h"
 #include "render/heat.h"
 #include "render/worlds.h"
+#include "text/language.h"
 #include "timeline/stops.h"
 #include "timeline/timeline.h"
 #include "view/bugs.h"
@@ -195,7 +195,7 @@ struct State {
 
   // Appearance.
   Theme theme = Theme::dark;
-  Language language = Language::english;
+  Language language{};
   double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
   Tab tab = Tab::image;
   CostState cost;

@@ -3,7 +3,6 @@
 
 #include "timeline/search_walk.h"
 #include "view/painter.h"
-#include "view/structure_text.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -29,15 +28,15 @@ struct Mark {
 };
 
 std::string label_of(const State& state, const SearchEvent& event) {
-  const auto say = [&](StructureText id) { return std::string(text(id, state.language)); };
+  const auto say = [&](std::string_view id) { return std::string(text(id, state.language)); };
   const bool to_light = state.structure.searches->kind == RayKind::shadow;
   switch (event.skip) {
     case Skip::missed:
-      return say(is_off_plan(state, event.box) ? StructureText::label_off_plan : StructureText::label_missed);
+      return say(is_off_plan(state, event.box) ? "structure.label_off_plan" : "structure.label_missed");
     case Skip::behind:
-      return say(StructureText::label_behind);
+      return say("structure.label_behind");
     case Skip::beyond:
-      return say(to_light ? StructureText::label_light : StructureText::label_beyond);
+      return say(to_light ? "structure.label_light" : "structure.label_beyond");
   }
   return {};
 }

@@ -9,31 +9,16 @@
 
 namespace raywalk {
 
-std::string fill(std::string_view pattern, const std::vector<std::string>& arguments) {
-  std::string result;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const bool placeholder = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}';
-    const auto index = placeholder ? static_cast<std::size_t>(pattern[i + 1] - '0') : 0;
-    if (!placeholder || index >= arguments.size()) {
-      result += pattern[i];
-      continue;
-    }
-    result += arguments[index];
-    i += 2;
-  }
-  return result;
-}
-
 namespace {
 
 std::string met_text(const Met& met, Language language) {
   std::string name = met.object;
-  if (!met.member.empty()) name = fill(PanelText::member_of, language, {met.member, name});
-  if (met.triangle >= 0) name = fill(PanelText::triangle_of, language, {std::to_string(met.triangle), name});
+  if (!met.member.empty()) name = fill("object.member_of", language, {{"member", met.member}, {"group", name}});
+  if (met.triangle >= 0) name = fill("object.triangle_of", language, {{"number", met.triangle}, {"mesh", name}});
   return name;
 }
 
-std::string argument_text(const Argument& argument, Language language) {
+std::string value_text(const Argument& argument, Language language) {
   return std::visit(Overloaded{
                         [](int value) { return std::to_string(value); },
                         [&](double value) { return number_text(value, language); },
@@ -43,10 +28,14 @@ std::string argument_text(const Argument& argument, Language language) {
                         [](const std::string& name) { return name; },
                         [&](const Met& met) { return met_text(met, language); },
                     },
-                    argument);
+                    argument.value);
 }
 
 }  // namespace
+
+std::string_view text(RayKind kind, Language language) { return family_text("ray", ray_kind_name(kind), language); }
+
+std::string_view text(Ending ending, Language language) { return family_text("ending", ending_name(ending), language); }
 
 /// Only letters that every font has.
 std::string_view symbol(Ending ending) {
@@ -77,7 +66,7 @@ std::string_view symbol(Ending ending) {
 
 std::string typeset_number(std::string digits, Language language) {
   constexpr std::string_view minus = "\u2212";
-  std::replace(digits.begin(), digits.end(), '.', decimal_mark(language));
+  std::replace(digits.begin(), digits.end(), '.', language.decimal_mark());
   for (std::size_t at = 0; (at = digits.find('-', at)) != std::string::npos;) digits.replace(at, 1, minus);
   return digits;
 }
@@ -93,7 +82,7 @@ std::string percent_text(double share, Language language) {
   const double percent = 100 * share;
   if (percent == 0) return "0%";
   constexpr double least = 0.001;
-  if (percent < least) return fill(PanelText::percent_under, language, {number_text(least, language)});
+  if (percent < least) return fill("number.percent_under", language, {{"percent", number_text(least, language)}});
   return typeset_number(percent < 1 ? fmt::format("{:.1g}%", percent) : fmt::format("{:.0f}%", percent), language);
 }
 
@@ -101,40 +90,25 @@ std::string colour_text(const Rgbd& c, Language language) {
   // What no display could show is no number worth reading out.
   const auto part = [&](double value) { return number_text(value < 5e-5 ? 0 : value, language); };
   if (c.x == c.y && c.y == c.z) return part(c.x);
-  const std::string_view between = separator(language);
+  const std::string_view between = language.separator();
   return fmt::format("({}{}{}{}{})", part(c.x), between, part(c.y), between, part(c.z));
 }
 
 std::string sentence_of(const Message& message, Language language) {
-  std::vector<std::string> arguments;
-  for (const Argument& argument : message.arguments) arguments.push_back(argument_text(argument, language));
+  TextArguments arguments;
+  for (const Argument& argument : message.arguments) {
+    if (const int* const number = std::get_if<int>(&argument.value))
+      arguments.emplace_back(argument.name, *number);  // which may choose a form
+    else
+      arguments.emplace_back(argument.name, value_text(argument, language));
+  }
   return fill(message.id, language, arguments);
 }
 
-std::span<const Explanation> explanations(Language language) {
-  switch (language) {
-    case Language::english:
-      return english_explanations();
-    case Language::portuguese:
-      return portuguese_explanations();
-  }
-  return {};
-}
-
-std::string_view explanation(TextId property, Language language) {
-  const std::span<const Explanation> all = explanations(language);
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Explanation& e) { return e.property == property; });
-  return found == all.end() ? std::string_view() : found->text;
-}
-
-std::vector<HelpSection> help(Language language) {
-  switch (language) {
-    case Language::english:
-      return english_help();
-    case Language::portuguese:
-      return portuguese_help();
-  }
-  return {};
+std::string_view explanation(std::string_view property, Language language) {
+  const std::string_view name = property.substr(property.rfind('.') + 1);
+  const std::string* const said = language.catalogue().find("explanation." + std::string(name));
+  return said == nullptr ? std::string_view() : std::string_view(*said);
 }
 
 std::string step_text(const Scene& scene, const Timeline& timeline, int position, Language language) {

@@ -60,9 +60,9 @@ void lay_out(TreePanel& panel) {
 
 std::string node_text(const State& state, const TreeNode& node) {
   std::string what(text(node.kind, state.language));
-  if (node.future) return fill(PanelText::node_future, state.language, {what});
-  if (!node.share.empty()) what = fill(PanelText::node_share, state.language, {what, node.share});
-  if (!node.ending) return what + "\n" + std::string(text(PanelText::node_under_way, state.language));
+  if (node.future) return fill("tree.node_future", state.language, {{"ray", what}});
+  if (!node.share.empty()) what = fill("tree.node_share", state.language, {{"ray", what}, {"share", node.share}});
+  if (!node.ending) return what + "\n" + std::string(text("tree.node_under_way", state.language));
   const bool named = *node.ending == Ending::hit || *node.ending == Ending::reached_light;
   const std::string end = named ? std::string(text(*node.ending, state.language)) + ": " + node.label : node.label;
   return what + "\n" + node.symbol + "   " + end;

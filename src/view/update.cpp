@@ -271,7 +271,10 @@ void apply(State& state, const Action& action) {
             refit(state);
           },
           [&](const SetLanguage& a) {
-            state.language = a.language;
+            const std::optional<Language> found = state.language.others().find(a.code);
+            if (!found)
+              return detail::complain(state, fill("notice.no_language", state.language, {{"language", a.code}}));
+            state.language = *found;
             state.notice.reset();  // it speaks the other one
           },
           [&](const SetUiScale& a) {

@@ -41,6 +41,9 @@ TEST_CASE("a lesson's script is written out with its numbers, in either language
   CHECK_THAT(english.out, contains("It meets ") && !contains("{"));
   const Outcome portuguese = folder.run({"lesson", "script", "01", "--language", "pt"});
   CHECK_THAT(portuguese.out, contains("# Lançamento de raios\n"));
+  const Outcome spanish = folder.run({"lesson", "script", "01", "--language", "es"});
+  CHECK(spanish.exit_code == 0);
+  CHECK(spanish.out != english.out);
   const Outcome page = folder.run({"lesson", "script", "1", "-o", "one.html"});
   CHECK(page.exit_code == 0);
   CHECK(page.out == "");

@@ -3,6 +3,7 @@
 #include "gui/style.h"
 #include "io/scene_file.h"
 #include "support/catch.h"
+#include "support/languages.h"
 
 namespace raywalk::test {
 
@@ -12,8 +13,9 @@ State classic() {
   return make_state(std::move(*document));
 }
 
-Bench::Bench(State initial, float width, float height)
+Bench::Bench(State initial, float width, float height, const FontFiles& faces)
     : state(std::move(initial)), interface_(std::string(RAYWALK_SOURCE_DIR) + "/scenes") {
+  if (state.language.others().all().size() == 1) state.language = in_english;  // so that it can be changed
   context_ = ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -21,8 +23,8 @@ Bench::Bench(State initial, float width, float height)
   io.DeltaTime = 1.0f / 60;
   io.ConfigInputTextCursorBlink = false;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as the window's, which draws more than 65,536 vertices
-  // Any face will do, and ImGui's own is the same on every machine.
-  fonts_ = build_fonts(*io.Fonts, {}, 1, 1);
+  // Mostly any face will do, and ImGui's own is the same on every machine.
+  fonts_ = build_fonts(*io.Fonts, faces, 1, 1);
 #if IMGUI_VERSION_NUM >= 19200
   io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
 #else

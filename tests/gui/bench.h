@@ -14,7 +14,7 @@ State classic();
 
 class Bench {
  public:
-  explicit Bench(State initial = classic(), float width = 1280, float height = 720);
+  explicit Bench(State initial = classic(), float width = 1280, float height = 720, const FontFiles& faces = {});
   ~Bench();
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;

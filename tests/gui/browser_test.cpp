@@ -5,6 +5,7 @@
 #include "gui/bench.h"
 #include "gui/folder.h"
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -111,7 +112,7 @@ TEST_CASE("an export's kinds can be seen, and give the name its ending") {
 TEST_CASE("a kind of export that was asked for stays, whatever is typed, and the name follows in sight") {
   const Scenes scenes;
   const std::string root = RAYWALK_SOURCE_DIR;
-  for (const Language language : all_languages) {
+  for (const Language language : all_languages()) {
     State state = classic();
     state.language = language;
     state.lessons.folder = root + "/lessons";

@@ -5,6 +5,7 @@
 #include "gui/bench.h"
 #include "io/file.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "view/action_text.h"
 #include "view/bug_panel.h"
 
@@ -108,21 +109,21 @@ TEST_CASE("everything of a hunt fits into its pane, in both languages, at every 
       bench.dpi = scale;
       bench.unit = scale * factor;
       bench.resize(1280 * scale, 720 * scale);
-      for (const Language language : all_languages) {
-        update(bench.state, action::SetLanguage{language});
+      for (const Language language : all_languages()) {
+        update(bench.state, action::SetLanguage{std::string(language.code())});
         update(bench.state, action::SetLessonOptions{false, true});
         for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
           update(bench.state, action::HuntBug{number});
           bench.frames(3);
           const Rect& pane = bench.interface().layout().lesson;
           for (const char* item : {"bug-mark", "bug-cure", "bugs-list", "bugs-leave", "bugs-close"}) {
-            CAPTURE(language_code(language), number, scale, factor, item);
+            CAPTURE(language.code(), number, scale, factor, item);
             CHECK(inside(bench.rect(item), pane));
           }
           update(bench.state, action::ShowCure{});
           bench.frames(3);
           for (const char* item : {"bug-mend", "bug-surprise", "bugs-list", "bugs-leave"}) {
-            CAPTURE(language_code(language), number, scale, factor, item);
+            CAPTURE(language.code(), number, scale, factor, item);
             CHECK(inside(bench.rect(item), pane));
           }
         }
@@ -134,7 +135,7 @@ TEST_CASE("everything of a hunt fits into its pane, in both languages, at every 
 TEST_CASE("a lesson's line at fault is clicked in the code") {
   Bench bench(with_scenes());
   update(bench.state, action::SetLessonOptions{false, true});
-  update(bench.state, action::SetLanguage{Language::portuguese});
+  update(bench.state, action::SetLanguage{"pt"});
   update(bench.state, action::OpenLesson{"05-refraction"});
   while (!asks_for_line(bench.state)) {
     REQUIRE(bench.state.lessons.at() != nullptr);

@@ -7,6 +7,7 @@
 #include "gui/bench.h"
 #include "gui/commands.h"
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -192,9 +193,9 @@ TEST_CASE("every command has a name, a label and a hint of its own") {
     CAPTURE(command_name(command));
     CHECK_FALSE(command_name(command).empty());
     CHECK_FALSE(command_label(command, state).empty());
-    CHECK_FALSE(command_hint(command, Language::english).empty());
+    CHECK_FALSE(command_hint(command, in_english).empty());
     CHECK(names.insert(std::string(command_name(command))).second);
-    CHECK(hints.insert(command_hint(command, Language::english)).second);
+    CHECK(hints.insert(command_hint(command, in_english)).second);
   }
 }
 

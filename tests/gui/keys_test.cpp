@@ -8,6 +8,7 @@
 #include "gui/key_list.h"
 #include "io/file.h"
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -69,20 +70,20 @@ TEST_CASE("every command is on a key, except the cross that closes a panel") {
   for (int i = 0; i < command_count; ++i) {
     const auto command = static_cast<Command>(i);
     CAPTURE(command_name(command));
-    CHECK(command_key(command, Language::english).empty() == (command == Command::deselect));
+    CHECK(command_key(command, in_english).empty() == (command == Command::deselect));
   }
 }
 
 TEST_CASE("Help and lessons/README.md list the keys of all commands") {
   std::string table, all_keys;
-  for (const KeyListRow& row : key_list(Language::english)) {
+  for (const KeyListRow& row : key_list(in_english)) {
     table += "| " + row.keys + " | " + row.does + " |\n";
     all_keys += row.keys + " \u00b7 ";
   }
   for (int i = 0; i < command_count; ++i) {
     const auto command = static_cast<Command>(i);
     CAPTURE(command_name(command));
-    CHECK_THAT(all_keys, contains(all_command_keys(command, Language::english)));
+    CHECK_THAT(all_keys, contains(all_command_keys(command, in_english)));
   }
   const std::string readme = read_file(std::string(RAYWALK_SOURCE_DIR) + "/lessons/README.md", 1 << 20).value();
   INFO("lessons/README.md should have this table:\n" << table);

@@ -1,43 +1,27 @@
-// The window's own words in both languages, the letters that they need, and how the language is changed.
+// The window's own words in every language, the letters that they need, and how the language is changed.
 
 #include <GLFW/glfw3.h>
 
-#include "../view/language_checks.h"
+#include <algorithm>
+#include <set>
+
 #include "gui/bench.h"
-#include "gui/command_text.h"
 #include "gui/folder.h"
 #include "gui/key_list.h"
-#include "gui/key_text.h"
-#include "gui/window_text.h"
 #include "lesson/lesson.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
 
 namespace {
 
-/// The applet's own words, and what the field calls the same in both languages.
-const std::set<std::string> same_in_both{"STEP",   "AUTO",  "CLEAR", "Double", "Float",
-                                         "double", "float", "3-D",   "Menus",  "Slides"};
-
-std::vector<TextPair> every_text_of_window() {
-  std::vector<TextPair> all;
-  add_family(all, "WindowText", WindowText::key_other);
-  add_family(all, "KeyText", KeyText::name_mouse);
-  for (int i = 0; i < command_count; ++i) {
-    const auto command = static_cast<Command>(i);
-    const CommandText one = english(command), two = portuguese(command);
-    all.push_back({"label", std::string(one.label), std::string(two.label)});
-    all.push_back({"hint", std::string(one.hint), std::string(two.hint)});
-  }
-  return all;
-}
-
-/// The code points of UTF-8, of up to three bytes each.
-std::set<unsigned> letters_of(const std::vector<TextPair>& all) {
+/// The code points of all texts, which are UTF-8 of up to three bytes each.
+std::set<unsigned> letters_of_texts() {
   std::set<unsigned> found;
-  for (const TextPair& pair : all)
-    for (const std::string& text : {pair.english, pair.portuguese})
+  for (const Language language : all_languages())
+    for (const std::string_view id : language.catalogue().ids()) {
+      const std::string_view text = raywalk::text(id, language);
       for (std::size_t i = 0; i < text.size();) {
         const auto byte = [&](std::size_t at) {
           return static_cast<unsigned>(static_cast<unsigned char>(text.at(at)));
@@ -49,17 +33,39 @@ std::set<unsigned> letters_of(const std::vector<TextPair>& all) {
         found.insert(letter);
         i += length;
       }
+    }
   return found;
 }
 
 }  // namespace
 
-TEST_CASE("every text of the window stands in both languages, with the same arguments, and differs") {
-  check_languages(every_text_of_window(), same_in_both);
+TEST_CASE("every command has a word and a hint of its own") {
+  for (const Language language : all_languages())
+    for (int i = 0; i < command_count; ++i) {
+      const std::string name = "command." + std::string(command_name(static_cast<Command>(i)));
+      for (const std::string& id : {name + ".label", name + ".hint"}) {
+        std::string known = id;
+        std::replace(known.begin(), known.end(), '-', '_');
+        INFO(known);
+        CHECK(language.catalogue().find(known) != nullptr);
+      }
+    }
+  // And no text is there for a command that is not.
+  std::set<std::string> names;
+  for (int i = 0; i < command_count; ++i) {
+    std::string name(command_name(static_cast<Command>(i)));
+    std::replace(name.begin(), name.end(), '-', '_');
+    names.insert("command." + name);
+  }
+  for (const std::string_view id : Catalogue::embedded().ids()) {
+    if (!id.starts_with("command.")) continue;
+    INFO(id);
+    CHECK(names.count(std::string(id.substr(0, id.rfind('.')))) == 1);
+  }
 }
 
 TEST_CASE("hints begin with a letter that is made a capital") {
-  for (const Language language : all_languages)
+  for (const Language language : all_languages())
     for (int i = 0; i < command_count; ++i) {
       const std::string hint = command_hint(static_cast<Command>(i), language);
       INFO(hint);
@@ -67,17 +73,13 @@ TEST_CASE("hints begin with a letter that is made a capital") {
     }
 }
 
-TEST_CASE("the installed faces have every letter of every text, in both languages") {
+TEST_CASE("the installed faces have every letter of every text, in every language") {
   const FontFiles files = find_fonts(font_folders(""));
   if (files.text.empty() || files.code.empty()) RAYWALK_SKIP("Inter or JetBrains Mono is not installed");
-  std::vector<TextPair> all = every_text_of_window();
-  for (const TextPair& pair : every_text_of_view()) all.push_back(pair);
-  for (const Language language : all_languages)
-    all.push_back({"name", std::string(language_name(language)), std::string(language_sign(language))});
 #if IMGUI_VERSION_NUM < 19200
   ImFontAtlas atlas;
   const Fonts fonts = build_fonts(atlas, files, 1, 1);
-  for (const unsigned letter : letters_of(all)) {
+  for (const unsigned letter : letters_of_texts()) {
     if (letter == '\n') continue;
     CAPTURE(letter);
     for (const ImFont* font : {fonts.text, fonts.small, fonts.strong, fonts.title})
@@ -86,25 +88,42 @@ TEST_CASE("the installed faces have every letter of every text, in both language
 #endif
 }
 
+TEST_CASE("the menu View holds every language, by the name that its file gives it") {
+  Bench bench;
+  bench.frames(2);
+  for (const Language language : all_languages()) {
+    bench.click("menu-view");
+    bench.frames(2);
+    bench.click("menu/language/" + std::string(language.code()));
+    bench.frames(2);
+    CHECK(bench.state.language == language);
+  }
+}
+
 TEST_CASE("Ctrl+L, the button in the bar and the menu entry change the language while the window is open") {
   Bench bench;
   bench.frames(2);
-  REQUIRE(bench.state.language == Language::english);
-  bench.key(GLFW_KEY_L, true);
-  CHECK(bench.state.language == Language::portuguese);
-  CHECK(command_label(Command::mode_move, bench.state) == "Mover");
+  REQUIRE(bench.state.language == in_english);
+  const std::size_t count = all_languages().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Language before = bench.state.language;
+    CHECK(short_label(Command::language, bench.state) == before.next().sign());
+    bench.key(GLFW_KEY_L, true);
+    CHECK(bench.state.language == before.next());
+    CHECK(command_label(Command::mode_move, bench.state) == text("command.mode_move.label", before.next()));
+  }
+  CHECK(bench.state.language == in_english);
   bench.frames(2);
   bench.click("language");
-  CHECK(bench.state.language == Language::english);
+  CHECK(bench.state.language == in_english.next());
   bench.click("menu-view");
   bench.frames(2);
   bench.click("menu/language");
-  CHECK(bench.state.language == Language::portuguese);
-  CHECK(short_label(Command::language, bench.state) == "EN");
+  CHECK(bench.state.language == in_english.next().next());
 }
 
-TEST_CASE("the keys of the list are the same in both languages but for names that are words") {
-  const auto one = key_list(Language::english), two = key_list(Language::portuguese);
+TEST_CASE("the keys of the list are the same in every language but for names that are words") {
+  const auto one = key_list(in_english), two = key_list(in_portuguese);
   REQUIRE(one.size() == two.size());
   CHECK_THAT(two.front().keys, contains("Espa\u00e7o"));
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -115,20 +134,20 @@ TEST_CASE("the keys of the list are the same in both languages but for names tha
   }
 }
 
-TEST_CASE("in both languages, every button stands in the window and its words within it") {
-  for (const Language language : all_languages)
+TEST_CASE("in every language, every button stands in the window and its words within it") {
+  for (const Language language : all_languages())
     for (const Mode mode : {Mode::move, Mode::trace})
       for (const float scale : {1.0f, 1.5f}) {
         Bench bench;
         bench.unit = scale;
-        update(bench.state, action::SetLanguage{language});
+        update(bench.state, action::SetLanguage{std::string(language.code())});
         update(bench.state, action::SetMode{mode});
         bench.resize(1280, 720);
         bench.frames(3);
         for (const std::string item : {"mode-move", "mode-trace", "mode-help", "undo", "redo", "language", "step",
                                        "step-back", "play", "clear", "tab-image", "tab-legend"}) {
           const Rect where = bench.rect(item);
-          CAPTURE(language_code(language), scale, item, where.x, where.y, where.width, where.height);
+          CAPTURE(language.code(), scale, item, where.x, where.y, where.width, where.height);
           CHECK(where.x >= 0);
           CHECK(where.right() <= 1280);
           CHECK(where.bottom() <= 720);
@@ -136,11 +155,65 @@ TEST_CASE("in both languages, every button stands in the window and its words wi
       }
 }
 
-TEST_CASE("where the tabs have no room in one line they stand in two, in both languages") {
-  for (const Language language : all_languages) {
+TEST_CASE("no word is longer than its button or its place at 1280 x 720, in every language") {
+  const FontFiles faces = find_fonts(font_folders(""));
+  if (faces.text.empty() || faces.code.empty()) RAYWALK_SKIP("Inter or JetBrains Mono is not installed");
+  for (const Language language : all_languages()) {
+    Bench bench(classic(), 1280, 720, faces);
+    update(bench.state, action::SetLanguage{std::string(language.code())});
+    bench.state.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
+    bench.state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+    std::set<std::string> clipped;
+    const auto look = [&] {
+      bench.frames(3);
+      for (const auto& [name, where] : bench.interface().items())
+        if (name.ends_with("/clipped")) clipped.insert(name);
+    };
+    for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
+      update(bench.state, action::SetMode{mode});
+      for (const Tab tab : {Tab::image, Tab::tree, Tab::stack, Tab::legend, Tab::cost, Tab::equation, Tab::microscope,
+                            Tab::structure}) {
+        if (mode != Mode::trace && tab == Tab::structure) continue;  // which goes to Trace
+        update(bench.state, action::SetTab{tab});
+        look();
+      }
+    }
+    update(bench.state, action::SetMode{Mode::move});
+    for (const Target& target :
+         {Target{TargetKind::object, 0}, Target{TargetKind::object, 1}, Target{TargetKind::object, 2},
+          Target{TargetKind::light, 0}, Target{TargetKind::eye}}) {
+      update(bench.state, action::Select{target});
+      look();
+    }
+    update(bench.state, action::Select{});
+    update(bench.state, action::SetMode{Mode::trace});
+    update(bench.state, action::ShowBugs{true});
+    look();
+    update(bench.state, action::HuntBug{1, false});
+    look();
+    update(bench.state, action::LeaveHunt{});
+    update(bench.state, action::ShowBugs{false});
+    for (const bool presents : {false, true}) {
+      update(bench.state, action::SetLessonOptions{presents, true});
+      update(bench.state, action::ShowLessons{true});
+      look();
+      REQUIRE_FALSE(bench.state.lessons.list.empty());
+      update(bench.state, action::OpenLesson{bench.state.lessons.list[0].name});
+      look();
+      update(bench.state, action::LeaveLesson{});
+    }
+    std::string all;
+    for (const std::string& name : clipped) all += name + "\n";
+    INFO(language.code() << ":\n" << all);
+    CHECK(clipped.empty());
+  }
+}
+
+TEST_CASE("where the tabs have no room in one line they stand in two, in every language") {
+  for (const Language language : all_languages()) {
     Bench bench;
-    CAPTURE(language_code(language));
-    update(bench.state, action::SetLanguage{language});
+    CAPTURE(language.code());
+    update(bench.state, action::SetLanguage{std::string(language.code())});
     bench.resize(2600, 900);
     bench.frames(3);
     CHECK(bench.rect("tab-image").y == bench.rect("tab-microscope").y);

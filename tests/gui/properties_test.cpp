@@ -2,6 +2,7 @@
 
 #include "gui/bench.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "view/text.h"
 
 using namespace raywalk;
@@ -17,8 +18,8 @@ State selected(Target target) {
   return state;
 }
 
-std::string field(TextId label, const char* rest = "") {
-  return "property/" + std::string(text(label, Language::english)) + rest;
+std::string field(std::string_view label, const char* rest = "") {
+  return "property/" + std::string(text(label, in_english)) + rest;
 }
 
 // Double-clicks a number and types another one.
@@ -49,14 +50,46 @@ TEST_CASE("a number is typed") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   REQUIRE(std::holds_alternative<Sphere<double>>(bench.state.scene().objects[0].shape));
-  type_into(bench, field(TextId::radius), "0.875");
+  type_into(bench, field("property.radius"), "0.875");
   CHECK(sphere(bench).radius == 0.875);
-  type_into(bench, field(TextId::centre, "/1"), "-1.25");
+  type_into(bench, field("property.centre", "/1"), "-1.25");
   CHECK(sphere(bench).centre.y == -1.25);
   // A comma is what half the world types for the point.
-  type_into(bench, field(TextId::radius), "0,5");
+  type_into(bench, field("property.radius"), "0,5");
   CHECK(sphere(bench).radius == 0.5);
   CHECK(bench.state.undo.size() == 3);
+}
+
+TEST_CASE(
+    "where the language has a comma numbers are typed with it, or with a point, and what is left alone keeps its "
+    "digits") {
+  Bench bench(selected({TargetKind::object, 0}));
+  update(bench.state, action::SetLanguage{"pt"});
+  bench.frames(2);
+  const std::string radius = "property/" + std::string(text("property.radius", in_portuguese));
+  Scene scene = bench.state.scene();
+  std::get<Sphere<double>>(scene.objects[0].shape).radius = 1.0 / 3;
+  update(bench.state, action::SetShape{0, scene.objects[0].shape});
+  bench.frames(2);
+  bench.double_click(radius);
+  bench.frames(3);
+  bench.enter();
+  CHECK(sphere(bench).radius == 1.0 / 3);
+  type_into(bench, radius, "0,875");
+  CHECK(sphere(bench).radius == 0.875);
+  type_into(bench, radius, "0.5");
+  CHECK(sphere(bench).radius == 0.5);
+  // One digit more at the end of what stands there.
+  bench.double_click(radius);
+  bench.key(GLFW_KEY_END);
+  bench.type("25");
+  bench.enter();
+  CHECK((sphere(bench).radius == 0.525 || sphere(bench).radius == 25));
+  type_into(bench, radius, "1,2,3");
+  CHECK(sphere(bench).radius != 1);
+  bench.frames(2);
+  bench.drag(radius, 60, 0);
+  CHECK(sphere(bench).radius > 0.5);
 }
 
 TEST_CASE("numbers outside the format's limits are not taken over") {
@@ -65,7 +98,7 @@ TEST_CASE("numbers outside the format's limits are not taken over") {
   const double before = sphere(bench).radius;
   for (const std::string number : {"-3", "0", "1e300", "nan", "inf", "hello"}) {
     CAPTURE(number);
-    type_into(bench, field(TextId::radius), number);
+    type_into(bench, field("property.radius"), number);
     CHECK(sphere(bench).radius == before);
   }
 }
@@ -74,7 +107,7 @@ TEST_CASE("a number that grows too large while it is typed leaves the one that s
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   const double before = sphere(bench).radius;
-  bench.double_click(field(TextId::radius));
+  bench.double_click(field("property.radius"));
   for (const char digit : std::string("99999999")) bench.type(std::string(1, digit));
   bench.enter();
   CHECK(sphere(bench).radius == before);
@@ -85,11 +118,11 @@ TEST_CASE("of a grey the first number is enough, and the others make it coloured
   bench.frames(2);
   const auto reflection = [&] { return bench.state.scene().objects[0].material.reflection; };
   REQUIRE((reflection().x == reflection().y && reflection().y == reflection().z));
-  type_into(bench, field(TextId::reflection, "/0"), "0.75");
+  type_into(bench, field("property.reflection", "/0"), "0.75");
   CHECK(reflection() == Rgbd(0.75));
-  type_into(bench, field(TextId::reflection, "/1"), "0.5");
+  type_into(bench, field("property.reflection", "/1"), "0.5");
   CHECK(reflection() == Rgbd(0.75, 0.5, 0.75));
-  type_into(bench, field(TextId::reflection, "/0"), "0.25");
+  type_into(bench, field("property.reflection", "/0"), "0.25");
   CHECK(reflection() == Rgbd(0.25, 0.5, 0.75));
 }
 
@@ -97,8 +130,8 @@ TEST_CASE("what is refused is explained below its field and gone when the field 
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   const double before = sphere(bench).radius;
-  const std::string refused = field(TextId::radius, "/refused");
-  bench.double_click(field(TextId::radius));
+  const std::string refused = field("property.radius", "/refused");
+  bench.double_click(field("property.radius"));
   bench.type("-3");
   bench.frames(2);
   CHECK(bench.has(refused));
@@ -106,33 +139,34 @@ TEST_CASE("what is refused is explained below its field and gone when the field 
   CHECK(bench.has(refused));
   CHECK(sphere(bench).radius == before);
   // The next thing that is typed ends it.
-  type_into(bench, field(TextId::centre, "/0"), "1.5");
+  type_into(bench, field("property.centre", "/0"), "1.5");
   CHECK_FALSE(bench.has(refused));
   CHECK(sphere(bench).centre.x == 1.5);
-  type_into(bench, field(TextId::radius), "0.75");
+  type_into(bench, field("property.radius"), "0.75");
   CHECK_FALSE(bench.has(refused));
   CHECK(sphere(bench).radius == 0.75);
 }
 
 TEST_CASE("what a property means is said where it stands") {
-  for (const TextId id : {TextId::ambient, TextId::diffuse, TextId::specular, TextId::shininess, TextId::reflection,
-                          TextId::transmission, TextId::ior, TextId::dielectric, TextId::priority,
-                          TextId::filtered_shadow, TextId::attenuation, TextId::depth_limit, TextId::threshold})
-    CHECK_FALSE(explanation(id, Language::english).empty());
+  for (const std::string_view id :
+       {"property.ambient", "property.diffuse", "property.specular", "property.shininess", "property.reflection",
+        "property.transmission", "property.ior", "property.dielectric", "property.priority", "property.filtered_shadow",
+        "property.attenuation", "property.depth_limit", "property.threshold"})
+    CHECK_FALSE(explanation(id, in_english).empty());
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
-  CHECK(bench.has(field(TextId::diffuse, "/label")));
-  CHECK(bench.has(field(TextId::dielectric, "/label")));
+  CHECK(bench.has(field("property.diffuse", "/label")));
+  CHECK(bench.has(field("property.dielectric", "/label")));
 }
 
 TEST_CASE("dragging a number is one entry of undo") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   const double before = sphere(bench).radius;
-  bench.drag(field(TextId::radius), 60, 0);
+  bench.drag(field("property.radius"), 60, 0);
   CHECK(sphere(bench).radius > before);
   CHECK(bench.state.undo.size() == 1);
-  bench.drag(field(TextId::radius), -30, 0);
+  bench.drag(field("property.radius"), -30, 0);
   CHECK(bench.state.undo.size() == 2);
   bench.key(GLFW_KEY_Z, true);
   bench.key(GLFW_KEY_Z, true);
@@ -143,14 +177,14 @@ TEST_CASE("materials are edited with numbers, boxes and a palette") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   const auto material = [&] { return bench.state.scene().objects[0].material; };
-  type_into(bench, field(TextId::diffuse, "/2"), "0.5");
+  type_into(bench, field("property.diffuse", "/2"), "0.5");
   CHECK(material().diffuse.z == 0.5);
   const bool before = material().dielectric;
-  bench.click(field(TextId::dielectric));
+  bench.click(field("property.dielectric"));
   CHECK(material().dielectric != before);
   const Rgbd diffuse = material().diffuse;
-  bench.click(field(TextId::diffuse, "/swatch"));
-  const Rect picker = bench.rect(field(TextId::diffuse, "/palette"));
+  bench.click(field("property.diffuse", "/swatch"));
+  const Rect picker = bench.rect(field("property.diffuse", "/palette"));
   bench.move_to(picker.x + picker.width / 4, picker.y + picker.height / 4);
   bench.press();
   bench.release();
@@ -161,7 +195,7 @@ TEST_CASE("an object is renamed when the typing has ended, not letter by letter"
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   const std::string before = bench.state.scene().objects[0].name;
-  bench.double_click(field(TextId::name));
+  bench.double_click(field("property.name"));
   bench.type("Moon");
   CHECK(bench.state.scene().objects[0].name == before);
   bench.enter();
@@ -174,7 +208,7 @@ TEST_CASE("an object is renamed when the typing has ended, not letter by letter"
 TEST_CASE("letters typed into a field are not commands") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
-  bench.double_click(field(TextId::name));
+  bench.double_click(field("property.name"));
   bench.forget();
   bench.key(GLFW_KEY_C);
   bench.key(GLFW_KEY_DELETE);
@@ -195,24 +229,24 @@ TEST_CASE("the keyboard gets into the properties") {
 TEST_CASE("lights, the camera and the scene have properties") {
   Bench bench(selected({TargetKind::light, 0}));
   bench.frames(2);
-  type_into(bench, field(TextId::strength, "/0"), "0.25");
+  type_into(bench, field("property.strength", "/0"), "0.25");
   CHECK(bench.state.scene().lights[0].strength.x == 0.25);
-  type_into(bench, field(TextId::attenuation, "/1"), "0.125");
+  type_into(bench, field("property.attenuation", "/1"), "0.125");
   CHECK(std::get<PointLight>(bench.state.scene().lights[0].kind).attenuation.linear == 0.125);
 
   update(bench.state, action::Select{{TargetKind::eye}});
   bench.frames(2);
-  type_into(bench, field(TextId::screen_distance), "1.75");
+  type_into(bench, field("property.screen_distance"), "1.75");
   CHECK(bench.state.scene().camera.screen.distance == 1.75);
-  type_into(bench, field(TextId::background, "/0"), "0.5");
+  type_into(bench, field("property.background", "/0"), "0.5");
   CHECK(bench.state.scene().background.x == 0.5);
-  type_into(bench, field(TextId::threshold), "0.01");
+  type_into(bench, field("property.threshold"), "0.01");
   CHECK(bench.state.scene().limits.threshold == 0.01);
   // Whole numbers have buttons beside them, and what is typed takes the place of what stood there.
-  type_into(bench, field(TextId::depth_limit), "12");
+  type_into(bench, field("property.depth_limit"), "12");
   CHECK(bench.state.scene().limits.depth == 12);
-  type_into(bench, field(TextId::screen_cells), "33");
+  type_into(bench, field("property.screen_cells"), "33");
   CHECK(bench.state.scene().camera.screen.cells == 33);
-  type_into(bench, field(TextId::depth_limit), "0");
+  type_into(bench, field("property.depth_limit"), "0");
   CHECK(bench.state.scene().limits.depth == 12);
 }

@@ -11,6 +11,7 @@
 #include "gui/loading.h"
 #include "gui/report.h"
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -23,7 +24,8 @@ GuiOptions options(const Folder& folder) {
   GuiOptions result;
   result.data_dir = RAYWALK_SOURCE_DIR;
   result.state_dir = folder / "state";
-  result.language = Language::english;
+  result.languages = shipped_texts().languages;
+  result.language = in_english;
   return result;
 }
 
@@ -99,7 +101,7 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
-  const Settings chosen{Theme::projector, 2.25, Tab::tree, Language::portuguese, false};
+  const Settings chosen{Theme::projector, 2.25, Tab::tree, in_portuguese, false};
   write_settings(folder / "state", chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);
@@ -127,19 +129,19 @@ TEST_CASE("the language is the option's, else the one that was kept, else the en
   };
   wanted.language.reset();
   environment("", "", "pt_BR.UTF-8");
-  CHECK(start(wanted)->language == Language::portuguese);
+  CHECK(start(wanted)->language == in_portuguese);
   environment("", "en_US.UTF-8", "pt_BR.UTF-8");
-  CHECK(start(wanted)->language == Language::english);
+  CHECK(start(wanted)->language == in_english);
   environment("pt", "C", "C");
-  CHECK(start(wanted)->language == Language::portuguese);
+  CHECK(start(wanted)->language == in_portuguese);
   environment("", "", "");
-  CHECK(start(wanted)->language == Language::english);
+  CHECK(start(wanted)->language == in_english);
   environment("de_DE.UTF-8", "pt_PT", "pt_PT");
-  CHECK(start(wanted)->language == Language::english);
-  write_settings(folder / "state", {Theme::dark, 1, Tab::image, Language::portuguese});
-  CHECK(start(wanted)->language == Language::portuguese);
-  wanted.language = Language::english;
-  CHECK(start(wanted)->language == Language::english);
+  CHECK(start(wanted)->language == in_english);
+  write_settings(folder / "state", {Theme::dark, 1, Tab::image, "pt"});
+  CHECK(start(wanted)->language == in_portuguese);
+  wanted.language = in_english;
+  CHECK(start(wanted)->language == in_english);
 }
 
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {
@@ -204,10 +206,10 @@ TEST_CASE("the word about it is in the language of the window") {
   const Folder folder;
   GuiOptions wanted = options(folder);
   Settings settings;
-  settings.language = Language::portuguese;
-  CHECK(language_for(wanted, settings) == Language::english);
+  settings.language = "pt";
+  CHECK(language_for(wanted, settings) == in_english);
   wanted.language.reset();
-  CHECK(language_for(wanted, settings) == Language::portuguese);
+  CHECK(language_for(wanted, settings) == in_portuguese);
 }
 
 TEST_CASE("a demo hands its actions out one by one, at a walking pace") {

@@ -19,10 +19,10 @@ struct Floor {
 };
 
 // From the design. `lesson`, `study` and `check` share a floor, so none may include another.
-constexpr std::array floors{Floor{"math", 0},   Floor{"shape", 1}, Floor{"accel", 2},  Floor{"scene", 3},
-                            Floor{"io", 4},     Floor{"trace", 5}, Floor{"render", 6}, Floor{"timeline", 7},
-                            Floor{"lesson", 8}, Floor{"study", 8}, Floor{"check", 8},  Floor{"view", 9},
-                            Floor{"gui", 10},   Floor{"app", 11}};
+constexpr std::array floors{Floor{"math", 0},     Floor{"text", 1},   Floor{"shape", 1}, Floor{"accel", 2},
+                            Floor{"scene", 3},    Floor{"io", 4},     Floor{"trace", 5}, Floor{"render", 6},
+                            Floor{"timeline", 7}, Floor{"lesson", 8}, Floor{"study", 8}, Floor{"check", 8},
+                            Floor{"view", 9},     Floor{"gui", 10},   Floor{"app", 11}};
 
 std::optional<Floor> floor_named(std::string_view name) {
   const auto* found = std::find_if(floors.begin(), floors.end(), [&](const Floor& f) { return f.name == name; });

@@ -14,11 +14,11 @@ const std::string source_root = RAYWALK_SOURCE_DIR;
 const LessonCheckSettings claim_settings{source_root + "/scenes", source_root + "/lessons/words"};
 
 const ClaimWords& english_words() {
-  static const ClaimWords words = read_claim_words(claim_settings.words_folder).value().at(Language::english);
+  static const ClaimWords words = read_claim_words(claim_settings.words_folder).value().at("en");
   return words;
 }
 const ClaimWords& portuguese_words() {
-  static const ClaimWords words = read_claim_words(claim_settings.words_folder).value().at(Language::portuguese);
+  static const ClaimWords words = read_claim_words(claim_settings.words_folder).value().at("pt");
   return words;
 }
 
@@ -47,10 +47,8 @@ LessonCheck checked(const std::string& steps, const std::string& english, const 
   auto lesson = parse_lesson(steps, "lesson.toml");
   if (!lesson) return {{lesson.error()}, {}};
   lesson->folder = "folder";
-  for (const Language language : all_languages)
-    lesson->words.emplace(language, parse_words(language == Language::portuguese ? portuguese : english,
-                                                std::string(language_code(language)) + ".md")
-                                        .value());
+  for (const std::string code : {"en", "pt"})
+    lesson->words.emplace(code, parse_words(code == "pt" ? portuguese : english, code + ".md").value());
   LessonCheckSettings wanted = claim_settings;
   wanted.seeds = seeds;
   return check_lesson(*lesson, wanted);
@@ -214,7 +212,7 @@ TEST_CASE("other seeds change what is drawn, and nothing else") {
 TEST_CASE("each list of words has the same names, and names file and line where it is wrong") {
   const auto lists = read_claim_words(claim_settings.words_folder);
   REQUIRE(lists);
-  CHECK(lists->size() == all_languages.size());
+  CHECK(lists->size() >= 3);
   for (const char* word : {"half", "twice", "root", "same", "times", "exact"})
     for (const auto& [language, list] : *lists) CHECK(list.forms.contains(word));
   const auto wrong = parse_claim_words("half = [\"half\"]\ntwice = \"double\"\n", "en.toml");

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 
@@ -97,11 +98,10 @@ Result<Lesson> lesson_of(const std::string& steps, const std::string& english, c
   auto lesson = parse_lesson(steps, "lesson.toml");
   if (!lesson) return lesson;
   lesson->folder = "folder";
-  for (const auto& [language, text] :
-       {std::pair(Language::english, english), std::pair(Language::portuguese, portuguese)}) {
-    const auto words = parse_words(text, std::string(language_code(language)) + ".md");
+  for (const auto& [language, text] : {std::pair(in_english, english), std::pair(in_portuguese, portuguese)}) {
+    const auto words = parse_words(text, std::string(language.code()) + ".md");
     if (!words) return tl::unexpected(words.error());
-    lesson->words.emplace(language, *words);
+    lesson->words.emplace(language.code(), *words);
   }
   return lesson;
 }
@@ -158,8 +158,8 @@ TEST_CASE("words are filled in from the trace") {
   const PlayedStep& step = played.steps[0];
   const double t = std::get<Found>(step.walk->timeline.event(step.shown - 1).detail).t;
   const Passage passage{"{t:3} of {object}, {scene(\"limits.depth\")}", 1};
-  CHECK(filled(played, 0, step.shown, passage, Language::english).value() == text_of(t, 3) + " of Solid Sphere, 5");
-  CHECK(filled(played, 0, step.shown, {"{t:3}", 1}, Language::portuguese).value() == text_of(t, 3, ','));
+  CHECK(filled(played, 0, step.shown, passage, in_english).value() == text_of(t, 3) + " of Solid Sphere, 5");
+  CHECK(filled(played, 0, step.shown, {"{t:3}", 1}, in_portuguese).value() == text_of(t, 3, ','));
 }
 
 TEST_CASE("a good lesson has no fault") { CHECK(faults(good_steps) == ""); }

@@ -1,6 +1,7 @@
 #include "view/action_text.h"
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 
@@ -79,7 +80,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {RevealLesson{}, "reveal"},
       {SetLessonOptions{true, false}, "lesson-options presenter"},
       {SetLessonOptions{true, true, true}, "lesson-options presenter unlocked without-notes"},
-      {SetLanguage{Language::portuguese}, "language pt"},
+      {SetLanguage{"pt"}, "language pt"},
       {ShowBugs{true}, "bugs on"},
       {HuntBug{4}, "hunt-bug 4"},
       {HuntBug{2, true}, "hunt-bug 2 surprise"},

@@ -9,6 +9,7 @@
 
 #include "lesson_state.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "view/equation.h"
 #include "view/microscope.h"
 #include "view/panels.h"
@@ -93,7 +94,8 @@ std::vector<double> numbers_in(const std::string& text, Language language) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (!digit(at) || (at > 0 && (std::isalpha(static_cast<unsigned char>(text[at - 1])) != 0))) continue;
     std::string number;
-    for (bool decimals = false; digit(at) || (!decimals && text[at] == decimal_mark(language) && digit(at + 1)); ++at) {
+    for (bool decimals = false; digit(at) || (!decimals && text[at] == language.decimal_mark() && digit(at + 1));
+         ++at) {
       decimals = decimals || !digit(at);
       number += digit(at) ? text[at] : '.';
     }
@@ -179,7 +181,7 @@ struct Asked {
 Asked asked_of(const State& state) {
   const LessonSitting& sitting = state.lessons;
   const PlayedStep& step = *sitting.at();
-  Asked asked{step, *sitting.open->lesson.words.at(state.language).find(step.step->id), std::nullopt};
+  Asked asked{step, *sitting.open->lesson.told(state.language).find(step.step->id), std::nullopt};
   const auto value = [&](const Expression& formula) {
     return value_at(sitting.open->played, static_cast<std::size_t>(sitting.step), step.shown, formula).value();
   };
@@ -197,7 +199,7 @@ void look_for_number(const std::string& lesson, const State& state, const Asked&
     if (std::abs(number - *asked.number) > question.tolerance + 1e-9) continue;
     if (is_coincidence(lesson, asked.step.step->id, said.where, fmt::format("{}", number))) continue;
     FAIL_CHECK(fmt::format("{} {} {}: {} shows {} (the answer is {}): {}", lesson, asked.step.step->id,
-                           language_code(state.language), said.where, number, *asked.number, said.text));
+                           state.language.code(), said.where, number, *asked.number, said.text));
   }
 }
 
@@ -217,7 +219,7 @@ void look_for_choice(const std::string& lesson, const State& state, const Asked&
   for (std::size_t i = 0; i < choices.size(); ++i)
     if (i != right && tells(i)) return;  // two of them are named: neither is told
   if (is_coincidence(lesson, asked.step.step->id, said.where, asked.words.choices[right].text)) return;
-  FAIL_CHECK(fmt::format("{} {} {}: {} tells \"{}\": {}", lesson, asked.step.step->id, language_code(state.language),
+  FAIL_CHECK(fmt::format("{} {} {}: {} tells \"{}\": {}", lesson, asked.step.step->id, state.language.code(),
                          said.where, asked.words.choices[right].text, said.text));
 }
 
@@ -262,8 +264,8 @@ TEST_CASE("no step shows its answer before it is given, in any language") {
       update(state, action::GoToLessonStep{step});
       REQUIRE(state.lessons.step == step);
       if (!state.lessons.at()->step->question) continue;
-      for (const Language language : all_languages) {
-        update(state, action::SetLanguage{language});
+      for (const Language language : test::all_languages()) {
+        update(state, action::SetLanguage{std::string(language.code())});
         const Asked asked = asked_of(state);
         const LessonQuestion& question = *asked.step.step->question;
         CHECK(state.position == asked.step.asked);

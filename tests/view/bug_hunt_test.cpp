@@ -7,8 +7,8 @@
 
 #include "fixtures.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "view/bug_panel.h"
-#include "view/bug_text.h"
 #include "view/panels.h"
 #include "view/text.h"
 
@@ -16,6 +16,10 @@ using namespace raywalk;
 using namespace raywalk::test;
 
 namespace {
+
+std::string said_of(Fault fault, const std::string& what) {
+  return fill("fault." + std::string(fault_name(fault)) + "." + what, in_english);
+}
 
 // The busy scene, with work in it that is not saved, in a folder of its own.
 State at_work(const TemporaryFolder& folder) {
@@ -101,9 +105,9 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     CHECK_FALSE(marked_line(state));
     BugPanel panel = bug_panel(state);
     CHECK_FALSE(panel.is_right);
-    CHECK_THAT(panel.verdict, contains(std::string(text(DutyOf{wrong}, Language::english))));
+    CHECK_THAT(panel.verdict, contains(std::string(text(DutyOf{wrong}, in_english))));
     REQUIRE(panel.learnt.size() == 1);
-    CHECK(panel.learnt[0].text == text(FaultTextOf{state.bug->fault, FaultText::hint}, Language::english));
+    CHECK(panel.learnt[0].text == said_of(state.bug->fault, "hint"));
     CHECK(panel.tally.empty());
 
     update(state, action::MarkLine{right});
@@ -112,8 +116,8 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     panel = bug_panel(state);
     CHECK(panel.is_right);
     CHECK_THAT(panel.verdict, contains(std::string(pseudocode_of(right).text)));
-    CHECK(panel.learnt[0].text == text(FaultTextOf{state.bug->fault, FaultText::wrong}, Language::english));
-    CHECK(panel.learnt[1].text == text(FaultTextOf{state.bug->fault, FaultText::cure}, Language::english));
+    CHECK(panel.learnt[0].text == said_of(state.bug->fault, "wrong"));
+    CHECK(panel.learnt[1].text == said_of(state.bug->fault, "cure"));
     CHECK(panel.tally == "1 of 8 found");
     // It is over: nothing more is asked.
     CHECK_FALSE(asks_for_line(state));
@@ -176,7 +180,7 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
     CHECK(shades(*state.bug->other) == broken);
     CHECK_FALSE(fault_at_work(state));
     CHECK(state.image_revision > picture);
-    CHECK(bug_banner(state) == text(BugText::banner_mended, Language::english));
+    CHECK(bug_banner(state) == text("bug.banner_mended", in_english));
     CHECK(broken_promise(state).empty());
     update(state, action::MendBug{false});
     CHECK(shades(*state.timeline) == broken);
@@ -322,7 +326,7 @@ TEST_CASE("a surprise is a bug that is not found yet, and its number is not told
     CHECK(surprising_bug(bugs, draw) <= static_cast<int>(all_faults.size()));
   }
   State state = hunting(6, true);
-  CHECK(bug_panel(state).heading == text(BugText::surprise_title, Language::english));
+  CHECK(bug_panel(state).heading == text("bug.surprise_title", in_english));
   update(state, action::ShowCure{});
   CHECK(bug_panel(state).heading == "Bug 6");
 }

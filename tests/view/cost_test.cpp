@@ -3,6 +3,7 @@
 
 #include "fixtures.h"
 #include "support/catch.h"
+#include "support/languages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,9 +152,9 @@ TEST_CASE("each effect has a bar as long as its share of the rays, and one of th
   for (const char* expected : {"penumbra", "50% of the rays", "25% of the time (20% to 30%)", "textures",
                                "0% of the rays", "\u22121% of the time (\u22122% to 1%)", "25% of the rays"})
     CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
-  CHECK(survey_text(survey, 1, Language::english) ==
+  CHECK(survey_text(survey, 1, in_english) ==
         "All together: 1000 rays in 0.5 s. Every effect, called for or not: 9 times the rays, 4 times the time.");
-  CHECK(survey_text({}, 0.25, Language::english) == "measuring: 25%");
+  CHECK(survey_text({}, 0.25, in_english) == "measuring: 25%");
   CHECK(effect_bars(state, {}, 800, 300, 1).empty());
   // However small.
   CHECK(is_finite(effect_bars(state, survey, 10, 5, 2)));
@@ -163,17 +164,16 @@ TEST_CASE("each effect has a bar as long as its share of the rays, and one of th
 
 TEST_CASE("a setup is named by what sets it apart") {
   study::Setup usual, other;
-  CHECK(setup_text(usual, usual, Language::english) == "16 samples, jittered");
+  CHECK(setup_text(usual, usual, in_english) == "16 samples, jittered");
   other.samples = 1, other.depth = 2, other.single_precision = true, other.accelerator = AcceleratorKind::grid;
-  CHECK(setup_text(other, usual, Language::english) == "1 sample, depth 2, float, grid");
+  CHECK(setup_text(other, usual, in_english) == "1 sample, depth 2, float, grid");
   other = usual;
   other.sampler = Sampler::sobol, other.tolerance = 0.02, other.light_grid = 3, other.threshold = 0.1;
-  CHECK(setup_text(other, usual, Language::english) ==
-        "16 samples, sobol, tolerance 0.02, 3 x 3 per light, threshold 0.1");
+  CHECK(setup_text(other, usual, in_english) == "16 samples, sobol, tolerance 0.02, 3 x 3 per light, threshold 0.1");
   other = usual;
   other.numerics = Numerics::naive, other.epsilon = 0.01;
-  CHECK(setup_text(other, usual, Language::english) == "16 samples, jittered, naive, epsilon 0.01");
-  CHECK(setup_text(usual, other, Language::english) == "16 samples, jittered, robust");
+  CHECK(setup_text(other, usual, in_english) == "16 samples, jittered, naive, epsilon 0.01");
+  CHECK(setup_text(usual, other, in_english) == "16 samples, jittered, robust");
 }
 
 TEST_CASE("what an attempt cost is told in one line") {
@@ -187,7 +187,7 @@ TEST_CASE("what an attempt cost is told in one line") {
   CHECK(attempt_text(state, {attempts, 0, 0}, 0) == "4 samples, jittered: error ?; 1.23 M rays, 12.3 M tests, 1.23 s");
   attempts[0].done = 0.25;
   CHECK(attempt_text(state, {attempts, 0, 0}, 0) == "4 samples, jittered: tracing: 25%");
-  CHECK(reference_text({attempts, 0.002, 256}, Language::english) ==
+  CHECK(reference_text({attempts, 0.002, 256}, in_english) ==
         "reference: 256 samples a pixel, its own error about 0.002");
   CHECK(attempt_text(state, {attempts, 0, 0}, 5).size() > 10);
 }

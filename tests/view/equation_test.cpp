@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -112,7 +113,7 @@ TEST_CASE("a whole walk never shows a number that is not the trace's own") {
         for (const double value : row.values) {
           REQUIRE(std::any_of(known.begin(), known.end(), [&](double each) { return close(each, value); }));
           // And the text shows it, in its place.
-          const std::string shown = equation_number(value, Language::english);
+          const std::string shown = equation_number(value, in_english);
           at = row.text.find(shown, at);
           REQUIRE(at != std::string::npos);
           at += shown.size();
@@ -219,7 +220,7 @@ TEST_CASE("beside the hit stand its t and its angle while the equation is shown,
   while (hit_notes(state).angle.empty()) update(state, action::Step{});
   const auto& found = std::get<Found>(state.timeline->event(state.position - 1).detail);
   const HitNotes notes = hit_notes(state);
-  CHECK(notes.t == "t = " + equation_number(found.t, Language::english));
+  CHECK(notes.t == "t = " + equation_number(found.t, in_english));
   const auto texts = [&] {
     std::vector<std::string> all;
     for (const DisplayItem& item : plan_view(state))

@@ -5,6 +5,7 @@
 #include "io/file.h"
 #include "io/markup.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "view/lesson_script.h"
 #include "view/slides.h"
 #include "view/text.h"
@@ -43,8 +44,8 @@ TEST_CASE("the ending says what is written") {
     CHECK(state.notice->kind == Notice::Kind::info);
     return contents(folder.file(name));
   };
-  CHECK(written("walk.txt") == transcript(state.scene(), *state.timeline, Language::english));
-  CHECK(written("walk.HTML") == slides_page(state.scene(), state.timeline, Language::english, state.theme));
+  CHECK(written("walk.txt") == transcript(state.scene(), *state.timeline, in_english));
+  CHECK(written("walk.HTML") == slides_page(state.scene(), state.timeline, in_english, state.theme));
   const std::string plan = written("plan.svg");
   CHECK(plan.find("<svg") != std::string::npos);
   CHECK(plan.find("Solid Sphere") != std::string::npos);
@@ -103,7 +104,7 @@ TEST_CASE("the script of the open lesson is written, and without one it is said 
   update(state, action::OpenLesson{"05-refraction"});
   REQUIRE(state.lessons.open);
   update(state, action::Export{path});
-  CHECK(contents(path) == lesson_script(state.lessons.open->played, Language::english, ScriptForm::page));
+  CHECK(contents(path) == lesson_script(state.lessons.open->played, in_english, ScriptForm::page));
 }
 
 TEST_CASE("a script has all that its presenter needs, with the answers of the trace") {
@@ -114,7 +115,7 @@ TEST_CASE("a script has all that its presenter needs, with the answers of the tr
     REQUIRE(lesson);
     const PlayedLesson played = play_lesson(*lesson, root + "/scenes");
     REQUIRE(played.errors.empty());
-    for (const Language language : all_languages) {
+    for (const Language language : all_languages()) {
       const std::string text = lesson_script(played, language, ScriptForm::markdown);
       const std::string page = lesson_script(played, language, ScriptForm::page);
       std::size_t answers = 0, asked = 0;
@@ -123,7 +124,7 @@ TEST_CASE("a script has all that its presenter needs, with the answers of the tr
         asked += step.question && !std::holds_alternative<ArrowQuestion>(*step.question) ? 1U : 0U;
       CHECK(answers == asked);
       CHECK(text.find('{') == std::string::npos);
-      const LessonWords& words = lesson->words.at(language);
+      const LessonWords& words = lesson->told(language);
       for (const StepWords& step : words.steps) {
         CHECK(text.find(step.heading) != std::string::npos);
         CHECK(page.find(escaped(step.heading)) != std::string::npos);
@@ -139,7 +140,7 @@ TEST_CASE("a script has all that its presenter needs, with the answers of the tr
   }
   const auto lesson = read_lesson(root + "/lessons/05-refraction");
   const PlayedLesson played = play_lesson(*lesson, root + "/scenes");
-  const std::string text = lesson_script(played, Language::english, ScriptForm::markdown);
+  const std::string text = lesson_script(played, in_english, ScriptForm::markdown);
   CHECK(text.find("3. larger \u2713") != std::string::npos);
   CHECK(text.find("\n24.6\u00b0 \u2713") != std::string::npos);
   CHECK(text.find("\nForm refract ray \u2713") != std::string::npos);

@@ -4,6 +4,7 @@
 #include "view/text.h"
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -54,7 +55,7 @@ TEST_CASE("a scene that ships is kept as it is: Save asks for another name, and 
   update(state, action::Save{});
   CHECK(state.prompt == PathPrompt::save_as);
   REQUIRE(state.notice);
-  CHECK(state.notice->text == text(TextId::save_elsewhere, Language::english));
+  CHECK(state.notice->text == text("notice.save_elsewhere", in_english));
   update(state, action::SaveAs{folder.file("shipped.toml")});
   REQUIRE(state.question);
   CHECK(state.question->kind == Question::Kind::overwrite);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 namespace raywalk::test {
 
@@ -30,6 +31,7 @@ SceneDocument read_document(const std::string& path) {
 
 State state_of(const Scene& scene) {
   State state = make_state({scene, {}, {}});
+  state.language = in_english;
   update(state, action::ResizePlan{{800, 600}});
   return state;
 }
@@ -37,6 +39,7 @@ State state_of(const Scene& scene) {
 State classic_state() {
   const std::string path = std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml";
   State state = make_state(read_document(path), path);
+  state.language = in_english;
   update(state, action::ResizePlan{{800, 600}});
   return state;
 }

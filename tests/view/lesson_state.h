@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fixtures.h"
+#include "support/languages.h"
 #include "view/lesson_panel.h"
 
 namespace raywalk::test {
@@ -10,6 +11,7 @@ namespace raywalk::test {
 inline State state_with_lessons() {
   const std::string root = RAYWALK_SOURCE_DIR;
   State state = make_state(read_scene(root + "/scenes/classic.toml").value());
+  state.language = in_english;
   state.lessons.folder = root + "/lessons";
   state.lessons.scenes_folder = root + "/scenes";
   state.viewport = {800, 600};

@@ -71,7 +71,7 @@ TEST_CASE("of very many objects 1,500 are drawn, the largest among them, and the
   }
   CHECK(list.size() < 10'000);
   CHECK(text_with(list, "1,500 of 2,000 objects") != nullptr);
-  update(state, action::SetLanguage{Language::portuguese});
+  update(state, action::SetLanguage{"pt"});
   CHECK(text_with(lines_view(state, state.viewport), "1.500 de 2.000 objetos") != nullptr);
   CHECK(text_with(lines_view(lines_of(crowd(1500)), state.viewport), "1,500") == nullptr);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -192,8 +193,8 @@ TEST_CASE("acne is called acne, and robust numerics are said to leave") {
 }
 
 TEST_CASE("numbers of ulps are short") {
-  CHECK(ulps_text(0.25, Language::english) == "0.2");
-  CHECK(ulps_text(3, Language::english) == "3.0");
-  CHECK(ulps_text(1678.2, Language::english) == "1678");
-  CHECK(ulps_text(4.5e11, Language::english) == "4.5e11");
+  CHECK(ulps_text(0.25, in_english) == "0.2");
+  CHECK(ulps_text(3, in_english) == "3.0");
+  CHECK(ulps_text(1678.2, in_english) == "1678");
+  CHECK(ulps_text(4.5e11, in_english) == "4.5e11");
 }

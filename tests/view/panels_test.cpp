@@ -228,22 +228,22 @@ TEST_CASE("the stack lists the open calls, innermost first, and what each waits 
     if (returning) {
       const FrameRecord& frame = state.timeline->frames()[static_cast<std::size_t>(calls.front())];
       REQUIRE(panel.rows.front().waiting ==
-              fill(PanelText::stack_returns, state.language, {colour_text(frame.returned, state.language)}));
+              fill("stack.returns", state.language, {{"colour", colour_text(frame.returned, state.language)}}));
     }
     CHECK(panel.rows.back().title == "MAIN ALGORITHM");
     for (std::size_t i = 0; i < calls.size(); ++i) {
       const FrameRecord& frame = state.timeline->frames()[static_cast<std::size_t>(calls[i])];
       const StackRow& row = panel.rows[i];
-      REQUIRE(row.title == fill(PanelText::stack_shade, state.language, {std::to_string(frame.depth)}));
+      REQUIRE(row.title == fill("stack.shade", state.language, {{"depth", std::to_string(frame.depth)}}));
       REQUIRE(row.ray_index == frame.ray);
       REQUIRE_FALSE(row.object.empty());
       REQUIRE_FALSE(row.waiting.empty());
       const RayKind kind = state.timeline->rays()[static_cast<std::size_t>(frame.ray)].kind;
       const StackRow& caller = panel.rows[i + 1];
       if (returning && i == 0) continue;  // its caller works on already
-      if (kind == RayKind::reflect) REQUIRE(caller.waiting == text(PanelText::waits_refl, state.language));
-      if (kind == RayKind::refract) REQUIRE(caller.waiting == text(PanelText::waits_refr, state.language));
-      if (kind == RayKind::primary) REQUIRE(caller.waiting == text(PanelText::waits_final, state.language));
+      if (kind == RayKind::reflect) REQUIRE(caller.waiting == text("stack.waits_refl", state.language));
+      if (kind == RayKind::refract) REQUIRE(caller.waiting == text("stack.waits_refr", state.language));
+      if (kind == RayKind::primary) REQUIRE(caller.waiting == text("stack.waits_final", state.language));
     }
     deep = deep || calls.size() >= 3;
   }
@@ -301,9 +301,9 @@ TEST_CASE("in Move the sentence says how to get back what is out of view") {
   update(state, action::Pan{{5000, 0}});
   CHECK_THAT(sentence(state), contains(state.scene().lights[0].name) && contains("Fit (F)"));
   update(state, action::FitView{});
-  CHECK(sentence(state) == text(PanelText::first_step_move, state.language));
+  CHECK(sentence(state) == text("status.first_step_move", state.language));
   update(state, action::Zoom{{320, 240}, 0.01});
-  CHECK(sentence(state) == text(PanelText::shown_tiny, state.language));
+  CHECK(sentence(state) == text("plan.shown_tiny", state.language));
 }
 
 TEST_CASE("total internal reflection leaves a stub along the surface") {
@@ -344,15 +344,15 @@ TEST_CASE("the legend has all kinds of rays and the signs of the tree") {
 
 TEST_CASE("the sentence says what to do first and what comes last") {
   State state = classic_state();
-  CHECK(sentence(state) == text(PanelText::first_step_move, state.language));
+  CHECK(sentence(state) == text("status.first_step_move", state.language));
   update(state, action::SetMode{Mode::trace});
-  CHECK(sentence(state) == text(PanelText::first_step_trace, state.language));
+  CHECK(sentence(state) == text("status.first_step_trace", state.language));
   update(state, action::SetMode{Mode::help});
-  CHECK(sentence(state) == text(PanelText::first_step_help, state.language));
+  CHECK(sentence(state) == text("status.first_step_help", state.language));
   update(state, action::Jump{1 << 20});
-  CHECK_THAT(sentence(state), contains(std::string(text(PanelText::after_last_step, state.language))));
+  CHECK_THAT(sentence(state), contains(std::string(text("status.after_last_step", state.language))));
   update(state, action::SetMode{Mode::move});
-  CHECK_THAT(sentence(state), contains(std::string(text(PanelText::walk_stands_at_end, state.language))));
+  CHECK_THAT(sentence(state), contains(std::string(text("status.walk_stands_at_end", state.language))));
   update(state, action::Jump{7});
   update(state, action::SetMode{Mode::move});
   CHECK_THAT(sentence(state), contains("step 7 of " + std::to_string(state.timeline->steps())));

@@ -2,6 +2,7 @@
 #include "fixtures.h"
 #include "render/render.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "timeline/recorder.h"
 #include "view/action.h"
 #include "view/plan_view.h"
@@ -75,8 +76,9 @@ TEST_CASE("a small plot shows the samples so far, their mean and how sure it is"
   for (std::size_t i = first; i < first + 3; ++i) squares += (grey(i) - mean) * (grey(i) - mean);
   const double half = 4.303 * std::sqrt(squares / 2 / 3);
   const auto texts = texts_in(plan_view(state, state.viewport));
-  const std::string expected = fill(PanelText::samples_mean, Language::english,
-                                    {"3", number_text(mean, Language::english), number_text(half, Language::english)});
+  const std::string expected =
+      fill("plan.samples_mean", in_english,
+           {{"samples", "3"}, {"mean", number_text(mean, in_english)}, {"interval", number_text(half, in_english)}});
   CAPTURE(expected);
   CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
   CHECK(is_finite(plan_view(state, state.viewport)));
@@ -100,7 +102,8 @@ TEST_CASE("no more samples are walked than a recording holds, and that is said")
   const int walked_samples = state.timeline->pixels().back().sample + 1;
   if (walked_samples < most_walk_samples) {
     REQUIRE(state.notice);
-    CHECK(state.notice->text == fill(PanelText::too_many_samples, state.language, {std::to_string(walked_samples)}));
+    CHECK(state.notice->text ==
+          fill("notice.too_many_samples", state.language, {{"samples", std::to_string(walked_samples)}}));
   }
 }
 

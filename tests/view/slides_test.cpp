@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -59,8 +60,7 @@ TEST_CASE("every shape becomes elements that are closed, with its numbers and it
 
 TEST_CASE("the drawing of a walk is one file, well nested, with all that the plan shows") {
   const Scene scene = classic_scene();
-  const std::string file =
-      plan_picture(scene, std::make_shared<const Timeline>(record_strip(scene)), Language::english);
+  const std::string file = plan_picture(scene, std::make_shared<const Timeline>(record_strip(scene)), in_english);
   CHECK(badly_nested(file) == "");
   for (const char* word : {"EYE", "SCREEN", "Solid Sphere", "Transparent Sphere", "Polygon", "Light Source"})
     CHECK_THAT(file, contains(std::string(">") + word + "</text>"));
@@ -71,7 +71,7 @@ TEST_CASE("the drawing of a walk is one file, well nested, with all that the pla
 TEST_CASE("the page has every step as the window shows it, and asks no network") {
   const Scene scene = classic_scene();
   const auto timeline = std::make_shared<const Timeline>(record_strip(scene));
-  const std::string page = slides_page(scene, timeline, Language::english);
+  const std::string page = slides_page(scene, timeline, in_english);
   for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
     CHECK(page.find(outside) == std::string::npos);
   CHECK(page.size() < 4'000'000);

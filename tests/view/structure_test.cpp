@@ -6,9 +6,9 @@
 
 #include "fixtures.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "timeline/search_walk.h"
 #include "view/lines_view.h"
-#include "view/structure_text.h"
 #include "view/text.h"
 
 using namespace raywalk;
@@ -47,10 +47,10 @@ TEST_CASE("the tab opens in Trace mode, and tells what to do until a ray is form
   CHECK(state.mode == Mode::trace);
   CHECK(shows_structure(state));
   CHECK(structure_steps(state) == 0);
-  CHECK(structure_panel(state).sentence == text(StructureText::no_ray, Language::english));
+  CHECK(structure_panel(state).sentence == text("structure.no_ray", in_english));
   const State at_ray = searching(state);
   CHECK(structure_steps(at_ray) > 5);
-  CHECK(structure_panel(at_ray).sentence == text(StructureText::not_begun, Language::english));
+  CHECK(structure_panel(at_ray).sentence == text("structure.not_begun", in_english));
   CHECK(structure_panel(at_ray).rows.size() == watched_count);
   State left = at_ray;
   update(left, action::SetTab{Tab::tree});
@@ -107,7 +107,7 @@ TEST_CASE("the pages keep their own places") {
 
 TEST_CASE("every step of every search and build has a sentence in both languages, with all of its numbers") {
   std::set<std::string> sentences;
-  for (const Language language : {Language::english, Language::portuguese}) {
+  for (const Language language : {in_english, in_portuguese}) {
     State state = searching(many_circles(), 4);
     state.language = language;
     const int cells = static_cast<int>(state.timeline->pixels().size());
@@ -127,7 +127,7 @@ TEST_CASE("every step of every search and build has a sentence in both languages
               for (const std::string& text : {panel.title, panel.sentence, panel.so_far, panel.counter, panel.summary})
                 CHECK(text.find('{') == std::string::npos);
               for (const StructureRow& row : panel.rows) CHECK(row.numbers.size() == panel.columns.size());
-              if (language == Language::english) sentences.insert(panel.sentence);
+              if (language == in_english) sentences.insert(panel.sentence);
             }
             update(state, action::GoInStructure{0});
             update(state, action::ShowStructurePage{StructurePage::search});
@@ -136,23 +136,21 @@ TEST_CASE("every step of every search and build has a sentence in both languages
       }
     }
   }
-  const auto said = [&](StructureText id) {
-    const std::string whole(text(id, Language::english));
+  const auto said = [&](std::string_view id) {
+    const std::string whole(text(id, in_english));
     const std::string start = whole.substr(whole.find('}') == std::string::npos ? 0 : whole.find('}') + 1);
     const std::string part = start.substr(0, start.find('{'));
     return std::any_of(sentences.begin(), sentences.end(),
                        [&](const std::string& each) { return each.find(part) != std::string::npos; });
   };
-  for (const StructureText id :
-       {StructureText::entered_inner,  StructureText::entered_leaf,  StructureText::entered_cell,
-        StructureText::opened,         StructureText::skip_missed,   StructureText::skip_behind,
-        StructureText::skip_beyond,    StructureText::skip_off_plan, StructureText::test_missed,
-        StructureText::test_nearest,   StructureText::test_blocks,   StructureText::test_outside,
-        StructureText::test_unbounded, StructureText::end_all,       StructureText::end_blocked,
-        StructureText::end_beyond,     StructureText::end_left,      StructureText::joined,
-        StructureText::cells,          StructureText::listed,        StructureText::eight,
-        StructureText::leaf_few,       StructureText::build_none}) {
-    CAPTURE(text(id, Language::english));
+  for (const std::string_view id :
+       {"structure.entered_inner.other",  "structure.entered_leaf", "structure.entered_cell", "structure.opened",
+        "structure.skip_missed",    "structure.skip_behind",  "structure.skip_beyond",  "structure.skip_off_plan",
+        "structure.test_missed",    "structure.test_nearest", "structure.test_blocks",  "structure.test_outside",
+        "structure.test_unbounded", "structure.end_all",      "structure.end_blocked",  "structure.end_beyond",
+        "structure.end_left",       "structure.joined",       "structure.cells",        "structure.listed.other",
+        "structure.eight",          "structure.leaf_few",     "structure.build_none"}) {
+    CAPTURE(text(id, in_english));
     CHECK(said(id));
   }
 }
@@ -204,7 +202,7 @@ TEST_CASE("boxes stand in the lines too, and the tab says where they leave the p
   update(state, action::ResizePlan{{800, 600}});
   update(state, action::ShowLines{false});
   const auto& notes = structure_panel(state).notes;
-  CHECK(std::find(notes.begin(), notes.end(), text(StructureText::note_above, Language::english)) != notes.end());
+  CHECK(std::find(notes.begin(), notes.end(), text("structure.note_above", in_english)) != notes.end());
   update(state, action::ShowLines{true});
   State elsewhere = state;
   update(elsewhere, action::SetTab{Tab::tree});
@@ -215,20 +213,18 @@ TEST_CASE("nothing to search and things without end have sentences of their own"
   Scene scene = classic_state().scene();
   scene.objects.clear();
   State empty = searching(state_of(scene));
-  CHECK(structure_panel(empty).sentence == text(StructureText::not_begun, Language::english));
+  CHECK(structure_panel(empty).sentence == text("structure.not_begun", in_english));
   update(empty, action::GoInStructure{1});
-  CHECK(structure_panel(empty).sentence.find(text(StructureText::found_nothing, Language::english)) !=
-        std::string::npos);
+  CHECK(structure_panel(empty).sentence.find(text("structure.found_nothing", in_english)) != std::string::npos);
   update(empty, action::ShowStructurePage{StructurePage::build});
-  CHECK(structure_panel(empty).sentence == text(StructureText::build_empty, Language::english));
+  CHECK(structure_panel(empty).sentence == text("structure.build_empty", in_english));
   CHECK(structure_panel(empty).notes.empty());
 
   State classic = searching(classic_state());
   CHECK(structure_panel(classic).notes ==
-        std::vector<std::string>{fill(StructureText::note_unbounded, Language::english, {"1"})});
+        std::vector<std::string>{fill("structure.note_unbounded", in_english, {{"shapes", "1"}})});
   update(classic, action::GoInStructure{1});
-  CHECK(structure_panel(classic).sentence.find(text(StructureText::test_unbounded, Language::english)) !=
-        std::string::npos);
+  CHECK(structure_panel(classic).sentence.find(text("structure.test_unbounded", in_english)) != std::string::npos);
 }
 
 TEST_CASE("a ray that a limit forbade is not searched for") {
@@ -238,6 +234,6 @@ TEST_CASE("a ray that a limit forbade is not searched for") {
   const auto stub = std::find_if(rays.begin(), rays.end(), [](const RayRecord& ray) { return !ray.formed; });
   REQUIRE(stub != rays.end());
   update(state, action::Jump{stub->formed_at});
-  CHECK(structure_panel(state).sentence == text(StructureText::stub, Language::english));
+  CHECK(structure_panel(state).sentence == text("structure.stub", in_english));
   CHECK(structure_steps(state) == 0);
 }

@@ -6,16 +6,18 @@
 #include <set>
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
 
 TEST_CASE("every message has a sentence of its own, every ending a sign of its own") {
-  for (const Language language : all_languages) {
+  for (const Language language : all_languages()) {
     std::set<std::string_view> sentences;
-    for (int i = 0; i <= static_cast<int>(MessageId::pixel_put); ++i) {
-      INFO("message " << i);
-      const std::string_view pattern = text(static_cast<MessageId>(i), language);
+    for (const std::string_view id : language.catalogue().ids()) {
+      if (!id.starts_with("walk.")) continue;
+      INFO(id);
+      const std::string_view pattern = text(id, language);
       CHECK(pattern.ends_with('.'));
       CHECK(sentences.insert(pattern).second);
     }
@@ -25,32 +27,33 @@ TEST_CASE("every message has a sentence of its own, every ending a sign of its o
 }
 
 TEST_CASE("arguments stand where their numbers are") {
-  CHECK(fill(TextId::ask_unsaved_open, Language::english, {"a", "b"}).find("a has") == 0);
-  CHECK_THAT(fill(TextId::ask_unsaved_open, Language::english, {"a", "{0}"}), contains("opening {0}?"));
+  CHECK(fill("question.unsaved_open", in_english, {{"file", "a"}, {"other", "b"}}).find("a has") == 0);
+  CHECK_THAT(fill("question.unsaved_open", in_english, {{"file", "a"}, {"other", "{0}"}}), contains("opening {0}?"));
 }
 
 TEST_CASE("numbers are short") {
-  CHECK(number_text(0, Language::english) == "0");
-  CHECK(number_text(-0.0, Language::english) == "0");
-  CHECK(number_text(1.23456, Language::english) == "1.23");
-  CHECK(number_text(12, Language::english) == "12");
-  CHECK(number_text(0.5, Language::english) == "0.5");
-  CHECK(percent_text(1, Language::english) == "100%");
-  CHECK(percent_text(0.456, Language::english) == "46%");
-  CHECK(percent_text(0.0023, Language::english) == "0.2%");
-  CHECK(percent_text(0, Language::english) == "0%");
-  CHECK(percent_text(1e-9, Language::english) == "under 0.001%");
-  CHECK(colour_text(Rgbd(0.25), Language::english) == "0.25");
-  CHECK(colour_text(Rgbd(0.25, 0.5, 1), Language::english) == "(0.25, 0.5, 1)");
+  CHECK(number_text(0, in_english) == "0");
+  CHECK(number_text(-0.0, in_english) == "0");
+  CHECK(number_text(1.23456, in_english) == "1.23");
+  CHECK(number_text(12, in_english) == "12");
+  CHECK(number_text(0.5, in_english) == "0.5");
+  CHECK(percent_text(1, in_english) == "100%");
+  CHECK(percent_text(0.456, in_english) == "46%");
+  CHECK(percent_text(0.0023, in_english) == "0.2%");
+  CHECK(percent_text(0, in_english) == "0%");
+  CHECK(percent_text(1e-9, in_english) == "under 0.001%");
+  CHECK(colour_text(Rgbd(0.25), in_english) == "0.25");
+  CHECK(colour_text(Rgbd(0.25, 0.5, 1), in_english) == "(0.25, 0.5, 1)");
 }
 
 TEST_CASE("numbers are written as the language writes them") {
-  CHECK(number_text(-1.23456, Language::portuguese) == "\u22121,23");
-  CHECK(percent_text(0.0023, Language::portuguese) == "0,2%");
-  CHECK(percent_text(1e-9, Language::portuguese) == "menos de 0,001%");
-  CHECK(colour_text(Rgbd(0.25, 0.5, 1), Language::portuguese) == "(0,25; 0,5; 1)");
-  CHECK(sentence_of({MessageId::found_hit, {RayKind::reflect, std::string("Polygon 1.5"), 2.5}},
-                    Language::portuguese) == "O raio refletido encontra Polygon 1.5 \u00e0 dist\u00e2ncia 2,5.");
+  CHECK(number_text(-1.23456, in_portuguese) == "\u22121,23");
+  CHECK(percent_text(0.0023, in_portuguese) == "0,2%");
+  CHECK(percent_text(1e-9, in_portuguese) == "menos de 0,001%");
+  CHECK(colour_text(Rgbd(0.25, 0.5, 1), in_portuguese) == "(0,25; 0,5; 1)");
+  CHECK(sentence_of(
+            {"walk.found_hit", {{"ray", RayKind::reflect}, {"object", std::string("Polygon 1.5")}, {"distance", 2.5}}},
+            in_portuguese) == "O raio refletido encontra Polygon 1.5 \u00e0 dist\u00e2ncia 2,5.");
 }
 
 TEST_CASE("every step of every shipped scene has a whole sentence that names how a ray ended") {
@@ -60,7 +63,7 @@ TEST_CASE("every step of every shipped scene has a whole sentence that names how
     INFO(scene.title);
     const Timeline timeline = record_strip(scene);
     for (int position = 0; position <= timeline.steps(); ++position) {
-      const std::string sentence = sentence_of(describe(scene, timeline, position), Language::english);
+      const std::string sentence = sentence_of(describe(scene, timeline, position), in_english);
       INFO("step " << position << ": " << sentence);
       REQUIRE(sentence.size() > 10);
       REQUIRE(sentence.back() == '.');
@@ -89,21 +92,21 @@ TEST_CASE("every step of every shipped scene has a whole sentence that names how
 
 TEST_CASE("the transcript numbers every step and shows line, depth and sentence") {
   const State state = classic_state();
-  const std::string lines = transcript(state.scene(), *state.timeline, Language::english);
+  const std::string lines = transcript(state.scene(), *state.timeline, in_english);
   CHECK(std::count(lines.begin(), lines.end(), '\n') == state.timeline->steps());
   for (const int position : {1, 100, state.timeline->steps()}) {
-    const std::string step = step_text(state.scene(), *state.timeline, position, Language::english);
+    const std::string step = step_text(state.scene(), *state.timeline, position, in_english);
     const Event& event = *state.timeline->just_run(position);
     CHECK_THAT(step, contains(std::to_string(position)));
     CHECK_THAT(step, contains(std::string(pseudocode_of(event.line).text)));
-    CHECK_THAT(step, contains(sentence_of(describe(state.scene(), *state.timeline, position), Language::english)));
+    CHECK_THAT(step, contains(sentence_of(describe(state.scene(), *state.timeline, position), in_english)));
     CHECK_THAT(lines, contains(step + "\n"));
     if (event.depth > 0) CHECK_THAT(step, contains("[" + std::to_string(event.depth) + "]"));
   }
 }
 
 TEST_CASE("the help names the objects, the modes and the buttons as they are called") {
-  for (const Language language : all_languages) {
+  for (const Language language : all_languages()) {
     std::string all;
     for (const HelpSection& section : help(language)) {
       CHECK_FALSE(section.title.empty());
@@ -113,11 +116,12 @@ TEST_CASE("the help names the objects, the modes and the buttons as they are cal
         all += entry.term + "\n";
       }
     }
-    for (const TextId id :
-         {TextId::eye, TextId::screen, TextId::solid_sphere, TextId::transparent_sphere, TextId::polygon,
-          TextId::light_source, TextId::mode_move, TextId::mode_trace, TextId::mode_help, TextId::button_step,
-          TextId::button_back, TextId::button_auto, TextId::button_clear, TextId::tab_tree, TextId::tab_stack,
-          TextId::tab_legend, TextId::tab_image, TextId::tab_cost})
+    for (const std::string_view id :
+         {"object.eye", "object.screen", "object.solid_sphere", "object.transparent_sphere", "object.polygon",
+          "object.light_source", "command.mode_move.label", "command.mode_trace.label", "command.mode_help.label",
+          "command.step.label", "command.step_back.label", "command.play.label", "command.clear.label",
+          "command.tab_tree.label", "command.tab_stack.label", "command.tab_legend.label", "command.tab_image.label",
+          "command.tab_cost.label"})
       CHECK_THAT(all, contains(std::string(text(id, language)) + "\n"));
     for (const Ending ending : {Ending::hit, Ending::missed, Ending::blocked, Ending::reached_light})
       CHECK_THAT(all, contains(std::string(text(ending, language)) + "\n"));
