@@ -25,11 +25,49 @@ namespace fs = std::filesystem;
 // Heights of a line at scale 1, in units; letters are about four fifths of it.
 constexpr float text_size = 17, small_size = 15, title_size = 23, code_size = 18;
 
+#if IMGUI_VERSION_NUM < 19200  // later ones draw each glyph when it is first wanted
 // What the catalogue of texts and the panes write: Latin with its accents, the Greek of optics, typographic marks,
 // super- and subscripts, arrows, the mathematics of the sentences, and a few shapes.
 constexpr std::array<ImWchar, 25> glyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033, 0x2070,
                                          0x209C, 0x2190, 0x2199, 0x21BA, 0x21BB, 0x2200, 0x2265, 0x22C5, 0x22C5,
                                          0x25A0, 0x25CF, 0x2713, 0x2717, 0xFFFD, 0xFFFD, 0};
+
+// Alphabets that Inter has besides, as Unicode's blocks: more of Latin, Greek, Cyrillic, Vietnamese, old Greek.
+struct Alphabet {
+  ImWchar first, last;
+};
+constexpr std::array alphabets{Alphabet{0x0180, 0x024F}, Alphabet{0x0370, 0x03FF}, Alphabet{0x0400, 0x052F},
+                               Alphabet{0x1E00, 0x1EFF}, Alphabet{0x1F00, 0x1FFF}};
+
+// `glyphs`, with the alphabets that some text needs: each makes the atlas larger.
+std::vector<ImWchar> glyphs_for(const Languages& languages) {
+  std::array<bool, alphabets.size()> needed{};
+  const auto need = [&](unsigned letter) {
+    for (std::size_t i = 0; i + 1 < glyphs.size(); i += 2)
+      if (letter >= glyphs[i] && letter <= glyphs[i + 1]) return;
+    for (std::size_t i = 0; i < alphabets.size(); ++i)
+      needed[i] = needed[i] || (letter >= alphabets[i].first && letter <= alphabets[i].last);
+  };
+  for (const Language language : languages.all()) {
+    for (const std::string_view id : language.catalogue().ids()) {
+      const std::string& words = *language.catalogue().find(id);
+      const auto six_bits = [&](std::size_t at) { return static_cast<unsigned char>(words[at]) & 0x3FU; };
+      for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const auto lead = static_cast<unsigned char>(words[i]);
+        if (lead >= 0xC0 && lead < 0xE0)
+          need((lead & 0x1FU) << 6 | six_bits(i + 1));
+        else if (lead >= 0xE0 && lead < 0xF0 && i + 2 < words.size())
+          need((lead & 0x0FU) << 12 | six_bits(i + 1) << 6 | six_bits(i + 2));
+      }
+    }
+  }
+  std::vector<ImWchar> ranges(glyphs.begin(), glyphs.end() - 1);
+  for (std::size_t i = 0; i < alphabets.size(); ++i)
+    if (needed[i]) ranges.insert(ranges.end(), {alphabets[i].first, alphabets[i].last});
+  ranges.push_back(0);
+  return ranges;
+}
+#endif
 
 struct Wanted {
   std::string FontFiles::* use;
@@ -105,7 +143,8 @@ float line_height(const Fonts& fonts, const ImFont& font) {
 #endif
 }
 
-Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density) {
+Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density,
+                  [[maybe_unused]] const Languages& languages) {
 #ifdef RAYWALK_FREETYPE
 #if IMGUI_VERSION_NUM >= 19200
   atlas.SetFontLoader(ImGuiFreeType::GetFontLoader());
@@ -116,6 +155,10 @@ Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float
 #endif
 #if IMGUI_VERSION_NUM >= 19200
   density = 1;  // glyphs are rasterised on demand, at the framebuffer's density
+  const ImWchar* const ranges = nullptr;
+#else
+  const std::vector<ImWchar> wanted_glyphs = glyphs_for(languages);  // read until the atlas is built, below
+  const ImWchar* const ranges = wanted_glyphs.data();
 #endif
   // A file may be unreadable, or no font for all its name: then ImGui's own face.
   const auto face = [&](const std::string& file, const std::string& fallback, float size) {
@@ -126,7 +169,7 @@ Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float
     for (const std::string& name : {file, fallback}) {
       std::error_code error;
       if (name.empty() || fs::file_size(name, error) == 0 || error) continue;
-      if (ImFont* font = atlas.AddFontFromFileTTF(name.c_str(), pixels, &config, glyphs.data())) return font;
+      if (ImFont* font = atlas.AddFontFromFileTTF(name.c_str(), pixels, &config, ranges)) return font;
     }
     config.SizePixels = pixels;
     return atlas.AddFontDefault(&config);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "text/language.h"
+
 #include <string>
 #include <vector>
 
@@ -35,7 +37,10 @@ struct FontFiles {
 [[nodiscard]] FontFiles find_fonts(const std::vector<std::string>& folders);
 
 /// Fills the (cleared) atlas with faces for one scale. `scale`: units per unit at 96 dots per inch, 1 and up;
-/// `density`: pixels per unit. Glyphs are rasterised at the size at which they are seen, so they are crisp.
-[[nodiscard]] Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density);
+/// `density`: pixels per unit. Glyphs are rasterised at the size at which they are seen, so they are crisp. They hold
+/// Latin letters and the Greek of optics, and the other alphabets of the faces that texts of `languages` are written
+/// in.
+[[nodiscard]] Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density,
+                                const Languages& languages = Language().others());
 
 }  // namespace raywalk

@@ -9,7 +9,6 @@
 #include "gui/session.h"
 #include "gui/style.h"
 #include "gui/window.h"
-#include "gui/window_text.h"
 #include "io/file.h"
 #include "io/text_file.h"
 #include "view/action_text.h"
@@ -269,7 +268,7 @@ class Loop {
     if (now != styled_unit_ || density != fonts_.density || fonts_.text == nullptr) {
       ImGuiIO& io = ImGui::GetIO();
       io.Fonts->Clear();
-      fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density);
+      fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density, state_.language.others());
       io.FontGlobalScale = 1 / density;
       window_.upload_fonts();
     }
@@ -306,8 +305,8 @@ class Loop {
     // How far a film has come stands where it is not in the picture.
     std::string title = document_title(state_);
     if (film_)
-      title = fill("export.film_progress", state_.language,
-                   {{"frame", film_->taken() + 1}, {"frames", film_->frames()}});
+      title =
+          fill("export.film_progress", state_.language, {{"frame", film_->taken() + 1}, {"frames", film_->frames()}});
     if (title += " \u2013 Raywalk"; title != title_) {
       window_.set_title(title);
       title_ = title;

@@ -26,7 +26,8 @@ void show_loading(Window& window, const GuiOptions& options) {
   const float unit = window.scale() * static_cast<float>(settings.ui_scale * theme_scale(settings.theme));
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
-  const Fonts fonts = build_fonts(*io.Fonts, find_fonts(font_folders(options.data_dir)), unit, window.density());
+  const Fonts fonts =
+      build_fonts(*io.Fonts, find_fonts(font_folders(options.data_dir)), unit, window.density(), language.others());
   io.FontGlobalScale = 1 / window.density();
   window.upload_fonts();
 

@@ -69,3 +69,24 @@ TEST_CASE("the installed faces have every character that the texts use") {
   }
 #endif
 }
+
+TEST_CASE("a language that is written in another alphabet brings its letters along") {
+  const FontFiles files = find_fonts(font_folders(""));
+  if (files.text.empty()) RAYWALK_SKIP("Inter is not installed");
+#if IMGUI_VERSION_NUM < 19200
+  constexpr ImWchar zhe = 0x0416, lambda = 0x039B, iota_with_dialytika = 0x03CA;
+  ImFontAtlas latin, cyrillic;
+  CHECK(build_fonts(latin, files, 1, 1).text->FindGlyphNoFallback(zhe) == nullptr);
+  Languages languages;
+  languages.add(Catalogue::parse("[language]\nname = \"\u0420\u0443\u0441\u0441\u043a\u0438\u0439\"\n"
+                                 "decimal_mark = \",\"\nseparator = \"; \"\n",
+                                 "ru")
+                    .value());
+  const Fonts fonts = build_fonts(cyrillic, files, 1, 1, languages);
+  for (const ImFont* font : {fonts.text, fonts.strong, fonts.small, fonts.title}) {
+    CHECK(font->FindGlyphNoFallback(zhe) != nullptr);
+    CHECK(font->FindGlyphNoFallback(lambda) != nullptr);
+    CHECK(font->FindGlyphNoFallback(iota_with_dialytika) == nullptr);  // nothing there is Greek
+  }
+#endif
+}

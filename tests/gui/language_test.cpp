@@ -3,11 +3,13 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "gui/bench.h"
 #include "gui/folder.h"
 #include "gui/key_list.h"
+#include "gui/session.h"
 #include "lesson/lesson.h"
 #include "support/languages.h"
 
@@ -98,6 +100,29 @@ TEST_CASE("the menu View holds every language, by the name that its file gives i
     bench.frames(2);
     CHECK(bench.state.language == language);
   }
+}
+
+TEST_CASE("a file of French that is dropped into the folder of texts stands in View, with English for what it lacks") {
+  const Folder folder;
+  std::filesystem::copy(std::string(RAYWALK_SOURCE_DIR) + "/src/text", folder.path(),
+                        std::filesystem::copy_options::overwrite_existing);
+  const std::string head = "[language]\nname = \"Fran\u00e7ais\"\ndecimal_mark = \",\"\nseparator = \"; \"\n";
+  folder.put("fr.toml", head + "[menu]\nedit = \"\u00c9dition\"\n[command.step]\nlabel = \"PAS\"\n");
+  const LanguagesRead read = read_languages(folder.path().string());
+  REQUIRE(read.broken.empty());
+  State state = classic();
+  state.language = read.languages->english();
+  Bench bench(std::move(state));
+  bench.frames(2);
+  bench.click("menu-view");
+  bench.frames(2);
+  for (const std::string code : {"en", "es", "fr", "pt"}) CHECK(bench.has("menu/language/" + code));
+  bench.click("menu/language/fr");
+  bench.frames(2);
+  CHECK(bench.state.language.name() == "Fran\u00e7ais");
+  CHECK(command_label(Command::step, bench.state) == "PAS");
+  CHECK(command_label(Command::clear, bench.state) == text("command.clear.label", in_english));
+  CHECK(settings_of(bench.state).language == "fr");
 }
 
 TEST_CASE("Ctrl+L, the button in the bar and the menu entry change the language while the window is open") {

@@ -1,0 +1,86 @@
+// A language is a file that is dropped into the data folder of a program that is built already.
+#include "app/process.h"
+#include "support/catch.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using namespace raywalk;
+using namespace raywalk::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string french_head = "[language]\nname = \"Fran\u00e7ais\"\ndecimal_mark = \",\"\nseparator = \"; \"\n";
+
+/// Raywalk as it is installed, with a folder of texts that may be changed.
+class Installed {
+ public:
+  Installed() {
+    const fs::path source = RAYWALK_SOURCE_DIR, data = folder_.path() / "share/raywalk";
+    fs::create_directories(folder_.path() / "bin");
+    fs::create_directories(data);
+    fs::copy_file(raywalk_program(), folder_.path() / "bin/raywalk");
+    for (const std::string each : {"scenes", "lessons"}) fs::create_directory_symlink(source / each, data / each);
+    fs::copy(source / "src/text", data / "text");
+  }
+
+  void put(const std::string& name, const std::string& bytes) const {
+    folder_.write("share/raywalk/text/" + name, bytes);
+  }
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const {
+    return Process(folder_ / "bin/raywalk", arguments, folder_.path()).wait();
+  }
+  [[nodiscard]] Outcome step_in(const std::string& language) const {
+    return run({"step", "classic", "--pixel", "10", "--language", language});
+  }
+
+ private:
+  Folder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("a language that is dropped into the data folder is spoken, with English for what it lacks") {
+  const Installed program;
+  const Outcome english = program.step_in("en"), before = program.step_in("fr");
+  CHECK(english.exit_code == 0);
+  CHECK(before.exit_code == 2);
+  CHECK_THAT(before.err, contains("fr.toml") && contains("expected en, es or pt"));
+  CHECK_THAT(program.run({"lesson", "check", "1"}).out, !contains("missing"));
+
+  program.put("fr.toml", french_head + "[walk]\nstart = \"Rien encore.\"\n[ray]\nprimary = \"rayon primaire\"\n");
+  const Outcome step = program.step_in("fr");
+  CHECK(step.err == "");
+  CHECK(step.exit_code == 0);
+  CHECK_THAT(english.out, contains("The primary ray hits Solid Sphere at distance 4."));
+  CHECK_THAT(step.out, contains("The rayon primaire hits Solid Sphere at distance 4,"));
+
+  const Outcome check = program.run({"lesson", "check", "1"});
+  CHECK(check.exit_code == 0);
+  CHECK_THAT(check.out, contains("not in fr") && contains("fr.toml: ") && contains("texts are missing") &&
+                            contains("\n  walk.pixel_begun\n") && !contains("  walk.start\n"));
+}
+
+TEST_CASE("a broken file of texts is named with its line, and the other languages stand") {
+  const Installed program;
+  program.put("fr.toml", french_head + "[walk]\nstart = Rien\n");
+  const Outcome refused = program.step_in("fr");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, contains("fr.toml:6:"));
+  CHECK(program.step_in("pt").exit_code == 0);
+  const Outcome check = program.run({"lesson", "check", "1"});
+  CHECK(check.exit_code == 1);
+  CHECK_THAT(check.err, contains("fr.toml:6:"));
+}
+
+TEST_CASE("where English itself is broken, what the program holds of it is spoken") {
+  const Installed program;
+  const Outcome whole = program.step_in("en");
+  program.put("en.toml", "[walk\n");
+  const Outcome step = program.step_in("en");
+  CHECK(step.out == whole.out);
+  CHECK(step.exit_code == 0);
+  CHECK_THAT(program.step_in("xx").err, contains("en.toml:1:"));
+}
