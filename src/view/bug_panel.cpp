@@ -13,7 +13,8 @@ namespace {
 
 std::string line_text(Line line) { return std::string(pseudocode_of(line).text); }
 
-/// What a line of MAIN ALGORITHM or SHADE is there for, as a clause: "it aims from the hit at the light".
+}  // namespace
+
 std::string_view duty_of(Line line) {
   switch (line) {
     case Line::for_each_pixel:
@@ -69,8 +70,6 @@ std::string_view duty_of(Line line) {
   }
   return {};
 }
-
-}  // namespace
 
 BugPanel bug_panel(const State& state) {
   const BugSitting& bugs = state.bugs;

@@ -4,6 +4,7 @@
 #include "view/state.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raywalk {
@@ -29,6 +30,10 @@ struct BugPanel {
   bool can_judge = false, can_give_up = false, can_mend = false;
 };
 [[nodiscard]] BugPanel bug_panel(const State& state);
+
+/// The id of the clause that says what a line of MAIN ALGORITHM or SHADE is there for: "it aims from the hit at the
+/// light". Of those of FOLLOW PATH, which is never broken, empty.
+[[nodiscard]] std::string_view duty_of(Line line);
 
 /// The number of a bug for a person who wants to be surprised: one that is not found yet, else any. `draw`: any number.
 [[nodiscard]] int surprising_bug(const BugSitting& bugs, unsigned draw);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gui/bench.h"
+#include "gui/commands.h"
 #include "gui/folder.h"
 #include "gui/key_list.h"
 #include "gui/session.h"

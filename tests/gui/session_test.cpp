@@ -101,7 +101,7 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
-  const Settings chosen{Theme::projector, 2.25, Tab::tree, in_portuguese, false};
+  const Settings chosen{Theme::projector, 2.25, Tab::tree, "pt", false};
   write_settings(folder / "state", chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);

@@ -9,6 +9,8 @@
 #include "support/languages.h"
 
 using namespace raywalk;
+using raywalk::test::in_english;
+using raywalk::test::in_portuguese;
 
 namespace {
 

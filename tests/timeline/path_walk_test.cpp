@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "messages.h"
 #include "support/catch.h"
 
 using namespace raywalk;

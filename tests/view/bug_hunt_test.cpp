@@ -105,7 +105,7 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     CHECK_FALSE(marked_line(state));
     BugPanel panel = bug_panel(state);
     CHECK_FALSE(panel.is_right);
-    CHECK_THAT(panel.verdict, contains(std::string(text(DutyOf{wrong}, in_english))));
+    CHECK_THAT(panel.verdict, contains(std::string(text(duty_of(wrong), in_english))));
     REQUIRE(panel.learnt.size() == 1);
     CHECK(panel.learnt[0].text == said_of(state.bug->fault, "hint"));
     CHECK(panel.tally.empty());

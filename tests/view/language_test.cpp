@@ -7,6 +7,7 @@
 #include "view/panels.h"
 #include "view/plan_view.h"
 #include "view/slides.h"
+#include "view/text.h"
 
 #include <algorithm>
 #include <cctype>

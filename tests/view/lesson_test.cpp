@@ -14,6 +14,7 @@
 #include "view/plan_view.h"
 
 using namespace raywalk;
+using raywalk::test::in_english;
 using raywalk::test::make_dirty;
 
 namespace {
