@@ -72,14 +72,16 @@ class Describer {
       case RayKind::refract: {
         const SnellNumbers snell = formed.snell.value_or(SnellNumbers{1, 1, 1, 1, 0});
         const bool goes_in = came_from_outside();
-        Message message{
-            goes_in ? "walk.refract_formed_in" : "walk.refract_formed_out",
-            {{"object", shaded()}, {"angle_in", degrees_of(snell.cos_in)}, {"angle_out", degrees_of(snell.cos_out)}}};
-        if ((goes_in ? snell.n1 : snell.n2) != 1) {
-          message.id = "walk.refract_formed_within";
-          message.arguments.insert(message.arguments.end(), {{"index_in", snell.n1}, {"index_out", snell.n2}});
-        }
-        return message;
+        const double in = degrees_of(snell.cos_in), out = degrees_of(snell.cos_out);
+        if ((goes_in ? snell.n1 : snell.n2) != 1)
+          return {"walk.refract_formed_within",
+                  {{"object", shaded()},
+                   {"angle_in", in},
+                   {"angle_out", out},
+                   {"index_in", snell.n1},
+                   {"index_out", snell.n2}}};
+        return {goes_in ? "walk.refract_formed_in" : "walk.refract_formed_out",
+                {{"object", shaded()}, {"angle_in", in}, {"angle_out", out}}};
       }
     }
     return {};

@@ -106,7 +106,7 @@ TEST_CASE("the menu View holds every language, by the name that its file gives i
 TEST_CASE("a file of French that is dropped into the folder of texts stands in View, with English for what it lacks") {
   const Folder folder;
   std::filesystem::copy(std::string(RAYWALK_SOURCE_DIR) + "/src/text", folder.path(),
-                        std::filesystem::copy_options::overwrite_existing);
+                        std::filesystem::copy_options::recursive);
   const std::string head = "[language]\nname = \"Fran\u00e7ais\"\ndecimal_mark = \",\"\nseparator = \"; \"\n";
   folder.put("fr.toml", head + "[menu]\nedit = \"\u00c9dition\"\n[command.step]\nlabel = \"PAS\"\n");
   const LanguagesRead read = read_languages(folder.path().string());
@@ -117,7 +117,10 @@ TEST_CASE("a file of French that is dropped into the folder of texts stands in V
   bench.frames(2);
   bench.click("menu-view");
   bench.frames(2);
-  for (const std::string code : {"en", "es", "fr", "pt"}) CHECK(bench.has("menu/language/" + code));
+  for (const std::string code : {"en", "es", "fr", "pt"}) {
+    CAPTURE(code);
+    CHECK(bench.has("menu/language/" + code));
+  }
   bench.click("menu/language/fr");
   bench.frames(2);
   CHECK(bench.state.language.name() == "Fran\u00e7ais");

@@ -152,10 +152,12 @@ const std::vector<Coincidence> coincidences{
     {"02-ray-meets-sphere", "grow", "equation", "7", "where EYE stands"},
     {"04-reflection", "meets", "tree", "the Solid Sphere", "what blocks the shadow ray, which is another ray"},
     {"04-reflection", "meets", "tree", "a esfera s\u00f3lida", "the same"},
+    {"04-reflection", "meets", "tree", "la esfera s\u00f3lida", "the same"},
     {"04-reflection", "share", "stack", "9", "the number of the pixel"},
     {"04-reflection", "share", "tooltip", "9", "the number of the pixel"},
     {"06-when-does-it-end", "dark", "lesson", "threshold", "its value is given, to be compared with the share"},
     {"06-when-does-it-end", "dark", "lesson", "limiar", "the same"},
+    {"06-when-does-it-end", "dark", "lesson", "umbral", "the same"},
 };
 
 std::set<std::string> needed;  // of the list above

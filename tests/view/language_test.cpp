@@ -1,9 +1,12 @@
 // The interface speaks several languages, each of them whole, and changes between them while it runs.
 
 #include "fixtures.h"
+#include "lesson_state.h"
 #include "timeline/recorder.h"
 #include "view/choice_text.h"
 #include "view/equation.h"
+#include "view/lesson_panel.h"
+#include "view/lesson_script.h"
 #include "view/panels.h"
 #include "view/plan_view.h"
 #include "view/slides.h"
@@ -157,4 +160,26 @@ TEST_CASE("a language that is not there is refused, and the one that is spoken s
   REQUIRE(state.notice);
   CHECK(state.notice->kind == Notice::Kind::error);
   CHECK_THAT(state.notice->text, contains("xx"));
+}
+
+TEST_CASE("a lesson that is not in the language of the interface is told in English, and says so") {
+  Languages languages;
+  languages.add(Catalogue::parse("[language]\nname = \"Dansk\"\ndecimal_mark = \",\"\nseparator = \"; \"\n"
+                                 "[lesson]\nin_english = \"P\u00e5 engelsk, ikke {language}.\"\n",
+                                 "da")
+                    .value());
+  State state = state_with_lessons();
+  CHECK(lesson_panel(state).told_in.empty());
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  const LessonPanel english = lesson_panel(state);
+  CHECK(english.told_in.empty());
+  state.language = languages.find("da").value();
+  const LessonPanel danish = lesson_panel(state);
+  CHECK(danish.told_in == "P\u00e5 engelsk, ikke Dansk.");
+  CHECK(danish.text == english.text);
+  CHECK_FALSE(document_title(state).empty());
+  const std::string script = lesson_script(state.lessons.open->played, state.language, ScriptForm::markdown);
+  CHECK_THAT(script, contains("ikke Dansk") && contains("# Ray casting"));
+  update(state, action::LeaveLesson{});
+  CHECK(lesson_panel(state).rows[0].title == "Ray casting");
 }

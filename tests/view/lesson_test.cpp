@@ -9,12 +9,10 @@
 #include "support/catch.h"
 #include "support/languages.h"
 #include "view/action.h"
-#include "view/lesson_script.h"
 #include "view/panels.h"
 #include "view/plan_view.h"
 
 using namespace raywalk;
-using raywalk::test::in_english;
 using raywalk::test::make_dirty;
 
 namespace {
@@ -66,28 +64,6 @@ TEST_CASE("a locked lesson opens when the one before is done, or when a teacher 
   CHECK_FALSE(lesson_panel(state).rows[12].locked);
 }
 
-TEST_CASE("a lesson that is not in the language of the interface is told in English, and says so") {
-  Languages languages;
-  languages.add(Catalogue::parse("[language]\nname = \"Dansk\"\ndecimal_mark = \",\"\nseparator = \"; \"\n"
-                                 "[lesson]\nin_english = \"P\u00e5 engelsk, ikke {language}.\"\n",
-                                 "da")
-                    .value());
-  State state = with_lessons();
-  CHECK(lesson_panel(state).told_in.empty());
-  update(state, action::OpenLesson{state.lessons.list[0].name});
-  const LessonPanel english = lesson_panel(state);
-  CHECK(english.told_in.empty());
-  state.language = languages.find("da").value();
-  const LessonPanel danish = lesson_panel(state);
-  CHECK(danish.told_in == "P\u00e5 engelsk, ikke Dansk.");
-  CHECK(danish.text == english.text);
-  CHECK_FALSE(document_title(state).empty());
-  const std::string script = lesson_script(state.lessons.open->played, state.language, ScriptForm::markdown);
-  CHECK_THAT(script, test::contains("ikke Dansk") && test::contains("# Ray casting"));
-  update(state, action::LeaveLesson{});
-  CHECK(lesson_panel(state).rows[0].title == "Ray casting");
-}
-
 TEST_CASE("a question holds a student until it is answered, and shows then where its line leads") {
   State state = with_lessons();
   update(state, action::OpenLesson{state.lessons.list[0].name});
@@ -132,7 +108,7 @@ TEST_CASE("STEP asks for the prediction first, and then shows the answer") {
     CHECK_FALSE(state.lessons.revealed);
   }
   REQUIRE(state.notice);
-  CHECK(state.notice->text == text("lesson.predict_first", in_english));
+  CHECK(state.notice->text == text("lesson.predict_first", test::in_english));
   update(state, action::GuessChoice{0});
   update(state, action::Step{});
   CHECK(state.lessons.revealed);
