@@ -32,7 +32,7 @@ void question_dialog(const Ui& ui) {
     const ImVec2 extent{(width - 2 * ui.px(24) - 2 * ImGui::GetStyle().ItemSpacing.x) / 3, ui.px(38)};
     // The keys that give this answer: see press_key.
     const std::string digit = std::to_string(number);
-    const std::string keys = first                                     ? "Enter, " + digit
+    const std::string keys = first                                     ? ui.say("keys.name_enter") + ", " + digit
                              : choice.answer == action::Answer::cancel ? "Esc, " + digit
                                                                        : digit;
     if (button(ui, name, choice.label, "", extent, {.look = first ? Look::primary : Look::plain}))

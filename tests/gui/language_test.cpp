@@ -216,6 +216,15 @@ TEST_CASE("no word is longer than its button or its place at 1280 x 720, in ever
     }
     update(bench.state, action::Select{});
     update(bench.state, action::SetMode{Mode::trace});
+    update(bench.state, action::AskExport{});
+    look();
+    REQUIRE(bench.has("browser-accept"));
+    update(bench.state, action::CancelPrompt{});
+    update(bench.state, action::AddObject{action::ObjectKind::transparent_sphere});
+    update(bench.state, action::New{});
+    look();
+    REQUIRE(bench.has("answer-0"));
+    update(bench.state, action::AnswerQuestion{action::Answer::discard});
     update(bench.state, action::ShowBugs{true});
     look();
     update(bench.state, action::HuntBug{1, false});

@@ -142,6 +142,22 @@ TEST_CASE("the language is the option's, else the one that was kept, else the en
   CHECK(start(wanted)->language == in_portuguese);
   wanted.language = in_english;
   CHECK(start(wanted)->language == in_english);
+  // Whose file is gone.
+  wanted.language.reset();
+  write_settings(folder / "state", {Theme::dark, 1, Tab::image, "xx"});
+  environment("", "", "es_MX.UTF-8");
+  CHECK(start(wanted)->language.code() == "es");
+}
+
+TEST_CASE("a file of texts that cannot be read is told in the window, with its line") {
+  const Folder folder;
+  GuiOptions wanted = options(folder);
+  CHECK_FALSE(start(wanted)->notice);
+  wanted.broken_texts = {Error{"texts/fr.toml", 6, 1, "\"walk.start\" is no text", ""}};
+  const auto state = start(wanted);
+  REQUIRE(state->notice);
+  CHECK(state->notice->kind == Notice::Kind::error);
+  CHECK_THAT(state->notice->text, contains("texts/fr.toml:6:"));
 }
 
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {
