@@ -183,8 +183,8 @@ std::string page(const LessonWords& words, const std::vector<ScriptStep>& steps,
       "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>{}</style>"
       "</head>\n<body><h1>{}</h1>\n<p class=\"summary\">{}</p>\n<p class=\"keys\">{}</p>\n",
-      language.code(), escaped(words.title), script_style, escaped(words.title),
-      inline_html(words.summary.text), inline_html(text("lesson.script_keys", language)));
+      language.code(), escaped(words.title), script_style, escaped(words.title), inline_html(words.summary.text),
+      inline_html(text("lesson.script_keys", language)));
   const auto row = [&](const char* kind, std::string_view name, const std::string& passage) {
     return fmt::format("<div class=\"{}\"><h3>{}</h3><span>{}</span></div>\n", kind, escaped(text(name, language)),
                        passage_html(passage));

@@ -143,13 +143,29 @@ TEST_CASE("every step of every search and build has a sentence in both languages
     return std::any_of(sentences.begin(), sentences.end(),
                        [&](const std::string& each) { return each.find(part) != std::string::npos; });
   };
-  for (const std::string_view id :
-       {"structure.entered_inner.other",  "structure.entered_leaf", "structure.entered_cell", "structure.opened",
-        "structure.skip_missed",    "structure.skip_behind",  "structure.skip_beyond",  "structure.skip_off_plan",
-        "structure.test_missed",    "structure.test_nearest", "structure.test_blocks",  "structure.test_outside",
-        "structure.test_unbounded", "structure.end_all",      "structure.end_blocked",  "structure.end_beyond",
-        "structure.end_left",       "structure.joined",       "structure.cells",        "structure.listed.other",
-        "structure.eight",          "structure.leaf_few",     "structure.build_none"}) {
+  for (const std::string_view id : {"structure.entered_inner.other",
+                                    "structure.entered_leaf",
+                                    "structure.entered_cell",
+                                    "structure.opened",
+                                    "structure.skip_missed",
+                                    "structure.skip_behind",
+                                    "structure.skip_beyond",
+                                    "structure.skip_off_plan",
+                                    "structure.test_missed",
+                                    "structure.test_nearest",
+                                    "structure.test_blocks",
+                                    "structure.test_outside",
+                                    "structure.test_unbounded",
+                                    "structure.end_all",
+                                    "structure.end_blocked",
+                                    "structure.end_beyond",
+                                    "structure.end_left",
+                                    "structure.joined",
+                                    "structure.cells",
+                                    "structure.listed.other",
+                                    "structure.eight",
+                                    "structure.leaf_few",
+                                    "structure.build_none"}) {
     CAPTURE(text(id, in_english));
     CHECK(said(id));
   }
