@@ -96,8 +96,11 @@ std::string with_ending(const std::string& path, ExportKind kind) {
   const ExportEnding* has = ending_in(path);
   std::string stem = path.substr(0, path.size() - (has != nullptr ? has->ending.size() : foreign_ending(path)));
   // What is left may make a longer ending of a shorter one: notes.script and .html.
-  while (export_kind_of(stem + ending).value_or(kind) != kind)
-    stem.resize(stem.size() - std::filesystem::path(stem).extension().string().size());
+  while (export_kind_of(stem + ending).value_or(kind) != kind) {
+    const std::size_t more = std::filesystem::path(stem).extension().string().size();
+    if (more == 0) break;  // there is no name yet: a folder is being typed
+    stem.resize(stem.size() - more);
+  }
   return stem + ending;
 }
 

@@ -64,6 +64,12 @@ TEST_CASE("the ending says what is written") {
   CHECK(state.notice->kind == Notice::Kind::error);
 }
 
+TEST_CASE("a name that is only begun, up to its folder, gets its ending too") {
+  for (const ExportEnding& each : kinds_of_export)
+    for (const std::string begun : {"", "/", "folder/", "../", "."})
+      CHECK(with_ending(begun, each.kind).ends_with(each.ending));
+}
+
 TEST_CASE("whatever a name ends in, with the ending of a kind it is of that kind") {
   for (const ExportEnding& wanted : kinds_of_export) {
     CAPTURE(wanted.ending);
