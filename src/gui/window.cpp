@@ -178,6 +178,7 @@ bool Window::minimised() const {
 }
 
 bool Window::wait(double seconds) {
+  if (happened_) seconds = 0;  // in the middle of something else, where `look` took it in
   if (seconds < 0) {
     glfwWaitEvents();
   } else if (seconds > 0) {
