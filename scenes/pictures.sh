@@ -1,15 +1,35 @@
 #!/bin/bash
-# Renders the thumbnail of every scene in this folder to pictures/NAME.png and writes the gallery in README.md; then
-# measures the two plots of tests/NUMERICS.md.
+# Renders the thumbnail of every scene in this folder to pictures/NAME.png and writes the gallery in README.md, and the
+# reference of all keys below it; then measures the two plots of tests/NUMERICS.md.
 #
 #   scenes/pictures.sh [RAYWALK]        the program; build/release/raywalk when left out
+#   scenes/pictures.sh keys [RAYWALK]   only the reference
 #
 # Each picture is 240 pixels wide, in the shape of the scene's own. It takes as many samples as the scene's [render]
 # asks for, at least 9, and at least 64 of paths.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
+only_keys=
+if [ "${1:-}" = keys ]; then only_keys=yes && shift; fi
 raywalk=${1:-$here/../build/release/raywalk}
 [ -x "$raywalk" ] || { echo "pictures.sh: there is no program $raywalk; build the release preset first" >&2; exit 2; }
+
+write_keys() {
+  {
+    sed '/^## Every key/,$d' "$here/README.md"
+    echo '## Every key'
+    echo
+    echo 'What `raywalk info --keys` prints; `raywalk info --keys sphere` prints those of one table or type. Every number is'
+    echo 'finite and at most 1e15. A misspelt key is refused, with its line and the key that was most likely meant.'
+    echo
+    echo '```text'
+    "$raywalk" info --keys
+    echo '```'
+  } >"$here/README.md.new"
+  mv "$here/README.md.new" "$here/README.md"
+}
+if [ -n "$only_keys" ]; then write_keys && exit; fi
+
 mkdir -p "$here/pictures"
 gallery=$(mktemp)
 trap 'rm -f "$gallery"' EXIT
@@ -33,8 +53,10 @@ done >"$gallery"
   echo '| picture | scene | what it shows |'
   echo '|---|---|---|'
   cat "$gallery"
+  echo
 } >"$here/README.md.new"
 mv "$here/README.md.new" "$here/README.md"
+write_keys
 
 plots=$(mktemp -d)
 trap 'rm -rf "$gallery" "$plots"' EXIT

@@ -1,6 +1,6 @@
 #include "app/arguments.h"
 
-#include "io/scene_keys.h"
+#include "scene/schema_kinds.h"
 
 #include <cctype>
 #include <charconv>
@@ -45,7 +45,7 @@ std::optional<double> parse_share(const std::string& text) {
 std::optional<ImageSize> parse_size(const std::string& text) {
   const std::size_t by = text.find_first_of("xX");
   if (by == std::string::npos) return std::nullopt;
-  constexpr auto range = scene_keys::pixel_count;
+  constexpr auto range = schema::pixel_count;
   const auto width = parse_whole(std::string_view(text).substr(0, by), range.low, range.high);
   const auto height = parse_whole(std::string_view(text).substr(by + 1), range.low, range.high);
   if (!width || !height) return std::nullopt;
@@ -53,7 +53,7 @@ std::optional<ImageSize> parse_size(const std::string& text) {
 }
 
 std::optional<PixelChoice> parse_pixel(const std::string& text) {
-  constexpr int most = scene_keys::pixel_count.high - 1;
+  constexpr int most = schema::pixel_count.high - 1;
   const std::size_t comma = text.find(',');
   const auto first = parse_whole(std::string_view(text).substr(0, comma), 0, most);
   if (!first) return std::nullopt;

@@ -1,5 +1,7 @@
 #include "app/check_command.h"
 
+#include <memory>
+
 #if RAYWALK_CHECK
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
@@ -93,5 +95,34 @@ ExitCode check_numerics_command(const CheckOptions& /*options*/) {
 }
 
 #endif
+
+void declare_check(CLI::App& program, Run& run) {
+  CLI::App& command = *program.add_subcommand("check", "Check Raywalk itself");
+  command.require_subcommand(1);
+  CLI::App& numerics =
+      *command.add_subcommand("numerics", "Aim rays at what is hard to decide, and judge each by exact arithmetic");
+  const auto options = std::make_shared<CheckOptions>();
+  CheckOptions& to = *options;
+  numerics.add_option("NAME", to.names, "Only these families; left out: all")->type_name("");
+  numerics.add_flag("--full", to.full, "100 million rays a family instead of a million; can be stopped and goes on");
+  numerics.add_flag("--list", to.list, "Only name the families");
+  constexpr int most_rays = 1 << 30, most_threads = 1024;
+  add_whole(numerics, "--rays", to.rays, 1, most_rays, "Rays a family");
+  add_parsed(numerics, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
+             "Which rays (1 when left out)");
+  add_whole(numerics, "--threads", to.threads, 0, most_threads,
+            "Threads; 0, as when left out: as many as the machine runs at once");
+  add_file(numerics, "--state", to.state, "FILE",
+           "Keep what is done here, and go on from it (--full: raywalk-numerics.state)");
+  numerics.footer(
+      "Prints a table: missed and false decisions, self-hits, near sheets missed, answers that had to be the same\n"
+      "bits and differ, the worst error of t in ulps in the exact tier and in the fast one (there also divided by the\n"
+      "condition number kappa), and the share of rays that needed exact arithmetic. Exits with 1 when a goal is "
+      "broken.\n\n"
+      "Examples:\n"
+      "  raywalk check numerics sphere\n"
+      "  raywalk check numerics --full --threads 4");
+  numerics.callback([options, &run] { run = [options] { return check_numerics_command(*options); }; });
+}
 
 }  // namespace raywalk

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/console.h"
+#include "app/options.h"
 
 #include <cstdint>
 #include <string>
@@ -20,5 +20,7 @@ struct CheckOptions {
 };
 
 [[nodiscard]] ExitCode check_numerics_command(const CheckOptions& options);
+
+void declare_check(CLI::App& program, Run& run);
 
 }  // namespace raywalk

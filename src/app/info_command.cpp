@@ -3,6 +3,8 @@
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
 #include "app/scene_lookup.h"
+#include "io/key_reference.h"
+#include "io/spelling.h"
 #include "scene/effects.h"
 #include "trace/world.h"
 
@@ -16,13 +18,6 @@ namespace raywalk {
 
 namespace {
 
-// One overload a kind: a kind without one does not compile.
-std::string_view kind_of(const PointLight& /*light*/) { return "point light"; }
-std::string_view kind_of(const DirectionalLight& /*light*/) { return "directional light"; }
-std::string_view kind_of(const SpotLight& /*light*/) { return "spot light"; }
-std::string_view kind_of(const SphereLight& /*light*/) { return "sphere light"; }
-std::string_view kind_of(const RectangleLight& /*light*/) { return "rectangle light"; }
-
 std::string count_of(std::size_t count, std::string_view what) {
   std::string words(what);
   std::replace(words.begin(), words.end(), '_', ' ');
@@ -30,10 +25,10 @@ std::string count_of(std::size_t count, std::string_view what) {
 }
 
 /// "2 spheres, 1 plane", in the order in which the kinds first come.
-std::string counts_of(const std::vector<std::string_view>& kinds) {
+std::string counts_of(const std::vector<std::string>& kinds) {
   std::string text;
-  std::vector<std::string_view> named;
-  for (const std::string_view kind : kinds) {
+  std::vector<std::string> named;
+  for (const std::string& kind : kinds) {
     if (std::find(named.begin(), named.end(), kind) != named.end()) continue;
     named.push_back(kind);
     const auto count = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), kind));
@@ -108,14 +103,14 @@ std::string info_text(const Scene& scene, const std::string& path) {
   text += row("render", render_text(scene));
   text += row("limits", fmt::format("depth {}, threshold {:g}", scene.limits.depth, scene.limits.threshold));
 
-  std::vector<std::string_view> kinds;
-  for (const Object& object : scene.objects) kinds.push_back(shape_name(object.shape));
+  std::vector<std::string> kinds;
+  for (const Object& object : scene.objects) kinds.emplace_back(shape_name(object.shape));
   text += row("objects", counts_of(kinds));
   kinds.assign(scene.groups.size(), "group");
   if (!kinds.empty()) text += row("groups", counts_of(kinds));
   kinds.clear();
   for (const Light& light : scene.lights)
-    kinds.push_back(std::visit([](const auto& kind) { return kind_of(kind); }, light.kind));
+    kinds.push_back(std::visit([](const auto& kind) { return std::string(light_name(kind)) + " light"; }, light.kind));
   text += row("lights", counts_of(kinds));
 
   text += "\neffects\n";
@@ -158,7 +153,30 @@ std::string cost_text(const study::SceneCost& cost) {
              cost.everything_grid);
 }
 
+namespace {
+
+ExitCode print_or_fail(const std::string& text) {
+  const auto printed = print(text);
+  return printed ? ExitCode::done : fail(printed.error());
+}
+
+/// What can be said of the tables of this name, or of all.
+ExitCode print_keys(const std::string& name) {
+  std::vector<KeyTable> tables = key_tables();
+  if (name.empty()) return print_or_fail(reference_text(tables));
+  std::vector<std::string_view> names;
+  for (const KeyTable& table : tables) names.push_back(table.name);
+  const std::string nearest = nearest_word(name, names);
+  Error unknown{"", 0, 0, fmt::format("there are no keys of \"{}\" (expected {})", name, one_of(names)),
+                nearest.empty() ? "" : "did you mean " + nearest + "?"};
+  std::erase_if(tables, [&](const KeyTable& table) { return table.name != name; });
+  return tables.empty() ? refuse(unknown) : print_or_fail(reference_text(tables));
+}
+
+}  // namespace
+
 ExitCode info_command(const InfoOptions& options) {
+  if (options.keys) return print_keys(*options.keys);
   auto document = load_scene(options.scene);
   if (!document) return fail(document.error());
   RenderChoices& choices = document->scene.render;
@@ -182,8 +200,7 @@ ExitCode info_command(const InfoOptions& options) {
     if (!cost) return fail({"", 0, 0, "interrupted before all was measured", ""});
     text += cost_text(*cost);
   }
-  const auto printed = print(text);
-  return printed ? ExitCode::done : fail(printed.error());
+  return print_or_fail(text);
 }
 
 }  // namespace raywalk

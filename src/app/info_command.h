@@ -18,7 +18,8 @@ namespace raywalk {
 /// What `raywalk info` was asked for; what is absent is the scene's own.
 struct InfoOptions {
   std::string scene;
-  bool with_cost = false;  ///< also measures what its effects cost, which takes some seconds
+  std::optional<std::string> keys{};  ///< instead of a scene: the keys that this one of its tables has, "" for all
+  bool with_cost = false;             ///< also measures what its effects cost, which takes some seconds
   std::optional<Integrator> integrator{};
   std::optional<int> path_length{};
   std::optional<int> samples{};

@@ -1,4 +1,4 @@
-// The command line: every subcommand and option is declared here, those about files in app/file_commands.cpp.
+// The command line. Commands that share options are declared here, others beside what they do.
 #include "app/program.h"
 
 #include "app/check_command.h"
@@ -15,9 +15,9 @@
 #include "app/window_command.h"
 #include "io/file_ledger.h"
 #include "io/image.h"
-#include "io/scene_keys.h"
 #include "math/stop.h"
 #include "render/adaptive.h"
+#include "scene/schema_kinds.h"
 
 #include <fmt/format.h>
 
@@ -48,7 +48,7 @@ void add_numerics(CLI::App& command, std::optional<Numerics>& numerics, std::opt
 }
 
 void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<double>& threshold) {
-  constexpr auto range = scene_keys::depth_count;
+  constexpr auto range = schema::depth_count;
   add_whole(command, "--depth", depth, range.low, range.high, "The deepest SHADE; the primary ray's is 1");
   // More than all of it would be no limit but an end to all rays beyond the first hit, which is --depth 1.
   add_parsed(command, "--threshold", threshold, parse_share, "X", "a number from 0 to 1",
@@ -61,24 +61,24 @@ void add_integrator(CLI::App& command, std::optional<Integrator>& integrator, st
                         Integrator::path},
              integrator_name,
              "How light is followed: shadows only, mirrors and glass too, soft effects, or everywhere");
-  constexpr auto range = scene_keys::path_length_count;
+  constexpr auto range = schema::path_length_count;
   add_whole(command, "--path-length", path_length, range.low, range.high,
             "With --integrator path: most rays between the eye and a light");
 }
 
 void add_samples(CLI::App& command, std::optional<int>& samples) {
-  constexpr int most = 1 << 20;
-  add_whole(command, "--spp", samples, 1, most, "Samples of each pixel");
+  constexpr auto range = schema::sample_count;
+  add_whole(command, "--spp", samples, range.low, range.high, "Samples of each pixel");
 }
 
 void add_light_grid(CLI::App& command, std::optional<int>& light_grid) {
-  constexpr auto points = scene_keys::light_grid_count;
+  constexpr auto points = schema::light_grid_count;
   add_whole(command, "--light-grid", light_grid, points.low, points.high,
             "Of a light with an extent, N x N points are tried from every hit");
 }
 
 void add_size(CLI::App& command, std::optional<ImageSize>& size) {
-  const std::string most = std::to_string(scene_keys::pixel_count.high);
+  const std::string most = std::to_string(schema::pixel_count.high);
   add_parsed(command, "--size", size, parse_size, "WxH", "two whole numbers up to " + most + ", such as 640x480",
              "Pixels of the image");
 }
@@ -178,7 +178,14 @@ void declare_info(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("info", "Say what a scene holds, the effects it calls for, and why");
   const auto options = std::make_shared<InfoOptions>();
   InfoOptions& to = *options;
-  command.add_option("SCENE", to.scene, scene_help)->required()->type_name("");
+  auto* scene = command.add_option("SCENE", to.scene, scene_help)->type_name("");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--keys", [&to](const auto& words) { to.keys = words.empty() ? "" : words.front(); },
+          "Instead: every key that a scene file may have, or those of NAME: camera, material, sphere...")
+      ->expected(0, 1)
+      ->type_name("NAME")
+      ->excludes(scene);
   command.add_flag("--cost", to.with_cost, "Measure what each effect costs, and what all would cost regardless");
   add_integrator(command, to.integrator, to.path_length);
   add_samples(command, to.samples);
@@ -188,37 +195,12 @@ void declare_info(CLI::App& program, Run& run) {
       "Examples:\n"
       "  raywalk info classic\n"
       "  raywalk info my/scene.toml --cost\n"
+      "  raywalk info --keys sphere\n"
       "  raywalk info distributed --integrator whitted --spp 9");
-  command.callback([options, &run] { run = [options] { return info_command(*options); }; });
-}
-
-void declare_check(CLI::App& program, Run& run) {
-  CLI::App& command = *program.add_subcommand("check", "Check Raywalk itself");
-  command.require_subcommand(1);
-  CLI::App& numerics =
-      *command.add_subcommand("numerics", "Aim rays at what is hard to decide, and judge each by exact arithmetic");
-  const auto options = std::make_shared<CheckOptions>();
-  CheckOptions& to = *options;
-  numerics.add_option("NAME", to.names, "Only these families; left out: all")->type_name("");
-  numerics.add_flag("--full", to.full, "100 million rays a family instead of a million; can be stopped and goes on");
-  numerics.add_flag("--list", to.list, "Only name the families");
-  constexpr int most_rays = 1 << 30, most_threads = 1024;
-  add_whole(numerics, "--rays", to.rays, 1, most_rays, "Rays a family");
-  add_parsed(numerics, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
-             "Which rays (1 when left out)");
-  add_whole(numerics, "--threads", to.threads, 0, most_threads,
-            "Threads; 0, as when left out: as many as the machine runs at once");
-  add_file(numerics, "--state", to.state, "FILE",
-           "Keep what is done here, and go on from it (--full: raywalk-numerics.state)");
-  numerics.footer(
-      "Prints a table: missed and false decisions, self-hits, near sheets missed, answers that had to be the same\n"
-      "bits and differ, the worst error of t in ulps in the exact tier and in the fast one (there also divided by the\n"
-      "condition number kappa), and the share of rays that needed exact arithmetic. Exits with 1 when a goal is "
-      "broken.\n\n"
-      "Examples:\n"
-      "  raywalk check numerics sphere\n"
-      "  raywalk check numerics --full --threads 4");
-  numerics.callback([options, &run] { run = [options] { return check_numerics_command(*options); }; });
+  command.callback([options, scene, &run] {
+    if (!options->keys && scene->count() == 0) throw CLI::RequiredError("SCENE");
+    run = [options] { return info_command(*options); };
+  });
 }
 
 /// CLI11 has no name for an option that help does not show.

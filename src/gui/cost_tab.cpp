@@ -121,7 +121,7 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   form.whole("property.samples", next.samples, 1, CostState::most_samples);
   pick_among(ui, form, "property.sampler", samplers, next.sampler);
   form.whole("property.light_grid", next.light_grid, 0, CostState::most_grid);
-  form.whole("property.depth_limit", next.depth, 1, CostState::most_depth);
+  form.whole("property.limits_depth", next.depth, 1, CostState::most_depth);
   form.number("property.threshold", next.threshold, 0.0005, 0, 1);
   form.number("property.tolerance", next.tolerance, 0.0005, 0, 1);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);

@@ -19,9 +19,22 @@
 
 namespace raywalk {
 
-std::string FormLabel::words(Language language) const { return fill(id_, language, {{"number", number_}}); }
+std::string FormLabel::id_in(Language language) const {
+  if (table_.empty()) return std::string(id_);
+  const std::string key(id_), own = "property." + std::string(table_) + "_" + key;
+  return language.catalogue().find(own) != nullptr ? own : "property." + key;
+}
 
-std::string FormLabel::hint(Language language) const { return std::string(explanation(id_, language)); }
+std::string FormLabel::words(Language language) const {
+  const std::string id = id_in(language);
+  if (!table_.empty() && language.catalogue().find(id) == nullptr) return std::string(id_);
+  return fill(id, language, {{"number", number_}});
+}
+
+std::string FormLabel::hint(Language language) const {
+  const std::string_view known = explanation(id_in(language), language);
+  return std::string(known.empty() ? sentence_ : known);
+}
 
 namespace {
 
@@ -212,16 +225,15 @@ bool Form::whole(const FormLabel& of, int& value, int least, int most, bool at_e
   return is_change;
 }
 
-bool Form::vector(const FormLabel& of, double* values, int count, double step, double least) {
+bool Form::vector(const FormLabel& of, double* values, int count, double step, double least, double most) {
   row(of);
-  constexpr double far = 1e6;
   const float gap = ui_.px(4);
   const float each = (width_ - label_width_ - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
   bool now = false;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui_.px(4), ImGui::GetStyle().FramePadding.y});
   for (int i = 0; i < count; ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    now |= drag("##" + name_ + std::to_string(i), values[i], step, least, far, each);
+    now |= drag("##" + name_ + std::to_string(i), values[i], step, least, most, each);
     ui_.publish(name_ + "/" + std::to_string(i));
   }
   ImGui::PopStyleVar();

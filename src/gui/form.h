@@ -29,12 +29,20 @@ class FormLabel {
   FormLabel(std::string_view id) : id_(id) {}  // NOLINT
   /// {number} is the number.
   FormLabel(std::string_view id, int number) : id_(id), number_(number) {}
+  /// A key of a scene: "property.TABLE_KEY" where there is such a text, else "property.KEY"; without either it is said
+  /// by its name and the schema's sentence.
+  FormLabel(std::string_view table, std::string_view key, std::string_view sentence)
+      : id_(key), table_(table), sentence_(sentence) {}
+  FormLabel(const FormLabel& list, int number) : FormLabel(list) { number_ = number; }
   [[nodiscard]] std::string words(Language language) const;
   /// Empty for those that need none.
   [[nodiscard]] std::string hint(Language language) const;
 
  private:
+  [[nodiscard]] std::string id_in(Language language) const;
+
   std::string_view id_;
+  std::string_view table_{}, sentence_{};
   int number_ = 0;
 };
 
@@ -54,7 +62,7 @@ class Form {
   /// `at_enter`: what is typed counts when it is finished, not digit by digit.
   bool whole(const FormLabel& label, int& value, int least, int most, bool at_enter = false);
   /// x, y and z, or the first `count` of them.
-  bool vector(const FormLabel& label, double* values, int count, double step, double least = -1e6);
+  bool vector(const FormLabel& label, double* values, int count, double step, double least, double most);
   /// Linear RGB as three numbers, and a field of its colour that opens a palette.
   bool colour(const FormLabel& label, Rgbd& value, double most);
   bool flag(const FormLabel& label, bool& value);

@@ -66,7 +66,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
 
   // These belong to the scene: the walk and the file have them too.
   TraceLimits limits = state.scene().limits;
-  bool now = form.whole("property.depth_limit", limits.depth, 1, 50);
+  bool now = form.whole("property.limits_depth", limits.depth, 1, 50);
   now |= form.number("property.threshold", limits.threshold, 0.0005, 0, 1);
   if (now) ui.act(action::SetLimits{limits, form.continues()});
   Numerics numerics = state.scene().render.numerics;

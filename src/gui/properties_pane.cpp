@@ -1,9 +1,8 @@
 #include "gui/form.h"
 #include "gui/panes.h"
+#include "gui/schema_form.h"
 #include "gui/widgets.h"
 #include "view/text.h"
-
-#include <cmath>
 
 #include <algorithm>
 #include <utility>
@@ -12,143 +11,41 @@ namespace raywalk {
 
 namespace {
 
-constexpr double tiny = 1e-6, huge = 1e6;
-
-void material_rows(const Ui& ui, Form& form, int index, const Object& object) {
-  form.heading("property.material");
-  Material m = object.material;
-  bool now = form.colour("property.ambient", m.ambient, 1);
-  now |= form.colour("property.diffuse", m.diffuse, 1);
-  now |= form.colour("property.specular", m.specular, 1);
-  now |= form.number("property.shininess", m.shininess, 0.5, 0, 1e5);
-  now |= form.colour("property.reflection", m.reflection, 1);
-  now |= form.colour("property.transmission", m.transmission, 1);
-  now |= form.number("property.ior", m.ior, 0.005, 0.01, 100);
-  now |= form.flag("property.dielectric", m.dielectric);
-  now |= form.number("property.priority", m.priority, 0.05, -1000, 1000);
-  bool filtered = m.shadow == ShadowKind::filtered;
-  now |= form.flag("property.filtered_shadow", filtered);
-  m.shadow = filtered ? ShadowKind::filtered : ShadowKind::opaque;
-  now |= form.colour("property.emission", m.emission, huge);
-  bool checkered = m.checker.has_value();
-  if (form.flag("property.checker", checkered)) {
-    now = true;
-    m.checker = checkered ? std::optional<Checker>(Checker{}) : std::nullopt;
-  }
-  if (now) ui.act(action::SetMaterial{index, m, form.continues()});
-}
-
-bool shape_rows(Form& form, Sphere<double>& sphere) {
-  bool now = form.vector("property.centre", &sphere.centre.x, 3, 0.01);
-  now |= form.number("property.radius", sphere.radius, 0.01, tiny, huge);
-  return now;
-}
-
-bool shape_rows(Form& form, Plane<double>& plane) {
-  bool now = form.vector("property.position", &plane.point.x, 3, 0.01);
-  now |= form.vector("property.normal", &plane.normal.x, 3, 0.01);
-  return now;
-}
-
-bool shape_rows(Form& form, Prism<double>& prism) {
-  bool now = form.number("property.height", prism.height, 0.01, tiny, huge);
-  int number = 0;
-  for (Vec2d& corner : prism.corners) now |= form.vector({"property.corner", ++number}, &corner.x, 2, 0.01);
-  return now;
-}
-
-bool shape_rows(Form& form, Box<double>& box) {
-  bool now = form.vector("property.lowest", &box.min.x, 3, 0.01);
-  now |= form.vector("property.highest", &box.max.x, 3, 0.01);
-  return now;
-}
-
-template <QuadricKind Kind>
-bool shape_rows(Form& form, Quadric<double, Kind>& quadric) {
-  bool now = form.vector("property.radii", &quadric.radii.x, 3, 0.01);
-  if (std::isfinite(quadric.z_min)) now |= form.number("property.lowest", quadric.z_min, 0.01, -huge, huge);
-  if (std::isfinite(quadric.z_max)) now |= form.number("property.highest", quadric.z_max, 0.01, -huge, huge);
-  now |= form.flag("property.capped", quadric.capped);
-  return now;
-}
-
-bool shape_rows(Form& form, Disk<double>& disk) {
-  bool now = form.vector("property.centre", &disk.centre.x, 3, 0.01);
-  now |= form.vector("property.normal", &disk.normal.x, 3, 0.01);
-  now |= form.number("property.radius", disk.radius, 0.01, tiny, huge);
-  return now;
-}
-
-bool shape_rows(Form& form, Polygon<double>& polygon) {
-  bool now = false;
-  int number = 0;
-  for (Vec3d& corner : polygon.outline) now |= form.vector({"property.corner", ++number}, &corner.x, 3, 0.01);
-  return now;
-}
-
-bool shape_rows(Form& form, Triangle<double>& triangle) {
-  bool now = false;
-  int number = 0;
-  for (Vec3d* corner : {&triangle.a, &triangle.b, &triangle.c})
-    now |= form.vector({"property.corner", ++number}, &corner->x, 3, 0.01);
-  return now;
-}
-
-// A mesh's file and a group are chosen in the scene's file.
-bool shape_rows(Form& form, MeshShape& mesh) { return form.flag("property.smooth", mesh.smooth); }
-bool shape_rows(Form& /*form*/, Instance& /*instance*/) { return false; }
-
 void object_rows(const Ui& ui, Form& form, int index) {
   const Object& object = ui.state.scene().objects[static_cast<std::size_t>(index)];
   std::string name = object.name;
   if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::object, index}, name});
   ObjectShape shape = object.shape;
-  if (std::visit([&](auto& s) { return shape_rows(form, s); }, shape))
+  if (std::visit([&](auto& s) { return SchemaForm::draw(form, schema::type_name(s), s); }, shape))
     ui.act(action::SetShape{index, shape, form.continues()});
-  if (!std::holds_alternative<Instance>(object.shape)) material_rows(ui, form, index, object);
+  if (std::holds_alternative<Instance>(object.shape)) return;
+  form.heading("property.material");
+  Material material = object.material;
+  if (SchemaForm::draw(form, "material", material)) ui.act(action::SetMaterial{index, material, form.continues()});
 }
 
 void light_rows(const Ui& ui, Form& form, int index) {
   Light light = ui.state.scene().lights[static_cast<std::size_t>(index)];
   std::string name = light.name;
   if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::light, index}, name});
-  bool now = form.colour("property.strength", light.strength, huge);
-  if (auto* point = std::get_if<PointLight>(&light.kind)) {
-    now |= form.vector("property.position", &point->position.x, 3, 0.01);
-    Attenuation& a = point->attenuation;
-    std::array<double, 3> terms{a.constant, a.linear, a.quadratic};
-    if (form.vector("property.attenuation", terms.data(), 3, 0.005, 0)) {
-      a = {terms[0], terms[1], terms[2]};
-      now = true;
-    }
-  } else if (auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
-    now |= form.vector("property.direction", &sun->direction.x, 3, 0.01);
-  }
-  if (now) ui.act(action::SetLight{index, light, form.continues()});
+  if (SchemaForm::draw(form, "light", light)) ui.act(action::SetLight{index, light, form.continues()});
 }
 
 void camera_rows(const Ui& ui, Form& form) {
   Camera camera = ui.state.scene().camera;
-  bool now = form.vector("property.position", &camera.eye.x, 3, 0.01);
-  now |= form.vector("property.look_at", &camera.look_at.x, 3, 0.01);
-  now |= form.number("property.screen_distance", camera.screen.distance, 0.01, tiny, huge);
-  if (camera.screen.width) now |= form.number("property.screen_width", *camera.screen.width, 0.01, tiny, huge);
-  if (camera.fov) now |= form.number("property.view_angle", camera.fov->degrees, 0.2, 0.1, 179.9);
-  now |= form.whole("property.screen_cells", camera.screen.cells, 1, 1001);
-  if (now) ui.act(action::SetCamera{camera, form.continues()});
+  const bool moved = SchemaForm::draw(form, "camera", camera);
+  if (SchemaForm::draw(form, "screen", camera.screen) || moved) ui.act(action::SetCamera{camera, form.continues()});
 }
 
 void scene_rows(const Ui& ui, Form& form) {
   form.heading("scene.settings");
-  const Scene& scene = ui.state.scene();
-  Rgbd background = scene.background, ambient = scene.ambient;
-  bool now = form.colour("property.background", background, huge);
-  now |= form.colour("property.ambient_light", ambient, huge);
-  if (now) ui.act(action::SetSurroundings{background, ambient, form.continues()});
-  TraceLimits limits = scene.limits;
-  now = form.whole("property.depth_limit", limits.depth, 1, 50);
-  now |= form.number("property.threshold", limits.threshold, 0.0005, 0, 1);
-  if (now) ui.act(action::SetLimits{limits, form.continues()});
+  Scene scene;  // of its own keys those that have fields; the rest may be large
+  scene.background = ui.state.scene().background;
+  scene.ambient = ui.state.scene().ambient;
+  if (SchemaForm::draw(form, "scene", scene))
+    ui.act(action::SetSurroundings{scene.background, scene.ambient, form.continues()});
+  TraceLimits limits = ui.state.scene().limits;
+  if (SchemaForm::draw(form, "limits", limits)) ui.act(action::SetLimits{limits, form.continues()});
 }
 
 std::string title_of(const Ui& ui, const Target& target) {

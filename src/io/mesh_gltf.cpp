@@ -3,6 +3,7 @@
 #include "io/mesh_gltf.h"
 #include "io/memory.h"
 #include "math/transform.h"
+#include "scene/schema_kinds.h"
 
 #include <fmt/format.h>
 
@@ -286,7 +287,7 @@ class GltfReader {
     material.transmission = through * tint;
     material.reflection = (1 - through) * colour(mirrored) * tint;
     material.diffuse = (1 - through) * (1 - colour(mirrored)) * tint;
-    const auto light = [](double x) { return std::clamp(x, 0.0, 1e12); };  // as in scenes (io/scene_words.h)
+    const auto light = [](double x) { return std::clamp(x, 0.0, schema::light_amount.high); };
     material.emission = {light(emission[0]), light(emission[1]), light(emission[2])};
     material.dielectric = through > 0;
     return material;

@@ -4,6 +4,7 @@
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
 #include "io/text_file.h"
+#include "scene/schema_kinds.h"
 
 #include <fmt/format.h>
 
@@ -273,8 +274,9 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
     const bool is_number =
         keyword == "Ns" || keyword == "Ni" || keyword == "d" || keyword == "Tr" || keyword == "illum";
     if (!is_colour && !is_number) continue;  // pictures and what other renderers added
-    // As in scenes (io/scene_words.h): shares of the light, light itself, and exponents and indices.
-    const double most = keyword == "Ke" ? 1e12 : is_colour ? 1000 : 1e15;
+    const double most = keyword == "Ke" ? schema::light_amount.high
+                        : is_colour     ? schema::reflectance.high
+                                        : schema::most_magnitude;
     std::array<double, 3> values{};
     int count = 0;
     for (std::string_view word = cursor.word(); !word.empty() && count < 3; word = cursor.word()) {

@@ -15,13 +15,13 @@ namespace raywalk {
 namespace {
 
 using detail::WordReader;
-using scene_keys::above_zero;
-using scene_keys::coordinate;
-using scene_keys::not_negative;
-using scene_keys::reflectance;
-using scene_keys::view_angle;
+using schema::above_zero;
+using schema::coordinate;
+using schema::not_negative;
+using schema::reflectance;
+using schema::view_angle;
 
-constexpr scene_keys::WholeRule corner_count{3, 10'000};
+constexpr schema::Whole corner_count{3, 10'000};
 
 /// About z from z_min to z_max, put where `foot` is the point at z = 0 and `axis` the way along +z.
 std::vector<TransformStep> along(const Vec3d& foot, const Vec3d& axis) {
@@ -113,8 +113,8 @@ class NffReader {
       } else if (key == "hither") {
         words_.number("hither", coordinate);
       } else {
-        scene_.image.width = words_.whole("resolution", scene_keys::pixel_count);
-        scene_.image.height = words_.whole("resolution", scene_keys::pixel_count);
+        scene_.image.width = words_.whole("resolution", schema::pixel_count);
+        scene_.image.height = words_.whole("resolution", schema::pixel_count);
         detail::check_image(scene_.image, words_);
         has_resolution = true;
       }
@@ -182,7 +182,7 @@ class NffReader {
     const Material& of = material();
     const Vec3d centre = words_.point("the centre");
     const double r = radius("the radius");
-    if (words_.ok() && r * scene_keys::most_magnitude < 1)
+    if (words_.ok() && r * schema::most_magnitude < 1)
       words_.fail("the radius of s is 0 (expected any other number)", "a negative radius shows the inside");
     if (words_.ok()) add({names_.next("Sphere"), Shape<double>(Sphere<double>{centre, r}), of});
   }
@@ -196,7 +196,7 @@ class NffReader {
     double apex_radius = radius("the radius at the apex");
     if (!words_.ok()) return;
     if (base_radius < apex_radius) std::swap(base, apex), std::swap(base_radius, apex_radius);
-    const double height = length(apex - base), least = 1 / scene_keys::most_magnitude;
+    const double height = length(apex - base), least = 1 / schema::most_magnitude;
     if (!(height >= least))
       return words_.fail_item("base and apex are the same point (expected a cone with a height)", "move one of them");
     if (!(base_radius >= least))
@@ -216,7 +216,7 @@ class NffReader {
     cone.z_min = apex_radius == 0 ? 0 : tip - height;
     cone.z_max = tip;
     const Vec3d axis = (base - apex) / height;
-    if (!(tip <= scene_keys::most_magnitude && cone.radii.x >= least && cone.z_min < cone.z_max))
+    if (!(tip <= schema::most_magnitude && cone.radii.x >= least && cone.z_min < cone.z_max))
       return words_.fail_item("the cone is too slender to be told from a cylinder (expected radii that differ more)",
                               "make the two radii equal");
     add({names_.next("Cone"), Shape<double>(cone), of, along(base - tip * axis, axis)});

@@ -9,6 +9,7 @@
 #include "io/text_file.h"
 #include "io/texture_file.h"
 #include "io/toml_text.h"
+#include "scene/schema_kinds.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ void check_camera(const Camera& camera, const toml::table& root, ReadLog& log) {
              "the picture has no width (expected either fov in [camera] or width in [screen])",
              "add fov = 45 to [camera]");
   const Vec3d view = camera.look_at - camera.eye;
-  const double least = 1 / scene_keys::most_magnitude;
+  const double least = 1 / schema::most_magnitude;
   if (!(length(view) >= least))
     return log.fail(place_of(root, "camera", "look_at"),
                     "look_at of [camera] is the same point as eye (expected a point that the eye sees)",
@@ -120,7 +121,7 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
   scene.camera.screen.width.reset();  // given by the file, or by the angle
   ReadLog log(file_name, meshes == MeshReading::read);
   SceneReader reader(root, log, "");
-  scene_keys::describe(reader, scene);
+  schema::describe(reader, scene);
   reader.finish();
   if (!log.error()) {
     check_camera(scene.camera, root, log);

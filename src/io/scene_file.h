@@ -1,6 +1,5 @@
 #pragma once
-// Raywalk's own scene format: TOML. Every key is documented in scenes/classic.toml; the keys themselves are listed
-// once, in io/scene_keys.h.
+// Raywalk's own scene format: TOML. Its keys are listed once, in scene/schema.h; scenes/README.md says them to people.
 
 #include "io/error.h"
 #include "scene/scene.h"

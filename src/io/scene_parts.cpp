@@ -87,7 +87,7 @@ std::optional<Error> make_room(Scene& scene, std::string_view text, const std::s
 
 void check_camera(const Camera& camera, WordReader& words) {
   const Vec3d view = camera.look_at - camera.eye;
-  if (!(length(view) >= 1 / scene_keys::most_magnitude))
+  if (!(length(view) >= 1 / schema::most_magnitude))
     return words.fail_item("the camera looks at the point where it stands (expected a point that the eye sees)",
                            "move one of the two points");
   constexpr double least_sine = 1e-9;

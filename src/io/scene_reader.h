@@ -3,12 +3,14 @@
 
 #include "io/mesh_file.h"
 #include "io/scene_file.h"
-#include "io/scene_keys.h"
+#include "scene/schema.h"
 #include "text/toml.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -46,81 +48,86 @@ class ReadLog {
   std::map<std::string, std::shared_ptr<const GroupContent>> groups_;
 };
 
-/// The `Fields` of scene_keys that reads: each call takes its key from one TOML table, checks it and stores it.
+/// The `Fields` of the schema that reads: takes each key from one TOML table, checks its value and stores it.
 class SceneReader {
  public:
   /// `place` says in messages which table this is: "[camera]".
   SceneReader(const toml::table& table, ReadLog& log, std::string place)
       : table_(table), log_(log), place_(std::move(place)) {}
 
-  void text(std::string_view key, std::string& value);
-  void name(std::string_view key, std::string& value);
-  void number(std::string_view key, double& value, const scene_keys::NumberRule& rule, scene_keys::Presence presence);
-  void number_or_nothing(std::string_view key, std::optional<double>& value, const scene_keys::NumberRule& rule);
-  void whole(std::string_view key, int& value, scene_keys::WholeRule rule);
-  void whole_or_nothing(std::string_view key, std::optional<int>& value, scene_keys::WholeRule rule);
-  /// Two numbers, or what they were when the key is left out.
-  void pair(std::string_view key, double& first, double& second, const scene_keys::NumberRule& rule,
-            std::string_view expected);
-  /// The name of a file, which need not exist.
-  void file(std::string_view key, std::string& value);
-  void yes_or_no(std::string_view key, bool& value);
-  void colour(std::string_view key, Rgbd& value);
-  void point(std::string_view key, Vec3d& value, scene_keys::Presence presence);
-  void direction(std::string_view key, Vec3d& value, scene_keys::Presence presence);
-  void attenuation(std::string_view key, Attenuation& value);
-  void corners(std::string_view key, std::vector<Vec2d>& value);
-  void lengths(std::string_view key, Vec3d& value);
-  /// A coordinate that is infinite when left out.
-  void limit(std::string_view key, double& value);
-  void points(std::string_view key, std::vector<Vec3d>& value);
-  void holes(std::string_view key, std::vector<std::vector<Vec3d>>& value);
-  void steps(std::string_view key, std::vector<TransformStep>& value);
-  void motion(std::string_view key, Motion& value);
-  void mesh_file(std::string_view key, MeshShape& value);
-  void vertices(std::string_view positions, std::string_view triangles, std::string_view normals, std::string_view uv,
-                MeshShape& value);
-  void group_name(std::string_view key, Instance& value);
-  void define(const Group& group) { log_.define(group, table_.source()); }
-  /// What no single key can tell: fails at `key` with `message` unless `holds`.
-  void check(bool holds, std::string_view key, std::string_view message, std::string_view hint);
-  template <class Value>
-  void choice(std::string_view key, Value& value);
+  void about(std::string_view /*sentence*/) {}
+  template <class T, class Kind>
+  void key(std::string_view name, T& value, const Kind& kind, std::string_view /*sentence*/ = {}) {
+    if (const toml::node* node = take(name)) read(*node, name, kind, value);
+  }
+  template <class T, class Kind>
+  void key(std::string_view name, std::optional<T>& value, const Kind& kind, std::string_view /*sentence*/ = {});
+  template <class T, class Kind>
+  void required(std::string_view name, T& value, const Kind& kind, std::string_view sentence = {}) {
+    if (!table_.contains(name)) missing_.push_back(name);
+    key(name, value, kind, sentence);
+  }
   template <class... Kinds>
-  void type(std::string_view key, std::variant<Kinds...>& value);
-  template <class T>
-  void table(std::string_view key, T& value, scene_keys::Presence presence);
-  template <class T>
-  void table_or_nothing(std::string_view key, std::optional<T>& value);
-  template <class T>
-  void tables(std::string_view key, std::vector<T>& value);
-  /// Members that stand in this very table, all or none of them.
+  void type(std::variant<Kinds...>& value, std::string_view sentence);
   template <class T>
   void together(std::optional<T>& value);
+  void check(std::string_view key, bool holds, std::string_view message, std::string_view hint);
+  template <class Why>
+  void check(std::string_view key, const Why& why, std::string_view hint) {
+    if (log_.error() || !missing_.empty()) return;
+    const std::string message = why();
+    check(key, message.empty(), message, hint);
+  }
+  void complete(MeshShape& mesh);
+  void complete(const Group& group) { log_.define(group, table_.source()); }
 
-  /// Call once at the end: refuses keys that nobody asked for, then tells the first one that is missing.
+  /// Call once at the end: refuses keys that nobody asked for, tells the first one that is missing, and then, as a rule
+  /// may be broken only for these, the first rule that is.
   void finish();
 
  private:
   /// The value of `key`, or null where the file does not give it.
-  const toml::node* take(std::string_view key, scene_keys::Presence presence);
+  const toml::node* take(std::string_view key);
   void fail(const toml::node& at, std::string_view key, const std::string& message, std::string hint);
-  void fail_type(const toml::node& at, std::string_view key, const std::string& expected, std::string hint);
-  std::optional<double> number_of(const toml::node& node, std::string_view key, const scene_keys::NumberRule& rule);
-  /// The numbers of a list of `least` to `most` of them; empty after an error.
-  std::vector<double> numbers_of(const toml::node& node, std::string_view key, const scene_keys::NumberRule& rule,
-                                 std::size_t least, std::size_t most, const std::string& expected);
-  std::vector<Vec3d> points_of(const toml::node& node, std::string_view key);
-  /// The rows of a list of lists, `width` numbers each.
-  std::vector<std::vector<double>> rows_of(const toml::node& node, std::string_view key, std::size_t width,
-                                           const std::string& expected);
-  std::optional<TransformStep> step_of(const toml::node& node, std::string_view key);
-  /// The choice's index among `words`.
+  void fail_type(const toml::node& at, std::string_view key, const std::string& expected, std::string_view hint);
+
+  // Stores what stands at `node`, or leaves the value and fails.
+  bool read(const toml::node& node, std::string_view key, const schema::Number& kind, double& value);
+  bool read(const toml::node& node, std::string_view key, const schema::Whole& kind, int& value);
+  bool read(const toml::node& node, std::string_view key, const schema::Flag& kind, bool& value);
+  bool read(const toml::node& node, std::string_view key, const schema::Text& kind, std::string& value);
+  bool read(const toml::node& node, std::string_view key, const schema::Name& kind, std::string& value);
+  bool read(const toml::node& node, std::string_view key, const schema::FileName& kind, std::string& value);
+  bool read(const toml::node& node, std::string_view key, const schema::GroupName& kind, Instance& value);
+  bool read(const toml::node& node, std::string_view key, const schema::MeshRows& kind, MeshShape& value);
+  bool read(const toml::node& node, std::string_view key, const schema::Steps& kind, std::vector<TransformStep>& value);
+  bool read(const toml::node& node, std::string_view key, const schema::Rows& kind, Motion& value);
+  template <class T>
+  bool read(const toml::node& node, std::string_view key, const schema::Choice<T>& kind, T& value);
+  template <class T>
+  bool read(const toml::node& node, std::string_view key, const schema::Tuple& kind, T& value);
+  template <class T>
+  bool read(const toml::node& node, std::string_view key, const schema::Rows& kind, std::vector<T>& value);
+  template <class T>
+  bool read(const toml::node& node, std::string_view key, const schema::Lists& kind, std::vector<T>& value);
+  template <class T>
+  bool read(const toml::node& node, std::string_view key, const schema::Table& kind, T& value);
+  template <class T>
+  bool read(const toml::node& node, std::string_view key, const schema::Tables& kind, std::vector<T>& value);
+
+  /// The numbers of a tuple, at most `count`; fewer than that only where the kind allows it. Empty after an error.
+  std::vector<double> numbers_of(const toml::node& node, std::string_view key, const schema::Tuple& kind,
+                                 std::size_t count);
+  bool is_direction(const toml::node& node, std::string_view key, const Vec3d& value);
+  /// The list of a key of Rows; null after an error.
+  const toml::array* rows_of(const toml::node& node, std::string_view key, const schema::Rows& kind);
+  bool step_of(const toml::node& node, std::string_view key, TransformStep& value);
+  /// The word's index among `words`.
   std::optional<std::size_t> word_of(const toml::node& node, std::string_view key,
                                      const std::vector<std::string_view>& words);
   const toml::table* table_of(const toml::node& node, std::string_view key);
   const toml::array* tables_of(const toml::node& node, std::string_view key);
-  void fail_without_type(std::string_view key, const std::vector<std::string_view>& words);
+  void fail_without_type(const std::vector<std::string_view>& words);
   [[nodiscard]] std::string place_of(std::string_view key) const;
   [[nodiscard]] std::string place_of_element(std::string_view key, std::size_t number) const;
 
@@ -129,75 +136,106 @@ class SceneReader {
   std::string place_;
   std::vector<std::string_view> known_, missing_;
   int found_ = 0;
+  std::function<void()> broken_;  ///< tells of the first rule that does not hold
+  Mesh own_mesh_;                 ///< of the lists in this table
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-template <class Value>
-void SceneReader::choice(std::string_view key, Value& value) {
-  const auto& names = scene_keys::Names<Value>::all;
-  std::vector<std::string_view> words;
-  for (const auto& [each, word] : names) words.push_back(word);
-  if (const toml::node* node = take(key, scene_keys::optional))
-    if (const auto index = word_of(*node, key, words)) value = names[*index].first;
+template <class T, class Kind>
+void SceneReader::key(std::string_view name, std::optional<T>& value, const Kind& kind, std::string_view /*sentence*/) {
+  value.reset();
+  const toml::node* node = take(name);
+  if (T given{}; node != nullptr && read(*node, name, kind, given)) value = std::move(given);
 }
 
 template <class... Kinds>
-void SceneReader::type(std::string_view key, std::variant<Kinds...>& value) {
-  const std::vector<std::string_view> words{scene_keys::type_name(Kinds{})...};
+void SceneReader::type(std::variant<Kinds...>& value, std::string_view /*sentence*/) {
+  const std::vector<std::string_view> words{schema::type_name(Kinds{})...};
   const std::vector<std::variant<Kinds...>> kinds{Kinds{}...};
-  const toml::node* node = take(key, scene_keys::optional);
-  if (node == nullptr) return fail_without_type(key, words);
-  const auto index = word_of(*node, key, words);
+  const toml::node* node = take("type");
+  if (node == nullptr) return fail_without_type(words);
+  const auto index = word_of(*node, "type", words);
   if (!index) return;
   value = kinds[*index];
-  std::visit([&](auto& kind) { scene_keys::describe(*this, kind); }, value);
-}
-
-template <class T>
-void SceneReader::table(std::string_view key, T& value, scene_keys::Presence presence) {
-  const toml::node* node = take(key, presence);
-  if (node == nullptr) return;
-  const toml::table* table = table_of(*node, key);
-  if (table == nullptr) return;
-  SceneReader inner(*table, log_, place_of(key));
-  scene_keys::describe(inner, value);
-  inner.finish();
-}
-
-template <class T>
-void SceneReader::table_or_nothing(std::string_view key, std::optional<T>& value) {
-  value.reset();
-  if (!table_.contains(key)) {
-    known_.push_back(key);
-    return;
-  }
-  table(key, value.emplace(), scene_keys::optional);
-}
-
-template <class T>
-void SceneReader::tables(std::string_view key, std::vector<T>& value) {
-  value.clear();
-  const toml::node* node = take(key, scene_keys::optional);
-  const toml::array* array = node == nullptr ? nullptr : tables_of(*node, key);
-  if (array == nullptr) return;
-  for (const toml::node& element : *array) {
-    if (log_.error()) return;  // a file of millions of wrong tables is refused at the first
-    SceneReader inner(*element.as_table(), log_, place_of_element(key, value.size() + 1));
-    scene_keys::describe(inner, value.emplace_back());
-    inner.finish();
-  }
+  std::visit([&](auto& kind) { schema::describe(*this, kind); }, value);
 }
 
 template <class T>
 void SceneReader::together(std::optional<T>& value) {
   const int found_before = found_;
   const std::size_t missing_before = missing_.size();
-  scene_keys::describe(*this, value.emplace());
+  schema::describe(*this, value.emplace());
   if (found_ == found_before) {
     value.reset();
     missing_.resize(missing_before);
   }
+}
+
+template <class T>
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Choice<T>& kind, T& value) {
+  const auto index = word_of(node, key, kind.words());
+  if (index) value = static_cast<T>(*index);
+  return index.has_value();
+}
+
+template <class T>
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Tuple& kind, T& value) {
+  T given{};
+  std::size_t count = 0, next = 0;
+  schema::each_number(given, [&](double&) { ++count; });
+  const std::vector<double> numbers = numbers_of(node, key, kind, count);
+  if (numbers.empty()) return false;
+  schema::each_number(given, [&](double& number) { number = next < numbers.size() ? numbers[next++] : 0.0; });
+  if constexpr (std::is_same_v<T, Vec3d>)
+    if (kind.is_direction && !is_direction(node, key, given)) return false;
+  value = given;
+  return true;
+}
+
+template <class T>
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Rows& kind, std::vector<T>& value) {
+  value.clear();
+  const toml::array* rows = rows_of(node, key, kind);
+  if (rows == nullptr) return false;
+  for (const toml::node& row : *rows)
+    if (!read(row, key, kind.row, value.emplace_back())) return false;
+  return true;
+}
+
+template <class T>
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Lists& kind, std::vector<T>& value) {
+  value.clear();
+  const toml::array* lists = node.as_array();
+  if (lists == nullptr) fail_type(node, key, kind.expected(), "such as [[[0, 0, 1], ...]]");
+  for (std::size_t i = 0; lists != nullptr && i < lists->size(); ++i)
+    if (!read(*lists->get(i), key, kind.rows, value.emplace_back())) return false;
+  return lists != nullptr;
+}
+
+template <class T>
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Table& /*kind*/, T& value) {
+  const toml::table* table = table_of(node, key);
+  if (table == nullptr) return false;
+  SceneReader inner(*table, log_, place_of(key));
+  schema::describe(inner, value);
+  inner.finish();
+  return true;
+}
+
+template <class T>
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Tables& /*kind*/,
+                       std::vector<T>& value) {
+  value.clear();
+  const toml::array* array = tables_of(node, key);
+  if (array == nullptr) return false;
+  for (const toml::node& element : *array) {
+    if (log_.error()) return false;  // a file of millions of wrong tables is refused at the first
+    SceneReader inner(*element.as_table(), log_, place_of_element(key, value.size() + 1));
+    schema::describe(inner, value.emplace_back());
+    inner.finish();
+  }
+  return true;
 }
 
 }  // namespace raywalk::detail

@@ -1,7 +1,7 @@
 #pragma once
 // A scene as the tree of keys and values that stands in its file. Internal to `io`; the interface is io/scene_file.h.
 
-#include "scene/scene.h"
+#include "scene/schema.h"
 
 #include <string>
 #include <string_view>
@@ -17,12 +17,7 @@ struct Value {
     table,   ///< children with keys
     tables,  ///< children without keys, tables
   };
-  /// How a list may also be written.
-  enum class Shorthand {
-    none,
-    grey,  ///< three equal numbers as one number
-    flat,  ///< three numbers without the last one when that is 0
-  };
+  using Shorthand = schema::Shorthand;
 
   std::string key{};
   Kind kind = Kind::scalar;

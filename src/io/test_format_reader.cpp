@@ -16,11 +16,11 @@ namespace raywalk {
 namespace {
 
 using detail::WordReader;
-using scene_keys::above_zero;
-using scene_keys::coordinate;
-using scene_keys::not_negative;
-using scene_keys::reflectance;
-using scene_keys::view_angle;
+using schema::above_zero;
+using schema::coordinate;
+using schema::not_negative;
+using schema::reflectance;
+using schema::view_angle;
 
 /// Most vertices, and most matrices on the stack.
 constexpr int most_vertices = 100'000'000;
@@ -131,13 +131,13 @@ class TestFormatReader {
 
   void read_size() {
     if (has_size_) return words_.fail("there is a second size (expected one)", "comment out all sizes but one");
-    scene_.image.width = words_.whole("the width", scene_keys::pixel_count);
-    scene_.image.height = words_.whole("the height", scene_keys::pixel_count);
+    scene_.image.width = words_.whole("the width", schema::pixel_count);
+    scene_.image.height = words_.whole("the height", schema::pixel_count);
     detail::check_image(scene_.image, words_);
     has_size_ = true;
   }
   void read_maxdepth() {
-    scene_.limits.depth = 1 + words_.whole("the number of bounces", {0, scene_keys::depth_count.high - 1});
+    scene_.limits.depth = 1 + words_.whole("the number of bounces", {0, schema::depth_count.high - 1});
   }
   void read_output() {
     while (!words_.word().empty()) continue;  // a name, with blanks in it or not
@@ -216,7 +216,7 @@ class TestFormatReader {
   }
   void add_light(Light light, const Vec3d& place) {
     if (!words_.ok()) return;
-    if (!is_finite(place) || length(place) > scene_keys::most_magnitude)
+    if (!is_finite(place) || length(place) > schema::most_magnitude)
       return words_.fail_item("the current matrix puts the light too far away", "scale by less");
     scene_.lights.push_back(std::move(light));
   }
@@ -259,8 +259,8 @@ class TestFormatReader {
     if (!words_.ok()) return;
     for (detail::MeshCorner& corner : corners) {
       corner = {m.point(corner.position), corner.normal == Vec3d(0.0) ? corner.normal : m.normal(corner.normal)};
-      if (!is_finite(corner.position) || length(corner.position) > scene_keys::most_magnitude ||
-          !is_finite(corner.normal) || length(corner.normal) > scene_keys::most_magnitude)
+      if (!is_finite(corner.position) || length(corner.position) > schema::most_magnitude ||
+          !is_finite(corner.normal) || length(corner.normal) > schema::most_magnitude)
         return words_.fail_item("the current matrix puts the triangle too far away", "scale by less");
     }
     // Where the matrix mirrors, the corners change turns so that the normal's side stays (as by the inverse transpose).

@@ -11,8 +11,6 @@
 
 namespace raywalk::detail {
 
-using scene_keys::NumberRule;
-
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
@@ -141,28 +139,21 @@ void WordReader::fail_word(std::string_view what, std::string_view word, const s
   fail(fmt::format("{} of {}: found {} (expected {})", what, item_, shown(word), expected), std::move(hint));
 }
 
-double WordReader::number(std::string_view what, const NumberRule& rule) {
+double WordReader::number(std::string_view what, const schema::Number& rule) {
   const std::string_view text = word();
   if (error_) return 0;
   const std::optional<double> value = decimal(text);
-  const std::string expected(rule.expected);
-  const double least = 1 / scene_keys::most_magnitude;
-  if (!value) {
-    fail_word(what, text, expected, "a number is written as 2, -0.5 or 1e-3");
-  } else if (!(std::abs(*value) <= scene_keys::most_magnitude)) {
-    fail_word(what, text, fmt::format("at most {:g}", scene_keys::most_magnitude), "choose another unit of length");
-  } else if (*value < rule.low || (rule.above_low && *value == rule.low) || *value > rule.high ||
-             (rule.below_high && *value == rule.high)) {
-    fail_word(what, text, expected, std::string(rule.hint));
-  } else if (rule.low == 0 && rule.above_low && *value < least) {
-    fail_word(what, text, fmt::format("at least {:g}", least), "choose another unit of length");
-  } else {
+  const auto refusal = value ? rule.refusal(*value) : std::nullopt;
+  if (!value)
+    fail_word(what, text, rule.expected(), "a number is written as 2, -0.5 or 1e-3");
+  else if (refusal)
+    fail_word(what, text, refusal->expected, refusal->hint);
+  else
     return *value;
-  }
   return 0;
 }
 
-int WordReader::whole(std::string_view what, scene_keys::WholeRule rule) {
+int WordReader::whole(std::string_view what, schema::Whole rule) {
   std::string_view text = word();
   if (error_) return rule.low;
   const std::string_view all = text;
@@ -170,25 +161,25 @@ int WordReader::whole(std::string_view what, scene_keys::WholeRule rule) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size() && rule.low <= value && value <= rule.high) return value;
-  fail_word(what, all, fmt::format("a whole number from {} to {}", rule.low, rule.high), "write it in plain digits");
+  fail_word(what, all, rule.expected(), "write it in plain digits");
   return rule.low;
 }
 
 Vec3d WordReader::point(std::string_view what) {
-  const double x = number(what, scene_keys::coordinate), y = number(what, scene_keys::coordinate),
-               z = number(what, scene_keys::coordinate);
+  const double x = number(what, schema::coordinate), y = number(what, schema::coordinate),
+               z = number(what, schema::coordinate);
   return {x, y, z};
 }
 
 Vec3d WordReader::direction(std::string_view what) {
   const Vec3d v = point(what);
-  if (!error_ && !(length(v) >= 1 / scene_keys::most_magnitude))
+  if (!error_ && !(length(v) >= 1 / schema::most_magnitude))
     fail(fmt::format("{} of {}: the direction has length 0 (expected any other)", what, item_),
          "at least one of its three numbers is not 0");
   return v;
 }
 
-Rgbd WordReader::colour(std::string_view what, const NumberRule& rule) {
+Rgbd WordReader::colour(std::string_view what, const schema::Number& rule) {
   const double r = number(what, rule), g = number(what, rule), b = number(what, rule);
   return {r, g, b};
 }

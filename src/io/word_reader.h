@@ -3,7 +3,7 @@
 // to `io`.
 
 #include "io/error.h"
-#include "io/scene_keys.h"
+#include "scene/schema_kinds.h"
 
 #include <cstddef>
 #include <optional>
@@ -39,11 +39,11 @@ class WordReader {
   void end_item();
 
   /// The item's next number. `what` names it in messages: "the radius".
-  double number(std::string_view what, const scene_keys::NumberRule& rule);
-  int whole(std::string_view what, scene_keys::WholeRule rule);
+  double number(std::string_view what, const schema::Number& rule);
+  int whole(std::string_view what, schema::Whole rule);
   Vec3d point(std::string_view what);
   Vec3d direction(std::string_view what);
-  Rgbd colour(std::string_view what, const scene_keys::NumberRule& rule = scene_keys::light_amount);
+  Rgbd colour(std::string_view what, const schema::Number& rule = schema::light_amount);
 
   /// At the word taken last.
   void fail(std::string message, std::string hint);

@@ -30,7 +30,7 @@ struct Camera {
   Vec3d look_at{1.0, 0.0, 0.0};  ///< differs from eye
   Vec3d up{0.0, 0.0, 1.0};       ///< not parallel to the view
   std::optional<FieldOfView> fov;
-  Screen screen{1, 1.0, 21};
+  Screen screen{.width = 1.0};
   double aperture = 0;          ///< radius of the lens, in scene units; 0: a pinhole
   std::optional<double> focus;  ///< distance from the eye, along the view, of the plane that is sharp; absent: look_at
   double shutter_open = 0, shutter_close = 1;  ///< in the time of the objects' motion; open <= close

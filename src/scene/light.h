@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace raywalk {
@@ -61,6 +62,13 @@ struct Light {
   std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, RectangleLight> kind;
   friend bool operator==(const Light&, const Light&) = default;
 };
+
+/// What each kind is called, in scene files and to people.
+constexpr std::string_view light_name(const PointLight& /*light*/) { return "point"; }
+constexpr std::string_view light_name(const DirectionalLight& /*light*/) { return "directional"; }
+constexpr std::string_view light_name(const SpotLight& /*light*/) { return "spot"; }
+constexpr std::string_view light_name(const SphereLight& /*light*/) { return "sphere"; }
+constexpr std::string_view light_name(const RectangleLight& /*light*/) { return "rectangle"; }
 
 /// The middle of a light, or nothing for one that is infinitely far away.
 [[nodiscard]] std::optional<Vec3d> middle_of(const Light& light);

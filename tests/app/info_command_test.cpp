@@ -2,6 +2,7 @@
 
 #include "accel/accelerator.h"
 #include "app/process.h"
+#include "io/key_reference.h"
 #include "scene/effects.h"
 
 #include "support/catch.h"
@@ -47,6 +48,20 @@ TEST_CASE("info names every effect and why it is used or not") {
       CHECK_THAT(outcome.out, contains("\n  " + std::string(accelerator_name(kind)) + " "));
   CHECK_THAT(outcome.out, contains("structures over 4 primitives; bvh is chosen"));
   CHECK_THAT(outcome.out, contains("used: Transparent Sphere transmits") && contains("none: nothing moves"));
+}
+
+TEST_CASE("info --keys prints the reference of all keys, or of those asked for") {
+  const Folder folder;
+  const Outcome all = folder.run({"info", "--keys"});
+  CHECK(all.exit_code == 0);
+  CHECK(all.out == reference_text(key_tables()));
+  const Outcome sphere = folder.run({"info", "--keys", "sphere"});
+  CHECK_THAT(sphere.out, contains("[[light]] of type \"sphere\"\n") && contains("[[object]] of type \"sphere\"\n") &&
+                             !contains("[camera]"));
+  const Outcome misspelt = folder.run({"info", "--keys", "sphre"});
+  CHECK(misspelt.exit_code == 2);
+  CHECK_THAT(misspelt.err, contains("no keys of \"sphre\"") && contains("did you mean sphere?"));
+  CHECK(folder.run({"info", "classic", "--keys"}).exit_code == 2);
 }
 
 TEST_CASE("where nothing shines, info does not speak of the kinds of lights") {

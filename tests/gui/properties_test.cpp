@@ -1,6 +1,10 @@
 #include <GLFW/glfw3.h>
 
+#include <set>
+#include <string>
+
 #include "gui/bench.h"
+#include "io/key_reference.h"
 #include "support/catch.h"
 #include "support/languages.h"
 #include "view/text.h"
@@ -108,7 +112,7 @@ TEST_CASE("a number that grows too large while it is typed leaves the one that s
   bench.frames(2);
   const double before = sphere(bench).radius;
   bench.double_click(field("property.radius"));
-  for (const char digit : std::string("99999999")) bench.type(std::string(1, digit));
+  for (const char digit : std::string(16, '9')) bench.type(std::string(1, digit));
   bench.enter();
   CHECK(sphere(bench).radius == before);
 }
@@ -150,13 +154,96 @@ TEST_CASE("what is refused is explained below its field and gone when the field 
 TEST_CASE("what a property means is said where it stands") {
   for (const std::string_view id :
        {"property.ambient", "property.diffuse", "property.specular", "property.shininess", "property.reflection",
-        "property.transmission", "property.ior", "property.dielectric", "property.priority", "property.filtered_shadow",
-        "property.attenuation", "property.depth_limit", "property.threshold"})
+        "property.transmission", "property.ior", "property.dielectric", "property.priority", "property.shadow",
+        "property.attenuation", "property.limits_depth", "property.threshold"})
     CHECK_FALSE(explanation(id, in_english).empty());
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   CHECK(bench.has(field("property.diffuse", "/label")));
   CHECK(bench.has(field("property.dielectric", "/label")));
+}
+
+TEST_CASE("every key of a scene that has a field has a name in the window") {
+  // Those that only the scene's file gives.
+  const std::set<std::string> without{"name",  "type",   "title",  "description", "transform", "motion",
+                                      "file",  "holes",  "group",  "vertices",    "triangles", "normals",
+                                      "uv",    "camera", "screen", "image",       "limits",    "render",
+                                      "light", "object", "width",  "height",      "encoding"};
+  for (const KeyTable& table : key_tables()) {
+    if (table.name == "render" || table.name == "transform") continue;
+    for (const KeyEntry& key : table.keys) {
+      INFO(table.name << "." << key.name);
+      const Catalogue& texts = Language().catalogue();
+      CHECK((without.count(key.name) == 1 || texts.find("property." + key.name) != nullptr ||
+             texts.find("property." + table.name + "_" + key.name) != nullptr));
+    }
+  }
+}
+
+TEST_CASE("all that a material says has a field") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const auto material = [&] { return bench.state.scene().objects[0].material; };
+  const auto scroll = [&](float clicks) {
+    bench.point_at(field("property.reflection", "/label"));
+    bench.wheel(clicks);
+    bench.frames(10);
+  };
+  scroll(-4);
+  type_into(bench, field("property.gloss"), "5");
+  type_into(bench, field("property.translucency"), "2.5");
+  type_into(bench, field("property.absorption", "/0"), "0.5");
+  type_into(bench, field("property.priority"), "3");
+  CHECK(material().gloss == 5);
+  CHECK(material().translucency == 2.5);
+  CHECK(material().absorption == Rgbd(0.5));
+  CHECK(material().priority == 3);
+  type_into(bench, field("property.gloss"), "91");
+  CHECK(material().gloss == 5);
+  scroll(-30);
+  bench.click(field("property.checker"));
+  REQUIRE(material().checker);
+  bench.frames(2);
+  bench.point_at(field("property.checker"));
+  bench.wheel(-30);
+  bench.frames(10);
+  type_into(bench, field("property.size"), "2");
+  CHECK(material().checker->size == 2);
+
+  Material with_texture = material();
+  with_texture.texture = ImageTexture{"wood.png", 1, 1};
+  update(bench.state, action::SetMaterial{0, with_texture});
+  bench.frames(2);
+  bench.point_at(field("property.size"));
+  bench.wheel(-30);
+  bench.frames(10);
+  type_into(bench, field("property.texture_width"), "4");
+  CHECK(material().texture->width == 4);
+  CHECK(material().texture->file == "wood.png");
+}
+
+TEST_CASE("lights of every kind have fields, and what breaks a rule is not taken over") {
+  Bench bench(selected({TargetKind::light, 0}));
+  Light light = bench.state.scene().lights[0];
+  const auto show = [&](const auto& kind) {
+    light.kind = kind;
+    update(bench.state, action::SetLight{0, light});
+    bench.frames(2);
+  };
+  const auto kind = [&] { return bench.state.scene().lights[0].kind; };
+  show(SphereLight{{0, 3, 0}, 1, 1, {}});
+  type_into(bench, field("property.radius"), "0.5");
+  type_into(bench, field("property.light_samples"), "4");
+  CHECK(std::get<SphereLight>(kind()).radius == 0.5);
+  CHECK(std::get<SphereLight>(kind()).samples == 4);
+  show(RectangleLight{{0, 3, 0}, {1, 0, 0}, {0, 1, 0}, 1, {}});
+  type_into(bench, field("property.u", "/0"), "2");
+  CHECK(std::get<RectangleLight>(kind()).u.x == 2);
+  show(SpotLight{{0, 3, 0}, {0, 0, 0}, 60, 40, {}});
+  type_into(bench, field("property.inner_angle"), "50");
+  CHECK(std::get<SpotLight>(kind()).inner_angle == 50);
+  type_into(bench, field("property.angle"), "45");  // narrower than what is lit in full
+  CHECK(std::get<SpotLight>(kind()).angle == 60);
 }
 
 TEST_CASE("dragging a number is one entry of undo") {
@@ -243,10 +330,10 @@ TEST_CASE("lights, the camera and the scene have properties") {
   type_into(bench, field("property.threshold"), "0.01");
   CHECK(bench.state.scene().limits.threshold == 0.01);
   // Whole numbers have buttons beside them, and what is typed takes the place of what stood there.
-  type_into(bench, field("property.depth_limit"), "12");
+  type_into(bench, field("property.limits_depth"), "12");
   CHECK(bench.state.scene().limits.depth == 12);
   type_into(bench, field("property.screen_cells"), "33");
   CHECK(bench.state.scene().camera.screen.cells == 33);
-  type_into(bench, field("property.depth_limit"), "0");
+  type_into(bench, field("property.limits_depth"), "0");
   CHECK(bench.state.scene().limits.depth == 12);
 }

@@ -139,8 +139,8 @@ std::vector<Use> uses() {
 
 /// The tables whose texts are asked for by the name of an enumerator or of a command, and not each by its id; the tests
 /// of those families ask for every one.
-const std::set<std::string> families{"accelerator", "command",  "effect",   "ending", "explanation", "fault",
-                                     "integrator",  "language", "numerics", "ray",    "sampler"};
+const std::set<std::string> families{"accelerator", "command",  "effect",   "ending",   "explanation", "fault",
+                                     "integrator",  "language", "numerics", "property", "ray",         "sampler"};
 
 std::string table_of(std::string_view id) { return std::string(id.substr(0, id.find('.'))); }
 
@@ -173,21 +173,11 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
     for (const std::string& name : placeholders(*english().find(id))) names.insert(name);
   }
   // Their arguments stand elsewhere than in the call that names the id.
-  const std::set<std::string> apart{"heat.scale_rays",
-                                    "heat.scale_tests",
-                                    "heat.scale_time",
-                                    "heat.scale_noise",
-                                    "property.corner",
-                                    "walk.shade_called",
-                                    "walk.shade_called_unlit",
-                                    "walk.direction_diffuse",
-                                    "walk.direction_highlight",
-                                    "walk.direction_mirror",
-                                    "walk.direction_transparent",
-                                    "structure.test_missed",
-                                    "structure.test_nearest",
-                                    "structure.test_farther",
-                                    "structure.test_blocks",
+  const std::set<std::string> apart{"heat.scale_rays",         "heat.scale_tests",           "heat.scale_time",
+                                    "heat.scale_noise",        "property.corners",           "walk.shade_called",
+                                    "walk.shade_called_unlit", "walk.direction_diffuse",     "walk.direction_highlight",
+                                    "walk.direction_mirror",   "walk.direction_transparent", "structure.test_missed",
+                                    "structure.test_nearest",  "structure.test_farther",     "structure.test_blocks",
                                     "structure.test_filters"};
   std::map<std::string, bool> filled;
   for (const Use& use : uses()) {

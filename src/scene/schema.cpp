@@ -1,0 +1,38 @@
+#include "scene/schema.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace raywalk::schema {
+
+std::optional<Refusal> Number::refusal(double value) const {
+  const double least = 1 / most_magnitude;
+  if (!(std::abs(value) <= most_magnitude))
+    return Refusal{fmt::format("at most {:g}", most_magnitude), "choose another unit of length"};
+  if (value < low || (above_low && value == low) || value > high || (below_high && value == high))
+    return Refusal{expected(), std::string(hint)};
+  if (low == 0 && above_low && value < least)
+    return Refusal{fmt::format("at least {:g}", least), "choose another unit of length"};
+  return std::nullopt;
+}
+
+std::string Whole::expected() const { return fmt::format("a whole number from {} to {}", low, high); }
+
+std::string quoted_words(const std::vector<std::string_view>& words) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    list += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == words.size() ? " or " : ", ", words[i]);
+  return list;
+}
+
+std::string Name::expected() const { return fmt::format("one line of text in quotes, 1 to {} bytes long", longest); }
+
+std::string Rows::expected() const {
+  return least == 0 ? fmt::format("a list of at most {} {}", most, words)
+                    : fmt::format("a list of {} to {} {}", least, most, words);
+}
+
+std::string Steps::expected() const { return fmt::format("a list of at most {} steps", most); }
+
+}  // namespace raywalk::schema
