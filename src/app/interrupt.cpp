@@ -1,5 +1,7 @@
 #include "app/interrupt.h"
 
+#include "io/temporary_file.h"
+
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -29,6 +31,7 @@ long milliseconds_now() {
 }
 
 [[noreturn]] void leave() {
+  remove_temporary_files();
   // Nobody is left to be told when this fails.
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, last_word.data(), last_word.size());
   _exit(1);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace raywalk {
@@ -23,7 +24,8 @@ Result<std::string> folder_of(const std::string& name, const std::vector<std::st
   const std::string padded = name.size() == 1 ? "0" + name : name;
   for (const std::string& each : known)
     if (each == name || each.starts_with(padded + "-")) return lessons_dir() + "/" + each;
-  if (name.find('/') != std::string::npos) return name;
+  std::error_code failed;
+  if (name.find('/') != std::string::npos || std::filesystem::is_directory(name, failed)) return name;
   const std::string meant = nearest_word(name, {known.begin(), known.end()});
   return tl::unexpected(Error{"", 0, 0,
                               fmt::format("raywalk lesson: there is no lesson \"{}\" (expected {}, or a folder)", name,

@@ -189,13 +189,17 @@ tl::unexpected<Error> FileWriter::give_up(int error_number) {
 Result<void> FileWriter::find_target(const std::string& path) {
   path_ = path;
   if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot write: the file name is empty", "give a file name"});
-  const auto target = detail::follow_links(path);
-  if (!target) return tl::unexpected(target.error());
-  target_ = target->string();
   struct stat old{};
   exists_ = ::stat(path.c_str(), &old) == 0;
   if (!exists_ && errno != ENOENT && errno != ENOTDIR) return give_up(errno);
   is_regular_ = !exists_ || (S_ISREG(old.st_mode) && !is_already_open(path));
+  target_ = path;
+  // The links of what is open already may lead to no path at all, as a pipe's.
+  if (is_regular_) {
+    const auto target = detail::follow_links(path);
+    if (!target) return tl::unexpected(target.error());
+    target_ = target->string();
+  }
   if (exists_ && S_ISDIR(old.st_mode))
     return tl::unexpected(
         Error{path, 0, 0, "cannot write: this is a folder (expected a file name)", "add a file name to the path"});

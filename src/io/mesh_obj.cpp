@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <list>
 #include <map>
 #include <set>
@@ -86,7 +87,7 @@ class ObjReader {
         unknown_.insert(name);
       }
     } else if (keyword == "mtllib") {
-      return read_library(std::string(cursor_.rest()));
+      return read_libraries(std::string(cursor_.rest()));
     }
     return true;  // names of parts, smoothing groups, curves and comments say nothing about triangles
   }
@@ -178,7 +179,23 @@ class ObjReader {
                        path_, unknown_line_, first_unknown_.substr(0, 60), more);
   }
 
+  /// The rest of a line: one name, which may hold spaces where there is such a file, or several.
+  bool read_libraries(const std::string& names) {
+    std::error_code failed;
+    const bool is_one =
+        names.find_first_of(" \t") == std::string::npos || names.size() > longest_name ||
+        (detail::stays_beside(names) && std::filesystem::exists(detail::path_beside(path_, names), failed));
+    if (is_one) return read_library(names);
+    detail::TextCursor words(names);
+    for (std::string_view name = words.word(); !name.empty(); name = words.word())
+      if (!read_library(std::string(name))) return false;
+    return true;
+  }
   bool read_library(const std::string& name) {
+    if (name.size() > longest_name)
+      return fail(
+          fmt::format("the name of its materials has {} letters (expected at most {})", name.size(), longest_name),
+          "a name of an MTL file stands after mtllib");
     if (!detail::stays_beside(name))
       return fail(fmt::format("its materials lie at \"{}\" (expected a file beside the mesh)", name.substr(0, 60)),
                   "nothing is read from elsewhere: copy the MTL file into the mesh's folder");
@@ -210,6 +227,8 @@ class ObjReader {
       if (const auto found = library->find(name); found != library->end()) return found->second;
     return -1;
   }
+
+  static constexpr std::size_t longest_name = 255;  // as of most file systems
 
   const std::string& path_;
   detail::TextCursor cursor_;

@@ -160,13 +160,13 @@ tl::unexpected<Error> no_memory(const Scene& scene, ImageSize size) {
       is_large ? "choose a smaller size" : "close other programs, use smaller meshes, or --precision float"});
 }
 
-/// Of a render that was stopped before its first pixel.
-Rendering stopped_before(const RenderSettings& settings, ImageSize size) {
+/// Of a render that was stopped before its first pixel: not even a film, which may be large.
+Rendering stopped_before(const RenderSettings& settings) {
   Rendering nothing;
   if (settings.precision == Precision::float_)
-    nothing.film = Film<float>(size);
+    nothing.film = Film<float>();
   else
-    nothing.film = Film<double>(size);
+    nothing.film = Film<double>();
   nothing.done = 0;
   nothing.finished = false;
   return nothing;
@@ -185,7 +185,7 @@ Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settin
         return render_in<double>(scene, settings, size, whole);
     }
   } catch (const Stopped&) {
-    return stopped_before(settings, size);
+    return stopped_before(settings);
   } catch (const std::bad_alloc&) {
     return no_memory(scene, size);
   } catch (const std::length_error&) {

@@ -170,6 +170,9 @@ TEST_CASE("what goes to devices and to what is open already may be the same") {
   const Outcome outcome = folder.run({"render", "scene.toml", "-o", "a.png", "--stats", "/dev/stdout"});
   CHECK(outcome.exit_code == 0);
   CHECK_THAT(outcome.out, contains("\"pixels\"") || contains("{"));
+  Process piped("/bin/sh", {"-c", "\"$0\" render scene.toml -o a.png --stats /dev/stdout | cat", raywalk_program()},
+                folder.path());
+  CHECK_THAT(piped.wait().out, contains("\"rays\""));
   const Outcome dash = folder.run({"render", "scene.toml", "-o", "a.png", "--stats", "-"});
   CHECK(dash.exit_code == 2);
   CHECK_THAT(dash.err, contains("/dev/stdout"));

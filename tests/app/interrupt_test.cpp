@@ -61,6 +61,23 @@ TEST_CASE("whatever has nothing to keep ends at once") {
   CHECK_FALSE(folder.holds("big.ply"));
 }
 
+TEST_CASE("where files cannot be nameless, a signal leaves none behind either") {
+  const int signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
+  const Folder folder;
+  // Without /proc a file cannot be given its name later.
+  const std::string without_proc = "mount -t tmpfs none /proc && exec \"$@\"";
+  Process tried("/bin/sh", {"-c", "unshare -m sh -c '" + without_proc + "' sh true"}, folder.path());
+  if (tried.wait().exit_code != 0) RAYWALK_SKIP("no way to hide /proc: it takes the superuser");
+  Process process("/bin/sh",
+                  {"-c", "exec unshare -m sh -c '" + without_proc + "' sh \"$@\"", "sh", raywalk_program(), "generate",
+                   "mesh", "--count", "2000000000", "-o", "big.ply"},
+                  folder.path());
+  process.wait_until_busy_and_catching(signal);
+  process.send(signal);
+  CHECK(process.wait().exit_code == 1);
+  CHECK(folder.names().empty());
+}
+
 TEST_CASE("a build of a structure is stopped") {
   const Folder folder;
   REQUIRE(folder.run({"generate", "mesh", "--count", "300000", "-o", "ball.ply"}).exit_code == 0);

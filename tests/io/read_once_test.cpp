@@ -88,6 +88,22 @@ TEST_CASE("meshes and textures of a scene are read once, by whatever names") {
   }
 }
 
+TEST_CASE("a line may name several libraries, or one with spaces in its name") {
+  const TemporaryFolder folder;
+  put(folder.file("red.mtl"), "newmtl red\nKd 1 0 0\n");
+  put(folder.file("deep blue.mtl"), "newmtl blue\nKd 0 0 1\n");
+  put(folder.file("one.obj"), "mtllib red.mtl  deep blue.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+  CHECK_THAT(read_mesh(folder.file("one.obj")).error().message, contains("cannot be read"));
+  put(folder.file("one.obj"),
+      "mtllib deep blue.mtl\nmtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl blue\nf 1 2 3\n");
+  CHECK(read_mesh(folder.file("one.obj"))->materials->size() == 2);
+  put(folder.file("blue.mtl"), "newmtl blue\nKd 0 0 1\n");
+  put(folder.file("one.obj"), "mtllib red.mtl\tblue.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl blue\nf 1 2 3\n");
+  CHECK(read_mesh(folder.file("one.obj"))->materials->size() == 2);
+  put(folder.file("one.obj"), "mtllib " + std::string(100'000, 'x') + "\n");
+  CHECK(read_mesh(folder.file("one.obj")).error().text().size() < 1000);
+}
+
 TEST_CASE("what is in groups wears its textures, also in groups of groups") {
   const TemporaryFolder folder;
   REQUIRE(write_image(folder.file("dot.png"), red_dot()));

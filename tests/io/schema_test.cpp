@@ -8,10 +8,10 @@
 #include "bad_scene.h"
 #include "io/key_reference.h"
 #include "io/scene_file.h"
-#include "text/toml.h"
 #include "scene/schema.h"
 #include "support/catch.h"
 #include "temporary_folder.h"
+#include "text/toml.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

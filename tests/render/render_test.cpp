@@ -249,7 +249,7 @@ TEST_CASE("a render stopped before it began has nothing") {
   CHECK_FALSE(none.finished);
   CHECK(none.done == 0);
   CHECK(text_of(none.statistics) == text_of({}));
-  CHECK(none.film_of<double>().pixels() == Film<double>(small).pixels());
+  CHECK(none.film_of<double>().pixels().empty());
 }
 
 TEST_CASE("a picture that fits into no memory is refused") {
