@@ -7,10 +7,10 @@ namespace raywalk {
 
 namespace {
 
-/// Two or three spheres are searched faster than a structure is entered; beyond that a BVH is never far from the best
-/// and never bad. Other shapes are so much dearer to test that even one is better kept in a box.
+/// Testing two or three spheres is faster than entering a structure; beyond that a BVH is never far from the best.
+/// Other shapes are so much more expensive to test that even a single one is better kept in a box.
 template <class T>
-AcceleratorKind resolve(AcceleratorKind kind, const Boxes<T>& boxes, const Primitives<T>& primitives) {
+AcceleratorKind resolve(AcceleratorKind kind, const PrimitiveBounds<T>& boxes, const Primitives<T>& primitives) {
   if (kind != AcceleratorKind::automatic) return kind;
   const auto sphere = [&](int id) { return primitives.template plain<Sphere<T>>(id) != nullptr; };
   const bool few = boxes.bounded.size() <= 3 && std::all_of(boxes.bounded.begin(), boxes.bounded.end(), sphere);
@@ -23,7 +23,7 @@ template <class T>
 Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind, const Stop& stop)
     : primitives_(std::move(primitives)) {
   const auto begin = std::chrono::steady_clock::now();
-  Boxes<T> boxes(primitives_, stop);
+  PrimitiveBounds<T> boxes(primitives_, stop);
   primitives_.find_equals(boxes.boxes, stop);
   kind_ = resolve(kind, boxes, primitives_);
   structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_, {stop})});

@@ -1,5 +1,5 @@
 #pragma once
-// The one interface to all accelerators. They differ in what they cost, never in what they answer.
+// The one interface to all accelerators. They differ in cost, never in their answers.
 
 #include "accel/query.h"
 #include "accel/shaft.h"
@@ -17,7 +17,7 @@ inline constexpr std::array all_accelerators{
     AcceleratorKind::ellipsoids, AcceleratorKind::boxes,  AcceleratorKind::bvh,
     AcceleratorKind::grid,       AcceleratorKind::octree, AcceleratorKind::kdtree};
 
-/// Of `spheres`, `ellipsoids` and `boxes`: one around each object, no hierarchy.
+/// `spheres`, `ellipsoids` and `boxes`: one around each object, no hierarchy.
 [[nodiscard]] constexpr std::string_view accelerator_name(AcceleratorKind kind) {
   switch (kind) {
     case AcceleratorKind::automatic:
@@ -42,40 +42,41 @@ inline constexpr std::array all_accelerators{
   return "";
 }
 
-/// What is known of a shadow ray before it is sent. It changes what the search costs and not what it answers.
+/// What is known about a shadow ray in advance. It changes the cost of the search, not its answer.
 struct ShadowHints {
-  /// The primitive of this id (-1 for none) is tested first, and replaced by the one that is found: what hid a light
-  /// from one point often hides it from the next (E. Haines and D. Greenberg, "The light buffer", 1986).
+  /// The primitive with this id (-1: none) is tested first, and replaced by the one found: what occludes a light at one
+  /// point often occludes it at the next (E. Haines and D. Greenberg, "The light buffer", 1986).
   int* last = nullptr;
-  const std::vector<int>* among = nullptr;  ///< no others can be crossed: what `within` found
+  const std::vector<int>* candidates = nullptr;  ///< the only primitives that can be hit, as `within` found them
 };
 
-/// Primitives ready to be searched by rays. A primitive's id is its place in the list it was built from. `AnyRay` is a
-/// Ray, or a NaiveRay, which may find something else in each structure.
+/// Primitives that can be searched by rays. A primitive's id is its index in the list it was built from. `AnyRay` is a
+/// Ray, or a NaiveRay, whose result may depend on the structure.
 template <class T>
 class Accelerator {
  public:
-  /// `stop` may end the build: it throws Stopped then.
+  /// `stop` may cancel the build, which then throws Stopped.
   explicit Accelerator(Primitives<T> primitives, AcceleratorKind kind = AcceleratorKind::automatic,
                        const Stop& stop = {});
 
-  /// The nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive,
+  /// The nearest accepted intersection in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive,
   /// StopsShadows or OfBodies.
   template <class AnyRay = Ray<T>, class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
 
-  /// Whether any primitive is crossed in (0, t_max).
+  /// Whether any primitive is hit in (0, t_max).
   template <class AnyRay = Ray<T>>
-  [[nodiscard]] bool any(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints = {}) const;
+  [[nodiscard]] bool occluded(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints = {}) const;
 
-  /// The same, of the primitives whose role it is to stop shadow rays. Where none is crossed, `filters` are the ids,
-  /// ascending, of those crossed that filter. `roles`: by primitive.
+  /// The same for the primitives whose role is to stop shadow rays. If none is hit, `filters` receives the ids,
+  /// ascending, of the filtering primitives that are hit. `roles`: by primitive.
   template <class AnyRay = Ray<T>>
-  [[nodiscard]] bool any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
-                              std::vector<int>& filters, const ShadowHints& hints = {}) const;
+  [[nodiscard]] bool occluded_or_filtered(const AnyRay& ray, T t_max, TestCounts& counts,
+                                          const std::vector<ShadowRole>& roles, std::vector<int>& filters,
+                                          const ShadowHints& hints = {}) const;
 
-  /// Fills `ids` with all primitives, ascending, that rays which leave for the shaft's ball may cross. False, and
-  /// nothing is filled in, where a search is cheaper than to ask: with any structure but a list.
+  /// Fills `ids`, ascending, with all primitives that rays through the shaft may hit. Returns false, and fills in
+  /// nothing, where searching is cheaper: with any structure but a list.
   [[nodiscard]] bool within(const Shaft& shaft, Departure departure, std::vector<int>& ids) const;
 
   [[nodiscard]] const Primitives<T>& primitives() const { return primitives_; }
@@ -93,10 +94,10 @@ class Accelerator {
   void search_structure(const AnyRay& ray, Query& query) const;
 
   Primitives<T> primitives_;
-  std::vector<int> unbounded_;    ///< ids that every ray is tested against
+  std::vector<int> unbounded_;    ///< ids of primitives that every ray is tested against
   std::vector<Bounds<T>> boxes_;  ///< by primitive, of a list
   AcceleratorKind kind_ = AcceleratorKind::none;
-  std::shared_ptr<const Structure> structure_;  ///< over the others; a list holds all
+  std::shared_ptr<const Structure> structure_;  ///< over the bounded primitives; a list holds all
   AcceleratorStatistics statistics_;
 };
 

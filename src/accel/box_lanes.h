@@ -1,6 +1,6 @@
 #pragma once
-// Four boxes at a time, in float for rays of either precision: widened by what rounding may do, boxes let through a few
-// rays too many and none too few.
+// Four boxes at a time, in float for rays of either precision: the boxes are widened by the rounding error, so that no
+// hit is lost and a few misses pass.
 
 #include "accel/query.h"
 #include "math/lanes.h"
@@ -14,8 +14,7 @@
 
 namespace raywalk {
 
-/// Four boxes, those that are not there empty. Each plane lies farther out than the box's own by a millionth of where
-/// it lies, see LaneRay.
+/// Four boxes; missing ones are empty. Each plane is moved outward by a millionth of its coordinate, see LaneRay.
 struct BoxLanes {
   /// The least x, y and z of all four, then the greatest.
   std::array<Lanes, 6> planes{all_lanes(infinity<float>),  all_lanes(infinity<float>),  all_lanes(infinity<float>),
@@ -29,7 +28,7 @@ struct BoxLanes {
       planes[plane + 3][lane] = at_least(static_cast<double>(box.max[axis]));
     }
   }
-  /// One of the planes, so many bytes from the first.
+  /// The plane at a byte offset from the first.
   [[nodiscard]] const Lanes& plane_at(std::size_t offset) const {
     return *reinterpret_cast<const Lanes*>(reinterpret_cast<const char*>(planes.data()) + offset);
   }
@@ -38,7 +37,7 @@ struct BoxLanes {
   }
 
  private:
-  /// A float above x by at least 7 ulps of float; not below it where x is 0 or too small for a normal float.
+  /// A float at least 7 float ulps above x; not below x where x is 0 or subnormal in float.
   static float at_least(double x) {
     constexpr float most = std::numeric_limits<float>::max();
     const double wider = x + 8 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(x);
@@ -49,24 +48,24 @@ struct BoxLanes {
   }
 };
 
-/// Where a ray enters each of four boxes, and a bit for each that it meets.
-struct LanesMet {
+/// Where a ray enters each of four boxes, and a bit for each box that it hits.
+struct LaneHits {
   Lanes in;
   unsigned bits;
 };
 
-/// How far a search looks, made ready for all boxes until it is shortened.
+/// t_far of a search, in all lanes, until it becomes shorter.
 template <class T>
-struct LaneReach {
-  explicit LaneReach(T reach)
-      : t(reach),
-        lanes(all_lanes(reach < static_cast<T>(std::numeric_limits<float>::max()) ? static_cast<float>(reach)
+struct LaneFar {
+  explicit LaneFar(T t_far)
+      : t(t_far),
+        lanes(all_lanes(t_far < static_cast<T>(std::numeric_limits<float>::max()) ? static_cast<float>(t_far)
                                                                                   : infinity<float>)) {}
   T t;
   Lanes lanes;
 };
 
-/// The ray's terms of slab tests, as SlabRay has them, for four boxes at a time.
+/// The terms of a ray for slab tests, like SlabRay, for four boxes at a time.
 template <class T>
 class LaneRay {
  public:
@@ -79,13 +78,13 @@ class LaneRay {
     const Lanes size = absolute(origin), inverse = all_lanes(1) / slope;
     constexpr unsigned all = 15;
     held_ = bits_of(size + absolute(slope) + absolute(inverse) < all_lanes(most)) == all || holds(ray);
-    // Either end of a slab errs by four roundings at most: of the slope, its inverse, the difference and the product,
-    // in all by 2 epsilon of the plane's place and of the origin's. The boxes are wider by 8 of the former; the origin,
-    // itself rounded to float or into a primitive's space, is moved out by 16 of the latter. What falls below the least
-    // normal float is rounded in its order, and so keeps it.
+    // Either end of a slab errs by four roundings at most, of the slope, its inverse, the difference and the product:
+    // in all by 2 epsilon of the plane's and of the origin's coordinate. The boxes are widened by 8 of the former; the
+    // origin, itself rounded to float or into object space, is moved outward by 16 of the latter. Rounding below the
+    // smallest normal float is monotonic and so keeps the order.
     const Lanes slack = all_lanes(16 * epsilon * (size[0] + size[1] + size[2]) + least);
     const Lanes away = with_signs_of(slope, slack), from_in = origin + away, from_out = origin - away;
-    sides_ = &all_sides[bits_of(reinterpret_cast<LaneMask>(slope))];
+    offsets_ = &all_offsets[bits_of(reinterpret_cast<LaneMask>(slope))];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       from_in_[axis] = all_lanes(from_in[axis]);
       from_out_[axis] = all_lanes(from_out[axis]);
@@ -93,28 +92,28 @@ class LaneRay {
     }
   }
 
-  /// Whether float's range holds the ray, so that no more than rounding is lost; else this answers nothing.
+  /// Whether the ray is within float's range; otherwise this must not be used.
   [[nodiscard]] bool held() const { return held_; }
 
-  /// The boxes that the ray meets before `reach`; all of them and, by rounding, some that it passes closely. NaN, of an
-  /// origin in a face's plane without slope, is no bound.
-  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, LaneReach<T> reach) const {
-    Lanes in = all_lanes(0), out = reach.lanes;
+  /// The boxes that the ray hits before `t_far`: all of them and, by rounding, some that it narrowly misses. NaN, from
+  /// an origin in a face's plane without slope, does not limit the interval.
+  [[nodiscard]] LaneHits intersect(const BoxLanes& boxes, LaneFar<T> t_far) const {
+    Lanes in = all_lanes(0), out = t_far.lanes;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      in = max((boxes.plane_at(sides_->near[axis]) - from_in_[axis]) * inverse_[axis], in);
-      out = min((boxes.plane_at(sides_->far[axis]) - from_out_[axis]) * inverse_[axis], out);
+      in = max((boxes.plane_at(offsets_->near[axis]) - from_in_[axis]) * inverse_[axis], in);
+      out = min((boxes.plane_at(offsets_->far[axis]) - from_out_[axis]) * inverse_[axis], out);
     }
     return {in, bits_of(in <= out)};
   }
 
  private:
-  /// Where the planes through which a ray enters and leaves a box begin in BoxLanes, in bytes, by axis.
-  struct Sides {
+  /// The byte offsets in BoxLanes of the planes through which a ray enters and leaves a box, by axis.
+  struct PlaneOffsets {
     std::array<std::uint32_t, 3> near, far;
   };
-  /// By the signs of the ray's slope, a bit for each axis.
-  static constexpr std::array<Sides, 8> all_sides = [] {
-    std::array<Sides, 8> all{};
+  /// By the signs of the ray's direction, one bit per axis.
+  static constexpr std::array<PlaneOffsets, 8> all_offsets = [] {
+    std::array<PlaneOffsets, 8> all{};
     for (std::uint32_t negative = 0; negative < all.size(); ++negative)
       for (std::uint32_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t least = axis * sizeof(Lanes), greatest = (axis + 3) * sizeof(Lanes);
@@ -125,7 +124,7 @@ class LaneRay {
     return all;
   }();
 
-  static constexpr float most = 1e18F;  ///< the largest origin and slope, and the inverse of the least slope
+  static constexpr float most = 1e18F;  ///< the largest origin and slope, and the inverse of the smallest slope
 
   static bool holds(const Ray<T>& ray) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -136,22 +135,22 @@ class LaneRay {
   }
 
   bool held_;
-  const Sides* sides_;
+  const PlaneOffsets* offsets_;
   std::array<Lanes, 3> from_in_, from_out_, inverse_;
 };
 
-/// The same by slabs in T, one box after the other: for rays that float cannot hold, and naive ones.
+/// The same by slabs in T, one box after the other: for rays outside float's range, and for naive rays.
 template <class T, class Slabs>
 class WideLaneRay {
  public:
   explicit WideLaneRay(const Slabs& slabs) : slabs_(slabs) {}
 
-  [[nodiscard]] LanesMet meet(const BoxLanes& boxes, LaneReach<T> reach) const {
-    LanesMet met{all_lanes(0), 0};
+  [[nodiscard]] LaneHits intersect(const BoxLanes& boxes, LaneFar<T> t_far) const {
+    LaneHits met{all_lanes(0), 0};
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const Bounds<float> box = boxes.box(lane);
-      if (box.empty()) continue;  // naive slabs would take it for a box turned inside out
-      if (clip(slabs_, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, reach.t}).empty()) continue;
+      if (box.empty()) continue;  // naive slabs would treat it as an inverted box
+      if (clip(slabs_, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, t_far.t}).empty()) continue;
       met.bits |= 1U << lane;
     }
     return met;

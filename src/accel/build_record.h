@@ -1,5 +1,5 @@
 #pragma once
-// How an accelerator was built, and what it is made of, as plain values for whoever wants to see it.
+// How an accelerator was built and what it consists of, as plain values for display.
 
 #include "math/bounds.h"
 #include "math/stop.h"
@@ -20,20 +20,20 @@ struct StructureNode {
 
 /// Why a node was not split.
 enum class LeafReason {
-  single,      ///< at most one primitive is left
-  few,         ///< few enough
-  dearer,      ///< every split would cost more
-  no_gain,     ///< splitting would copy most primitives into most parts
-  too_deep,    ///< the tree has its full depth
-  same_place,  ///< no plane parts what is left
+  single,            ///< at most one primitive is left
+  few,               ///< few enough primitives
+  split_costs_more,  ///< every split would cost more than a leaf
+  no_gain,           ///< splitting would copy most primitives into most parts
+  too_deep,          ///< the maximum depth is reached
+  same_place,        ///< no plane separates the remaining primitives
 };
 
-/// One decision of a build, in the order in which it was made.
+/// One decision of a build, in build order.
 struct BuildStep {
   enum class Kind {
-    split,   ///< a node is cut in two by a plane
-    eight,   ///< a cube is cut into eight, of which the empty ones are dropped
-    leaf,    ///< a node stays whole
+    split,   ///< a node is split in two by a plane
+    eight,   ///< a cube is split into eight, of which the empty ones are dropped
+    leaf,    ///< a node becomes a leaf
     joined,  ///< up to four nodes of a binary tree become one
     cells,   ///< a grid's cells are laid out
     listed,  ///< a primitive is listed in all cells of a grid that its box overlaps
@@ -42,10 +42,10 @@ struct BuildStep {
   Bounds<double> box{};
   int depth = 0;
   int items = 0;     ///< primitives in the box; `listed`: cells; `joined`: nodes
-  int axis = -1;     ///< split: 0 x, 1 y, 2 z; -1: a list was halved, for no plane parts it
+  int axis = -1;     ///< split: 0 x, 1 y, 2 z; -1: the list was halved, as no plane separates it
   double plane = 0;  ///< split: where, scene units
-  /// What a ray that meets the box is expected to pay, in tests of a primitive: with the best split, and as a leaf. 0
-  /// and 0 where none was weighed.
+  /// The expected cost of a ray that hits the box, in primitive tests: with the best split, and as a leaf. Both 0 where
+  /// no split was considered.
   double split_cost = 0, leaf_cost = 0;
   LeafReason why = LeafReason::single;
   std::array<int, 3> cells{1, 1, 1};  ///< cells: along each axis
@@ -57,7 +57,7 @@ struct BuildStep {
   std::vector<Part> parts{};  ///< what it was split into; joined: the four
 };
 
-/// Takes down a build. More than `most` steps are counted, but not kept.
+/// Records a build. Steps beyond `most` are counted, but not kept.
 struct BuildRecord {
   std::size_t most = 20000;
   std::size_t steps_made = 0;
@@ -68,10 +68,10 @@ struct BuildRecord {
   }
 };
 
-/// What a build is given beside its boxes.
-struct Build {
+/// What a build is given besides its boxes.
+struct BuildOptions {
   Stop stop{};
-  BuildRecord* watcher = nullptr;  ///< is told how it goes, where there is one
+  BuildRecord* watcher = nullptr;  ///< records the build, if not null
 };
 
 }  // namespace raywalk

@@ -13,22 +13,22 @@
 
 namespace raywalk {
 
-/// Bounding volume hierarchy: a tree of boxes over the primitives, four to a node, which are met at once.
+/// Bounding volume hierarchy: a tree of boxes over the primitives, four per node, which are tested together.
 ///
-/// Built top down as a binary tree by the surface area heuristic over 16 bins (J. Goldsmith and J. Salmon 1987; I.
-/// Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), which is then made wide (H. Dammertz,
-/// J. Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of incoherent rays", 2008).
-/// Traversed nearest child first; a subtree that begins behind the nearest crossing is skipped.
+/// Built top-down as a binary tree by the surface area heuristic over 16 bins (J. Goldsmith and J. Salmon 1987; I.
+/// Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), which is then collapsed into a wide
+/// one (H. Dammertz, J. Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of
+/// incoherent rays", 2008). Traversed nearest child first; a subtree that begins beyond the nearest hit is skipped.
 template <class T>
 class Bvh {
  public:
-  explicit Bvh(const Boxes<T>& boxes, const Build& build = {}) : ids_(boxes.bounded) {
+  explicit Bvh(const PrimitiveBounds<T>& boxes, const BuildOptions& build = {}) : ids_(boxes.bounded) {
     if (ids_.empty()) return;
-    std::vector<Half> halves;
-    halves.reserve(2 * ids_.size());
-    halves.push_back({boxes.whole, 0, static_cast<int>(ids_.size())});
-    split(halves, 0, boxes, 0, build);
-    widen(halves, 0, 0, build);
+    std::vector<BinaryNode> binary_nodes;
+    binary_nodes.reserve(2 * ids_.size());
+    binary_nodes.push_back({boxes.whole, 0, static_cast<int>(ids_.size())});
+    split(binary_nodes, 0, boxes, 0, build);
+    collapse(binary_nodes, 0, 0, build);
     nodes_.shrink_to_fit();
   }
 
@@ -46,8 +46,8 @@ class Bvh {
     if (!nodes_.empty()) search(WideLaneRay<T, NaiveSlabRay<T>>(slabs_of(ray, primitives)), primitives, query);
   }
 
-  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
-    if (!nodes_.empty()) tell_nodes(nodes, most, 0, 0);
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    if (!nodes_.empty()) list_nodes(nodes, most, 0, 0);
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -65,7 +65,7 @@ class Bvh {
     BoxLanes boxes;
     std::array<Child, 4> children{};
 
-    /// Around all four.
+    /// The bounds of all four.
     [[nodiscard]] Bounds<float> whole() const {
       Bounds<float> whole;
       for (std::size_t lane = 0; lane < 4; ++lane) whole.include(boxes.box(lane));
@@ -77,14 +77,14 @@ class Bvh {
       return count;
     }
   };
-  /// A node of the binary tree. A leaf has a count; an inner node's children are at first and first + 1.
-  struct Half {
+  /// A node of the binary tree. A leaf has count > 0; an inner node's children are at first and first + 1.
+  struct BinaryNode {
     Bounds<T> box;
     int first = 0, count = 0;
     [[nodiscard]] bool leaf() const { return count > 0; }
   };
 
-  /// Apart: few rays are more than float can hold.
+  /// Separate, as few rays exceed the range of float.
   template <class Query>
   [[gnu::noinline, gnu::cold]] void search_wide(const Ray<T>& ray, const Primitives<T>& primitives,
                                                 Query& query) const {
@@ -93,24 +93,24 @@ class Bvh {
 
   template <class AnyLaneRay, class Query>
   [[gnu::flatten]] void search(const AnyLaneRay& ray, const Primitives<T>& primitives, Query& query) const {
-    struct Entry {
+    struct StackEntry {
       Child child;
       float in;
-      [[no_unique_address]] Kept<Query, Bounds<float>> box{};
+      [[no_unique_address]] WatchedOnly<Query, Bounds<float>> box{};
     };
-    std::array<Entry, 3 * max_depth + 4> waiting;
+    std::array<StackEntry, 3 * max_depth + 4> stack;
     std::size_t count = 0;
     Child at{0, 0};
-    LaneReach<T> reach(query.reach());
-    [[maybe_unused]] Kept<Query, Bounds<float>> box;  // of `at`
+    LaneFar<T> t_far(query.t_far());
+    [[maybe_unused]] WatchedOnly<Query, Bounds<float>> box;  // of `at`
     while (true) {
       if (at.count == 0) {
         const Node& node = nodes_[static_cast<std::size_t>(at.first)];
         query.enter_node();
-        LanesMet met = ray.meet(node.boxes, reach);
+        LaneHits met = ray.intersect(node.boxes, t_far);
         if constexpr (Watching<Query>) tell(query, node, met);
         if (met.bits != 0) {
-          // The nearest one comes next and the others wait, the nearer the higher, where that can spare any.
+          // The nearest child is next; the others go onto the stack, nearer ones on top if the search can shorten.
           const std::size_t before = count;
           auto next = static_cast<std::size_t>(std::countr_zero(met.bits));
           while ((met.bits &= met.bits - 1) != 0) {
@@ -118,14 +118,13 @@ class Bvh {
             std::size_t place = count++;
             if constexpr (Query::shortens) {
               if (met.in[waits] <= met.in[next]) std::swap(waits, next);
-              for (; place > before && waiting[place - 1].in < met.in[waits]; --place)
-                waiting[place] = waiting[place - 1];
+              for (; place > before && stack[place - 1].in < met.in[waits]; --place) stack[place] = stack[place - 1];
             } else {
               std::swap(waits, next);
             }
-            waiting[place].child = node.children[waits];
-            waiting[place].in = met.in[waits];
-            if constexpr (Watching<Query>) waiting[place].box.value = node.boxes.box(waits);
+            stack[place].child = node.children[waits];
+            stack[place].in = met.in[waits];
+            if constexpr (Watching<Query>) stack[place].box.value = node.boxes.box(waits);
           }
           at = node.children[next];
           if constexpr (Watching<Query>) box.value = node.boxes.box(next);
@@ -135,22 +134,22 @@ class Bvh {
         if constexpr (Watching<Query>) query.record().opened(box.value, static_cast<std::size_t>(at.count));
         for (std::int32_t i = at.first; i < at.first + at.count; ++i)
           if (query.test(primitives, ids_[static_cast<std::size_t>(i)])) return;
-        if constexpr (Query::shortens) reach = LaneReach<T>(query.reach());
+        if constexpr (Query::shortens) t_far = LaneFar<T>(query.t_far());
       }
       while (true) {
         if (count == 0) return;
         --count;
-        // What was met before the reach is still, unless that has become shorter.
-        if (!Query::shortens || !beyond(waiting[count].in, query.reach())) break;
-        if constexpr (Watching<Query>) query.record().skipped(waiting[count].box.value);
+        // A box hit before t_far is still hit, unless t_far has become shorter.
+        if (!Query::shortens || !beyond(stack[count].in, query.t_far())) break;
+        if constexpr (Watching<Query>) query.record().skipped(stack[count].box.value);
       }
-      at = waiting[count].child;
-      if constexpr (Watching<Query>) box = waiting[count].box;
+      at = stack[count].child;
+      if constexpr (Watching<Query>) box = stack[count].box;
     }
   }
 
   template <class Query>
-  static void tell(const Query& query, const Node& node, const LanesMet& met) {
+  static void tell(const Query& query, const Node& node, const LaneHits& met) {
     query.record().entered(node.whole(), false, node.child_count());
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const Bounds<float> box = node.boxes.box(lane);
@@ -158,7 +157,7 @@ class Bvh {
     }
   }
 
-  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::size_t index, int depth) const {
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::size_t index, int depth) const {
     const Node& node = nodes_[index];
     if (nodes.size() < most) nodes.push_back({wide(node.whole()), depth, false, static_cast<int>(node.child_count())});
     for (std::size_t lane = 0; lane < 4; ++lane) {
@@ -166,32 +165,32 @@ class Bvh {
       const Child& child = node.children[lane];
       if (box.empty()) continue;
       if (child.count == 0)
-        tell_nodes(nodes, most, static_cast<std::size_t>(child.first), depth + 1);
+        list_nodes(nodes, most, static_cast<std::size_t>(child.first), depth + 1);
       else if (nodes.size() < most)
         nodes.push_back({wide(box), depth + 1, true, child.count});
     }
   }
 
-  /// Whether a box entered at `in`, up to rounding, lies beyond the reach.
-  static bool beyond(float in, T reach) {
-    return static_cast<T>(in * (1 - 8 * std::numeric_limits<float>::epsilon())) > reach;
+  /// Whether a box entered at `in`, up to rounding, lies beyond t_far.
+  static bool beyond(float in, T t_far) {
+    return static_cast<T>(in * (1 - 8 * std::numeric_limits<float>::epsilon())) > t_far;
   }
 
-  /// Makes a wide node of the binary one at `index` and of all below it; returns its place.
-  std::int32_t widen(const std::vector<Half>& halves, int index, int depth, const Build& build) {
+  /// Collapses the binary node at `index` and its descendants into wide nodes; returns its index.
+  std::int32_t collapse(const std::vector<BinaryNode>& binary_nodes, int index, int depth, const BuildOptions& build) {
     build.stop.check();
-    // The largest box is opened, until there are four or only leaves.
+    // The largest inner node is replaced by its children until there are four nodes or only leaves.
     std::array<int, 4> open{index};
     std::size_t count = 1;
     while (count < open.size()) {
       int* largest = nullptr;
       for (std::size_t i = 0; i < count; ++i) {
-        const auto half = [&](int at) -> const Half& { return halves[static_cast<std::size_t>(at)]; };
-        if (half(open[i]).leaf()) continue;
-        if (largest == nullptr || half_area(half(open[i]).box) > half_area(half(*largest).box)) largest = &open[i];
+        const auto binary = [&](int at) -> const BinaryNode& { return binary_nodes[static_cast<std::size_t>(at)]; };
+        if (binary(open[i]).leaf()) continue;
+        if (largest == nullptr || half_area(binary(open[i]).box) > half_area(binary(*largest).box)) largest = &open[i];
       }
       if (largest == nullptr) break;
-      const int children = halves[static_cast<std::size_t>(*largest)].first;
+      const int children = binary_nodes[static_cast<std::size_t>(*largest)].first;
       *largest = children;
       open[count++] = children + 1;
     }
@@ -199,19 +198,19 @@ class Bvh {
     const auto place = nodes_.size();
     nodes_.emplace_back();
     if (build.watcher != nullptr) {
-      BuildStep step{.kind = BuildStep::Kind::joined, .box = wide(halves[static_cast<std::size_t>(index)].box)};
+      BuildStep step{.kind = BuildStep::Kind::joined, .box = wide(binary_nodes[static_cast<std::size_t>(index)].box)};
       step.depth = depth, step.items = static_cast<int>(count);
       for (std::size_t i = 0; i < count; ++i) {
-        const Half& half = halves[static_cast<std::size_t>(open[i])];
-        step.parts.push_back({wide(half.box), half.count});
+        const BinaryNode& binary = binary_nodes[static_cast<std::size_t>(open[i])];
+        step.parts.push_back({wide(binary.box), binary.count});
       }
       build.watcher->add(std::move(step));
     }
     for (std::size_t i = 0; i < count; ++i) {
-      const Half& half = halves[static_cast<std::size_t>(open[i])];
-      nodes_[place].boxes.set(i, half.box);
-      const Child child =
-          half.leaf() ? Child{half.first, half.count} : Child{widen(halves, open[i], depth + 1, build), 0};
+      const BinaryNode& binary = binary_nodes[static_cast<std::size_t>(open[i])];
+      nodes_[place].boxes.set(i, binary.box);
+      const Child child = binary.leaf() ? Child{binary.first, binary.count}
+                                        : Child{collapse(binary_nodes, open[i], depth + 1, build), 0};
       nodes_[place].children[i] = child;
     }
     return static_cast<std::int32_t>(place);
@@ -222,15 +221,16 @@ class Bvh {
     int count = 0;
   };
 
-  /// Proportional to the chance that a ray which meets the parent meets this box too.
+  /// Proportional to the probability that a ray which hits the parent hits this box.
   static T half_area(const Bounds<T>& box) {
     if (box.empty()) return 0;
     const Vec3<T> size = box.max - box.min;
     return size.x * size.y + size.y * size.z + size.z * size.x;
   }
 
-  void split(std::vector<Half>& halves, int index, const Boxes<T>& boxes, int depth, const Build& build) {
-    const Half node = halves[static_cast<std::size_t>(index)];
+  void split(std::vector<BinaryNode>& binary_nodes, int index, const PrimitiveBounds<T>& boxes, int depth,
+             const BuildOptions& build) {
+    const BinaryNode node = binary_nodes[static_cast<std::size_t>(index)];
     std::optional<BuildStep> told;
     if (build.watcher != nullptr) {
       told = {.kind = BuildStep::Kind::leaf, .box = wide(node.box), .depth = depth};
@@ -249,7 +249,7 @@ class Bvh {
     Bounds<T> centres;
     build.stop.each(begin, end, [&](int id) { centres.include(Vec3<T>(centre(id, 0), centre(id, 1), centre(id, 2))); });
 
-    // The cheapest plane of all axes; the cost of a split is the areas weighted with the primitives behind them.
+    // The cheapest plane over all axes; the cost of a split is the sum of area times number of primitives.
     T best_cost = infinity<T>;
     int best_axis = 0, best_bin = 0;
     const auto bin_of = [&](int id, int axis) {
@@ -279,7 +279,7 @@ class Bvh {
           best_cost = cost, best_axis = axis, best_bin = static_cast<int>(i);
       }
     }
-    // Entering a node costs about half a primitive test.
+    // Entering a node costs about half as much as a primitive test.
     const T area = half_area(node.box);
     const bool worth = best_cost + area / 2 < area * static_cast<T>(node.count);
     if (told && best_cost < infinity<T> && area > 0) {
@@ -289,7 +289,7 @@ class Bvh {
                                                                      static_cast<T>(best_bin) / T(bins));
     }
     if (!worth && node.count <= max_leaf)
-      return tell_leaf(best_cost < infinity<T> ? LeafReason::dearer : LeafReason::same_place);
+      return tell_leaf(best_cost < infinity<T> ? LeafReason::split_costs_more : LeafReason::same_place);
     auto middle =
         std::partition(begin, end, [&](int id) { return best_cost < infinity<T> && bin_of(id, best_axis) < best_bin; });
     if (middle == begin || middle == end) {  // all centres coincide: halve the list
@@ -298,25 +298,25 @@ class Bvh {
       if (told) told->axis = -1;
     }
     const int left_count = static_cast<int>(middle - begin);
-    const int left = static_cast<int>(halves.size());
-    halves.push_back({box_of(begin, middle, boxes), node.first, left_count});
-    halves.push_back({box_of(middle, end, boxes), node.first + left_count, node.count - left_count});
-    halves[static_cast<std::size_t>(index)].first = left;
-    halves[static_cast<std::size_t>(index)].count = 0;
+    const int left = static_cast<int>(binary_nodes.size());
+    binary_nodes.push_back({box_of(begin, middle, boxes), node.first, left_count});
+    binary_nodes.push_back({box_of(middle, end, boxes), node.first + left_count, node.count - left_count});
+    binary_nodes[static_cast<std::size_t>(index)].first = left;
+    binary_nodes[static_cast<std::size_t>(index)].count = 0;
     if (told) {
       told->kind = BuildStep::Kind::split;
       for (const int side : {left, left + 1}) {
-        const Half& half = halves[static_cast<std::size_t>(side)];
-        told->parts.push_back({wide(half.box), half.count});
+        const BinaryNode& binary = binary_nodes[static_cast<std::size_t>(side)];
+        told->parts.push_back({wide(binary.box), binary.count});
       }
       build.watcher->add(std::move(*told));
     }
-    split(halves, left, boxes, depth + 1, build);
-    split(halves, left + 1, boxes, depth + 1, build);
+    split(binary_nodes, left, boxes, depth + 1, build);
+    split(binary_nodes, left + 1, boxes, depth + 1, build);
   }
 
   template <class Iterator>
-  static Bounds<T> box_of(Iterator begin, Iterator end, const Boxes<T>& boxes) {
+  static Bounds<T> box_of(Iterator begin, Iterator end, const PrimitiveBounds<T>& boxes) {
     Bounds<T> box;
     for (auto id = begin; id != end; ++id) box.include(boxes.box(*id));
     return box;

@@ -12,17 +12,17 @@
 namespace raywalk {
 
 /// Uniform grid (A. Fujimoto, T. Tanaka and K. Iwata, "ARTS", 1986), walked by a 3-D DDA (J. Amanatides and A. Woo
-/// 1987). The planes between cells are computed from their integer index each time: adding up steps would skip cells.
-/// A primitive in several cells is tested once a ray (mailboxes); a crossing counts as nearest only once the walk has
-/// reached it.
+/// 1987). The planes between cells are computed from their integer index each time: accumulating steps would skip
+/// cells. A primitive in several cells is tested once per ray (mailboxing); a hit counts as nearest only when the walk
+/// has reached its cell.
 template <class T>
 class Grid {
  public:
-  explicit Grid(const Boxes<T>& boxes, const Build& build = {}) {
+  explicit Grid(const PrimitiveBounds<T>& boxes, const BuildOptions& build = {}) {
     if (boxes.bounded.empty()) return;
     box_ = boxes.whole;
     const Vec3<T> size = box_.max - box_.min;
-    // About `density` cells a primitive, as near to cubes as the box allows (flat boxes get one layer).
+    // About `density` cells per primitive, as close to cubes as the box allows (flat boxes get one layer).
     const T longest = max_component(size);
     const T count = static_cast<T>(boxes.bounded.size());
     T volume = 1;
@@ -35,13 +35,13 @@ class Grid {
       cells_[axis] = static_cast<int>(std::clamp(cells, T(1), T(max_cells)));
     }
     fill(boxes, build.stop);
-    if (build.watcher != nullptr) tell_build(*build.watcher, boxes);
+    if (build.watcher != nullptr) record_build(*build.watcher, boxes);
   }
 
   template <class AnyRay, class Query>
   void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (starts_.empty()) return;
-    const Stretch<T> inside = clip(slabs_of(ray, primitives), box_, {0, query.reach()});
+    const RayInterval<T> inside = clip(slabs_of(ray, primitives), box_, {0, query.t_far()});
     if (inside.empty()) {
       if constexpr (Watching<Query>) query.record().skipped(box_);
       return;
@@ -71,9 +71,9 @@ class Grid {
         box = id;
         if (query.test(primitives, id)) return;
       }
-      // Leave through the nearest of the three planes.
+      // Exit through the nearest of the three planes.
       const std::size_t axis = leave[0] <= leave[1] ? (leave[0] <= leave[2] ? 0 : 2) : (leave[1] <= leave[2] ? 1 : 2);
-      if (leave[axis] > static_cast<double>(query.reach())) {
+      if (leave[axis] > static_cast<double>(query.t_far())) {
         if constexpr (Watching<Query>) query.record().ended(SearchEnd::beyond);
         return;
       }
@@ -86,7 +86,7 @@ class Grid {
     }
   }
 
-  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
     if (starts_.empty()) return;
     for (int z = 0; z < cells_.z; ++z)
       for (int y = 0; y < cells_.y; ++y)
@@ -129,11 +129,11 @@ class Grid {
     if (slope == 0) return infinity<double>;
     return (plane(axis, slope > 0 ? i + 1 : i) - static_cast<double>(ray.origin[axis])) / slope;
   }
-  /// The same, of the next column after one that it leaves at `before`.
+  /// The same for the next column after one that it leaves at `before`.
   [[nodiscard]] double leave_next(const Ray<T>& ray, int axis, int i, double /*before*/) const {
     return leave_at(ray, axis, i);
   }
-  /// Added up, with the scalar type's digits.
+  /// Accumulated, in the scalar type.
   [[nodiscard]] double leave_next(const NaiveRay<T>& ray, int axis, int /*i*/, double before) const {
     const T width = (box_.max[axis] - box_.min[axis]) / static_cast<T>(cells_[axis]);
     return static_cast<double>(static_cast<T>(before) + width / std::abs(ray.direction[axis]));
@@ -144,7 +144,7 @@ class Grid {
            static_cast<std::size_t>(x);
   }
 
-  /// Calls `visit(cell)` for every cell that the box overlaps, widened by a sliver of a cell against rounding.
+  /// Calls `visit(cell)` for every cell that the box overlaps, widened by a fraction of a cell against rounding.
   template <class Visit>
   void for_cells(const Bounds<T>& box, Visit visit) const {
     const T sliver = T(1e-3);
@@ -159,8 +159,8 @@ class Grid {
         for (int x = low[0]; x <= high[0]; ++x) visit(index(x, y, z));
   }
 
-  /// Counts, then places: all cells' lists lie one after the other.
-  void fill(const Boxes<T>& boxes, const Stop& stop) {
+  /// Counts first, then fills: the lists of all cells are contiguous.
+  void fill(const PrimitiveBounds<T>& boxes, const Stop& stop) {
     starts_.assign(index(cells_.x - 1, cells_.y - 1, cells_.z - 1) + 2, 0);
     for (const int id : boxes.bounded) {
       stop.check();
@@ -175,7 +175,7 @@ class Grid {
     }
   }
 
-  void tell_build(BuildRecord& watcher, const Boxes<T>& boxes) const {
+  void record_build(BuildRecord& watcher, const PrimitiveBounds<T>& boxes) const {
     BuildStep layout{.kind = BuildStep::Kind::cells, .box = wide(box_)};
     layout.items = static_cast<int>(boxes.bounded.size());
     layout.cells = {cells_.x, cells_.y, cells_.z};

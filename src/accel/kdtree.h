@@ -12,13 +12,13 @@
 
 namespace raywalk {
 
-/// kd-tree: space cut by axis-parallel planes, chosen by the surface area heuristic among the faces of the primitives'
-/// boxes (J. MacDonald and K. Booth 1990; V. Havran 2000). What touches a plane is listed on both sides; a ray in or
-/// near the plane, within rounding, visits both.
+/// kd-tree: space split by axis-parallel planes, chosen by the surface area heuristic among the faces of the
+/// primitives' boxes (J. MacDonald and K. Booth 1990; V. Havran 2000). A primitive that touches a plane is listed on
+/// both sides; a ray in or near the plane, within rounding, visits both.
 template <class T>
 class KdTree {
  public:
-  explicit KdTree(const Boxes<T>& boxes, const Build& build = {}) {
+  explicit KdTree(const PrimitiveBounds<T>& boxes, const BuildOptions& build = {}) {
     if (boxes.bounded.empty()) return;
     box_ = boxes.whole;
     const int count = static_cast<int>(boxes.bounded.size());
@@ -31,23 +31,23 @@ class KdTree {
   void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
     const auto slabs = slabs_of(ray, primitives);
-    const Stretch<T> inside = clip(slabs, box_, {0, query.reach()});
+    const RayInterval<T> inside = clip(slabs, box_, {0, query.t_far()});
     if (inside.empty()) {
       if constexpr (Watching<Query>) query.record().skipped(box_);
       return;
     }
-    struct Entry {
+    struct StackEntry {
       std::uint32_t node;
       T in, out;
-      [[no_unique_address]] Kept<Query, Bounds<T>> box{};
+      [[no_unique_address]] WatchedOnly<Query, Bounds<T>> box{};
     };
-    std::array<Entry, max_depth + 2> waiting;
+    std::array<StackEntry, max_depth + 2> stack;
     std::size_t count = 0;
-    waiting[count++] = {0, inside.in, inside.out};
-    if constexpr (Watching<Query>) waiting[0].box.value = box_;
+    stack[count++] = {0, inside.in, inside.out};
+    if constexpr (Watching<Query>) stack[0].box.value = box_;
     while (count > 0) {
-      Entry at = waiting[--count];
-      if (at.in > query.reach()) {
+      StackEntry at = stack[--count];
+      if (at.in > query.t_far()) {
         if constexpr (Watching<Query>) query.record().skipped(at.box.value);
         continue;
       }
@@ -63,23 +63,24 @@ class KdTree {
         }
         const int axis = node.axis;
         const T t = (node.plane - ray.origin[axis]) * slabs.inverse[axis];
-        // Rounding may put the crossing on the wrong side of either end: widen it, and visit both children if in doubt.
+        // Rounding may move the crossing across either end of the interval: widen it, and visit both children if in
+        // doubt.
         const T slack = std::isinf(t) ? T(0) : 16 * std::numeric_limits<T>::epsilon() * std::abs(t);
-        // From the plane itself the ray crosses at t = 0, so that what it goes into is the farther child.
+        // A ray that starts in the plane crosses it at t = 0, so the child that it enters is the far one.
         const bool below_first =
             ray.origin[axis] < node.plane || (ray.origin[axis] == node.plane && !slabs.negative[axis]);
         const std::uint32_t near = below_first ? node.first : node.first + 1;
         const std::uint32_t far = below_first ? node.first + 1 : node.first;
-        [[maybe_unused]] Kept<Query, std::array<Bounds<T>, 2>> sides;  // the nearer one first
+        [[maybe_unused]] WatchedOnly<Query, std::array<Bounds<T>, 2>> sides;  // the nearer one first
         if constexpr (Watching<Query>) {
           sides.value = {at.box.value, at.box.value};
           (below_first ? sides.value[0].max : sides.value[0].min)[axis] = node.plane;
           (below_first ? sides.value[1].min : sides.value[1].max)[axis] = node.plane;
         }
         if (std::isnan(t)) {  // in the plane, without slope
-          waiting[count++] = {far, at.in, at.out};
+          stack[count++] = {far, at.in, at.out};
           at.node = near;
-          if constexpr (Watching<Query>) waiting[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
+          if constexpr (Watching<Query>) stack[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
         } else if (t - slack > at.out || t + slack < 0) {
           at.node = near;
           if constexpr (Watching<Query>) query.record().skipped(sides.value[1]), at.box.value = sides.value[0];
@@ -87,16 +88,16 @@ class KdTree {
           at.node = far;
           if constexpr (Watching<Query>) query.record().skipped(sides.value[0]), at.box.value = sides.value[1];
         } else {
-          waiting[count++] = {far, std::fmax(at.in, t - slack), at.out};
+          stack[count++] = {far, std::fmax(at.in, t - slack), at.out};
           at = {near, at.in, std::fmin(at.out, t + slack)};
-          if constexpr (Watching<Query>) waiting[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
+          if constexpr (Watching<Query>) stack[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
         }
       }
     }
   }
 
-  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
-    if (!nodes_.empty()) tell_nodes(nodes, most, 0, wide(box_), 0);
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    if (!nodes_.empty()) list_nodes(nodes, most, 0, wide(box_), 0);
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -114,8 +115,8 @@ class KdTree {
     std::uint32_t first = 0, count = 0;
   };
 
-  /// A face of a primitive's box: cutting there leaves the primitive on one side or the other.
-  struct Face {
+  /// A face of a primitive's box: a candidate for the splitting plane.
+  struct BoundEdge {
     T place;
     bool begins;
   };
@@ -125,7 +126,7 @@ class KdTree {
     return size.x * size.y + size.y * size.z + size.z * size.x;
   }
 
-  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, const Bounds<double>& box,
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, const Bounds<double>& box,
                   int depth) const {
     const Node& node = nodes_[index];
     const bool is_leaf = node.axis == leaf;
@@ -133,39 +134,39 @@ class KdTree {
     if (is_leaf) return;
     Bounds<double> low = box, high = box;
     low.max[node.axis] = high.min[node.axis] = static_cast<double>(node.plane);
-    tell_nodes(nodes, most, node.first, low, depth + 1);
-    tell_nodes(nodes, most, node.first + 1, high, depth + 1);
+    list_nodes(nodes, most, node.first, low, depth + 1);
+    list_nodes(nodes, most, node.first + 1, high, depth + 1);
   }
 
-  void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const Boxes<T>& boxes, int depth,
-             int bad_cuts, const Build& build) {
+  void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const PrimitiveBounds<T>& boxes,
+             int depth, int bad_cuts, const BuildOptions& build) {
     depth_ = std::max(depth_, depth);
     constexpr T cost_of_node = T(0.8), bonus_for_empty = T(0.2);
     const T count = static_cast<T>(ids.size()), area = half_area(box);
     T best_cost = infinity<T>, plane = 0;
     int best_axis = leaf;
-    std::vector<Face> faces;
+    std::vector<BoundEdge> edges;
     if (ids.size() > 1 && depth < limit_ && area > 0) {
       for (int axis = 0; axis < 3; ++axis) {
-        faces.clear();
+        edges.clear();
         build.stop.each(ids.begin(), ids.end(), [&](int id) {
-          faces.push_back({boxes.box(id).min[axis], true});
-          faces.push_back({boxes.box(id).max[axis], false});
+          edges.push_back({boxes.box(id).min[axis], true});
+          edges.push_back({boxes.box(id).max[axis], false});
         });
-        build.stop.sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+        build.stop.sort(edges.begin(), edges.end(), [](const BoundEdge& a, const BoundEdge& b) {
           return a.place < b.place || (a.place == b.place && a.begins && !b.begins);
         });
         T below = 0, above = count;
-        build.stop.each(faces.begin(), faces.end(), [&](const Face& face) {
-          if (!face.begins) above -= 1;
-          if (face.place > box.min[axis] && face.place < box.max[axis]) {
+        build.stop.each(edges.begin(), edges.end(), [&](const BoundEdge& edge) {
+          if (!edge.begins) above -= 1;
+          if (edge.place > box.min[axis] && edge.place < box.max[axis]) {
             Bounds<T> low = box, high = box;
-            low.max[axis] = high.min[axis] = face.place;
+            low.max[axis] = high.min[axis] = edge.place;
             const T empty = below == 0 || above == 0 ? 1 - bonus_for_empty : T(1);
             const T cost = cost_of_node + empty * (half_area(low) * below + half_area(high) * above) / area;
-            if (cost < best_cost) best_cost = cost, best_axis = axis, plane = face.place;
+            if (cost < best_cost) best_cost = cost, best_axis = axis, plane = edge.place;
           }
-          if (face.begins) below += 1;
+          if (edge.begins) below += 1;
         });
       }
     }
@@ -182,7 +183,7 @@ class KdTree {
         told->why = ids.size() <= 1     ? LeafReason::single
                     : depth >= limit_   ? LeafReason::too_deep
                     : best_axis == leaf ? LeafReason::same_place
-                                        : LeafReason::dearer;
+                                        : LeafReason::split_costs_more;
         build.watcher->add(std::move(*told));
       }
       nodes_[index].first = static_cast<std::uint32_t>(ids_.size());

@@ -18,7 +18,7 @@ class List {
   }
 
   /// It has none.
-  void tell_nodes(std::vector<StructureNode>& /*nodes*/, std::size_t /*most*/) const {}
+  void list_nodes(std::vector<StructureNode>& /*nodes*/, std::size_t /*most*/) const {}
 
   [[nodiscard]] AcceleratorStatistics statistics() const { return {0, static_cast<std::size_t>(count_), 0, 0}; }
 

@@ -10,13 +10,13 @@
 
 namespace raywalk {
 
-/// Octree (A. Glassner, "Space subdivision for fast ray tracing", 1984): cubes halved along all three axes while a cube
-/// holds many primitives. A primitive that reaches over a cut is listed on both sides; each leaf keeps the box of its
+/// Octree (A. Glassner, "Space subdivision for fast ray tracing", 1984): cubes are halved along all three axes while
+/// they hold many primitives. A primitive that overlaps several cubes is listed in each; each leaf keeps the box of its
 /// own cube, and children are visited in the order in which the ray enters them.
 template <class T>
 class Octree {
  public:
-  explicit Octree(const Boxes<T>& boxes, const Build& build = {}) {
+  explicit Octree(const PrimitiveBounds<T>& boxes, const BuildOptions& build = {}) {
     if (boxes.bounded.empty()) return;
     nodes_.push_back({boxes.whole, 0, 0, false});
     split(0, boxes.bounded, boxes, 0, build);
@@ -26,18 +26,18 @@ class Octree {
   void search(const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     if (nodes_.empty()) return;
     const auto slabs = slabs_of(ray, primitives);
-    Entry waiting[7 * max_depth + 8];
+    StackEntry stack[7 * max_depth + 8];
     std::size_t count = 0;
-    const Stretch<T> root = clip(slabs, nodes_[0].box, {0, query.reach()});
+    const RayInterval<T> root = clip(slabs, nodes_[0].box, {0, query.t_far()});
     if (!root.empty()) {
-      waiting[count++] = {0, root.in};
+      stack[count++] = {0, root.in};
     } else if constexpr (Watching<Query>) {
       query.record().skipped(nodes_[0].box);
     }
     while (count > 0) {
-      const Entry entry = waiting[--count];
+      const StackEntry entry = stack[--count];
       const Node& node = nodes_[entry.node];
-      if (entry.in > query.reach()) {
+      if (entry.in > query.t_far()) {
         if constexpr (Watching<Query>) query.record().skipped(node.box);
         continue;
       }
@@ -48,22 +48,22 @@ class Octree {
           if (query.test(primitives, ids_[i])) return;
         continue;
       }
-      // Push the children that are met, the farthest first.
+      // Push the children that are hit, the farthest first.
       const std::size_t before = count;
       for (std::uint32_t child = node.first; child < node.first + node.count; ++child) {
-        const Stretch<T> met = clip(slabs, nodes_[child].box, {0, query.reach()});
+        const RayInterval<T> met = clip(slabs, nodes_[child].box, {0, query.t_far()});
         if (!met.empty()) {
-          waiting[count++] = {child, met.in};
+          stack[count++] = {child, met.in};
         } else if constexpr (Watching<Query>) {
           query.record().skipped(nodes_[child].box);
         }
       }
-      std::sort(waiting + before, waiting + count, [](const Entry& a, const Entry& b) { return a.in > b.in; });
+      std::sort(stack + before, stack + count, [](const StackEntry& a, const StackEntry& b) { return a.in > b.in; });
     }
   }
 
-  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
-    if (!nodes_.empty()) tell_nodes(nodes, most, 0, 0);
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    if (!nodes_.empty()) list_nodes(nodes, most, 0, 0);
   }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
@@ -80,18 +80,19 @@ class Octree {
     std::uint32_t first, count;
     bool inner;
   };
-  struct Entry {
+  struct StackEntry {
     std::uint32_t node;
     T in;
   };
 
-  void tell_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, int depth) const {
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, int depth) const {
     const Node& node = nodes_[index];
     if (nodes.size() < most) nodes.push_back({wide(node.box), depth, !node.inner, static_cast<int>(node.count)});
-    for (std::uint32_t i = 0; node.inner && i < node.count; ++i) tell_nodes(nodes, most, node.first + i, depth + 1);
+    for (std::uint32_t i = 0; node.inner && i < node.count; ++i) list_nodes(nodes, most, node.first + i, depth + 1);
   }
 
-  void split(std::size_t index, const std::vector<int>& ids, const Boxes<T>& boxes, int depth, const Build& build) {
+  void split(std::size_t index, const std::vector<int>& ids, const PrimitiveBounds<T>& boxes, int depth,
+             const BuildOptions& build) {
     depth_ = std::max(depth_, depth);
     const Bounds<T> box = nodes_[index].box;
     const Vec3<T> middle = box.min + (box.max - box.min) / T(2);
@@ -109,7 +110,7 @@ class Octree {
         references += parts[octant].size();
       }
     }
-    // Cutting through things that fill the cube only copies them: stop when most primitives land in most octants.
+    // Splitting primitives that fill the cube only copies them: stop when most primitives land in most octants.
     if (references == 0 || references > 4 * ids.size()) {
       if (build.watcher != nullptr) {
         BuildStep step{.kind = BuildStep::Kind::leaf, .box = wide(box), .depth = depth};

@@ -8,7 +8,7 @@ namespace raywalk {
 
 namespace {
 
-/// Equal boxes have equal keys; others seldom.
+/// Equal boxes have equal keys; different ones rarely do.
 template <class T>
 std::uint64_t key_of(const Bounds<T>& box) {
   std::uint64_t key = 0;
@@ -36,7 +36,7 @@ void Primitives<T>::move(int first, int end, const Motion& motion) {
 template <class T>
 Bounds<T> Primitives<T>::box(int id) const {
   Bounds<T> box = id < shape_count() ? bounds(own(id)) : bounds(triangles_[id - shape_count()]);
-  if (const Placement<T>* place = place_of(id)) box = image_of(place->to_world, box);
+  if (const ObjectTransform<T>* transform = transform_of(id)) box = image_of(transform->to_world, box);
   if (const Motion* motion = motion_of(id); motion && !box.empty()) {
     const Bounds<T> rest = box;
     box = {};
@@ -63,19 +63,20 @@ bool Primitives<T>::equal(int a, int b) const {
   if (motion_a && motion_b ? *motion_a != *motion_b : motion_a != motion_b) return false;
   const int shapes = shape_count();
   if (a >= shapes || b >= shapes) return a >= shapes && b >= shapes && triangles_.equal(a - shapes, b - shapes);
-  const Placement<T>*place_a = place_of(a), *place_b = place_of(b);
-  const bool same_place = place_a && place_b ? place_a->to_world == place_b->to_world : place_a == place_b;
+  const ObjectTransform<T>*transform_a = transform_of(a), *transform_b = transform_of(b);
+  const bool same_place =
+      transform_a && transform_b ? transform_a->to_world == transform_b->to_world : transform_a == transform_b;
   return same_place && own(a) == own(b);
 }
 
 template <class T>
 void Primitives<T>::find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop) {
-  // Equal primitives have equal boxes, so that only those of one key are compared.
+  // Equal primitives have equal boxes, so only those with the same key are compared.
   std::vector<std::pair<std::uint64_t, std::int32_t>> order;
   order.reserve(boxes.size());
   for (int id = 0; id < size(); ++id) order.emplace_back(key_of(boxes[static_cast<std::size_t>(id)]), id);
   stop.sort(order.begin(), order.end(), std::less<>());
-  std::vector<std::int32_t> different;  // of the present key, the lowest id of each distinct primitive
+  std::vector<std::int32_t> different;  // of the current key, the lowest id of each distinct primitive
   for (std::size_t i = 0; i < order.size(); ++i) {
     stop.check();
     const auto [key, id] = order[i];

@@ -1,7 +1,7 @@
 #pragma once
-// What all accelerators share: how a primitive is tested, how two crossings are compared, and when a box can be
-// skipped. An accelerator only chooses which primitives are tested and in which order; since every test and every
-// comparison is made here, the answer is the same bits for all of them.
+// What all accelerators share: how a primitive is tested, how two hits are compared, and when a box can be skipped. An
+// accelerator only chooses which primitives are tested and in which order; since every test and every comparison is
+// made here, all of them return the same bits.
 
 #include "accel/primitives.h"
 
@@ -13,7 +13,7 @@
 
 namespace raywalk {
 
-/// The nearest crossing among all primitives: a primitive's id is its place in the list it was built from.
+/// The nearest intersection among all primitives: a primitive's id is its index in the list it was built from.
 template <class T>
 struct Hit {
   T t;
@@ -21,11 +21,11 @@ struct Hit {
   int part;
 };
 
-/// What queries cost. Handed to `intersect` as an explainer, it hears of the tests that exact arithmetic decided.
+/// The cost of queries. As the explainer of `intersect`, it counts the tests that exact arithmetic decided.
 struct TestCounts : NoExplanation {
   std::uint64_t nodes = 0;            ///< nodes or cells of a structure entered
   std::uint64_t primitives = 0;       ///< ray-primitive tests made
-  std::uint64_t exactly_decided = 0;  ///< of these, those where rounding left a doubt
+  std::uint64_t exactly_decided = 0;  ///< those among them where rounding left a doubt
 
   void exact() { ++exactly_decided; }
   TestCounts& operator+=(const TestCounts& other) {
@@ -45,7 +45,7 @@ struct AnyPrimitive {
 enum class ShadowRole : std::uint8_t {
   stops,
   filters,  ///< lets light through, weighted
-  ignored   ///< its equal in the same place filters already
+  ignored   ///< an equal primitive in the same place filters already
 };
 
 /// Accepts the primitives that stop shadow rays.
@@ -54,9 +54,9 @@ struct StopsShadows {
   bool operator()(int primitive) const { return roles[static_cast<std::size_t>(primitive)] == ShadowRole::stops; }
 };
 
-/// Accepts the primitives of the bodies that are asked for.
+/// Accepts the primitives of the selected bodies.
 struct OfBodies {
-  const std::vector<std::int32_t>& body_of;  ///< by primitive; -1: of none
+  const std::vector<std::int32_t>& body_of;  ///< by primitive; -1: of no body
   const std::vector<std::uint8_t>& asked;    ///< by body
   bool operator()(int primitive) const {
     const std::int32_t body = body_of[static_cast<std::size_t>(primitive)];
@@ -64,7 +64,7 @@ struct OfBodies {
   }
 };
 
-/// What a search asks of each primitive; what it costs is added to `counts`. `AnyRay` is a Ray or a NaiveRay.
+/// The test that a search makes of each primitive; its cost is added to `counts`. `AnyRay` is a Ray or a NaiveRay.
 template <class T, class Accept, class AnyRay>
 class Query {
  public:
@@ -74,13 +74,13 @@ class Query {
     if (!naive && primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
   }
   void enter_node() { ++counts_.nodes; }
-  [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< those of searches before, too
+  [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< previous searches included
 
  protected:
-  std::optional<Crossing<T>> cross(const Primitives<T>& primitives, int id) {
+  std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
-    // The full reach, not the nearest t so far: a tie must be seen to be decided.
+    // The full t_max, not the nearest t so far: a tie must be seen to be decided.
     return primitives.intersect(id, ray_, t_max_, counts_, sheared_);
   }
 
@@ -91,50 +91,51 @@ class Query {
   Accept accept_;
 };
 
-/// A search for the nearest accepted crossing in (0, t_max); an exact tie in t goes to the lower id.
+/// A search for the nearest accepted hit in (0, t_max); an exact tie in t goes to the lower id.
 template <class T, class Accept, class AnyRay>
 class ClosestQuery : public Query<T, Accept, AnyRay> {
  public:
-  static constexpr bool shortens = true;  ///< the reach, with each crossing found
+  static constexpr bool shortens = true;  ///< each hit shortens t_far
   ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
-      : Query<T, Accept, AnyRay>(primitives, ray, t_max, counts, accept), reach_(t_max) {}
+      : Query<T, Accept, AnyRay>(primitives, ray, t_max, counts, accept), t_far_(t_max) {}
 
   /// Tests one primitive; true when the search is over.
   bool test(const Primitives<T>& primitives, int id) {
-    const auto crossing = this->cross(primitives, id);
-    if (!crossing || !(crossing->t < hit_.t || (crossing->t == hit_.t && id < hit_.primitive))) return false;
+    const auto intersection = this->cross(primitives, id);
+    if (!intersection || !(intersection->t < hit_.t || (intersection->t == hit_.t && id < hit_.primitive)))
+      return false;
     constexpr T margin = 1 + 4096 * std::numeric_limits<T>::epsilon();
-    hit_ = {crossing->t, id, crossing->part};
-    reach_ = crossing->t * margin;
+    hit_ = {intersection->t, id, intersection->part};
+    t_far_ = intersection->t * margin;
     return false;
   }
 
-  /// Whatever is entered later than this cannot hold a nearer crossing. A computed t may err by more than a box's
-  /// entry does (a grazed surface), so the margin is generous; it costs a few visits and no correctness.
-  [[nodiscard]] T reach() const { return reach_; }
+  /// A box entered beyond this cannot contain a nearer hit. A computed t may err by more than a box's entry does (at
+  /// grazing incidence), so the margin is generous; it costs a few visits and no correctness.
+  [[nodiscard]] T t_far() const { return t_far_; }
   [[nodiscard]] std::optional<Hit<T>> nearest() const {
-    return hit_.primitive == nobody ? std::nullopt : std::optional(hit_);
+    return hit_.primitive == no_primitive ? std::nullopt : std::optional(hit_);
   }
 
  private:
-  static constexpr int nobody = std::numeric_limits<int>::max();
-  T reach_;
-  Hit<T> hit_{infinity<T>, nobody, 0};
+  static constexpr int no_primitive = std::numeric_limits<int>::max();
+  T t_far_;
+  Hit<T> hit_{infinity<T>, no_primitive, 0};
 };
 
-/// A search for any crossing in (0, t_max).
+/// A search for any hit in (0, t_max).
 template <class T, class AnyRay>
-class AnyQuery : public Query<T, AnyPrimitive, AnyRay> {
+class OcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  AnyQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts)
+  OcclusionQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts)
       : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}) {}
 
   bool test(const Primitives<T>& primitives, int id) {
     if (this->cross(primitives, id)) found_ = id;
     return found();
   }
-  [[nodiscard]] T reach() const { return this->t_max_; }
+  [[nodiscard]] T t_far() const { return this->t_max_; }
   [[nodiscard]] bool found() const { return found_ >= 0; }
   [[nodiscard]] int found_id() const { return found_; }
 
@@ -142,14 +143,14 @@ class AnyQuery : public Query<T, AnyPrimitive, AnyRay> {
   int found_ = -1;
 };
 
-/// A search for what a shadow ray crosses in (0, t_max): anything that stops it or, if nothing does, all that filters
-/// it, some of it more than once.
+/// A search for what a shadow ray hits in (0, t_max): anything that stops it or, if nothing does, all primitives that
+/// filter it, possibly more than once each.
 template <class T, class AnyRay>
-class ShadowQuery : public Query<T, AnyPrimitive, AnyRay> {
+class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  ShadowQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts,
-              const std::vector<ShadowRole>& roles, std::vector<int>& filters)
+  FilteredOcclusionQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts,
+                         const std::vector<ShadowRole>& roles, std::vector<int>& filters)
       : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}), roles_(roles), filters_(filters) {}
 
   bool test(const Primitives<T>& primitives, int id) {
@@ -162,7 +163,7 @@ class ShadowQuery : public Query<T, AnyPrimitive, AnyRay> {
     stopped_by_ = id;
     return true;
   }
-  [[nodiscard]] T reach() const { return this->t_max_; }
+  [[nodiscard]] T t_far() const { return this->t_max_; }
   [[nodiscard]] bool found() const { return stopped_by_ >= 0; }
   [[nodiscard]] int found_id() const { return stopped_by_; }
 
@@ -172,11 +173,11 @@ class ShadowQuery : public Query<T, AnyPrimitive, AnyRay> {
   int stopped_by_ = -1;
 };
 
-/// The ray's terms of every slab test, computed once a ray.
+/// The terms of a ray that all slab tests share, computed once per ray.
 template <class T>
 struct SlabRay {
-  /// With `mapped`, boxes are taken for a few ulps of the origin larger: where a primitive takes the ray into a space
-  /// of its own, the origin is rounded there.
+  /// With `mapped`, boxes are treated as a few ulps of the origin larger: where a primitive transforms the ray into
+  /// object space, the origin is rounded.
   explicit SlabRay(const Ray<T>& ray, bool mapped = false)
       : from_in(ray.origin), from_out(ray.origin), inverse(T(1) / ray.direction) {
     for (int axis = 0; axis < 3; ++axis) negative[axis] = std::signbit(ray.direction[axis]);
@@ -188,24 +189,24 @@ struct SlabRay {
       from_out[axis] += negative[axis] ? slack : -slack;
     }
   }
-  Vec3<T> from_in, from_out;  ///< the origin, as seen from the faces through which the ray comes in and goes out
+  Vec3<T> from_in, from_out;  ///< the origin relative to the faces through which the ray enters and leaves
   Vec3<T> inverse;            ///< 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none
   bool negative[3];
 };
 
-/// A stretch of a ray; empty when !(in <= out).
+/// An interval of t along a ray; empty when !(in <= out).
 template <class T>
-struct Stretch {
+struct RayInterval {
   T in, out;
   [[nodiscard]] bool empty() const { return !(in <= out); }
 };
 
-/// The part of `within` inside the box, up to rounding outwards: never empty when the ray meets the box.
+/// The part of `within` inside the box, rounded outward: never empty when the ray hits the box.
 ///
 /// T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013: slabs are chosen by the sign of the direction, the far side is
 /// padded by two ulps, and the comparisons let the NaN of 0 * infinity (an origin in a face's plane, no slope) pass.
 template <class T>
-[[nodiscard]] Stretch<T> clip(const SlabRay<T>& ray, const Bounds<T>& box, Stretch<T> within) {
+[[nodiscard]] RayInterval<T> clip(const SlabRay<T>& ray, const Bounds<T>& box, RayInterval<T> within) {
   constexpr T pad = 1 + 4 * std::numeric_limits<T>::epsilon();
   for (int axis = 0; axis < 3; ++axis) {
     const bool negative = ray.negative[axis];
@@ -217,13 +218,13 @@ template <class T>
   return within;
 }
 
-/// The ray as slab tests take it.
+/// The terms of a ray for slab tests.
 template <class T>
 [[nodiscard]] SlabRay<T> slabs_of(const Ray<T>& ray, const Primitives<T>& primitives) {
   return SlabRay<T>(ray, primitives.maps_rays());
 }
 
-/// Slabs as books print them: what 0 * infinity and rounding make of them is part of the lesson.
+/// Slabs as textbooks give them: what 0 * infinity and rounding do to them is part of the lesson.
 template <class T>
 struct NaiveSlabRay {
   Vec3<T> origin, inverse;
@@ -234,7 +235,7 @@ template <class T>
   return {ray.origin, T(1) / ray.direction, {ray.direction.x < 0, ray.direction.y < 0, ray.direction.z < 0}};
 }
 template <class T>
-[[nodiscard]] Stretch<T> clip(const NaiveSlabRay<T>& ray, const Bounds<T>& box, Stretch<T> within) {
+[[nodiscard]] RayInterval<T> clip(const NaiveSlabRay<T>& ray, const Bounds<T>& box, RayInterval<T> within) {
   for (int axis = 0; axis < 3; ++axis) {
     const T t0 = (box.min[axis] - ray.origin[axis]) * ray.inverse[axis];
     const T t1 = (box.max[axis] - ray.origin[axis]) * ray.inverse[axis];
@@ -250,7 +251,7 @@ struct AcceleratorStatistics {
   std::size_t references = 0;  ///< entries of primitives in leaves or cells
   int depth = 0;               ///< of the deepest leaf; 0 for a single one
   std::size_t bytes = 0;       ///< of the structure, without the primitives
-  double build_seconds = 0;    ///< from the primitives to what can be searched
+  double build_seconds = 0;    ///< from the primitives to a searchable structure
 };
 
 }  // namespace raywalk

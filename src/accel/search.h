@@ -1,14 +1,14 @@
 #pragma once
 // How the queries of an accelerator search its structure. Compiled once for robust rays (accelerator.cpp) and once for
-// naive ones (accelerator_naive.cpp), so that the tracer's kernels need not hold a copy of every structure each.
+// naive ones (accelerator_naive.cpp), so that not every kernel of the tracer contains a copy of every structure.
 
 #include "accel/accelerator.h"
+#include "accel/bounding_volumes.h"
 #include "accel/bvh.h"
 #include "accel/grid.h"
 #include "accel/kdtree.h"
 #include "accel/list.h"
 #include "accel/octree.h"
-#include "accel/volumes.h"
 
 #include <algorithm>
 #include <variant>
@@ -16,21 +16,21 @@
 namespace raywalk {
 
 template <class T>
-using AnyStructure = std::variant<List<T>, Volumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
+using AnyStructure = std::variant<List<T>, BoundingVolumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
 
 template <class T>
-AnyStructure<T> build_structure(AcceleratorKind kind, const Boxes<T>& boxes, const Primitives<T>& primitives,
-                                const Build& build = {}) {
+AnyStructure<T> build_structure(AcceleratorKind kind, const PrimitiveBounds<T>& boxes, const Primitives<T>& primitives,
+                                const BuildOptions& build = {}) {
   switch (kind) {
     case AcceleratorKind::automatic:
     case AcceleratorKind::none:
       break;
     case AcceleratorKind::spheres:
-      return Volumes<T>(boxes, primitives, VolumeKind::sphere, build.stop);
+      return BoundingVolumes<T>(boxes, primitives, VolumeKind::sphere, build.stop);
     case AcceleratorKind::ellipsoids:
-      return Volumes<T>(boxes, primitives, VolumeKind::ellipsoid, build.stop);
+      return BoundingVolumes<T>(boxes, primitives, VolumeKind::ellipsoid, build.stop);
     case AcceleratorKind::boxes:
-      return Volumes<T>(boxes, primitives, VolumeKind::box, build.stop);
+      return BoundingVolumes<T>(boxes, primitives, VolumeKind::box, build.stop);
     case AcceleratorKind::bvh:
       return Bvh<T>(boxes, build);
     case AcceleratorKind::grid:
@@ -51,7 +51,7 @@ struct Accelerator<T>::Structure {
 template <class T>
 template <class AnyRay, class Query>
 inline void Accelerator<T>::search(const AnyRay& ray, Query& query) const {
-  // A list, which holds all, is asked for first: its scenes are so small that a call more would show.
+  // The list, which holds all primitives, comes first: its scenes are so small that an extra call would show.
   if (const auto* list = std::get_if<List<T>>(&structure_->any)) return list->search(ray, primitives_, query);
   search_structure(ray, query);
 }
@@ -76,8 +76,8 @@ template <class T>
 template <class AnyRay, class Query>
 inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, const ShadowHints& hints) const {
   const auto seek = [&] {
-    if (hints.among == nullptr) return search(ray, query);
-    for (const int id : *hints.among)
+    if (hints.candidates == nullptr) return search(ray, query);
+    for (const int id : *hints.candidates)
       if (query.test(primitives_, id)) return;
   };
   if (hints.last == nullptr || *hints.last < 0 || !query.test(primitives_, *hints.last)) seek();
@@ -87,17 +87,18 @@ inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, const ShadowH
 
 template <class T>
 template <class AnyRay>
-bool Accelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints) const {
-  AnyQuery<T, AnyRay> query(primitives_, ray, t_max, counts);
+bool Accelerator<T>::occluded(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints) const {
+  OcclusionQuery<T, AnyRay> query(primitives_, ray, t_max, counts);
   return found(query, ray, hints);
 }
 
 template <class T>
 template <class AnyRay>
-bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
-                              std::vector<int>& filters, const ShadowHints& hints) const {
+bool Accelerator<T>::occluded_or_filtered(const AnyRay& ray, T t_max, TestCounts& counts,
+                                          const std::vector<ShadowRole>& roles, std::vector<int>& filters,
+                                          const ShadowHints& hints) const {
   filters.clear();
-  ShadowQuery<T, AnyRay> query(primitives_, ray, t_max, counts, roles, filters);
+  FilteredOcclusionQuery<T, AnyRay> query(primitives_, ray, t_max, counts, roles, filters);
   const bool stopped = found(query, ray, hints);
   if (filters.size() > 1) {
     std::sort(filters.begin(), filters.end());
@@ -106,13 +107,13 @@ bool Accelerator<T>::any_stop(const AnyRay& ray, T t_max, TestCounts& counts, co
   return stopped;
 }
 
-/// Compiles the queries of Accelerator<T> for one kind of ray.
-#define RAYWALK_SEARCHES(T, AnyRay)                                                                             \
-  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, AnyPrimitive) const; \
-  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, StopsShadows) const; \
-  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, OfBodies) const;     \
-  template bool Accelerator<T>::any(const AnyRay<T>&, T, TestCounts&, const ShadowHints&) const;                \
-  template bool Accelerator<T>::any_stop(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&,      \
-                                         std::vector<int>&, const ShadowHints&) const;
+/// Instantiates the queries of Accelerator<T> for one kind of ray.
+#define RAYWALK_SEARCHES(T, AnyRay)                                                                                    \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, AnyPrimitive) const;        \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, StopsShadows) const;        \
+  template std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, OfBodies) const;            \
+  template bool Accelerator<T>::occluded(const AnyRay<T>&, T, TestCounts&, const ShadowHints&) const;                  \
+  template bool Accelerator<T>::occluded_or_filtered(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&, \
+                                                     std::vector<int>&, const ShadowHints&) const;
 
 }  // namespace raywalk

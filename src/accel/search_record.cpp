@@ -24,7 +24,7 @@ std::optional<std::array<double, 2>> line_in_box(const Vec3d& origin, const Vec3
 }
 
 void SearchRecord::add(SearchEvent event) {
-  event.reach = reach_;
+  event.t_far = t_far_;
   event.nodes = nodes_;
   event.tests = tests_;
   if (events_.size() < most_)
@@ -38,7 +38,7 @@ void SearchRecord::enter(SearchEvent::Kind kind, const Bounds<double>& box, bool
   SearchEvent event;
   event.kind = kind;
   event.box = box_ = box;
-  // A box that is touched within rounding is entered, though the line is not seen in it.
+  // A box that is touched within rounding is entered, although the computed line misses it.
   event.t_in = line ? std::max((*line)[0], 0.0) : 0;
   event.t_out = t_out_ = line ? (*line)[1] : infinity<double>;
   event.leaf = leaf;
@@ -54,7 +54,7 @@ void SearchRecord::skip(const Bounds<double>& box, bool counted) {
   if (const auto line = line_in_box(origin_, direction_, box)) {
     event.t_in = (*line)[0];
     event.t_out = (*line)[1];
-    event.skip = event.t_out < 0 ? Skip::behind : event.t_in >= reach_ ? Skip::beyond : Skip::missed;
+    event.skip = event.t_out < 0 ? Skip::behind : event.t_in >= t_far_ ? Skip::beyond : Skip::missed;
   }
   add(event);
 }
@@ -68,14 +68,14 @@ void SearchRecord::tested(int primitive, std::optional<double> t, bool filters) 
   event.again = place != seen_.end() && *place == primitive;
   if (!event.again) seen_.insert(place, primitive);
   if (t) {
-    constexpr double rounding = 1e-6;  // a float's and that of the box
+    constexpr double rounding = 1e-6;  // of a float ray and of the box
     event.t = *t;
     event.outside = !box_.empty() && *t > t_out_ * (1 + rounding);
     event.test = filters ? SearchEvent::Test::filters
-                 : *t < reach_ || (nearest_ && *t == nearest_->t && primitive < nearest_->primitive)
+                 : *t < t_far_ || (nearest_ && *t == nearest_->t && primitive < nearest_->primitive)
                      ? SearchEvent::Test::nearest
                      : SearchEvent::Test::farther;
-    if (event.test == SearchEvent::Test::nearest) reach_ = *t, nearest_ = event;
+    if (event.test == SearchEvent::Test::nearest) t_far_ = *t, nearest_ = event;
   }
   ++tests_;
   add(event);

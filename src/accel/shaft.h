@@ -8,11 +8,11 @@
 
 namespace raywalk {
 
-/// All the ways from a point to anywhere in a ball, as to a light with an extent: a cone with a rounded end. What lies
-/// outside of it need not be asked for any of those ways (E. Haines and J. Wallace, "Shaft Culling for Efficient
-/// Ray-Cast Radiosity", Eurographics Workshop on Rendering 1991). In double for rays of either precision, and taken for
-/// larger than it is: by a millionth, which is more than their directions are rounded by, and by a few of the last
-/// digits of T with which the places on the ball are written.
+/// All segments from a point to anywhere in a ball, as to an area light: a cone with a rounded end. What lies outside
+/// it need not be tested for any of these segments (E. Haines and J. Wallace, "Shaft Culling for Efficient Ray-Cast
+/// Radiosity", Eurographics Workshop on Rendering 1991). In double for rays of either precision, and enlarged: by a
+/// millionth, which exceeds the rounding of their directions, and by a few ulps of T for the rounding of positions on
+/// the ball.
 class Shaft {
  public:
   template <class T>
@@ -30,7 +30,7 @@ class Shaft {
     cos_ = std::sqrt(1 - sin_ * sin_);
   }
 
-  /// Whether a sphere may reach into it.
+  /// Whether a sphere may overlap the shaft.
   [[nodiscard]] bool meets(const Vec3d& centre, double radius) const {
     if (all_around_) return true;
     const Vec3d way = centre - point_;
@@ -41,8 +41,7 @@ class Shaft {
     return !(aside * cos_ - along * sin_ > near);
   }
 
-  /// Whether a plane may cut it: the point and the ball do not lie on the same side. NaN, of a point beyond all
-  /// numbers, is no side.
+  /// Whether a plane may cut the shaft: the point and the ball are not on the same side. NaN is on neither side.
   [[nodiscard]] bool meets_plane(const Vec3d& on_plane, const Vec3d& normal) const {
     if (all_around_) return true;
     const Vec3d way = point_ - on_plane;
@@ -56,16 +55,17 @@ class Shaft {
   Vec3d point_, axis_;
   double length_, radius_, grain_;
   double sin_ = 0, cos_ = 0;  ///< of the cone's half angle
-  bool all_around_;           ///< the point lies in the ball
+  bool all_around_;           ///< the point is inside the ball
 };
 
-/// Whether a ray from the shaft's point, departing from there, to anywhere in its ball may cross a primitive.
+/// Whether a ray spawned at the shaft's point may hit a primitive on its way to the ball.
 template <class T>
 [[nodiscard]] bool may_cross(const Shaft& shaft, const Primitives<T>& primitives, const Bounds<T>& box, int id,
                              Departure departure) {
   if (const auto* sphere = primitives.template plain<Sphere<T>>(id))
     return shaft.meets(wide(sphere->centre), static_cast<double>(sphere->radius));
-  if (const auto* plane = primitives.template plain<Plane<T>>(id))  // what departs from a plane never meets it again
+  if (const auto* plane = primitives.template plain<Plane<T>>(id))  // a ray that departs from a plane never hits it
+                                                                    // again
     return departure.primitive != id && shaft.meets_plane(wide(plane->point), wide(plane->normal));
   if (!box.bounded()) return true;
   const Vec3d min(box.min), max(box.max);

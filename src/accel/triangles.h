@@ -13,8 +13,8 @@
 
 namespace raywalk {
 
-/// The triangles of all meshes, mapped into the world, in 12 bytes each beside the vertices that they share. The image
-/// of a shared vertex is the same bits for every triangle, so that a mesh is as watertight as it was.
+/// The triangles of all meshes in world space: 12 bytes each, besides the shared vertices. A shared vertex has the same
+/// bits for every triangle, so that a watertight mesh stays watertight.
 template <class T>
 class Triangles {
  public:
@@ -29,26 +29,26 @@ class Triangles {
 
   /// `AnyRay` is a Ray, a ShearedRay or a NaiveRay.
   template <class AnyRay, class Explain>
-  [[nodiscard]] std::optional<Crossing<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part,
-                                                     Explain&& explain) const {
+  [[nodiscard]] std::optional<Intersection<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part,
+                                                         Explain&& explain) const {
     const Triangle<T> triangle = (*this)[i];
-    const auto crossing = raywalk::intersect(triangle, ray, t_max, departed_part, explain);
-    // What has shrunk to a line has no normal; it is told last, of the few that are hit.
-    if (crossing && cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0)) return std::nullopt;
-    return crossing;
+    const auto intersection = raywalk::intersect(triangle, ray, t_max, departed_part, explain);
+    // A degenerate triangle has no normal; checked last, only for the few that are hit.
+    if (intersection && cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0)) return std::nullopt;
+    return intersection;
   }
 
-  /// Whether a ray from triangle `from` meets its neighbour `to` at a `t` that is 0 but for rounding, although it goes
-  /// to the side of it from which it came.
+  /// Whether a ray from triangle `from` hits its neighbour `to` at a `t` that is 0 up to rounding, although it stays on
+  /// its side of it.
   [[nodiscard]] bool leaves_by_edge(int from, int to, const Ray<T>& ray, T t) const;
 
-  /// The normal between those of its corners at a point of triangle `i`, as these are given; none where it is flat.
+  /// The interpolated normal at a point of triangle `i`, as the vertex normals are given; none where it is flat.
   [[nodiscard]] std::optional<Vec3<T>> given_normal(int i, const SurfacePoint<T>& point) const;
-  /// The one that smooth shading takes: the same on the side of the triangle's own.
+  /// The shading normal: the same, on the side of the triangle's geometric normal.
   [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int i, const SurfacePoint<T>& point) const;
   [[nodiscard]] Vec2<T> uv_at(int i, const SurfacePoint<T>& point) const;
 
-  /// Whether two are one surface: the same three corners, in whatever order.
+  /// Whether two are the same surface: the same three corners, in any order.
   [[nodiscard]] bool equal(int a, int b) const;
 
  private:
@@ -56,10 +56,10 @@ class Triangles {
   [[nodiscard]] const Vec3<T>& position(std::int32_t vertex) const {
     return positions_[static_cast<std::size_t>(vertex)];
   }
-  /// The sum of the corners' normals by their weights, of any length above 0; none where a corner has none.
-  [[nodiscard]] std::optional<Vec3<T>> between_normals(int i, const Vec3<T>& point) const;
-  /// For `more` elements: exactly as much for the first mesh, in growing steps for the many that instances are, which
-  /// would else be copied each time.
+  /// The weighted sum of the corners' normals, not normalised; none where a corner has none.
+  [[nodiscard]] std::optional<Vec3<T>> interpolated_normal(int i, const Vec3<T>& point) const;
+  /// For `more` elements: exactly as many for the first mesh, in growing steps for the many copies of instances, which
+  /// would otherwise be reallocated each time.
   template <class Element>
   static void make_room(std::vector<Element>& list, std::size_t more) {
     if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.capacity()));
@@ -85,7 +85,7 @@ void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool sm
   make_room(positions_, mesh.positions.size());
   for (const Vec3d& at : mesh.positions) positions_.emplace_back(to_world.point(at));
   make_room(corners_, mesh.triangles.size());
-  const bool mirrored = to_world.determinant() < 0;  // outside stays outside
+  const bool mirrored = to_world.determinant() < 0;  // keeps the outside outside
   for (const auto& [a, b, c] : mesh.triangles)
     corners_.push_back({first + a, first + (mirrored ? c : b), first + (mirrored ? b : c)});
   if (smooth && !mesh.normals.empty()) {
@@ -107,7 +107,7 @@ void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool sm
 }
 
 template <class T>
-std::optional<Vec3<T>> Triangles<T>::between_normals(int i, const Vec3<T>& point) const {
+std::optional<Vec3<T>> Triangles<T>::interpolated_normal(int i, const Vec3<T>& point) const {
   if (normals_.empty()) return std::nullopt;
   const auto normal = [&](std::size_t corner) { return normals_[static_cast<std::size_t>(corners(i)[corner])]; };
   const Vec3<T> a = normal(0), b = normal(1), c = normal(2);
@@ -119,13 +119,13 @@ std::optional<Vec3<T>> Triangles<T>::between_normals(int i, const Vec3<T>& point
 
 template <class T>
 std::optional<Vec3<T>> Triangles<T>::given_normal(int i, const SurfacePoint<T>& point) const {
-  const auto between = between_normals(i, point.position);
+  const auto between = interpolated_normal(i, point.position);
   return between ? std::optional(*between / length(*between)) : std::nullopt;
 }
 
 template <class T>
 std::optional<Vec3<T>> Triangles<T>::smooth_normal(int i, const SurfacePoint<T>& point) const {
-  const auto between = between_normals(i, point.position);
+  const auto between = interpolated_normal(i, point.position);
   if (!between) return std::nullopt;
   const T size = length(*between);
   return dot(*between, point.normal) < 0 ? -*between / size : *between / size;

@@ -6,24 +6,24 @@ namespace raywalk {
 
 namespace {
 
-/// The renderer's query, which decides alone; what it has done is told.
+/// The renderer's query, which alone decides; its steps are recorded.
 template <class T, class Base>
 class WatchedQuery : public Base {
  public:
   template <class... Arguments>
   explicit WatchedQuery(SearchRecord& record, Arguments&&... arguments)
       : Base(std::forward<Arguments>(arguments)...), record_(record) {}
-  /// With `roles`, by primitive, of a shadow ray.
+  /// `roles`, by primitive: for a shadow ray.
   void set_roles(const std::vector<ShadowRole>& roles) { roles_ = &roles; }
 
   bool test(const Primitives<T>& primitives, int id) {
     const std::uint64_t before = this->counts().primitives;
     const bool over = Base::test(primitives, id);
     if (this->counts().primitives == before) return over;
-    // What the test has found, once more and uncounted: the query keeps only what is nearest.
-    const auto crossing = primitives.intersect(id, this->ray_, this->t_max_);
+    // The result of the test, repeated without counting: the query keeps only the nearest.
+    const auto intersection = primitives.intersect(id, this->ray_, this->t_max_);
     const bool filters = roles_ != nullptr && (*roles_)[static_cast<std::size_t>(id)] == ShadowRole::filters;
-    record_.tested(id, crossing ? std::optional(static_cast<double>(crossing->t)) : std::nullopt, filters);
+    record_.tested(id, intersection ? std::optional(static_cast<double>(intersection->t)) : std::nullopt, filters);
     return over;
   }
   [[nodiscard]] SearchRecord& record() const { return record_; }
@@ -41,10 +41,10 @@ struct WatchedAccelerator<T>::Structure {
 };
 
 template <class T>
-WatchedAccelerator<T>::WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t most_steps,
+WatchedAccelerator<T>::WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t max_steps,
                                           const Stop& stop)
-    : primitives_(primitives), build_{.most = most_steps} {
-  const Boxes<T> boxes(primitives_, stop);
+    : primitives_(primitives), build_{.most = max_steps} {
+  const PrimitiveBounds<T> boxes(primitives_, stop);
   if (kind != AcceleratorKind::none) unbounded_ = boxes.unbounded;
   structure_ = std::make_shared<const Structure>(Structure{build_structure(kind, boxes, primitives_, {stop, &build_})});
 }
@@ -70,19 +70,19 @@ std::optional<Hit<T>> WatchedAccelerator<T>::closest(const AnyRay& ray, T t_max,
 
 template <class T>
 template <class AnyRay>
-bool WatchedAccelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
-                                SearchRecord& record) const {
+bool WatchedAccelerator<T>::occluded(const AnyRay& ray, T t_max, TestCounts& counts,
+                                     const std::vector<ShadowRole>& roles, SearchRecord& record) const {
   const auto watch = [&](auto& query) {
     search(ray, query);
     record.ended(query.found() ? SearchEnd::blocked : SearchEnd::all_seen);
     return query.found();
   };
   if (roles.empty()) {
-    WatchedQuery<T, AnyQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts);
+    WatchedQuery<T, OcclusionQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts);
     return watch(query);
   }
   std::vector<int> filters;
-  WatchedQuery<T, ShadowQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts, roles, filters);
+  WatchedQuery<T, FilteredOcclusionQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts, roles, filters);
   query.set_roles(roles);
   return watch(query);
 }
@@ -90,7 +90,7 @@ bool WatchedAccelerator<T>::any(const AnyRay& ray, T t_max, TestCounts& counts, 
 template <class T>
 std::vector<StructureNode> WatchedAccelerator<T>::nodes(std::size_t most) const {
   std::vector<StructureNode> nodes;
-  std::visit([&](const auto& structure) { structure.tell_nodes(nodes, most); }, structure_->any);
+  std::visit([&](const auto& structure) { structure.list_nodes(nodes, most); }, structure_->any);
   return nodes;
 }
 
@@ -102,12 +102,12 @@ AcceleratorStatistics WatchedAccelerator<T>::statistics() const {
 template class WatchedAccelerator<float>;
 template class WatchedAccelerator<double>;
 
-/// Compiles the searches for one kind of ray.
-#define RAYWALK_WATCHED(T, AnyRay)                                                                               \
-  template std::optional<Hit<T>> WatchedAccelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, SearchRecord&) \
-      const;                                                                                                     \
-  template bool WatchedAccelerator<T>::any(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&,     \
-                                           SearchRecord&) const;
+/// Instantiates the searches for one kind of ray.
+#define RAYWALK_WATCHED(T, AnyRay)                                                                                \
+  template std::optional<Hit<T>> WatchedAccelerator<T>::closest(const AnyRay<T>&, T, TestCounts&, SearchRecord&)  \
+      const;                                                                                                      \
+  template bool WatchedAccelerator<T>::occluded(const AnyRay<T>&, T, TestCounts&, const std::vector<ShadowRole>&, \
+                                                SearchRecord&) const;
 RAYWALK_WATCHED(float, Ray)
 RAYWALK_WATCHED(double, Ray)
 RAYWALK_WATCHED(float, NaiveRay)

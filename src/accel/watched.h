@@ -1,5 +1,5 @@
 #pragma once
-// An accelerator that tells what it does: the same structure as the renderer's, built and searched by the same code.
+// An accelerator that records what it does: the same structure as the renderer's, built and searched by the same code.
 
 #include "accel/accelerator.h"
 #include "accel/build_record.h"
@@ -13,22 +13,22 @@ namespace raywalk {
 template <class T>
 class WatchedAccelerator {
  public:
-  /// Over primitives that outlive it and have been in an Accelerator, which knows those that are equal. `kind`: not
-  /// `automatic`. Of the build `most_steps` are kept.
-  WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t most_steps,
+  /// Over primitives that outlive it and have been in an Accelerator, which has found the equal ones. `kind`: not
+  /// `automatic`. At most `max_steps` steps of the build are kept.
+  WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t max_steps,
                      const Stop& stop = {});
 
-  /// Accelerator::closest, told to `record`. `AnyRay` is a Ray or a NaiveRay.
+  /// Accelerator::closest, recorded. `AnyRay` is a Ray or a NaiveRay.
   template <class AnyRay>
   [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts,
                                               SearchRecord& record) const;
-  /// Accelerator::any_stop, and with empty `roles` Accelerator::any, told to `record`.
+  /// Accelerator::occluded_or_filtered, or with empty `roles` Accelerator::occluded, recorded.
   template <class AnyRay>
-  [[nodiscard]] bool any(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
-                         SearchRecord& record) const;
+  [[nodiscard]] bool occluded(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+                              SearchRecord& record) const;
 
   [[nodiscard]] const BuildRecord& build() const { return build_; }
-  /// The boxes of the structure's nodes or cells, `most` of them: parents before children.
+  /// The boxes of the structure's nodes or cells, at most `most`: parents before children.
   [[nodiscard]] std::vector<StructureNode> nodes(std::size_t most) const;
   [[nodiscard]] AcceleratorStatistics statistics() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Reads the values of options that are more than one number.
+// Parses the values of options.
 
 #include "scene/scene.h"
 
@@ -17,10 +17,10 @@ namespace raywalk {
 [[nodiscard]] std::optional<std::uint64_t> parse_seed(std::string_view text);
 /// A finite number that is 0 or more.
 [[nodiscard]] std::optional<double> parse_amount(const std::string& text);
-/// The same, of a whole: at most 1.
+/// The same, at most 1.
 [[nodiscard]] std::optional<double> parse_share(const std::string& text);
 
-/// "640x480": two whole numbers in the range that a scene file may state.
+/// "640x480": two integers in the range of scene files.
 [[nodiscard]] std::optional<ImageSize> parse_size(const std::string& text);
 
 /// Which pixel to step through: a cell of the strip, or a pixel of the image, all from 0.

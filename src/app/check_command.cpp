@@ -19,11 +19,11 @@ namespace raywalk {
 
 namespace {
 
-/// Goal A's count, and a hundredth of it.
-constexpr std::uint64_t full_rays = 100'000'000, usual_rays = 1'000'000;
-constexpr const char* usual_state = "raywalk-numerics.state";
+/// The number in goal A, and a hundredth of it.
+constexpr std::uint64_t full_rays = 100'000'000, default_rays = 1'000'000;
+constexpr const char* default_state = "raywalk-numerics.state";
 
-/// The families of these names, in the table's order; all where there is no name.
+/// The families of these names, in the table's order; all if none is named.
 Result<std::vector<check::Family>> chosen(const std::vector<std::string>& names) {
   std::vector<check::Family> all = check::all_families();
   std::vector<std::string_view> known;
@@ -54,10 +54,10 @@ ExitCode check_numerics_command(const CheckOptions& options) {
     return printed ? ExitCode::done : fail(printed.error());
   }
   check::SuiteOptions suite;
-  suite.rays = options.rays > 0 ? static_cast<std::uint64_t>(options.rays) : options.full ? full_rays : usual_rays;
+  suite.rays = options.rays > 0 ? static_cast<std::uint64_t>(options.rays) : options.full ? full_rays : default_rays;
   suite.seed = options.seed;
   suite.threads = options.threads;
-  suite.state = options.state.empty() && options.full ? usual_state : options.state;
+  suite.state = options.state.empty() && options.full ? default_state : options.state;
   const Interrupt interrupt(Patience::brief);
   suite.stop = interrupt.stop();
   Result<check::SuiteResult> result;
@@ -106,11 +106,11 @@ void declare_check(CLI::App& program, Run& run) {
   numerics.add_option("NAME", to.names, "Only these families; left out: all")->type_name("");
   numerics.add_flag("--full", to.full, "100 million rays a family instead of a million; can be stopped and goes on");
   numerics.add_flag("--list", to.list, "Only name the families");
-  constexpr int most_rays = 1 << 30, most_threads = 1024;
-  add_whole(numerics, "--rays", to.rays, 1, most_rays, "Rays a family");
+  constexpr int max_rays = 1 << 30, max_threads = 1024;
+  add_whole(numerics, "--rays", to.rays, 1, max_rays, "Rays a family");
   add_parsed(numerics, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which rays (1 when left out)");
-  add_whole(numerics, "--threads", to.threads, 0, most_threads,
+  add_whole(numerics, "--threads", to.threads, 0, max_threads,
             "Threads; 0, as when left out: as many as the machine runs at once");
   add_file(numerics, "--state", to.state, "FILE",
            "Keep what is done here, and go on from it (--full: raywalk-numerics.state)");

@@ -24,7 +24,7 @@ std::string metrics_text(const CompareOptions& options, const Image& image, cons
   row("relMSE", fmt::format("{:.4g}", m.rel_mse), "the same, each over the square of the second picture + 0.01");
   row("PSNR", std::isinf(m.psnr) ? "inf" : fmt::format("{:.2f} dB", m.psnr), "of what a screen shows; equal: inf");
   row("FLIP", fmt::format("{:.4f}", m.flip),
-      fmt::format("what an eye sees of it, 0 to 1, at {:.0f} pixels a degree", usual_pixels_per_degree));
+      fmt::format("what an eye sees of it, 0 to 1, at {:.0f} pixels a degree", default_pixels_per_degree));
   row("99%", fmt::format("{:.4g}", m.percentile99), "of the pixels differ by no more, in linear light");
   row("largest", fmt::format("{:.4g}", m.worst),
       m.worst > 0 ? fmt::format("difference, in column {} of row {}", m.worst_column, m.worst_row)

@@ -6,7 +6,7 @@ namespace raywalk {
 
 struct CompareOptions {
   std::string test, reference;
-  std::optional<std::string> difference{};  ///< where the picture of the difference goes
+  std::optional<std::string> difference{};  ///< file for the picture of the difference
 };
 
 [[nodiscard]] ExitCode compare_command(const CompareOptions& options);

@@ -12,7 +12,7 @@ namespace {
 
 void to_stderr(std::string text) {
   text += '\n';
-  // When standard error is closed there is nobody left to tell.
+  // If standard error is closed, there is nowhere left to report to.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// How the program speaks: results on standard output, everything else on standard error. Only `app` does.
+// The program's output: results on standard output, everything else on standard error. Only `app` prints.
 
 #include "io/error.h"
 
@@ -16,10 +16,10 @@ enum class ExitCode : int {
   wrong_usage = 2,  ///< the command line
 };
 
-/// Writes a result. Fails when standard output does not take it, as a full disk or /dev/full.
+/// Writes a result. Fails if standard output does, as on a full disk.
 [[nodiscard]] Result<void> print(std::string_view text);
 
-/// Says on standard error what went wrong, and returns ExitCode::failed.
+/// Reports an error on standard error, and returns ExitCode::failed.
 ExitCode fail(const Error& error);
 /// The same for a wrong command line: ExitCode::wrong_usage.
 ExitCode refuse(const Error& error);
@@ -28,7 +28,7 @@ ExitCode refuse(const Error& error);
 void warn(const std::vector<std::string>& warnings);
 void note(std::string_view line);
 
-/// Whether a person reads standard error, and how many characters go in a line there (0 when nobody does).
+/// The width in characters of the terminal on standard error; 0 if it is not a terminal.
 [[nodiscard]] int terminal_width();
 
 }  // namespace raywalk

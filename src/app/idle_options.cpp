@@ -13,7 +13,7 @@ namespace raywalk {
 
 namespace {
 
-/// Whether a random number may be drawn. Of paths, which nearly always draw, it is taken for granted.
+/// Whether a random number may be drawn. Assumed for paths, which nearly always draw.
 bool may_draw(const Scene& scene, Integrator integrator) {
   if (integrator != Integrator::distributed) return draws_random(integrator);
   const Effects effects = effects_of(scene, scene.render.samples);

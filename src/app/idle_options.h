@@ -7,8 +7,8 @@
 
 namespace raywalk {
 
-/// A line for each option that was given and cannot change this render, with the reason. `scene` is rendered as it is:
-/// what the options say is in it already.
+/// A line for each option that was given and cannot change this render, with the reason. `scene` is the one rendered:
+/// the options are already applied.
 [[nodiscard]] std::vector<std::string> idle_options(const RenderOptions& given, const Scene& scene);
 
 }  // namespace raywalk

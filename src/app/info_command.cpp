@@ -24,7 +24,7 @@ std::string count_of(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, words, count == 1 ? "" : what.ends_with('x') ? "es" : "s");
 }
 
-/// "2 spheres, 1 plane", in the order in which the kinds first come.
+/// "2 spheres, 1 plane", in order of first occurrence.
 std::string counts_of(const std::vector<std::string>& kinds) {
   std::string text;
   std::vector<std::string> named;
@@ -53,7 +53,7 @@ std::string cells_text(const Scene& scene) {
          "; they are no pixels of this image (for that its width is an odd multiple of the cells and its height odd)";
 }
 
-/// What each structure over the scene's primitives comes to. Of large scenes only the one that is chosen for them.
+/// Describes each accelerator over the scene's primitives; for large scenes only the chosen one.
 std::string structures_text(const Scene& scene, const World<double>& chosen) {
   constexpr double few = 20000;
   const AcceleratorKind automatic = chosen.accelerator.kind();
@@ -73,7 +73,7 @@ std::string structures_text(const Scene& scene, const World<double>& chosen) {
   return text;
 }
 
-/// "distributed, 16 samples a pixel, jittered".
+/// "distributed, 16 samples per pixel, jittered".
 std::string render_text(const Scene& scene) {
   const RenderChoices& choices = scene.render;
   const bool chosen = choices.integrator != Integrator::automatic;
@@ -160,7 +160,7 @@ ExitCode print_or_fail(const std::string& text) {
   return printed ? ExitCode::done : fail(printed.error());
 }
 
-/// What can be said of the tables of this name, or of all.
+/// The reference of the tables of this name, or of all.
 ExitCode print_keys(const std::string& name) {
   std::vector<KeyTable> tables = key_tables();
   if (name.empty()) return print_or_fail(reference_text(tables));

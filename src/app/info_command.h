@@ -9,17 +9,17 @@
 
 namespace raywalk {
 
-/// What a scene holds, whether it is planar, and the effects it calls for and why, for a person to read.
+/// What a scene contains, whether it is planar, and which effects it uses and why, as text.
 [[nodiscard]] std::string info_text(const Scene& scene, const std::string& path);
 
-/// What its effects cost, for a person to read.
+/// What its effects cost, as text.
 [[nodiscard]] std::string cost_text(const study::SceneCost& cost);
 
-/// What `raywalk info` was asked for; what is absent is the scene's own.
+/// The options of `raywalk info`; absent ones are taken from the scene.
 struct InfoOptions {
   std::string scene;
   std::optional<std::string> keys{};  ///< instead of a scene: the keys that this one of its tables has, "" for all
-  bool with_cost = false;             ///< also measures what its effects cost, which takes some seconds
+  bool with_cost = false;             ///< also measures the cost of its effects, which takes some seconds
   std::optional<Integrator> integrator{};
   std::optional<int> path_length{};
   std::optional<int> samples{};

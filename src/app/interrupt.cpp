@@ -18,7 +18,7 @@ constexpr std::array heeded_signals{SIGINT, SIGTERM, SIGHUP};
 constexpr long brief_patience = 350'000;  // microseconds
 
 Stopper signal_stopper;
-std::atomic<bool> waiting{false};  // an Interrupt lives
+std::atomic<bool> waiting{false};  // an Interrupt exists
 std::atomic<bool> waiting_briefly{false};
 std::atomic<long> raised_at{0};  // milliseconds
 std::string_view last_word = "interrupted\n";
@@ -32,7 +32,7 @@ long milliseconds_now() {
 
 [[noreturn]] void leave() {
   remove_temporary_files();
-  // Nobody is left to be told when this fails.
+  // A failure cannot be reported.
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, last_word.data(), last_word.size());
   _exit(1);
 }
@@ -51,14 +51,14 @@ extern "C" void on_signal(int /*signal*/) {
     raised_at = now;
     if (waiting_briefly.load()) set_timer(brief_patience);
   } else if (constexpr long one_press = 300; now - raised_at.load() > one_press) {
-    leave();  // `timeout` sends its signal twice in a row: that is no second one
+    leave();  // `timeout` sends its signal twice in a row: this is not a second one
   }
   errno = error;
 }
 
 extern "C" void out_of_patience(int /*signal*/) { leave(); }
 
-/// System calls that the signal interrupts go on.
+/// Interrupted system calls are restarted.
 void handle_signal(int signal, void (*handler)(int)) {
   struct sigaction action{};
   action.sa_handler = handler;

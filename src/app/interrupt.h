@@ -6,28 +6,28 @@
 
 namespace raywalk {
 
-/// From here on Ctrl-C (SIGINT), a termination (SIGTERM) and the end of the terminal (SIGHUP) end the program at once,
-/// whatever it is doing, with exit code 1 and a word on standard error; old files stay whole. To be called once.
+/// From now on Ctrl-C (SIGINT), SIGTERM and the end of the terminal (SIGHUP) end the program at once, with exit code 1
+/// and a word on standard error; old files stay intact. To be called once.
 void end_at_signals();
 
-/// What a command that is interrupted may do with what it has done so far.
+/// How long an interrupted command may take to keep its results.
 enum class Patience {
-  full,   ///< all it needs: it asks often, and keeps what is done
-  brief,  ///< less than half a second; then it is ended at once
+  full,   ///< as long as it needs: it polls often, and keeps its results
+  brief,  ///< less than half a second, then the program ends
 };
 
-/// While one of these lives, the first such signal only raises its stop; one that comes a while later ends the program
-/// at once. At most one lives at a time.
+/// While one exists, the first such signal only raises its stop; a second one a while later ends the program at once.
+/// At most one exists at a time.
 class Interrupt {
  public:
-  /// `word`: what is said when patience ends; outlives this.
+  /// `word`: printed when patience ends; must outlive this.
   explicit Interrupt(Patience patience, std::string_view word = "interrupted\n");
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
   [[nodiscard]] Stop stop() const;
-  /// The work has stopped, or is done: what remains takes as long as it takes.
+  /// The work has stopped, or is done: the rest has no time limit.
   void heeded() const;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 std::string lessons_dir() { return data_dir() + "/lessons"; }
 
-/// A person names lesson 5 as "5", "05" or by its folder; or gives the path of a lesson's folder of their own.
+/// Lesson 5 is given as "5", "05" or by its folder; other lessons by the path of their folder.
 Result<std::string> folder_of(const std::string& name, const std::vector<std::string>& known) {
   const std::string padded = name.size() == 1 ? "0" + name : name;
   for (const std::string& each : known)
@@ -45,7 +45,7 @@ std::string list_text(const std::vector<std::string>& names) {
   return text;
 }
 
-/// "; not in es": the languages of the interface in which a lesson is told in English.
+/// "; not in es": interface languages in which a lesson falls back to English.
 std::string not_told(const Lesson& lesson) {
   std::string codes;
   for (const Language language : texts().languages->all())
@@ -69,10 +69,10 @@ std::string summary_of(const Lesson& lesson) {
                      lesson.steps.size(), questions, claims, lesson.words.size(), not_told(lesson));
 }
 
-/// How far the numbers spread that hang on random ones.
+/// How far the numbers that depend on random ones spread.
 std::string spreads_of(const LessonCheck& found, int seeds) {
   std::string text;
-  for (const Spread& spread : found.spreads) {
+  for (const SeedRange& spread : found.spreads) {
     const std::string theory = spread.theory ? fmt::format("; by theory {:.4g}", *spread.theory) : "";
     text += fmt::format("  {}: {} is {:.4g} to {:.4g} with {} seeds{}\n", spread.step, spread.formula, spread.least,
                         spread.most, seeds + 1, theory);
@@ -80,7 +80,7 @@ std::string spreads_of(const LessonCheck& found, int seeds) {
   return text;
 }
 
-/// What each language lacks of the interface, which is said in English then, and what it has that nothing asks for.
+/// Which texts of the interface each language lacks, which then appear in English, and which are unused.
 std::string texts_report() {
   std::string report;
   const auto list = [&](Language language, const std::vector<std::string>& ids, const std::string& what) {

@@ -10,13 +10,11 @@ namespace raywalk {
 
 /// The lessons' names and titles in every language.
 [[nodiscard]] ExitCode lesson_list_command();
-/// Plays the lessons of these names (none: all), and says for each whether the trace bears it out. A name may be short:
-/// "5" or "05" for the lesson whose folder begins so. `seeds`: with how many other random numbers claims have to hold
-/// too.
+/// Plays the lessons of these names (none: all), and reports for each whether the trace confirms it. A name may be
+/// short: "5" or "05" for the lesson whose folder begins so. `seeds`: how many other seeds the claims must hold for.
 [[nodiscard]] ExitCode lesson_check_command(const std::vector<std::string>& names, int seeds);
 
-/// Writes out what the presenter of a lesson says, asks and answers: to a path as its ending says, or prints it
-/// where there is none.
+/// Writes a lesson's presenter script to a path, in the format of its extension, or prints it if there is none.
 [[nodiscard]] ExitCode lesson_script_command(const std::string& name, Language language,
                                              const std::optional<std::string>& path);
 

@@ -11,13 +11,13 @@
 int main(int argc, char** argv) {
   using namespace raywalk;
   end_at_signals();
-  // Whatever this process was given (`ulimit -s`): enough for the deepest scene that there may be.
+  // Whatever the stack limit (`ulimit -s`): enough for the deepest scene allowed.
   constexpr std::size_t around = std::size_t{2} << 20, room = stack_for(schema::depth_count.high) + around;
   int code = 1;
   const auto run = [&] { code = run_program(argc, argv); };
   if (stack_left() >= room || !run_on_stack(room, run)) run();
-  if (left_alone()) {
-    // What the closed window left to itself would else be torn down under its feet.
+  if (has_detached_work()) {
+    // Static destruction would destroy what detached threads of the window still use.
     std::fflush(nullptr);
     _exit(code);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// How options of the command line are declared: each with what it reads, and what it says when that is not understood.
+// Declares command line options: each with its parser, and its message if that fails.
 
 #include "app/arguments.h"
 #include "app/console.h"
@@ -15,7 +15,7 @@
 
 namespace raywalk {
 
-/// What a command line asks for, run after all of it is understood.
+/// The action of a command line, run after parsing all of it.
 using Run = std::function<ExitCode()>;
 inline constexpr const char* scene_help =
     "A scene file (.toml, .nff, or .test of ray tracing courses), a mesh (.ply, .obj, .gltf, .glb), or the name of a "
@@ -32,7 +32,7 @@ void store_value(std::optional<Value>& target, const Value& value) {
 }
 }  // namespace detail
 
-/// An option whose value `parse` reads, or refuses with nothing; then `complain` says why.
+/// An option whose value `parse` reads; if it returns nothing, `complain` says why.
 template <class Target, class Parse, class Complain>
 CLI::Option* add_value(CLI::App& command, const std::string& name, Target& target, const Parse& parse,
                        const Complain& complain, const std::string& type, const std::string& help) {
@@ -74,8 +74,8 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& targ
   return add_value(command, name, target, parse, complain, type, help);
 }
 
-/// An option that names a file or a folder. A name that is empty, as of a variable that a script has not set, is no way
-/// to leave it out; and "-", which is standard output to other programs, is no name here.
+/// An option that names a file or a folder. An empty name, as from an unset shell variable, does not mean absent; and
+/// "-", standard output elsewhere, is no name here.
 template <class Target>
 CLI::Option* add_file(CLI::App& command, const std::string& name, Target& target, const std::string& type,
                       const std::string& help) {

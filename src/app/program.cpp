@@ -50,7 +50,7 @@ void add_numerics(CLI::App& command, std::optional<Numerics>& numerics, std::opt
 void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<double>& threshold) {
   constexpr auto range = schema::depth_count;
   add_whole(command, "--depth", depth, range.low, range.high, "The deepest SHADE; the primary ray's is 1");
-  // More than all of it would be no limit but an end to all rays beyond the first hit, which is --depth 1.
+  // Above 1 it would end all rays after the first hit, which is --depth 1.
   add_parsed(command, "--threshold", threshold, parse_share, "X", "a number from 0 to 1",
              "A ray that would bring less than this share of its pixel is not formed");
 }
@@ -96,7 +96,7 @@ void declare_render(CLI::App& program, Run& run) {
       ->required()
       ->check(CLI::Validator(ending, "", "ending"));
   add_size(command, to.size);
-  constexpr int most_threads = 1024;
+  constexpr int max_threads = 1024;
   add_integrator(command, to.integrator, to.path_length);
   add_samples(command, to.samples);
   add_choice(
@@ -113,7 +113,7 @@ void declare_render(CLI::App& program, Run& run) {
                 "A ray through each corner of the pixels, whose mean is the pixel: as ray counts of NFF scenes have it")
       ->excludes("--spp");
   add_limits(command, to.depth, to.threshold);
-  add_whole(command, "--threads", to.threads, 0, most_threads,
+  add_whole(command, "--threads", to.threads, 0, max_threads,
             "Threads; 0, as when left out: as many as the machine runs at once");
   add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which random numbers are drawn, where any are (0 when left out)");
@@ -203,13 +203,13 @@ void declare_info(CLI::App& program, Run& run) {
   });
 }
 
-/// CLI11 has no name for an option that help does not show.
+/// CLI11 has no name for a hidden option.
 std::string name_of(const CLI::Option& option) {
   const auto& words = option.get_lnames();
   return words.empty() ? option.get_name() : "--" + words.front();
 }
 
-/// What pictures and tests need of the window; people find it in the window itself.
+/// Window options for screenshots and tests; users find them in the window itself.
 void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   struct Asked {
     GuiOptions options;
@@ -244,13 +244,13 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   });
 }
 
-/// "raywalk render" while that is parsed.
+/// "raywalk render" while parsing it.
 std::string command_name(const CLI::App& program) {
   const auto chosen = program.get_subcommands();
   return chosen.empty() ? "raywalk" : "raywalk " + chosen.back()->get_name();
 }
 
-/// An option of `command`, or of the commands chosen below it, that takes one value and is given several.
+/// An option of `command`, or of its chosen subcommands, that takes one value and was given several.
 const CLI::Option* repeated_option(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw && option->get_items_expected_max() == 1 &&
@@ -264,8 +264,8 @@ const CLI::Option* repeated_option(const CLI::App& program, const CLI::ParseErro
   return dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ? repeated_option(program) : nullptr;
 }
 
-/// What CLI11 says, but where that is hard to read: of an option given twice it counts the values, and it names the
-/// words that nobody expected from the last to the first.
+/// CLI11's message, improved where it is hard to read: for an option given twice it counts the values, and it lists
+/// unexpected words in reverse.
 std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
   if (const CLI::Option* option = repeated_option(program, error))
     return name_of(*option) + " is given " +
@@ -276,7 +276,7 @@ std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error)
   return text;
 }
 
-/// A word of the command line that nobody expected is most likely misspelt.
+/// An unexpected word of the command line is most likely misspelt.
 std::string hint_for(const CLI::App& program, const CLI::ParseError& error, int argc, const char* const* argv) {
   if (repeated_option(program, error) != nullptr) return "give it once";
   const auto chosen = program.get_subcommands();
@@ -304,7 +304,7 @@ std::optional<Error> why_misplaced(const CLI::App& program, int argc, const char
   const CLI::Option* scene = program.get_option_no_throw("SCENE");
   if (chosen.empty() || scene == nullptr || scene->count() == 0 || chosen.back()->count() > 1) return std::nullopt;
   const CLI::Option* own = chosen.back()->get_option_no_throw("SCENE");
-  if (own == nullptr || own->count() > 0) return std::nullopt;  // it has two scenes
+  if (own == nullptr || own->count() > 0) return std::nullopt;  // two scenes are given
   const std::string command = chosen.back()->get_name(), given = scene->results().front();
   std::string rest;
   for (int i = 1; i < argc; ++i)
@@ -332,7 +332,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
       "  raywalk COMMAND --help                   says all about a command\n\n"
       "Exit codes: 0 done, 1 the input or the machine failed, 2 wrong use.");
   Run run;
-  FileLedger ledger;  // of whichever command this is
+  FileLedger ledger;  // for any command
   declare_window(program, ledger, run);
   declare_render(program, run);
   declare_step(program, run);
@@ -355,14 +355,14 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         {"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error, argc, argv)});
   }
   const ExitCode code = run();
-  // Whichever command it was, and wherever it found out: it was told to write over what it uses.
+  // Whatever the command, it was told to overwrite its own input.
   return code == ExitCode::failed && ledger.has_refused() ? ExitCode::wrong_usage : code;
 }
 
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit is an error like a full disk
   ExitCode code = ExitCode::failed;
   try {
     code = parse_and_run(argc, argv);

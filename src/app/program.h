@@ -2,7 +2,7 @@
 
 namespace raywalk {
 
-/// The program raywalk, from its command line to its exit code.
+/// Runs raywalk for a command line; returns its exit code.
 [[nodiscard]] int run_program(int argc, const char* const* argv);
 
 }  // namespace raywalk

@@ -20,7 +20,7 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_line(const Progress& progress, int width) {
-  // Rounded down: 100% is said when all is done and not before.
+  // Rounded down: 100% is shown only when all is done.
   const int percent = static_cast<int>(std::clamp(progress.done, 0.0, 1.0) * 100);
   const std::string words = fmt::format(" {:3}%  {} left", percent, duration_text(progress.seconds_left));
   const int bar = std::min(width - static_cast<int>(words.size()) - 2, 50);

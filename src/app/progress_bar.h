@@ -6,13 +6,13 @@
 
 namespace raywalk {
 
-/// "0:07", "12:30", "3:00:05"; a minute more than it can know is not claimed: above 99 hours "over 99 h".
+/// "0:07", "12:30", "3:00:05"; above 99 hours "over 99 h".
 [[nodiscard]] std::string duration_text(double seconds);
 
 /// A line of at most `width` characters: "[=======>        ]  43%  0:12 left".
 [[nodiscard]] std::string progress_line(const Progress& progress, int width);
 
-/// Draws the line again and again in its place on standard error; nothing when that is no terminal.
+/// Redraws the line in place on standard error; does nothing if that is not a terminal.
 class ProgressBar {
  public:
   ProgressBar();

@@ -23,20 +23,20 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// What a scene file may ask for (io/scene_file.cpp), and a PNG's encoder take.
-constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
+/// The limit of scene files (io/scene_file.cpp) and of the PNG encoder.
+constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
 
 std::optional<Error> why_too_large(ImageSize size) {
   const std::uint64_t pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-  if (pixels <= most_pixels) return std::nullopt;
+  if (pixels <= max_pixels) return std::nullopt;
   return Error{
       "", 0, 0,
       fmt::format("an image of {} x {} pixels is too large (expected at most {} pixels, such as 16384 x 16384)",
-                  size.width, size.height, most_pixels),
+                  size.width, size.height, max_pixels),
       "choose a smaller size with --size"};
 }
 
-/// What is done of an interrupted render goes into a file of its own: the old image stays whole.
+/// A partial image is written to a separate file: the old image stays intact.
 ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering, Encoding encoding) {
   const std::string interrupted = fmt::format("interrupted with {:.1f}% done", rendering.done * 100);
   if (rendering.done == 0) return fail({"", 0, 0, "interrupted before anything was done; nothing was written", ""});
@@ -93,7 +93,7 @@ Result<std::string> new_partial_file(const std::string& image) {
 
 ExitCode render_command(const RenderOptions& options) {
   const auto load_start = Clock::now();
-  // A warning is nothing that went wrong: the picture is the one that was asked for.
+  // Warnings are not errors: the picture is the requested one.
   auto document = load_scene(options.scene, options.quiet ? SceneWarnings::kept : SceneWarnings::said);
   if (!document) return fail(document.error());
   Scene& scene = document->scene;

@@ -8,9 +8,9 @@
 
 namespace raywalk {
 
-/// What `raywalk render` was asked for; what is absent is the scene's own.
+/// The options of `raywalk render`; absent ones are taken from the scene.
 struct RenderOptions {
-  bool quiet = false;        ///< no warnings, notes or progress, nor what was done: only what went wrong
+  bool quiet = false;        ///< no warnings, notes, progress or summary: only errors
   std::string scene, image;  ///< paths, as is the next one
   std::optional<std::string> statistics{};
   std::optional<ImageSize> size{};
@@ -34,8 +34,8 @@ struct RenderOptions {
 
 [[nodiscard]] ExitCode render_command(const RenderOptions& options);
 
-/// NAME.partial.EXT, where an interrupted render leaves what is done of NAME.EXT, or the first of NAME.partial-2.EXT,
-/// NAME.partial-3.EXT ... that is free: an empty file, made so that no one else takes it. `image` has an ending.
+/// Creates NAME.partial.EXT for the partial image of NAME.EXT, or the first free one of NAME.partial-2.EXT,
+/// NAME.partial-3.EXT ... `image` has an extension.
 [[nodiscard]] Result<std::string> new_partial_file(const std::string& image);
 
 }  // namespace raywalk

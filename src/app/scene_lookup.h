@@ -9,25 +9,25 @@
 
 namespace raywalk {
 
-/// The folder that holds `scenes` and `lessons`: beside an installed program, else in the source tree.
+/// The folder of `scenes` and `lessons`: beside an installed program, else in the source tree.
 [[nodiscard]] std::string data_dir();
 
-/// The folder that holds the files of the languages (io/languages.h).
+/// The folder of the language files (io/languages.h).
 [[nodiscard]] std::string text_dir();
 
 /// The names of the scenes in data_dir()/scenes, sorted: "classic".
 [[nodiscard]] std::vector<std::string> shipped_scenes();
 
-/// The file that a SCENE of the command line means: a path, or else the name of a shipped scene.
+/// The path of a SCENE argument: a path, or else the name of a shipped scene.
 [[nodiscard]] std::string scene_path(const std::string& scene);
 
 enum class SceneWarnings { said, kept };
 
-/// Reads the scene, and says its warnings on standard error unless they are kept, one line for all of a kind. Where
-/// there is no such file the hint names what there is.
+/// Reads the scene, and prints its warnings on standard error unless they are kept, one line per kind. If there is no
+/// such file, the hint lists the available ones.
 [[nodiscard]] Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warnings = SceneWarnings::said);
 
-/// Why there is no memory to trace the scene in; nothing where there is.
+/// Why there is not enough memory to trace the scene; nothing if there is.
 [[nodiscard]] std::optional<Error> why_no_room(const Scene& scene, const std::string& path, Precision precision);
 
 }  // namespace raywalk

@@ -59,7 +59,7 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
     const EffectUse& use = rendering.effects[effect];
     json["effects"][std::string(effect_name(effect))] = {{"used", use.used}, {"why", use.why}};
   }
-  // A path need not be UTF-8; what is not becomes the replacement character.
+  // A path need not be UTF-8; invalid bytes become the replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@
 
 namespace raywalk {
 
-/// What a render's statistics say besides the rendering itself.
+/// Context of a render's statistics.
 struct RenderReport {
   std::string scene, image;  ///< paths
   ImageSize size;

@@ -64,14 +64,15 @@ Timeline record(const StepOptions& options, const Scene& scene, ImageSize size) 
   return record_pixel(scene, size, pixel.column, pixel.row, how);
 }
 
-/// More would fill some half a gigabyte, and nobody's patience.
-constexpr double most_steps = 1'000'000;
+/// More would fill about half a gigabyte.
+constexpr double max_steps = 1'000'000;
 
 /// Records to the scene's depth. The tree of a pixel can double with every level, so a deep limit is approached in
-/// steps that cannot overshoot by much, and given up when there is no end in sight.
+/// steps that cannot overshoot by much, and given up if the tree grows too large.
 Result<Timeline> record_within_reason(const StepOptions& options, const Scene& scene, ImageSize size) {
   constexpr int harmless_depth = 5;
-  constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
+  constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between, per ray of the previous
+                                      // level
   Scene limited = scene;
   limited.limits.depth = std::min(scene.limits.depth, harmless_depth);
   for (;;) {
@@ -79,7 +80,7 @@ Result<Timeline> record_within_reason(const StepOptions& options, const Scene& s
     const bool cut_off = std::any_of(timeline.rays().begin(), timeline.rays().end(),
                                      [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
     if (!cut_off || limited.limits.depth == scene.limits.depth) return timeline;
-    const double room = std::log(most_steps / timeline.steps()) / std::log(worst_growth);
+    const double room = std::log(max_steps / timeline.steps()) / std::log(worst_growth);
     if (room < 1) {
       return tl::unexpected(
           Error{options.scene, 0, 0,
@@ -103,7 +104,7 @@ ExitCode step_command(const StepOptions& options) {
   scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
   scene.render.numerics = options.numerics.value_or(scene.render.numerics);
   scene.render.epsilon = options.epsilon.value_or(scene.render.epsilon);
-  if (options.fault) scene.render.numerics = Numerics::naive;  // which it breaks
+  if (options.fault) scene.render.numerics = Numerics::naive;  // which the fault is injected into
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
@@ -113,9 +114,9 @@ ExitCode step_command(const StepOptions& options) {
   if (!recorded) return fail(recorded.error());
   const auto kept = std::make_shared<const Timeline>(std::move(*recorded));
   const Timeline& timeline = *kept;
-  if (options.format == StepFormat::html && timeline.steps() > most_slides)
+  if (options.format == StepFormat::html && timeline.steps() > max_slides)
     return fail({options.scene, 0, 0,
-                 fmt::format("{} steps are too many for a page (expected at most {})", timeline.steps(), most_slides),
+                 fmt::format("{} steps are too many for a page (expected at most {})", timeline.steps(), max_slides),
                  "take one pixel with --pixel, or go less deep with --depth"});
   const auto language = [&] {
     warn_of_broken_texts();

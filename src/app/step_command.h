@@ -10,11 +10,11 @@
 
 namespace raywalk {
 
-/// What `raywalk step` was asked for; what is absent is the scene's own.
+/// The options of `raywalk step`; absent ones are taken from the scene.
 struct StepOptions {
   std::string scene;
   std::optional<PixelChoice> pixel{};  ///< absent: the whole strip
-  std::optional<ImageSize> size{};     ///< of the image that a pixel is of
+  std::optional<ImageSize> size{};     ///< of the image that contains the pixel
   std::optional<Integrator> integrator{};
   std::optional<int> path_length{};
   std::optional<int> depth{};
@@ -22,8 +22,8 @@ struct StepOptions {
   Precision precision = Precision::double_;
   std::optional<Numerics> numerics{};
   std::optional<double> epsilon{};
-  std::optional<Fault> fault{};      ///< breaks the tracer on purpose
-  std::optional<Language> language;  ///< of text, page and picture; left out: English
+  std::optional<Fault> fault{};      ///< injected into the tracer
+  std::optional<Language> language;  ///< of text, page and picture; absent: English
   StepFormat format = StepFormat::text;
 };
 

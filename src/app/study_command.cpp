@@ -116,8 +116,8 @@ void declare_study(CLI::App& program, Run& run) {
   add_file(command, "-o,--output", to.folder, "DIR", "The folder for the results, made when it does not exist");
   command.add_flag("--quick", to.quick, "Fewer samples: a few minutes; intervals are wider");
   command.add_flag("--list", to.list, "Only name the experiments");
-  constexpr int most_threads = 1024;
-  add_whole(command, "--threads", to.threads, 0, most_threads,
+  constexpr int max_threads = 1024;
+  add_whole(command, "--threads", to.threads, 0, max_threads,
             "Rounds at a time; 0, as when left out: as many as the machine runs at once");
   command.footer(
       "Writes for each experiment NAME.csv with every trial and NAME-1.svg and so on, and index.html, which explains\n"

@@ -1,5 +1,5 @@
 #pragma once
-// The languages that the program found in its data folder.
+// The languages found in the data folder.
 
 #include "app/options.h"
 #include "io/languages.h"
@@ -9,13 +9,13 @@
 
 namespace raywalk {
 
-/// Read when they are first asked for: most commands speak English alone.
+/// Read on first use: most commands need only English.
 [[nodiscard]] const LanguagesRead& texts();
 
 /// The option --language.
 CLI::Option* add_language(CLI::App& command, std::optional<Language>& target, const std::string& help);
 
-/// Says on standard error which files of texts could not be read.
+/// Reports on standard error which language files could not be read.
 void warn_of_broken_texts();
 
 }  // namespace raywalk

@@ -17,7 +17,7 @@ ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger)
     const Result<void> closed = run_gui(options, ledger);
     return closed ? ExitCode::done : fail(closed.error());
   } catch (const Stopped&) {
-    return ExitCode::done;  // closed before there was anything to see
+    return ExitCode::done;  // closed before it was shown
   }
 #else
   const std::string scene = options.scene_path.empty() ? "classic" : options.scene_path;

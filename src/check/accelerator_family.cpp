@@ -9,10 +9,10 @@ namespace raywalk::check {
 
 namespace {
 
-/// Shapes of all sizes thrown together, some under a transform, some in one place.
+/// A random mix of shapes of all sizes, some transformed, some coinciding.
 template <class T>
 Primitives<T> heap(Random& random, bool backwards) {
-  std::vector<std::pair<Shape<T>, std::optional<Placement<T>>>> all;
+  std::vector<std::pair<Shape<T>, std::optional<ObjectTransform<T>>>> all;
   const int count = random.whole(5, 60);
   const double spread = random.magnitude(0, 2);
   for (int i = 0; i < count; ++i) {
@@ -22,26 +22,26 @@ Primitives<T> heap(Random& random, bool backwards) {
     bool moved = false;
     switch (random.whole(0, 6)) {
       case 0:
-        shape = Bench<Sphere<T>>::make(random, size, at);
+        shape = ShapeTraits<Sphere<T>>::make(random, size, at);
         break;
       case 1:
-        shape = Bench<Box<T>>::make(random, size, at);
+        shape = ShapeTraits<Box<T>>::make(random, size, at);
         break;
       case 2:
-        shape = Bench<Disk<T>>::make(random, size, at);
+        shape = ShapeTraits<Disk<T>>::make(random, size, at);
         break;
       case 3:
-        shape = Bench<Cone<T>>::make(random, size, at), moved = true;
+        shape = ShapeTraits<Cone<T>>::make(random, size, at), moved = true;
         break;
       case 4:
-        shape = Bench<Prism<T>>::make(random, size, at), moved = true;
+        shape = ShapeTraits<Prism<T>>::make(random, size, at), moved = true;
         break;
       default:
-        shape = Bench<Triangle<T>>::make(random, size, at);
+        shape = ShapeTraits<Triangle<T>>::make(random, size, at);
         break;
     }
-    std::optional<Placement<T>> place;
-    if (moved) place = placement<T>(translation(at) * rotation(random.unit(), random.real(-180, 180)));
+    std::optional<ObjectTransform<T>> place;
+    if (moved) place = object_transform<T>(translation(at) * rotation(random.unit(), random.real(-180, 180)));
     for (int copies = random.whole(0, 19) == 0 ? 2 : 1; copies > 0; --copies) all.emplace_back(shape, place);
   }
   if (backwards) std::reverse(all.begin(), all.end());
@@ -50,11 +50,11 @@ Primitives<T> heap(Random& random, bool backwards) {
   return primitives;
 }
 
-/// Rays at corners of boxes, into faces' planes, between primitives: `kind` against no structure at all. With `none`,
-/// the same primitives in the reverse order.
+/// Rays at corners of boxes, in the planes of faces, between primitives: `kind` against no accelerator. With `none`,
+/// the same primitives in reverse order.
 template <class T>
-Row compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-  Row row;
+Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  Tally tally;
   constexpr std::uint64_t rays_a_heap = 1024;
   std::optional<Accelerator<T>> plain, structure;
   const bool permuted = kind == AcceleratorKind::none;
@@ -85,7 +85,7 @@ Row compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::
     if (!ray || !is_finite(ray->origin)) continue;
     for (int axis = 0; axis < 3; ++axis)
       if (ray->direction[axis] == 0 && random.coin()) ray->direction[axis] = -T(0);
-    // Directions are of any length, some beyond the range of a float.
+    // Directions have any length, some beyond the range of a float.
     if (random.whole(0, 15) == 0) {
       const int most = sizeof(T) == sizeof(float) ? 30 : 140;
       ray->direction = std::ldexp(T(1), random.whole(-most, most)) * ray->direction;
@@ -93,19 +93,19 @@ Row compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::
     TestCounts counts;
     const auto expected = plain->closest(*ray, infinity<T>, counts),
                got = structure->closest(*ray, infinity<T>, counts);
-    ++row.rays;
-    row.hits += expected.has_value();
-    const bool any = structure->any(*ray, infinity<T>, counts);
+    ++tally.rays;
+    tally.hits += expected.has_value();
+    const bool any = structure->occluded(*ray, infinity<T>, counts);
     bool same = expected.has_value() == got.has_value() && any == expected.has_value();
-    // Of primitives at one t the lowest is met: in reverse order that is the other one.
+    // Of primitives at equal t the lowest index wins: in reverse order that is the other one.
     const int last = all.size() - 1;
     if (same && got)
       same = got->t == expected->t &&
              (permuted ? last - got->primitive >= expected->primitive : got->primitive == expected->primitive);
     if (same && got && !permuted) same = got->part == expected->part;
-    row.unequal += !same;
+    tally.unequal += !same;
   }
-  return row;
+  return tally;
 }
 
 }  // namespace

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "check/bench_flat.h"
-#include "shape/placed.h"
+#include "check/traits_flat.h"
+#include "shape/object_transform.h"
 
 #include <optional>
 
 namespace raywalk::check {
 
-/// A ray from near `eye` through near `target`, as stored; none when rounding leaves no direction.
+/// A ray from near `eye` through near `target`, as stored; none if rounding leaves a zero direction.
 template <class T>
 [[nodiscard]] std::optional<Ray<T>> ray_towards(const Vec3d& eye, const Vec3d& target, Random& random) {
   Ray<T> ray{Vec3<T>(eye), Vec3<T>(0)};
   Vec3d d = target - Vec3d(ray.origin);
   const double size = length(d);
   if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
-  // Directions of unit length as a camera forms them, of any length as transforms leave them.
+  // Unit directions as from a camera, or of any length as after a transform.
   const int form = random.whole(0, 2);
   if (form == 1) d /= size;
   if (form == 2) d *= random.magnitude(-3, 3) / size;
@@ -23,8 +23,7 @@ template <class T>
   return ray;
 }
 
-/// A ray as a shape about the origin meets it when it stands at `centre`: the origin keeps only the digits that it has
-/// out there.
+/// The object-space ray of a shape placed at `centre`: its origin keeps only the digits that it has there.
 template <class T>
 [[nodiscard]] Ray<T> brought_back(Ray<T> ray, const Vec3d& centre) {
   const Vec3<T> world(Vec3d(ray.origin) + centre);
@@ -32,10 +31,10 @@ template <class T>
   return ray;
 }
 
-/// Case number `number` of a stratum; none where the numbers drawn make no shape or no ray.
+/// Case `number` of a stratum; none if the drawn numbers give no valid shape or ray.
 template <class S, class T>
 [[nodiscard]] std::optional<Case<S, T>> aim(Stratum stratum, Random& random) {
-  using B = Bench<S>;
+  using B = ShapeTraits<S>;
   if (stratum == Stratum::exactly_tangent) {
     Case<S, T> whole = B::exactly_tangent(random);
     if (whole.ray.direction == Vec3<T>(0)) return std::nullopt;
@@ -107,7 +106,7 @@ template <class S, class T>
       break;
     }
     case Stratum::subnormal: {
-      // Components of the ray that have almost vanished, beside others that have not.
+      // Some components of the ray nearly vanish, others do not.
       const Vec3d target = mixed();
       const int axis = random.whole(0, 2);
       if (random.coin()) eye[axis] = target[axis];

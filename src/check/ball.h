@@ -1,5 +1,5 @@
 #pragma once
-// The oracle's filter: a number known up to a bound that is proven, which decides most questions without rationals.
+// The oracle's filter: a number with a proven error bound, which decides most questions without rationals.
 
 #include "math/double_double.h"
 
@@ -9,7 +9,7 @@
 
 namespace raywalk::check {
 
-/// Thrown by a question that a Ball is too wide to answer; the rationals then answer it.
+/// Thrown where a Ball is too wide to decide; rationals then do.
 struct Undecided {};
 
 /// Some real number within `radius` of `middle`.
@@ -23,17 +23,17 @@ struct Ball {
   double radius = 0;
 
   Ball() = default;
-  Ball(double exact) : middle(exact) {}  // NOLINT(google-explicit-constructor): every double is one exactly
+  Ball(double exact) : middle(exact) {}  // NOLINT(google-explicit-constructor): every double is exactly representable
   Ball(DoubleDouble value, double error) : middle(value), radius(error) {}
 };
 
 namespace detail {
 
 constexpr double step = 0x1p-102, coarse_step = 0x1p-98;
-constexpr double up = 1 + 0x1p-40;  ///< covers the roundings of a bound's own computation
+constexpr double up = 1 + 0x1p-40;  ///< covers the rounding of the bound itself
 constexpr double smallest = 0x1p-900, largest = 0x1p900;
 
-/// The ball of a computed value, which errs by `relative` of itself beside `inherited`.
+/// The ball of a computed value, with the relative error `relative` plus the error `inherited`.
 [[nodiscard]] inline Ball ball_of(DoubleDouble value, double relative, double inherited) {
   const double size = std::abs(value.hi);
   if (size == 0 && inherited == 0) return {};
@@ -61,7 +61,7 @@ constexpr double smallest = 0x1p-900, largest = 0x1p900;
   const double a = std::abs(x.middle.hi), b = std::abs(y.middle.hi);
   const bool no_error = x.radius == 0 && y.radius == 0;
   if (no_error && (a == 0 || b == 0)) return {};
-  // Splitting overflows for factors that are too large; the low half of a product that is too small is lost.
+  // Splitting overflows if the factors are too large; the low half of a product is lost if it is too small.
   const bool safe = a < detail::largest && b < detail::largest && a * b < detail::largest &&
                     (a == 0 || b == 0 || a * b > detail::smallest);
   if (!safe) return {x.middle * y.middle, std::numeric_limits<double>::infinity()};
@@ -70,7 +70,7 @@ constexpr double smallest = 0x1p-900, largest = 0x1p900;
   return detail::ball_of(product, detail::step, ((a * y.radius + b * x.radius) * detail::up + x.radius * y.radius));
 }
 
-/// -1, 0 or 1. Throws Undecided where the ball holds numbers of two signs.
+/// -1, 0 or 1. Throws Undecided if the ball contains numbers of different signs.
 [[nodiscard]] inline int sign(const Ball& x) {
   const double size = std::abs(x.middle.hi);
   if (size == 0 && x.radius == 0) return 0;
@@ -79,7 +79,7 @@ constexpr double smallest = 0x1p-900, largest = 0x1p900;
 }
 
 [[nodiscard]] inline Ball operator/(const Ball& x, const Ball& y) {
-  static_cast<void>(sign(y));  // no ball around 0 divides
+  static_cast<void>(sign(y));  // the divisor must not contain 0
   if (x.middle.hi == 0 && x.radius == 0) return {};
   const DoubleDouble quotient = x.middle / y.middle;
   const double below = (std::abs(y.middle.hi) * (1 - 0x1p-50) - y.radius) * (1 - 0x1p-40);
@@ -95,13 +95,13 @@ constexpr double smallest = 0x1p-900, largest = 0x1p900;
   return detail::ball_of(value, detail::coarse_step, x.radius / (value.hi * (1 - 0x1p-40)) * detail::up);
 }
 
-/// |computed - exact| in units of `ulp`. Throws Undecided where the ball is too wide to tell to a thousandth.
+/// |computed - exact| in units of `ulp`. Throws Undecided if the ball is too wide for a thousandth.
 [[nodiscard]] inline double error_in_ulps(double computed, double ulp, const Ball& exact) {
   if (!(exact.radius < ulp * 1e-3) || !(ulp > detail::smallest)) throw Undecided();
   return std::abs(static_cast<double>(DoubleDouble(computed) - exact.middle)) / ulp;
 }
 
-/// The nearest double, or thereabouts.
+/// The nearest double, approximately.
 [[nodiscard]] inline double approximate(const Ball& x) { return x.middle.hi; }
 
 }  // namespace raywalk::check

@@ -8,8 +8,8 @@ namespace raywalk::check {
 
 namespace {
 
-/// A closed surface of triangles about a point that sees all of it: an octahedron, each face cut in four, its corners
-/// drawn in or out at random. Neighbours share the bits of their corners.
+/// A closed star-shaped triangle mesh about a point: an octahedron with each face cut in four, its corners moved in or
+/// out at random. Neighbours share their corners exactly.
 template <class T>
 struct Ball32 {
   std::vector<Vec3<T>> corners;
@@ -45,10 +45,10 @@ struct Ball32 {
   }
 };
 
-/// Rays from inside have to meet the surface an odd number of times, and rays from outside an even one.
+/// Rays from inside must cross the surface an odd number of times, rays from outside an even number.
 template <class T>
-Row leaks(bool at_vertex, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-  Row row;
+Tally leaks(bool at_vertex, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  Tally tally;
   constexpr std::uint64_t rays_a_mesh = 64;
   std::unique_ptr<Ball32<T>> mesh;
   for (std::uint64_t number = first; number < first + count; ++number) {
@@ -67,7 +67,7 @@ Row leaks(bool at_vertex, std::uint64_t seed, std::uint64_t first, std::uint64_t
     const double away = mesh->size * (inside ? random.real(0, 0.2) : random.magnitude(0.5, 4));
     Vec3d eye = mesh->centre + away * random.unit();
     if (random.whole(0, 3) == 0) eye[random.whole(0, 2)] = target[random.whole(0, 2)];
-    // Where it is: told from the stored origin, and left out where that is in doubt.
+    // Inside or outside is decided from the stored origin, and skipped if in doubt.
     const double distance = length(Vec3d(Vec3<T>(eye)) - mesh->centre);
     const bool surely_inside = distance < 0.3 * mesh->size, surely_outside = distance > 1.5 * mesh->size;
     const auto ray = ray_towards<T>(eye, target, random);
@@ -75,11 +75,11 @@ Row leaks(bool at_vertex, std::uint64_t seed, std::uint64_t first, std::uint64_t
     int met = 0;
     for (std::size_t i = 0; i < mesh->triangles.size(); ++i)
       met += intersect(mesh->triangle(i), *ray, infinity<T>).has_value();
-    ++row.rays;
-    row.hits += met > 0;
-    row.leaks += (met % 2 != 0) != surely_inside;
+    ++tally.rays;
+    tally.hits += met > 0;
+    tally.leaks += (met % 2 != 0) != surely_inside;
   }
-  return row;
+  return tally;
 }
 
 }  // namespace

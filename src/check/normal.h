@@ -1,16 +1,16 @@
 #pragma once
-// Whether normals stand where they should, and have length 1 (goal B).
+// Whether normals point where they should, and have length 1 (goal B).
 
 #include "check/judge.h"
 
 namespace raywalk::check {
 
-/// The direction in which a shape's normal must point, of any length, at a place of its part `part` as stored.
+/// The true direction of a shape's normal, of any length, at a stored point of its part `part`.
 template <class N>
 struct TrueNormal {
   Vec<N> direction;
-  double slenderness = 1;  ///< by how much more it turns than the corners that make it
-  double bend = 0;         ///< by how much it turns, in radians, when the place moves by one unit of length
+  double slenderness = 1;  ///< how much more it turns than the corners that define it
+  double bend = 0;         ///< how far it turns, in radians, per unit of length
 };
 
 template <class N, class T>
@@ -69,7 +69,7 @@ template <class N, class T, QuadricKind Kind>
   return {{N(f.xx * p.x), N(f.yy * p.y), N(f.zz * p.z + f.linear * N(0.5))}};
 }
 
-/// How far a unit normal is off, its direction or its length, in ulps of 1; half a turn when it points the wrong way.
+/// The error of a unit normal, in direction or length, in ulps of 1; half a turn if it points the wrong way.
 template <class T>
 [[nodiscard]] double error_of_normal(const Vec3<T>& normal, const Vec<Ball>& truth) {
   const Vec<Ball> n = exactly<Ball>(normal), off = cross(n, truth);
@@ -82,9 +82,9 @@ template <class T>
 }
 
 template <class S, class T>
-[[nodiscard]] Row try_normals(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-  using B = Bench<S>;
-  Row row;
+[[nodiscard]] Tally try_normals(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  using B = ShapeTraits<S>;
+  Tally tally;
   for (std::uint64_t number = first; number < first + count; ++number) {
     Random random(seed, 62, number);
     const auto tried = aim<S, T>(static_cast<Stratum>(random.whole(0, stratum_count - 1)), random);
@@ -92,24 +92,24 @@ template <class S, class T>
     const auto hit = intersect(tried->shape, tried->ray, infinity<T>);
     if (!hit) continue;
     const SurfacePoint<T> point = surface_at(tried->shape, tried->ray, *hit);
-    if (!is_finite(point.position)) continue;  // too far away for the type
+    if (!is_finite(point.position)) continue;  // out of range of the type
     const TrueNormal<Ball> truth = true_normal<Ball>(tried->shape, point.position, hit->part);
     const Vec<Ball>& g = truth.direction;
     const double size = length(Vec3d(approximate(g.x), approximate(g.y), approximate(g.z)));
     if (!(size > 0x1p-400)) continue;  // an apex has none
-    ++row.rays;
-    ++row.hits;
-    // The point is known to an ulp of each of the numbers that it comes from.
+    ++tally.rays;
+    ++tally.hits;
+    // The point is known to an ulp of each number that it is computed from.
     double moves = 0;
     for (int axis = 0; axis < 3; ++axis)
       moves += std::abs(static_cast<double>(tried->ray.origin[axis])) +
                std::abs(static_cast<double>(hit->t) * static_cast<double>(tried->ray.direction[axis])) +
                std::abs(static_cast<double>(point.position[axis])) + std::abs(B::centre(tried->shape)[axis]);
     const double ulps = error_of_normal(point.normal, g), condition = truth.slenderness + truth.bend * moves;
-    row.fast_ulps = std::max(row.fast_ulps, ulps);
-    row.fast_ulps_by_condition = std::max(row.fast_ulps_by_condition, ulps / condition);
+    tally.fast_ulps = std::max(tally.fast_ulps, ulps);
+    tally.fast_ulps_by_condition = std::max(tally.fast_ulps_by_condition, ulps / condition);
   }
-  return row;
+  return tally;
 }
 
 }  // namespace raywalk::check

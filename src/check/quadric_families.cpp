@@ -10,7 +10,7 @@ std::vector<Family> quadric_families() {
     family.instead =
         "subnormal: products of components below 1e-160 underflow, so there a decision is right for a ray within 2 "
         "ulps";
-    for (Line& line : family.lines)
+    for (TableLine& line : family.lines)
       if (line.name == stratum_name(Stratum::subnormal)) line.goals.decisions = false;
   }
   return all;

@@ -8,8 +8,8 @@
 
 namespace raywalk::check {
 
-/// The random numbers of one test ray: a function of the seed, what is tested and the ray's number, so that any ray can
-/// be made again alone, and a run goes on where it was stopped.
+/// The random numbers of one test ray: a function of the seed, the test and the ray's number, so that any ray can be
+/// reproduced alone, and a stopped run continued.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t what, std::uint64_t number)
@@ -36,7 +36,7 @@ class Random {
     const double x = real(-size, size), y = real(-size, size), z = real(-size, size);
     return {x, y, z};
   }
-  /// Of length 1, all directions alike.
+  /// Uniform on the unit sphere.
   Vec3d unit() {
     for (;;) {
       const Vec3d v = in_box();

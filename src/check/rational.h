@@ -1,5 +1,5 @@
 #pragma once
-// The oracle itself: rational numbers of GMP, which never round.
+// The oracle itself: GMP rationals, which never round.
 
 #include <gmpxx.h>
 
@@ -9,12 +9,12 @@ namespace raywalk::check {
 
 using Rational = mpq_class;
 
-/// Enough bits that a root's own rounding is out of sight of any ulp; its exponents neither over- nor underflow.
+/// Enough bits that the rounding of a root is far below any ulp; its exponents neither over- nor underflow.
 constexpr unsigned root_bits = 320;
 
 [[nodiscard]] inline int sign(const Rational& x) { return sgn(x); }
 
-/// The square root of a number that is not negative, to 320 bits: a rational again, so that all else stays exact.
+/// The square root of a non-negative number, to 320 bits: a rational again, so that everything else stays exact.
 [[nodiscard]] inline Rational root(const Rational& x) { return Rational(mpf_class(sqrt(mpf_class(x, root_bits)))); }
 
 /// |computed - exact| in units of `ulp`.

@@ -6,7 +6,7 @@
 
 namespace raywalk::check {
 
-/// One of scale, shear and translation; a chain of them is what instances in groups see.
+/// A scale, a shear or a translation; chains of them occur for instances in groups.
 [[nodiscard]] inline Affine<double> transform_step(Random& random) {
   switch (random.whole(0, 3)) {
     case 0:
@@ -23,46 +23,46 @@ namespace raywalk::check {
   }
 }
 
-/// The truth of a ray as stored in the shape's own space, with its origin on the part that it left.
+/// The truth for a ray as stored in object space, with its origin on the part that it left.
 template <class S, class T>
-[[nodiscard]] Verdict judge_departure(const S& shape, const Ray<T>& own, int part,
-                                      const std::optional<Crossing<T>>& met, Row& row) {
+[[nodiscard]] HitVerdict judge_departure(const S& shape, const Ray<T>& own, int part,
+                                         const std::optional<Intersection<T>>& met, Tally& tally) {
   try {
     return judge(truth<Ball>(shape, own, part), met).verdict;
   } catch (const Undecided&) {
-    ++row.rationals;
+    ++tally.rationals;
     return judge(truth<Rational>(shape, own, part), met).verdict;
   }
 }
-/// A prism's faces leave open on which of two neighbours a ray at their edge starts. Sure is that it does not meet the
-/// face that it left, and that inwards it gets out.
+/// For a prism it is open on which of two neighbouring faces a ray at their edge starts. It must not hit the face that
+/// it left, and if it goes inwards it must get out.
 template <class T>
-[[nodiscard]] Verdict judge_departure(const Prism<T>& prism, const Ray<T>& own, int part,
-                                      const std::optional<Crossing<T>>& met, Row& /*row*/) {
-  if (met) return met->part == part ? Verdict::false_hit : Verdict::right;
+[[nodiscard]] HitVerdict judge_departure(const Prism<T>& prism, const Ray<T>& own, int part,
+                                         const std::optional<Intersection<T>>& met, Tally& /*row*/) {
+  if (met) return met->part == part ? HitVerdict::false_hit : HitVerdict::right;
   const Vec<Rational> outwards = true_normal<Rational>(prism, own.origin, part).direction;
-  return sign(dot(outwards, exactly<Rational>(own.direction))) < 0 ? Verdict::missed : Verdict::right;
+  return sign(dot(outwards, exactly<Rational>(own.direction))) < 0 ? HitVerdict::missed : HitVerdict::right;
 }
 
-/// A ray is sent at a shape in a chain of transforms; from where it hits, one leaves in a random direction.
+/// A ray is shot at a shape under a chain of transforms; from its hit, one is spawned in a random direction.
 template <class S, class T>
-[[nodiscard]] Row spawn(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-  using B = Bench<S>;
-  Row row;
+[[nodiscard]] Tally spawn(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  using B = ShapeTraits<S>;
+  Tally tally;
   for (std::uint64_t number = first; number < first + count; ++number) {
     Random random(seed, 40, number);
     Affine<double> chain;
     for (int depth = random.whole(0, 3); depth > 0; --depth) chain = transform_step(random) * chain;
-    const auto place = placement<T>(chain);
+    const auto transform = object_transform<T>(chain);
     const S shape = B::make(random, 1, Vec3d(0.0));
-    if (!place) continue;
+    if (!transform) continue;
     const Vec3d eye = B::centre(shape) + random.magnitude(0.2, 2) * B::size(shape) * random.unit();
     const auto in_shape =
         ray_towards<T>(eye, random.whole(0, 3) == 0 ? B::special(shape, random) : B::surface(shape, random), random);
     if (!in_shape) continue;
-    const Ray<T> ray{place->to_world.point(in_shape->origin), place->to_world.direction(in_shape->direction)};
+    const Ray<T> ray{transform->to_world.point(in_shape->origin), transform->to_world.direction(in_shape->direction)};
     Primitives<T> primitives;
-    primitives.add(shape, *place);
+    primitives.add(shape, *transform);
     const auto hit = primitives.intersect(0, ray, infinity<T>);
     if (!hit) continue;
     const SurfacePoint<T> point = primitives.surface_at(0, ray, *hit);
@@ -71,12 +71,12 @@ template <class S, class T>
 
     NoteExactPath note;
     const auto met = primitives.intersect(0, born, infinity<T>, note);
-    ++row.rays;
-    row.hits += met.has_value();
-    row.exact_path += note.taken;
-    const Verdict verdict = judge_departure(shape, into_shape(*place, born), hit->part, met, row);
-    row.self_hits += verdict == Verdict::false_hit;
-    row.missed += verdict == Verdict::missed;
+    ++tally.rays;
+    tally.hits += met.has_value();
+    tally.exact_path += note.taken;
+    const HitVerdict verdict = judge_departure(shape, into_object_space(*transform, born), hit->part, met, tally);
+    tally.self_hits += verdict == HitVerdict::false_hit;
+    tally.missed += verdict == HitVerdict::missed;
 
     // A sheet 16 ulps away along the normal, on the side that the ray goes to.
     const double ulp =
@@ -85,10 +85,10 @@ template <class S, class T>
     const Plane<T> sheet{Vec3<T>(Vec3d(point.position) + side * 16 * ulp * Vec3d(point.normal)), point.normal};
     primitives.add(sheet);
     const bool sheet_met = primitives.intersect(1, born, infinity<T>).has_value();
-    row.sheet_missed += !sheet_met && !truth<Rational>(sheet, born).crossings.empty();
-    row.unequal += sheet_met && truth<Rational>(sheet, born).crossings.empty();
+    tally.sheet_missed += !sheet_met && !truth<Rational>(sheet, born).crossings.empty();
+    tally.unequal += sheet_met && truth<Rational>(sheet, born).crossings.empty();
   }
-  return row;
+  return tally;
 }
 
 }  // namespace raywalk::check

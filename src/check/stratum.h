@@ -1,5 +1,5 @@
 #pragma once
-// Where rays are aimed: the places at which intersection tests are known to break.
+// Where rays are aimed: the places where intersection tests are known to fail.
 
 #include "check/random.h"
 #include "shape/shape.h"
@@ -55,16 +55,16 @@ inline constexpr int stratum_count = 12;
   return "";
 }
 
-/// A shape and a ray to try on it.
+/// A shape and a ray to test it with.
 template <class S, class T>
 struct Case {
   S shape;
   Ray<T> ray;
 };
 
-/// What a shape has to offer to rays that are aimed at it. `Bench<S>` has:
-///   placed           whether the shape is always about the origin, so that it is the ray that a translation moves
-///   make             one of random proportions, of about the size `scale`, about `centre`
+/// What a shape provides for aiming rays at it. `ShapeTraits<S>` has:
+///   placed whether the shape is always about the origin, so that translations move the ray instead
+///   make a shape of random proportions, of about the size `scale`, at `centre`
 ///   size, centre     of what was made, as stored
 ///   surface          a point of the surface
 ///   interior         a point inside (of a flat shape: on it)
@@ -73,7 +73,7 @@ struct Case {
 ///   parallel         a direction along a face, a side or an asymptote
 ///   exactly_tangent  a case in whole numbers that touches and does not cross, or runs through an edge
 template <class S>
-struct Bench;
+struct ShapeTraits;
 
 /// Numbers a^2 + b^2 = h^2.
 struct Triple {
@@ -87,13 +87,13 @@ struct Triple {
   return {random.coin() ? t.a : -t.a, random.coin() ? t.b : -t.b, t.h};
 }
 
-/// The components turned by `turns` places: whole-number cases are tried along all axes.
+/// The components rotated by `turns` places: integer cases are tested along all axes.
 template <class V>
 [[nodiscard]] V turned(const V& v, int turns) {
   return turns == 0 ? v : turns == 1 ? V{v.z, v.x, v.y} : V{v.y, v.z, v.x};
 }
 
-/// A direction across `axis`, as good as any.
+/// A random direction perpendicular to `axis`.
 [[nodiscard]] inline Vec3d across(const Vec3d& axis, Random& random) {
   for (;;) {
     const Vec3d side = raywalk::cross(axis, random.unit());

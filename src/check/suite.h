@@ -1,6 +1,6 @@
 #pragma once
-// Runs families of tests in chunks on threads, keeps what is done in a file so that a long run goes on where it was
-// stopped, and writes the table.
+// Runs families of tests in chunks on threads, keeps finished lines in a file so that a stopped run can be continued,
+// and writes the table.
 
 #include "check/family.h"
 #include "io/error.h"
@@ -13,9 +13,9 @@
 namespace raywalk::check {
 
 struct SuiteOptions {
-  std::uint64_t rays = 1'000'000;  ///< a family, over all of its lines
+  std::uint64_t rays = 1'000'000;  ///< per family, over all of its lines
   std::uint64_t seed = 1;
-  int threads = 1;    ///< 0: as many as the machine runs at once
+  int threads = 1;    ///< 0: one per hardware thread
   std::string state;  ///< the file that keeps finished lines; empty: none
   Stop stop{};        ///< ends the run at the next chunk
   std::function<void(double done, double seconds_left)> progress{};  ///< called now and then; done in 0..1
@@ -24,7 +24,7 @@ struct SuiteOptions {
 /// A line that has run.
 struct Tested {
   std::string family, line, scalar;
-  Row row;
+  Tally tally;
   std::string broken;  ///< the goals it breaks; empty: none
 };
 
@@ -37,7 +37,7 @@ struct SuiteResult {
 /// Runs all lines of `families`. Fails when the state file cannot be read or written, or is of another run.
 [[nodiscard]] Result<SuiteResult> run_suite(const std::vector<Family>& families, const SuiteOptions& options);
 
-/// Its heading, one row a line, and what holds instead where a family does not meet a goal.
+/// Its heading, one row per line, and what holds instead where a family does not meet a goal.
 [[nodiscard]] std::string table_text(const std::vector<Family>& families, const SuiteResult& result);
 
 /// A state file's text and back: the settings of the run and its finished lines.

@@ -11,10 +11,10 @@ namespace raywalk::check {
 namespace {
 
 /// A row's numbers, in the order in which a state file has them.
-constexpr std::array counts{&Row::rays,    &Row::hits,       &Row::missed,       &Row::false_hits,
-                            &Row::leaks,   &Row::self_hits,  &Row::sheet_missed, &Row::unequal,
-                            &Row::excused, &Row::exact_path, &Row::rationals};
-constexpr std::array errors{&Row::exact_ulps, &Row::fast_ulps, &Row::fast_ulps_by_condition};
+constexpr std::array counts{&Tally::rays,    &Tally::hits,       &Tally::missed,       &Tally::false_hits,
+                            &Tally::leaks,   &Tally::self_hits,  &Tally::sheet_missed, &Tally::unequal,
+                            &Tally::excused, &Tally::exact_path, &Tally::rationals};
+constexpr std::array errors{&Tally::exact_ulps, &Tally::fast_ulps, &Tally::fast_ulps_by_condition};
 
 std::string heading(const SuiteOptions& options) {
   return fmt::format("raywalk numerics, {} rays a family, seed {}", options.rays, options.seed);
@@ -35,7 +35,7 @@ std::string table_text(const std::vector<Family>& families, const SuiteResult& r
                                  "leaks", "self", "sheet", "differ", "ulp exact", "ulp fast", "/kappa", "exact");
   text += "\n";
   for (const Tested& line : result.lines) {
-    const Row& r = line.row;
+    const Tally& r = line.tally;
     text += fmt::format(fmt::runtime(layout), line.family, line.line, line.scalar, r.rays, r.missed, r.false_hits,
                         r.leaks, r.self_hits, r.sheet_missed, r.unequal, ulps(r.exact_ulps), ulps(r.fast_ulps),
                         ulps(r.fast_ulps_by_condition), share(r.exact_path, r.rays));
@@ -50,8 +50,8 @@ std::string state_text(const SuiteOptions& options, const std::vector<Tested>& l
   std::string text = heading(options) + "\n";
   for (const Tested& line : lines) {
     text += line.family + "\t" + line.line + "\t" + line.scalar;
-    for (const auto count : counts) text += fmt::format("\t{}", line.row.*count);
-    for (const auto error : errors) text += fmt::format("\t{}", line.row.*error);
+    for (const auto count : counts) text += fmt::format("\t{}", line.tally.*count);
+    for (const auto error : errors) text += fmt::format("\t{}", line.tally.*error);
     text += "\n";
   }
   return text;
@@ -71,11 +71,11 @@ Result<std::vector<Tested>> read_state(const std::string& path, const std::strin
     Tested tested;
     bool read = std::getline(cells, tested.family, '\t') && std::getline(cells, tested.line, '\t') &&
                 std::getline(cells, tested.scalar, '\t');
-    for (const auto count : counts) read = read && cells >> tested.row.*count;
+    for (const auto count : counts) read = read && cells >> tested.tally.*count;
     for (const auto error : errors) {
       std::string word;  // "inf" too, which a stream does not read as a number
       read = read && cells >> word;
-      if (read) tested.row.*error = std::strtod(word.c_str(), nullptr);
+      if (read) tested.tally.*error = std::strtod(word.c_str(), nullptr);
     }
     if (!read)
       return tl::unexpected(Error{path, number, 0, "this line is not one of a state file",

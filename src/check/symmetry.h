@@ -1,6 +1,6 @@
 #pragma once
-// Two laws that do not hold to the bit, for they change the order in which terms are summed: with the axes exchanged,
-// and walked from its other end, a ray meets the same, and t agrees within the bounds that it keeps (goal B).
+// Two invariances that do not hold to the bit, because they change the order of summation: with the axes exchanged, or
+// traced from its other end, a ray hits the same, and t agrees within its error bounds (goal B).
 
 #include "check/judge.h"
 
@@ -57,15 +57,15 @@ Quadric<T, Kind> permuted(const Permutation& to, Quadric<T, Kind> s) {
   return s;
 }
 
-/// Shapes about the z axis keep it.
+/// Shapes about the z axis only exchange x and y.
 template <class S>
 [[nodiscard]] Permutation some_permutation(Random& random) {
   constexpr std::array<Permutation, 5> all{{{{1, 0, 2}}, {{1, 2, 0}}, {{2, 0, 1}}, {{0, 2, 1}}, {{2, 1, 0}}}};
-  return Bench<S>::placed ? all[0] : all[static_cast<std::size_t>(random.whole(0, 4))];
+  return ShapeTraits<S>::placed ? all[0] : all[static_cast<std::size_t>(random.whole(0, 4))];
 }
 
-/// Whether the order of the axes or the sense of the ray may decide: where a ray meets an edge exactly, which of two
-/// faces has it, or whether it counts. What is closed and round has no such edges.
+/// Whether the axis order or the ray's direction may decide: where a ray hits an edge exactly, which of two faces gets
+/// it, or whether it counts. Closed round shapes have no such edges.
 template <class S, class T>
 [[nodiscard]] bool may_differ(const S& /*shape*/, const Ray<T>& /*ray*/) {
   return false;
@@ -82,11 +82,11 @@ template <class T>
   if (slope == 0) return false;
   const Rational t = dot(n, exactly<Rational>(polygon.outline.front()) - o) / slope;
   const Vec<Rational> met = o + t * d;
-  int kz = 0;  // any axis along which the polygon does not vanish shows it as it is
+  int kz = 0;  // any axis along which the polygon does not vanish will do
   for (int axis = 1; axis < 3; ++axis)
     if (std::abs(polygon.area_vector()[axis]) > std::abs(polygon.area_vector()[kz])) kz = axis;
   const int kx = (kz + 1) % 3, ky = (kz + 2) % 3;
-  // Corners a little off the plane: seen along two axes alike, the first is taken.
+  // Corners slightly off the plane: of equal axes, the first is taken.
   const T most = std::abs(polygon.area_vector()[kz]);
   if (std::abs(polygon.area_vector()[kx]) == most || std::abs(polygon.area_vector()[ky]) == most) return true;
   const auto touched = [&](const std::vector<Vec3<T>>& loop) {
@@ -120,55 +120,55 @@ struct Comparison {
   double ulps = 0, by_condition = 0;
 };
 
-/// What the two answers to one question have to be compared by.
+/// How to compare the two answers.
 template <class S, class T>
-[[nodiscard]] Comparison compare(double difference, const Case<S, T>& one, const Crossing<T>& t_one,
-                                 const Case<S, T>& other, const Crossing<T>& t_other) {
+[[nodiscard]] Comparison compare(double difference, const Case<S, T>& one, const Intersection<T>& t_one,
+                                 const Case<S, T>& other, const Intersection<T>& t_other) {
   const double ulp_one = ulp_at<T>(static_cast<double>(t_one.t)), ulp_other = ulp_at<T>(static_cast<double>(t_other.t));
   return {difference / std::max(ulp_one, ulp_other),
           difference / (condition(one.shape, one.ray, t_one) * ulp_one +
                         condition(other.shape, other.ray, t_other) * ulp_other)};
 }
 
-inline void keep_worst(Row& row, const Comparison& found, bool both_exact) {
+inline void keep_worst(Tally& tally, const Comparison& found, bool both_exact) {
   if (both_exact) {
-    row.exact_ulps = std::max(row.exact_ulps, found.ulps);
+    tally.exact_ulps = std::max(tally.exact_ulps, found.ulps);
   } else {
-    row.fast_ulps = std::max(row.fast_ulps, found.ulps);
-    row.fast_ulps_by_condition = std::max(row.fast_ulps_by_condition, found.by_condition);
+    tally.fast_ulps = std::max(tally.fast_ulps, found.ulps);
+    tally.fast_ulps_by_condition = std::max(tally.fast_ulps_by_condition, found.by_condition);
   }
 }
 
 template <class S, class T>
-void try_permuted(const Case<S, T>& tried, Random& random, Row& row) {
+void try_permuted(const Case<S, T>& tried, Random& random, Tally& tally) {
   const Permutation to = some_permutation<S>(random);
   const Case<S, T> image{permuted(to, tried.shape), {to(tried.ray.origin), to(tried.ray.direction)}};
   NoteExactPath exact, exact_image;
   const auto one = intersect(tried.shape, tried.ray, infinity<T>, no_part, exact),
              other = intersect(image.shape, image.ray, infinity<T>, no_part, exact_image);
-  ++row.rays;
-  row.hits += one.has_value();
-  row.exact_path += exact.taken;
-  row.unequal += one.has_value() != other.has_value() && !may_differ(tried.shape, tried.ray);
+  ++tally.rays;
+  tally.hits += one.has_value();
+  tally.exact_path += exact.taken;
+  tally.unequal += one.has_value() != other.has_value() && !may_differ(tried.shape, tried.ray);
   if (!one || !other) return;
   const double difference = std::abs(static_cast<double>(one->t) - static_cast<double>(other->t));
   const Comparison found = compare(difference, tried, *one, image, *other);
   if (found.ulps > 1 && may_differ(tried.shape, tried.ray)) return;
-  keep_worst(row, found, exact.taken && exact_image.taken);
+  keep_worst(tally, found, exact.taken && exact_image.taken);
 }
 
-/// A ray and where its turned one starts, `length` of its direction further on.
+/// A ray and the origin of its reverse, `length` times its direction ahead.
 template <class T>
 struct Walk {
   Ray<T> there, back;
   T length;
 };
 
-/// The ray with its digits cut to where both ends, and the way between them, are held exactly.
+/// The ray with its digits cut so that both ends, and their distance, are exact.
 template <class S, class T>
 [[nodiscard]] std::optional<Walk<T>> both_ways(const Case<S, T>& tried) {
   const Vec3d o(tried.ray.origin), d(tried.ray.direction);
-  const double wanted = 2 * (length(o - Bench<S>::centre(tried.shape)) + 2 * Bench<S>::size(tried.shape));
+  const double wanted = 2 * (length(o - ShapeTraits<S>::centre(tried.shape)) + 2 * ShapeTraits<S>::size(tried.shape));
   const double reach = std::exp2(std::ceil(std::log2(wanted / length(d))));
   double most = 0;
   for (int axis = 0; axis < 3; ++axis) most = std::max({most, std::abs(o[axis]), reach * std::abs(d[axis])});
@@ -184,61 +184,62 @@ template <class S, class T>
   return walk;
 }
 
-/// What is met between the two ends is met from both, the nearest from one side no farther than from the other.
+/// Whatever is hit between the two ends is hit from both, the closest from one end no farther along than that from the
+/// other.
 template <class S, class T>
-void try_reversed(const Case<S, T>& tried, Row& row) {
+void try_reversed(const Case<S, T>& tried, Tally& tally) {
   const auto walk = both_ways(tried);
   if (!walk) return;
   NoteExactPath exact, exact_back;
   const auto one = intersect(tried.shape, walk->there, infinity<T>, no_part, exact),
              other = intersect(tried.shape, walk->back, infinity<T>, no_part, exact_back);
-  // A crossing at an end, or hidden by one, is no matter of this law.
+  // Intersections at an end, or hidden by one, are not compared.
   const T margin = walk->length / 1024;
   const auto between = [&](const auto& hit) { return hit && hit->t > margin && hit->t < walk->length - margin; };
   const auto at_an_end = [&](const auto& hit) { return hit && !between(hit) && hit->t < walk->length + margin; };
   if (at_an_end(one) || at_an_end(other)) return;
-  ++row.rays;
-  row.hits += between(one);
-  row.exact_path += exact.taken;
+  ++tally.rays;
+  tally.hits += between(one);
+  tally.exact_path += exact.taken;
   const Case<S, T> there{tried.shape, walk->there}, back{tried.shape, walk->back};
-  // What is flat is met in one point.
+  // Flat shapes are hit in one point.
   constexpr bool flat = std::is_same_v<S, Plane<T>> || std::is_same_v<S, Disk<T>> || std::is_same_v<S, Triangle<T>> ||
                         std::is_same_v<S, Polygon<T>>;
   if (between(one) != between(other)) {
-    // Along a face t is not known well enough to tell on which side of an end it lies.
+    // Along a face, t is too inaccurate to tell on which side of an end it is.
     const auto vague = [&](const auto& hit, const Case<S, T>& of) {
       return hit && 8 * condition(of.shape, of.ray, *hit) * ulp_at<T>(static_cast<double>(hit->t)) > margin;
     };
     const bool told = !(vague(one, there) || vague(other, back)) || !(flat || (one && other));
-    row.unequal += told && !may_differ(tried.shape, walk->there);
+    tally.unequal += told && !may_differ(tried.shape, walk->there);
   }
   if (!between(one) || !between(other)) return;
   const double beyond = static_cast<double>(two_sum(static_cast<double>(one->t), -static_cast<double>(walk->length)) +
                                             DoubleDouble(other->t));
   const Comparison compared = compare(flat ? std::abs(beyond) : std::max(0.0, beyond), there, *one, back, *other);
   if (compared.by_condition > 1 && may_differ(tried.shape, walk->there)) return;  // one face of an edge, then the other
-  keep_worst(row, compared, exact.taken && exact_back.taken);
+  keep_worst(tally, compared, exact.taken && exact_back.taken);
 }
 
 template <class S, class T>
-[[nodiscard]] Row keep_symmetry(Symmetry symmetry, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-  Row row;
+[[nodiscard]] Tally keep_symmetry(Symmetry symmetry, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  Tally tally;
   for (std::uint64_t number = first; number < first + count; ++number) {
     Random random(seed, 61, number);
     const auto stratum = static_cast<Stratum>(random.whole(0, stratum_count - 1));
-    if (stratum == Stratum::subnormal) continue;  // what underflows depends on the order
+    if (stratum == Stratum::subnormal) continue;  // underflow depends on the order
     const auto tried = aim<S, T>(stratum, random);
     if (!tried) continue;
     switch (symmetry) {
       case Symmetry::permuted:
-        try_permuted(*tried, random, row);
+        try_permuted(*tried, random, tally);
         break;
       case Symmetry::reversed:
-        try_reversed(*tried, row);
+        try_reversed(*tried, tally);
         break;
     }
   }
-  return row;
+  return tally;
 }
 
 }  // namespace raywalk::check

@@ -1,8 +1,8 @@
 #pragma once
-// What is true of a ray and a shape, over any arithmetic that answers `sign`: balls, which may decline, or rationals.
+// The truth about a ray and a shape, over any arithmetic with `sign`: balls, which may be undecided, or rationals.
 //
-// Each `truth` states where a shape is crossed from its definition alone and shares no line with the shape's own
-// `intersect`. All inputs are the stored numbers, taken as exact.
+// Each `truth` follows from the shape's definition alone and shares no code with the shape's own `intersect`. All
+// inputs are the stored numbers, taken as exact.
 
 #include "shape/shape.h"
 
@@ -43,17 +43,17 @@ template <class N>
 struct TrueCrossing {
   N t;  ///< > 0
   int part;
-  bool tie = false;  ///< other parts are crossed at the same t
+  bool tie = false;  ///< other parts are hit at the same t
 };
 
-/// The crossings at t > 0, ascending: the first two are what the tests look at.
+/// The intersections at t > 0, ascending: the tests use the first two.
 template <class N>
 struct Truth {
   std::vector<TrueCrossing<N>> crossings;
-  bool optional = false;  ///< the ray runs exactly along an edge: to hit or to miss is right
+  bool optional = false;  ///< the ray runs exactly along an edge: hit and miss are both right
 };
 
-/// a t^2 + 2 b t + c and its place beside any number, told by signs alone.
+/// a t^2 + 2 b t + c, and its roots compared with any number, by signs alone.
 template <class N>
 class Quadratic {
  public:
@@ -69,12 +69,12 @@ class Quadratic {
     }
   }
 
-  [[nodiscard]] int count() const { return count_; }  ///< of different roots
+  [[nodiscard]] int count() const { return count_; }  ///< of distinct roots
   /// How many roots lie below s, and how many at s.
-  struct Place {
+  struct RootCounts {
     int below, at;
   };
-  [[nodiscard]] Place place(const N& s) const {
+  [[nodiscard]] RootCounts place(const N& s) const {
     if (count_ == 0) return {0, 0};
     const N at = value(s);
     const int here = sign(at);
@@ -96,7 +96,7 @@ class Quadratic {
     const N r = root(discriminant_);
     const int b_sign = sign(b_);
     if (count_ == 1) return N(-b_ / a_);
-    // Terms of one sign are added, so that no digits cancel.
+    // Only terms of equal sign are added, so that nothing cancels.
     if (b_sign > 0) return i == 0 ? N(-(b_ + r) / a_) : N(-c_ / (b_ + r));
     return i == 0 ? N(c_ / (r - b_)) : N((r - b_) / a_);
   }
@@ -109,14 +109,14 @@ class Quadratic {
   int degree_ = 0, count_ = 0;
 };
 
-/// A sphere's crossings: all roots at t > 0. Departed: the origin is on the surface by decree, and c is 0.
+/// A sphere's intersections: all roots at t > 0. If departed, the origin is on the surface by definition, and c is 0.
 template <class N, class T>
 [[nodiscard]] Truth<N> truth(const Sphere<T>& sphere, const Ray<T>& ray, int departed = no_part) {
   const Vec<N> d = exactly<N>(ray.direction), o = exactly<N>(ray.origin) - exactly<N>(sphere.centre);
   const N r = exactly<N>(sphere.radius);
   const N c = departed == no_part ? N(dot(o, o) - r * r) : N(0.0);
   Truth<N> all;
-  // Far and away: signs that need no discriminant.
+  // Outside and pointing away: no discriminant needed.
   if (sign(c) > 0 && sign(dot(d, o)) > 0) return all;
   const Quadratic<N> quadratic(dot(d, d), dot(d, o), c);
   const auto zero = quadratic.place(N(0.0));
@@ -124,7 +124,7 @@ template <class N, class T>
   return all;
 }
 
-/// A crossing at t = numerator / denominator if that is positive; none for rays along the plane.
+/// An intersection at t = numerator / denominator if that is positive; none for parallel rays.
 template <class N>
 [[nodiscard]] Truth<N> crossing_of_plane(const N& numerator, const N& denominator, int departed) {
   if (departed != no_part || sign(denominator) == 0 || sign(numerator) != sign(denominator)) return {};
@@ -150,7 +150,7 @@ template <class N, class T>
   return met;
 }
 
-/// The stretch of the line inside the closed box.
+/// The interval of the line inside the closed box.
 template <class N, class T>
 [[nodiscard]] Truth<N> truth(const Box<T>& box, const Ray<T>& ray, int departed = no_part) {
   struct End {

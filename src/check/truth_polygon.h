@@ -6,8 +6,8 @@
 
 namespace raywalk::check {
 
-/// Even-odd in the plan along the largest component of the normal, edges half open as the shape defines them. The
-/// normal is the stored corners' area vector as the shape computes it.
+/// Even-odd rule, projected along the largest component of the normal, with half-open edges as the shape defines them.
+/// The normal is the stored corners' area vector as the shape computes it.
 template <class N, class T>
 [[nodiscard]] Truth<N> truth(const Polygon<T>& polygon, const Ray<T>& ray, int departed = no_part) {
   const Vec3<T> normal = polygon.area_vector();
@@ -48,7 +48,7 @@ template <class N, class T>
   return met;
 }
 
-/// The polygon's stretches along the ray's plan (a corner on the line belongs to its left), cut with the slab's.
+/// The polygon's intervals along the ray in plan (a corner on the line belongs to its left), clipped to the slab.
 template <class N, class T>
 [[nodiscard]] Truth<N> truth(const Prism<T>& prism, const Ray<T>& ray) {
   const Vec<N> o = exactly<N>(ray.origin), d = exactly<N>(ray.direction);
@@ -65,7 +65,7 @@ template <class N, class T>
   }
   const bool enters_slab = slope != 0 && sign(in) > 0;
   const bool upright = sign(d.x) == 0 && sign(d.y) == 0;
-  // An upright ray stands in one point of the plan: any line through it tells whether that is inside.
+  // A vertical ray is one point in plan: any line through it tells whether that is inside.
   const N start = enters_slab && !upright ? in : zero;
   const N dx = upright ? N(1.0) : d.x, dy = upright ? N(0.0) : d.y;
   struct Side {

@@ -4,8 +4,8 @@
 
 namespace raywalk::check {
 
-/// xx x^2 + yy y^2 + zz z^2 + linear z + constant, negative inside: the definition times the squares of its radii, so
-/// that nothing is divided.
+/// xx x^2 + yy y^2 + zz z^2 + linear z + constant, negative inside: the definition times the squared radii, so that
+/// there is no division.
 template <class N>
 struct QuadricForm {
   N xx, yy, zz, linear, constant;

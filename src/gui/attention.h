@@ -1,5 +1,5 @@
 #pragma once
-// What a person does while something takes long: looked at in between, so that the window can be closed at any time.
+// Polls user input during long operations, so that the window can be closed at any time.
 
 #include "gui/window.h"
 #include "math/stop.h"
@@ -12,20 +12,20 @@
 
 namespace raywalk {
 
-/// Whom the window's work is stopped by. A thread of its own reminds it every now and then to look at the events, which
-/// only the thread that made this may do.
+/// The stopper of the window's work. A thread periodically reminds it to poll events, which only the creating thread
+/// may do.
 class Attention final : public Stopper {
  public:
   explicit Attention(Window& window);
   ~Attention() override;
 
-  /// What ends the work that is watched.
+  /// What ends the watched work.
   enum class To {
-    closing,  ///< the wish to close the window
+    closing,  ///< closing the window
     input     ///< that, a key, a button, a drag
   };
-  /// While one lives, the work is watched; at most one at a time. It also ends after `seconds`, unless they are
-  /// negative: something else is to be done then.
+  /// While one exists, the work is watched; at most one at a time. It also ends after `seconds`, unless negative, when
+  /// other work is due.
   class Watch {
    public:
     Watch(Attention& attention, To what, double seconds = -1) : attention_(attention) {

@@ -1,5 +1,5 @@
-// The strip above the plan: that the tracer is broken, or what is to be predicted. It stays while its reason lasts, so
-// that the plan does not jump from step to step.
+// The banner above the plan: that the tracer has a fault, or what is to be predicted. It stays as long as its reason,
+// so that the plan does not jump between steps.
 
 #include "gui/panes.h"
 #include "gui/widgets.h"

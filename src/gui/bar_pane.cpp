@@ -10,18 +10,18 @@ namespace raywalk {
 
 namespace {
 
-// A menu of the bar; `open` opens it by hand. Whether it is open.
+// A menu of the bar; `open` opens it. Returns whether it is open.
 template <class Entries>
 bool menu(const Ui& ui, std::string_view title, const char* name, bool open, const Entries& entries) {
   const std::string heading(title);
   if (open) ImGui::OpenPopup(heading.c_str());
-  // A menu that is longer than the window scrolls below the bar: one that covers the bar takes the click that opens it.
+  // A menu longer than the window scrolls below the bar: covering the bar, it would take the click that opens it.
   const float bar = ImGui::GetWindowHeight(), window = ImGui::GetIO().DisplaySize.y;
   ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, std::max(window - bar - ui.px(4), 1.0f)});
   const bool is_open = ImGui::BeginMenu(heading.c_str());
   ui.publish(name);
   if (!is_open) return false;
-  // So close that the longest menu fits below the bar of a window of 720 units.
+  // So tight that the longest menu fits below the bar of a window of 720 units.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(6)});
   entries();
   ImGui::PopStyleVar();
@@ -65,7 +65,7 @@ void edit_menu(const Ui& ui) {
     menu_item(ui, command);
 }
 
-/// One line a language, by the name that its file gives it.
+/// One line per language, with the name from its file.
 void language_items(const Ui& ui) {
   for (const Language language : ui.state.language.others().all()) {
     const std::string name(language.name()), code(language.code());
@@ -143,7 +143,7 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   const bool has_bar = visible && ImGui::BeginMenuBar();
   ImGui::PopStyleVar(2);
   if (has_bar) {
-    // Large letters in a small window leave less between the menus.
+    // Large letters in a small window leave less space between menus.
     const float apart = where.width < ui.px(760) ? ui.px(7) : ui.px(14);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
@@ -172,7 +172,7 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
     if (ImGui::GetCursorScreenPos().x + button_width(ui, Command::lessons, small) < where.right() - ui.px(8))
       command_button(ui, Command::lessons, {0, height}, small);
 
-    // The document's name at the right, where there is room for it.
+    // The document's name at the right, if there is room.
     const std::string title = document_title(ui.state);
     const float width = ImGui::CalcTextSize(title.c_str()).x;
     const float x = where.right() - width - ui.px(16);

@@ -8,14 +8,14 @@ namespace raywalk {
 
 namespace {
 
-// The objects to choose from, behind "nowhere".
+// The objects to choose from, after "nowhere".
 std::vector<std::string> object_names(const Ui& ui) {
   std::vector<std::string> names{ui.say("breakpoints.nowhere")};
   for (const Object& object : ui.state.scene().objects) names.push_back(object.name);
   return names;
 }
 
-// A number that may be absent: the field shows `none` then.
+// An optional number: if absent, the field shows `none`.
 void optional_whole(Form& form, std::string_view label, std::optional<int>& value, int none, int most) {
   int shown = value.value_or(none);
   if (form.whole(label, shown, none, most)) value = shown == none ? std::nullopt : std::optional(shown);

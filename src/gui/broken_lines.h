@@ -7,8 +7,8 @@
 
 namespace raywalk {
 
-/// `text` broken between words into lines of at most this width, in the face that is pushed. ImGui itself would break
-/// behind any full stop, in numbers too.
+/// `text` wrapped at words to this width, in the current font. ImGui itself would break after any full stop, even in
+/// numbers.
 [[nodiscard]] inline std::string broken_lines(const std::string& text, float width) {
   std::string lines, line;
   for (std::size_t at = 0; at < text.size();) {

@@ -65,7 +65,7 @@ FolderListing list_folder(const std::string& folder) {
 
 void Browser::begin(const State& state, const std::string& home) {
   const fs::path current(state.path);
-  // One's own work goes beside one's own scene, and not among those that come with Raywalk, which is `home`.
+  // The user's files go beside the user's scene, not among the shipped scenes, which are in `home`.
   const std::string folder = current.parent_path().string();
   std::error_code failed;
   const bool own = !state.path.empty() && (asking_ == PathPrompt::open || !fs::equivalent(folder, home, failed));
@@ -76,7 +76,7 @@ void Browser::begin(const State& state, const std::string& home) {
   if (asking_ == PathPrompt::export_walk) {
     const LessonSitting& lessons = state.lessons;
     typed_ = lessons.open ? lessons.open->lesson.name : state.path.empty() ? "walk" : current.filename().string();
-    // A presenter asks for the script, by its button; others begin with slides.
+    // Presenters ask for the script, by its button; others start with slides.
     export_asked_.reset();
     if (lessons.open && lessons.presenter) export_asked_ = ExportKind::script;
     typed_ = with_ending(typed_, export_asked_.value_or(ExportKind::slides));
@@ -159,7 +159,7 @@ void Browser::kinds(const Ui& ui) {
     return {};
   };
   const ExportKind chosen = kind();
-  // The script of a lesson stands last: without one it is not to be had.
+  // A lesson's script is last: it is available only with a lesson.
   const std::size_t shown = kinds_of_export.size() - (ui.state.lessons.open ? 0 : 1);
   const float gap = ui.px(6), count = static_cast<float>(shown);
   const ImVec2 extent{(ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count, ImGui::GetFrameHeight()};
@@ -181,7 +181,7 @@ void Browser::kinds(const Ui& ui) {
 }
 
 void Browser::draw(const Ui& ui, const std::string& home) {
-  // While a question stands in front of it the dialog waits, and comes back as it was.
+  // While a question is open the dialog waits, and then returns unchanged.
   const PathPrompt wanted = ui.state.prompt;
   if (wanted != asking_) {
     asking_ = wanted;

@@ -8,8 +8,8 @@
 
 namespace raywalk {
 
-/// What of a folder a person can choose from: its folders, then its scenes (by their endings), both in the order of the
-/// alphabet; hidden ones are left out.
+/// The choices in a folder: its folders, then its scenes (by extension), both in alphabetical order, without hidden
+/// ones.
 struct FolderListing {
   bool readable = true;
   std::vector<std::string> folders, files;
@@ -19,23 +19,23 @@ struct FolderListing {
 /// The dialog that answers State::prompt: a path to open or to save as.
 class Browser {
  public:
-  /// Draws the dialog while the state asks for a path. `home`: folder to begin in when the scene has none.
+  /// Draws the dialog while the state asks for a path. `home`: the initial folder if the scene has none.
   void draw(const Ui& ui, const std::string& home);
 
  private:
   void begin(const State& state, const std::string& home);
   void go_to(const std::string& folder);
   void entries(const Ui& ui, float height);
-  /// What an export is to be: as was asked for, else as the name's ending says.
+  /// The kind of an export: as requested, else by the extension.
   [[nodiscard]] ExportKind kind() const;
-  /// What was typed, with the ending of an export's kind.
+  /// The typed name, with the extension of the export kind.
   [[nodiscard]] std::string name() const;
-  /// A button for each kind, and what comes of the one that is chosen.
+  /// A button for each kind, and a description of the chosen one.
   void kinds(const Ui& ui);
   void accept(const Ui& ui);
 
   PathPrompt asking_ = PathPrompt::none;
-  std::optional<ExportKind> export_asked_;  ///< stays, whatever ending is typed
+  std::optional<ExportKind> export_asked_;  ///< independent of the typed extension
   std::string folder_, typed_;
   FolderListing listing_;
   bool focus_typed_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-// One of a few: for fields that pick and for commands that go on to the next.
+// One of a few values: for pick fields and for commands that switch to the next.
 
 #include "accel/accelerator.h"
 #include "gui/form.h"
@@ -14,21 +14,21 @@
 
 namespace raywalk {
 
-/// Where `value` stands among `choices`; 0 for one that is not there.
+/// The index of `value` in `choices`; 0 if absent.
 template <class Choices, class Value>
 [[nodiscard]] std::size_t index_among(const Choices& choices, const Value& value) {
   const auto at = std::find(choices.begin(), choices.end(), value);
   return at == choices.end() ? 0 : static_cast<std::size_t>(at - choices.begin());
 }
 
-/// The one after `now`, after the last the first.
+/// The one after `now`, cyclically.
 template <class Choices, class Value>
 [[nodiscard]] Value next_among(const Choices& choices, const Value& now) {
   return choices[(index_among(choices, now) + 1) % choices.size()];
 }
 
-/// A field for one of `choices`, called as `id_of` says: by default each is the id of its own text. Whether another one
-/// than `value` was picked, which then is it.
+/// A field for one of `choices`, named by `id_of`: by default each is the id of its own text. Returns whether `value`
+/// was changed.
 template <class Choices, class Value, class IdOf = std::identity>
 bool pick_among(const Ui& ui, Form& form, const FormLabel& label, const Choices& choices, Value& value,
                 const IdOf& id_of = {}) {
@@ -40,12 +40,12 @@ bool pick_among(const Ui& ui, Form& form, const FormLabel& label, const Choices&
   return true;
 }
 
-/// The accelerators that a person is asked to choose from.
+/// The accelerators offered to the user.
 inline constexpr std::array pickable_accelerators{AcceleratorKind::automatic, AcceleratorKind::none,
                                                   AcceleratorKind::bvh,       AcceleratorKind::grid,
                                                   AcceleratorKind::octree,    AcceleratorKind::kdtree};
 
-/// Whether numbers have 24 bits.
+/// Whether single precision is used.
 inline constexpr std::array precisions{false, true};
 [[nodiscard]] constexpr std::string_view precision_word(bool single) {
   return single ? "precision.float" : "precision.double";

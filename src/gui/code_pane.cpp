@@ -14,7 +14,7 @@ namespace {
 constexpr float margin = 10, box_padding = 6, between_boxes = 8, row_gap = 1, pointer_column = 22, indent = 18;
 
 struct CodeSizes {
-  /// Lines stand closer by this factor where there is little room.
+  /// Lines are tighter by this factor if there is little room.
   explicit CodeSizes(const Ui& ui, float squeeze = 1)
       : row(squeeze * (line_height(ui.fonts, *ui.fonts.code) + ui.px(row_gap))),
         heading(squeeze * (line_height(ui.fonts, *ui.fonts.code_strong) + ui.px(4))) {}
@@ -32,7 +32,7 @@ float text_width(ImFont* font, const std::string& text) {
   return width;
 }
 
-// A disc where the walk comes to rest, and where the pointer could put one.
+// A disc for a breakpoint, and for one that a click would set.
 void draw_breakpoint(const Ui& ui, const Rect& gutter, bool is_set, bool pointed_at) {
   if (!is_set && !pointed_at) return;
   const ImVec2 centre{gutter.x + gutter.width * 0.42f, gutter.y + gutter.height / 2};
@@ -41,7 +41,7 @@ void draw_breakpoint(const Ui& ui, const Rect& gutter, bool is_set, bool pointed
   if (pointed_at) draw.AddCircle(centre, ui.px(8), to_imgui(ui.colours.text), 0, std::max(ui.px(1.4f), 1.0f));
 }
 
-// A frame, and a sign at the right end: thought to be at fault, or known to be.
+// A frame, and a sign at the right end: suspected, or known to be faulty.
 void draw_blame(const Ui& ui, Blame blame, const Rect& where) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 ink = to_imgui(ui.colours.error);
@@ -53,7 +53,7 @@ void draw_blame(const Ui& ui, Blame blame, const Rect& where) {
   pop_font();
 }
 
-// The line just run has a pointer at its left and a ground, the next one an outline.
+// The line just run has a pointer at its left and a background, the next one an outline.
 void draw_row(const Ui& ui, const CodeRow& row, const Rect& where) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const Shades shades(ui.state.theme);
@@ -96,7 +96,7 @@ void draw_heading(const Ui& ui, const CodeBox& box, const Rect& where) {
   pop_font();
 }
 
-// Scrolls so far that `top`..`bottom` (of the contents) is seen, once for each new position.
+// Scrolls `top`..`bottom` (of the contents) into view, once per new position.
 void keep_in_sight(const Ui& ui, float top, float bottom) {
   int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("position"), -1);
   if (shown == ui.state.position) return;
@@ -177,7 +177,7 @@ void code_pane(const Ui& ui, const Rect& where) {
     }
     ImGui::SetCursorScreenPos({left, y + ui.px(margin - between_boxes)});
     ImGui::Dummy({1, 1});
-    // The line that has just run with some around it, and the next one where both have room.
+    // The line that has just run with some around it, and the next one if both fit.
     const float at = ran >= 0 ? ran : next;
     float sight_top = at - 2 * sizes.row, sight_bottom = at + 3 * sizes.row;
     if (next >= 0 && std::abs(next - at) + 3 * sizes.row < where.height) {
@@ -185,7 +185,7 @@ void code_pane(const Ui& ui, const Rect& where) {
       sight_bottom = std::max(at, next) + 2 * sizes.row;
     }
     if (at >= 0) keep_in_sight(ui, sight_top, sight_bottom);
-    // Said only by the pane that is pointed at, so that panes do not undo each other's words.
+    // Set only by the hovered pane, so that panes do not override each other.
     bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
     if ((pointed_at || pointing) && pointed_at != ui.state.hovered_line) ui.act(action::HoverLine{pointed_at});
     pointing = pointed_at.has_value();

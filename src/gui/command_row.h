@@ -1,5 +1,5 @@
 #pragma once
-// One command as the table of commands (gui/command_table.h) tells of it.
+// One row of the table of commands (gui/command_table.h).
 
 #include "gui/commands.h"
 
@@ -7,7 +7,7 @@
 
 namespace raywalk {
 
-/// In which mode a key asks for its command. Digits and arrows mean different things in Move and in Trace.
+/// The mode in which a key is bound to its command. Digits and arrows differ between Move and Trace.
 enum class When { always, move, not_move, trace };
 
 struct Key {
@@ -19,7 +19,7 @@ struct Key {
 struct CommandRow {
   Command command;
   const char* name;
-  std::array<Key, 3> keys{};  ///< the first one stands in menus and tooltips
+  std::array<Key, 3> keys{};  ///< the first one is shown in menus and tooltips
 };
 
 }  // namespace raywalk

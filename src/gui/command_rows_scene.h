@@ -1,5 +1,5 @@
 #pragma once
-// The commands about files, edits and what is selected. Included by gui/command_table.h.
+// The commands for files, edits and the selection. Included by gui/command_table.h.
 
 #include "gui/command_row.h"
 

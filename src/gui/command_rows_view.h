@@ -1,5 +1,5 @@
 #pragma once
-// The commands about what is looked at, and lessons. Included by gui/command_table.h.
+// The commands for views and lessons. Included by gui/command_table.h.
 
 #include "gui/command_row.h"
 

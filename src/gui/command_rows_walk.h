@@ -1,5 +1,5 @@
 #pragma once
-// The commands about modes and the walk. Included by gui/command_table.h.
+// The commands for modes and the walk. Included by gui/command_table.h.
 
 #include "gui/command_row.h"
 

@@ -1,6 +1,5 @@
 #pragma once
-// The commands, one row each: name and the keys that ask for it. What they are called, and what they do, stands in
-// src/text/*.toml.
+// The commands, one row each: name and keys. Their labels and hints are in src/text/*.toml.
 
 #include "gui/command_rows_scene.h"
 #include "gui/command_rows_view.h"

@@ -13,7 +13,7 @@ namespace {
 
 const CommandRow& row_of(Command command) { return command_table[static_cast<std::size_t>(command)]; }
 
-/// Of its two texts, command.step_back.label and command.step_back.hint.
+/// One of its two texts, command.step_back.label and command.step_back.hint.
 std::string said(Command command, std::string_view what, Language language) {
   return std::string(family_text("command", std::string(row_of(command).name) + "." + std::string(what), language));
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Everything that can be asked for by a button, a menu entry or a key, each described once: what it is called, what it
-// does, which keys ask for it, when it can be asked for and what comes of it.
+// All commands of buttons, menu entries and keys, each described once: its label, its action, its keys, and when it is
+// enabled.
 
 #include "gui/ui.h"
 #include "gui/window.h"
@@ -131,32 +131,32 @@ inline constexpr int command_count = static_cast<int>(Command::menu) + 1;
 
 /// Unique, for tests and for ImGui: "step-back".
 [[nodiscard]] std::string_view command_name(Command command);
-/// As on its button: "STEP". What it shows may depend on the state (AUTO or PAUSE).
+/// The label of its button: "STEP". May depend on the state (AUTO or PAUSE).
 [[nodiscard]] std::string command_label(Command command, const State& state);
-/// The same where there is little room; the label itself where that is short.
+/// A short label for little room; the label itself if that is short.
 [[nodiscard]] std::string short_label(Command command, const State& state);
 /// What it does, in one clause, without the key.
 [[nodiscard]] std::string command_hint(Command command, Language language);
-/// The key that stands in menus and tooltips: "Ctrl+Shift+S"; empty when there is none.
+/// The key shown in menus and tooltips: "Ctrl+Shift+S"; empty if none.
 [[nodiscard]] std::string command_key(Command command, Language language);
 /// All of them: "Space, \u2192, Page Down".
 [[nodiscard]] std::string all_command_keys(Command command, Language language);
 
 [[nodiscard]] bool enabled(Command command, const State& state);
-/// Whether it is what is chosen now, for those that choose.
+/// For choices: whether it is the current one.
 [[nodiscard]] bool chosen(Command command, const State& state);
-/// Asks for it; nothing happens when it is not enabled.
+/// Performs it, if enabled.
 void perform(Command command, const Ui& ui);
 
-/// What keys turn: the lines, where they are shown and were turned last, else the picture.
+/// The view that keys turn: the lines, if they are shown and were turned last, else the picture.
 [[nodiscard]] SpaceView view_in_hand(const State& state);
 
-/// What a key press means in this state; nothing when it means nothing.
+/// The command of a key press in this state, if any.
 [[nodiscard]] std::optional<Command> command_of(const KeyPress& press, const State& state);
-/// How many commands a key press asks for: at most one, if the table is sound.
+/// The number of commands bound to a key press: at most one, if the table is consistent.
 [[nodiscard]] int commands_on(const KeyPress& press, Mode mode);
-/// Turns a key press into actions: a command's, or the arrows that nudge in Move mode, or Escape. Whether it meant
-/// anything.
+/// Turns a key press into actions: a command's, or nudging by arrows in Move mode, or Escape. Returns whether it had a
+/// meaning.
 bool press_key(const KeyPress& press, const Ui& ui);
 
 }  // namespace raywalk

@@ -10,7 +10,7 @@ namespace raywalk {
 
 /// `command`: one of the Cost panel's, enabled.
 void perform_cost(Command command, const Ui& ui);
-/// What a button that goes on to the next of several shows: where it stands now. None for other commands.
+/// The current value shown by a button that cycles through several. None for other commands.
 [[nodiscard]] std::optional<std::string_view> cost_label(Command command, const State& state);
 
 }  // namespace raywalk

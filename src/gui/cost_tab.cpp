@@ -17,7 +17,7 @@ namespace raywalk {
 namespace {
 
 constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
-/// What the marks stand for under the pointer; a click chooses, one with Shift or the right button compares.
+/// Tooltips of the marks; a click chooses, with Shift or the right button it compares.
 void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
   const float scale = ui.dpi;
   const CostPlot plot = cost_plot(ui.state, findings, static_cast<double>(where.width / scale),
@@ -44,7 +44,7 @@ void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
     ui.act(action::ChooseCost{nearest->attempt, ImGui::IsMouseClicked(1) || ImGui::GetIO().KeyShift});
 }
 
-void draw_picture(const Ui& ui, const Rect& room, const Picture& picture) {
+void draw_picture(const Ui& ui, const Rect& room, const PictureView& picture) {
   const ImageSize extent = picture.costs->size();
   if (picture.cost_texture == 0 || extent.width == 0) return;
   const CostState& cost = ui.state.cost;
@@ -118,10 +118,10 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   form.heading("cost.knobs");
   const study::Setup now = cost_knobs(ui.state);
   study::Setup next = now;
-  form.whole("property.samples", next.samples, 1, CostState::most_samples);
+  form.whole("property.samples", next.samples, 1, CostState::max_samples);
   pick_among(ui, form, "property.sampler", samplers, next.sampler);
-  form.whole("property.light_grid", next.light_grid, 0, CostState::most_grid);
-  form.whole("property.limits_depth", next.depth, 1, CostState::most_depth);
+  form.whole("property.light_grid", next.light_grid, 0, CostState::max_grid);
+  form.whole("property.limits_depth", next.depth, 1, CostState::max_depth);
   form.number("property.threshold", next.threshold, 0.0005, 0, 1);
   form.number("property.tolerance", next.tolerance, 0.0005, 0, 1);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
@@ -137,7 +137,7 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   ImGui::EndPopup();
 }
 
-void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
+void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   if (picture.costs == nullptr) return;
   push_font(ui.fonts.small);
   const study::Workbench& bench = picture.costs->bench();
@@ -169,7 +169,7 @@ void cost_tab(const Ui& ui, const Rect& where, const Picture& picture) {
     paragraph(ui.colours.dim_text, ui.say("cost.empty"));
     return pop_font();
   }
-  // Side by side, or one above the other where that gives both more room.
+  // Side by side, or one above the other if that gives both more room.
   const bool beside = body.width > 1.2f * body.height;
   Rect plot = body, image = body;
   if (beside) {

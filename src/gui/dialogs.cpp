@@ -30,7 +30,7 @@ void question_dialog(const Ui& ui) {
     if (!first) ImGui::SameLine();
     const std::string name = "answer-" + std::to_string(number++);
     const ImVec2 extent{(width - 2 * ui.px(24) - 2 * ImGui::GetStyle().ItemSpacing.x) / 3, ui.px(38)};
-    // The keys that give this answer: see press_key.
+    // The keys for this answer: see press_key.
     const std::string digit = std::to_string(number);
     const std::string keys = first                                     ? ui.say("keys.name_enter") + ", " + digit
                              : choice.answer == action::Answer::cancel ? "Esc, " + digit
@@ -38,7 +38,7 @@ void question_dialog(const Ui& ui) {
     if (button(ui, name, choice.label, "", extent, {.look = first ? Look::primary : Look::plain}))
       ui.act(action::AnswerQuestion{choice.answer});
     first = false;
-    // Below the button: a hint that comes up beside the pointer would lie on the next one.
+    // Below the button: beside the pointer, a hint would cover the next one.
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     push_font(ui.fonts.small);
     const float x = (low.x + high.x - ImGui::CalcTextSize(keys.c_str()).x) / 2;

@@ -10,7 +10,7 @@ namespace raywalk {
 
 namespace {
 
-// A field of the colour that a term brings, as the picture would show it.
+// A swatch of a term's colour, as in the picture.
 void swatch(const Ui& ui, const Rgbd& light, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = 1.6f * height;

@@ -1,5 +1,5 @@
 #pragma once
-// A film of the window: what WindowExport asks for, frame by frame.
+// A film of the window for WindowExport, frame by frame.
 
 #include "io/gif.h"
 #include "view/state.h"
@@ -12,15 +12,15 @@ namespace raywalk {
 
 class WalkFilm {
  public:
-  /// Of the walk from here on: film_positions of view/export.h, as fast as AUTO goes.
+  /// Of the walk from here: film_positions of view/export.h, at the speed of AUTO.
   explicit WalkFilm(const State& state);
 
-  /// What the next frame is to show.
+  /// The position of the next frame.
   [[nodiscard]] int position() const { return positions_[next_]; }
   [[nodiscard]] std::size_t taken() const { return next_; }
   [[nodiscard]] std::size_t frames() const { return positions_.size(); }
   [[nodiscard]] int begun_at() const { return positions_.front(); }
-  /// The window as it shows position(). Whether a further frame follows; a window of another size ends the film.
+  /// Takes the window at position(). Returns whether another frame follows; a window of another size ends the film.
   bool take(const Image& window);
   /// Writes the frames taken so far.
   [[nodiscard]] Result<void> write(const std::string& path);

@@ -25,21 +25,21 @@ namespace fs = std::filesystem;
 // Heights of a line at scale 1, in units; letters are about four fifths of it.
 constexpr float text_size = 17, small_size = 15, title_size = 23, code_size = 18;
 
-#if IMGUI_VERSION_NUM < 19200  // later ones draw each glyph when it is first wanted
-// What the catalogue of texts and the panes write: Latin with its accents, the Greek of optics, typographic marks,
-// super- and subscripts, arrows, the mathematics of the sentences, and a few shapes.
+#if IMGUI_VERSION_NUM < 19200  // later ones draw each glyph on first use
+// Characters of the texts and the panes: Latin with accents, the Greek of optics, typographic marks, super- and
+// subscripts, arrows, the mathematics of the sentences, and a few shapes.
 constexpr std::array<ImWchar, 25> glyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033, 0x2070,
                                          0x209C, 0x2190, 0x2199, 0x21BA, 0x21BB, 0x2200, 0x2265, 0x22C5, 0x22C5,
                                          0x25A0, 0x25CF, 0x2713, 0x2717, 0xFFFD, 0xFFFD, 0};
 
-// Alphabets that Inter has besides, as Unicode's blocks: more of Latin, Greek, Cyrillic, Vietnamese, old Greek.
+// Further alphabets of Inter, as Unicode blocks: extended Latin, Greek, Cyrillic, Vietnamese, polytonic Greek.
 struct Alphabet {
   ImWchar first, last;
 };
 constexpr std::array alphabets{Alphabet{0x0180, 0x024F}, Alphabet{0x0370, 0x03FF}, Alphabet{0x0400, 0x052F},
                                Alphabet{0x1E00, 0x1EFF}, Alphabet{0x1F00, 0x1FFF}};
 
-// `glyphs`, with the alphabets that some text needs: each makes the atlas larger.
+// `glyphs`, with the alphabets that are needed: each enlarges the atlas.
 std::vector<ImWchar> glyphs_for(const Languages& languages) {
   std::array<bool, alphabets.size()> needed{};
   const auto need = [&](unsigned letter) {
@@ -81,7 +81,7 @@ constexpr std::array<Wanted, 4> wanted{{
     {&FontFiles::code_strong, {"JetBrainsMono-Bold.ttf", "JetBrainsMono-Bold.otf", "JetBrainsMonoNL-Bold.ttf"}},
 }};
 
-// Notes `path` where its name is a wanted one and no better was found.
+// Notes `path` if its name is wanted and no better one was found.
 void note(FontFiles& found, const fs::path& path) {
   const std::string name = path.filename().string();
   for (const Wanted& want : wanted) {
@@ -115,13 +115,13 @@ std::vector<std::string> font_folders(const std::string& data_dir) {
 }
 
 FontFiles find_fonts(const std::vector<std::string>& folders) {
-  constexpr int deepest = 4, most_entries = 20000;
+  constexpr int deepest = 4, max_entries = 20000;
   FontFiles found;
   for (const std::string& folder : folders) {
     FontFiles here;
     std::error_code error;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
-    for (int count = 0; !error && entry != fs::recursive_directory_iterator() && count < most_entries; ++count) {
+    for (int count = 0; !error && entry != fs::recursive_directory_iterator() && count < max_entries; ++count) {
       if (entry.depth() >= deepest) entry.disable_recursion_pending();
       std::error_code no_file;
       if (entry->is_regular_file(no_file)) note(here, entry->path());
@@ -157,10 +157,10 @@ Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float
   density = 1;  // glyphs are rasterised on demand, at the framebuffer's density
   const ImWchar* const ranges = nullptr;
 #else
-  const std::vector<ImWchar> wanted_glyphs = glyphs_for(languages);  // read until the atlas is built, below
+  const std::vector<ImWchar> wanted_glyphs = glyphs_for(languages);  // used until the atlas is built, below
   const ImWchar* const ranges = wanted_glyphs.data();
 #endif
-  // A file may be unreadable, or no font for all its name: then ImGui's own face.
+  // A file may be unreadable, or not a font despite its name: then ImGui's own font.
   const auto face = [&](const std::string& file, const std::string& fallback, float size) {
     ImFontConfig config;
     config.OversampleH = config.OversampleV = 1;

@@ -10,8 +10,8 @@ struct ImFontAtlas;
 
 namespace raywalk {
 
-/// The faces of the interface, all non-null once built. Where Inter or JetBrains Mono is not installed, ImGui's own
-/// face stands in.
+/// The fonts of the interface, all non-null once built. If Inter or JetBrains Mono is not installed, ImGui's own font
+/// is used.
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;  ///< semi-bold, same size as text
@@ -19,27 +19,26 @@ struct Fonts {
   ImFont* title = nullptr;
   ImFont* code = nullptr;
   ImFont* code_strong = nullptr;
-  float density = 1;  ///< pixels per unit that they were rasterised for
+  float density = 1;  ///< pixels per unit at rasterisation
 };
 
 /// Height of a line of a face, in units.
 [[nodiscard]] float line_height(const Fonts& fonts, const ImFont& font);
 
-/// Font files by their use; an empty path where none was found.
+/// Font files by use; an empty path if none was found.
 struct FontFiles {
   std::string text, strong, code, code_strong;
   friend bool operator==(const FontFiles&, const FontFiles&) = default;
 };
 
-/// The folders that fonts are looked for in: `data_dir`/fonts, then the user's and the system's.
+/// The folders searched for fonts: `data_dir`/fonts, then the user's and the system's.
 [[nodiscard]] std::vector<std::string> font_folders(const std::string& data_dir);
-/// Looks through `folders` and their subfolders, earlier folders first. Unreadable and missing folders are skipped.
+/// Searches `folders` recursively, earlier folders first. Unreadable and missing folders are skipped.
 [[nodiscard]] FontFiles find_fonts(const std::vector<std::string>& folders);
 
 /// Fills the (cleared) atlas with faces for one scale. `scale`: units per unit at 96 dots per inch, 1 and up;
-/// `density`: pixels per unit. Glyphs are rasterised at the size at which they are seen, so they are crisp. They hold
-/// Latin letters and the Greek of optics, and the other alphabets of the faces that texts of `languages` are written
-/// in.
+/// `density`: pixels per unit. Glyphs are rasterised at their displayed size, so they are crisp: Latin letters and the
+/// Greek of optics, and other alphabets used by `languages`.
 [[nodiscard]] Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density,
                                 const Languages& languages = Language().others());
 

@@ -38,11 +38,11 @@ std::string FormLabel::hint(Language language) const {
 
 namespace {
 
-/// What a field shows of a number, with a point.
+/// A number as shown in a field, with a decimal point.
 std::string digits_of(double value) { return fmt::format("{:.5g}", value); }
 
-/// What is being typed into an item, or has just been, as a number; nothing where it is none. A point in it is shown as
-/// the language's mark from then on.
+/// The number being typed into an item, or just typed; nothing if it is not a number. A point in it is then shown as
+/// the language's decimal separator.
 std::optional<double> number_being_typed(ImGuiID item, char mark) {
   ImGuiInputTextState* const state = ImGui::GetInputTextState(item);
   if (state == nullptr) return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<double> number_being_typed(ImGuiID item, char mark) {
   return meant.empty() ? std::nullopt : std::optional(meant.front());
 }
 
-/// In the middle of the last item, as ImGui writes the number of such a field, with the language's decimal mark.
+/// Draws the number centred in the last item, like ImGui, with the language's decimal separator.
 void write_number(const Ui& ui, double value, bool refused) {
   std::string words = digits_of(value);
   std::replace(words.begin(), words.end(), '.', ui.state.language.decimal_mark());
@@ -75,12 +75,12 @@ void write_number(const Ui& ui, double value, bool refused) {
   draw.PopClipRect();
 }
 
-float usual_label_width(const Ui& ui, float width) { return std::min(ui.px(166), width * 0.42f); }
+float default_label_width(const Ui& ui, float width) { return std::min(ui.px(166), width * 0.42f); }
 
 }  // namespace
 
 Form::Form(const Ui& ui, FormMemory& memory, float width)
-    : ui_(ui), memory_(memory), width_(width), label_width_(usual_label_width(ui, width)) {}
+    : ui_(ui), memory_(memory), width_(width), label_width_(default_label_width(ui, width)) {}
 
 void Form::heading(const FormLabel& of) {
   ImGui::Dummy({1, ui_.px(2)});
@@ -95,9 +95,9 @@ void Form::row(const FormLabel& of) {
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  // A label that is longer than others takes room from its own fields.
+  // A longer label takes room from its own fields.
   const float needed = ImGui::CalcTextSize(of.words(ui_.state.language).c_str()).x + ui_.px(8);
-  label_width_ = std::max(usual_label_width(ui_, width_), std::min(needed, width_ * 0.6f));
+  label_width_ = std::max(default_label_width(ui_, width_), std::min(needed, width_ * 0.6f));
   ImGui::PushClipRect(at, {at.x + label_width_ - ui_.px(6), at.y + ImGui::GetFrameHeight()}, true);
   label(ui_.colours.dim_text, of.words(ui_.state.language));
   tooltip(ui_, name_ + "/label", of.hint(ui_.state.language));
@@ -132,7 +132,7 @@ void Form::after_number(const std::string& field) {
 void Form::after_field(const std::string& field, bool refused, double least, double most) {
   if (reddened_) ImGui::PopStyleColor();
   reddened_ = false;
-  // The next thing that is done, here or in another field, ends the talk about it.
+  // The next action, here or in another field, clears the message.
   if (refused) {
     memory_.refused = field;
     memory_.why = ui_.say("notice.refused_number", {{"least", number_text(least, ui_.state.language)},
@@ -145,7 +145,7 @@ void Form::after_field(const std::string& field, bool refused, double least, dou
 
 void Form::end_row() {
   if (!refused_in_row_) return;
-  // Over the rows below and not between them: what moves away under the pointer cannot be clicked.
+  // Over the rows below, not between them: they must not move under the pointer.
   const float pad = ui_.px(6);
   const std::string words = broken_lines(memory_.why, width_ - 2 * pad);
   const ImVec2 at = ImGui::GetCursorScreenPos(), extent = ImGui::CalcTextSize(words.c_str());
@@ -171,7 +171,7 @@ bool Form::drag(const std::string& id, double& value, double step, double least,
   before_field(id, width);
   before_number(id);
   double next = value;
-  // ImGui knows the point alone. Where the language has another mark, numbers are written and read here.
+  // ImGui knows only the point. If the language has another separator, numbers are written and read here.
   const char mark = ui_.state.language.decimal_mark();
   const bool own_mark = mark != '.', was_typed = memory_.number == id, hides = own_mark && !was_typed;
   if (hides) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
@@ -181,7 +181,7 @@ bool Form::drag(const std::string& id, double& value, double step, double least,
   const ImGuiID item = ImGui::GetItemID();
   if (own_mark && (was_typed || ImGui::TempInputIsActive(item))) {
     ui_.rest.wake_in(0);  // to show the mark
-    // What was not changed is not rounded to the digits that were shown of it.
+    // An unchanged number is not rounded to its displayed digits.
     const std::optional<double> read = number_being_typed(item, mark);
     now = read && *read != value && *read != std::strtod(digits_of(value).c_str(), nullptr);
     next = now ? *read : value;
@@ -190,8 +190,8 @@ bool Form::drag(const std::string& id, double& value, double step, double least,
   }
   after_number(id);
   if (ImGui::IsItemActivated()) memory_.before = value;
-  // Typing may leave the limits; comparing this way round also refuses what is not a number. What was typed up to then
-  // counted already, and is taken back.
+  // Typing may exceed the limits; this form of the comparison also refuses NaN. Earlier digits took effect already, and
+  // are undone.
   const bool good = next >= least && next <= most, back = now && !good && value != memory_.before;
   if (now && good) value = next;
   if (back) value = memory_.before;
@@ -252,7 +252,7 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
     if (i > 0) ImGui::SameLine(0, gap);
     const bool grey = value.x == value.y && value.y == value.z;
     const bool moved = drag("##" + name_ + std::to_string(i), channels[i], 0.005, 0, most, each);
-    // Most are grey: one number is then enough, the first.
+    // Most are grey: then the first number is enough.
     if (moved && grey && i == 0) channels.fill(channels[0]);
     now |= moved;
     ui_.publish(name_ + "/" + std::to_string(i));
@@ -260,7 +260,7 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
   ImGui::PopStyleVar();
   ImGui::SameLine(0, gap);
 
-  // The numbers are linear light; the field and the palette show what a display makes of it.
+  // The numbers are linear light; the field and the palette show display colours.
   const std::string popup = name_ + "/palette";
   if (ImGui::ColorButton(("##" + name_).c_str(), to_imgui4(display_colour(value)), ImGuiColorEditFlags_NoTooltip,
                          {swatch, swatch}))
@@ -333,7 +333,7 @@ bool Form::text(const FormLabel& of, std::string& value) {
   }
   if (!ImGui::IsItemDeactivated()) return false;
   memory_.naming.clear();
-  // Escape has put the old text back by now.
+  // Escape has restored the old text by now.
   if (!ImGui::IsItemDeactivatedAfterEdit() || value == buffer.data()) return false;
   value = buffer.data();
   return true;

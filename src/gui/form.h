@@ -13,13 +13,13 @@ namespace raywalk {
 struct FormMemory {
   // Fields by their names; empty: none. (Not by ImGui's ids: to ask for one keeps it alive, and then a group, which a
   // number with buttons is, does not find its own.)
-  std::string edited;   ///< whose edits continue each other
+  std::string edited;   ///< the field whose edits continue each other
   std::string naming;   ///< the text field being typed in
-  std::string typed;    ///< what stands in it
+  std::string typed;    ///< its contents
   std::string number;   ///< the field of a number being typed in
-  std::string refused;  ///< whose last input was refused
-  std::string why;      ///< what is said below it
-  double before = 0;    ///< the number that stood in the field when it was entered
+  std::string refused;  ///< the field whose last input was refused
+  std::string why;      ///< the message below it
+  double before = 0;    ///< the number when the field was entered
 };
 
 /// The words beside a field, and what they mean.
@@ -35,7 +35,7 @@ class FormLabel {
       : id_(key), table_(table), sentence_(sentence) {}
   FormLabel(const FormLabel& list, int number) : FormLabel(list) { number_ = number; }
   [[nodiscard]] std::string words(Language language) const;
-  /// Empty for those that need none.
+  /// May be empty.
   [[nodiscard]] std::string hint(Language language) const;
 
  private:
@@ -46,20 +46,20 @@ class FormLabel {
   int number_ = 0;
 };
 
-/// Rows of a label and fields. Each field changes its value in place and tells whether it did; all numbers are kept
-/// within their limits, which are those of the scene's format: what is typed
-/// beyond them is refused, says so below the field, and is gone when the field is left.
+/// Rows of a label and fields. Each field changes its value in place and returns whether it did; numbers are kept
+/// within the limits of the scene format: input beyond them is refused with a message below the field, and discarded
+/// when the field is left.
 class Form {
  public:
   Form(const Ui& ui, FormMemory& memory, float width);
 
-  /// Puts the keyboard into the first field drawn from now on.
+  /// Focuses the next field drawn.
   void focus_next() { focus_ = true; }
 
   void heading(const FormLabel& label);
   /// `step`: change for each unit of dragging.
   bool number(const FormLabel& label, double& value, double step, double least, double most);
-  /// `at_enter`: what is typed counts when it is finished, not digit by digit.
+  /// `at_enter`: input takes effect when it is finished, not digit by digit.
   bool whole(const FormLabel& label, int& value, int least, int most, bool at_enter = false);
   /// x, y and z, or the first `count` of them.
   bool vector(const FormLabel& label, double* values, int count, double step, double least, double most);
@@ -71,7 +71,7 @@ class Form {
   /// True once, when the typing has ended; `value` is then the new text.
   bool text(const FormLabel& label, std::string& value);
 
-  /// Whether the last change joins the one before it into one entry of undo.
+  /// Whether the last change joins the previous one into one undo entry.
   [[nodiscard]] bool continues() const { return continues_; }
 
  private:
@@ -82,7 +82,7 @@ class Form {
   void before_number(const std::string& field);
   void after_number(const std::string& field);
   void after_field(const std::string& field, bool refused, double least, double most);
-  /// Says below the row why what was typed was not taken, if it was not.
+  /// Shows below the row why input was refused, if it was.
   void end_row();
   bool drag(const std::string& id, double& value, double step, double least, double most, float width);
   bool changed(bool now, const std::string& field);

@@ -30,16 +30,16 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
-// After something has happened ImGui needs a few frames until all that follows from it is on the screen.
+// After an event, ImGui needs a few frames until all its effects are on the screen.
 constexpr int frames_to_settle = 3;
 constexpr double shortest_wait = 1.0 / 60;  // seconds
 constexpr double least_of_a_row = 0.25;     // seconds
-constexpr double image_slice = 14;          // milliseconds of work on the 3-D image between two looks at the events
-constexpr double smoothing_every = 0.3;     // the same once only noise is being taken out of it
-constexpr double image_every = 0.08;        // seconds between two pictures of a 3-D image that is being refined
+constexpr double image_slice = 14;          // milliseconds of work on the 3-D image between polls of events
+constexpr double smoothing_every = 0.3;     // seconds, once only noise is being reduced
+constexpr double image_every = 0.08;        // seconds between updates of a 3-D image that is being refined
 constexpr double notice_lasts = 6;          // seconds, unless it reports an error
 
-/// Whether what the action does ends in a file of the user's.
+/// Whether the action writes a file of the user's.
 bool writes_file(const Action& action) {
   return std::holds_alternative<action::Export>(action) || std::holds_alternative<action::FinishExport>(action) ||
          std::holds_alternative<action::Save>(action) || std::holds_alternative<action::SaveAs>(action) ||
@@ -82,7 +82,7 @@ class Loop {
   }
 
  private:
-  // When all is drawn, and not at the end alone, which may be sudden.
+  // After each frame, and not only at the end, which may be abrupt.
   void keep_settings() {
     const Settings now = settings_of(state_);
     if (now == settings_) return;
@@ -94,7 +94,7 @@ class Loop {
   [[nodiscard]] float wished_unit() const {
     return window_.scale() * static_cast<float>(state_.ui_scale * theme_scale(state_.theme));
   }
-  /// Nothing is cut off in a small window: everything is drawn smaller.
+  /// In a small window everything is drawn smaller, rather than cut off.
   [[nodiscard]] float shrink() const {
     const auto [width, height] = window_.extent();
     const bool lesson = state_.lessons.shown || state_.bugs.shown;
@@ -107,13 +107,13 @@ class Loop {
            !state_.hold && !state_.tween && !state_.window_export;
   }
 
-  // Seconds that may pass before something has to be done; negative: for ever.
+  // Seconds until something must be done; negative: indefinitely.
   [[nodiscard]] double patience() const {
     if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.window_export) return 0;
     return until_due();
   }
 
-  // The same of what is due at its time.
+  // The same for timed work.
   [[nodiscard]] double until_due() const {
     double wait = -1;
     const auto at_most = [&](double seconds) {
@@ -134,20 +134,20 @@ class Loop {
     try {
       update(state_, action);
     } catch (const Stopped&) {
-      // Closed in the middle of a change. What had changed before that is in the autosave.
+      // Closed during a change. Earlier changes are in the autosave.
       state_.quit = true;
       return;
     }
     if (!options_.demo_path.empty() && writes_file(action)) note_failure();
   }
 
-  // Nobody may be there to read it: a demo that was to write a file and could not ends as a failure, with a message.
+  // The demo may run unattended: if it fails to write a file, it ends as a failure, with a message.
   void note_failure() {
     if (failure_ && state_.notice && state_.notice->kind == Notice::Kind::error)
       failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.notice->text, ""});
   }
 
-  // One press of a key holds STEP once: where a breakpoint ends that, the key has to be let go first.
+  // One key press holds STEP once: if a breakpoint ends that, the key must be released first.
   void press(const KeyPress& key) {
     if (key.repeated && key_holds_) return;
     if (film_) {
@@ -178,7 +178,7 @@ class Loop {
     update(state_, action::Tick{seconds});
     if (state_.position != position || state_.playing != playing || moving || notice() != said)
       frames_due_ = std::max(frames_due_, 1);
-    // What is being written shows the moment at which it was asked for.
+    // An export shows the moment of its request.
     if (const Action* action = state_.window_export ? nullptr : demo_.due(seconds)) act(*action);
 
     if (notice() != seen_notice_) {
@@ -203,10 +203,10 @@ class Loop {
       const Attention::Watch watch(attention_, Attention::To::input);
       image_.follow(state_, Stop(attention_));
     } catch (const Stopped&) {
-      return;  // it begins again after what was done meanwhile
+      return;  // interrupted: it begins again after the input
     }
     {
-      // A row that takes long gives way to what is due, but not at once: it begins again then.
+      // A row that takes long gives way to what is due, but not at once; it is then restarted.
       const double due = frames_due_ > 0 ? 0 : until_due();
       const Attention::Watch watch(attention_, Attention::To::input, due < 0 ? due : std::max(due, least_of_a_row));
       more = image_.work(state_, image_slice, Stop(attention_));
@@ -222,7 +222,7 @@ class Loop {
   }
 
   void work_on_costs() {
-    // The picture that everyone sees comes first.
+    // The visible picture comes first.
     if (frames_drawn_ == 0 || !image_.rests(state_) || costs_.rests(state_)) return;
     costs_.work(state_, image_slice);
     const Clock::time_point now = Clock::now();
@@ -235,8 +235,7 @@ class Loop {
     frames_due_ = std::max(frames_due_, 1);
   }
 
-  // A picture is taken once everything that it shows is there; a film goes on by a frame between two looks at the
-  // events.
+  // A picture is taken once all its contents are complete; a film advances by one frame between polls of events.
   void work_on_export() {
     if (!state_.window_export || frames_due_ > 0) return;
     if (!film_ && !(image_.rests(state_) && costs_.rests(state_))) return;
@@ -261,7 +260,7 @@ class Loop {
     act(action::FinishExport{written ? "" : written.error().text()});
   }
 
-  // Letters and spacing for the scale and theme of now.
+  // Fonts and spacing for the current scale and theme.
   void rescale() {
     const float now = unit(), density = window_.density();
     if (now != styled_unit_ || state_.theme != styled_theme_) set_style(ImGui::GetStyle(), state_.theme, now);
@@ -281,16 +280,16 @@ class Loop {
     --frames_due_;
     window_.begin_frame(!wants_picture() && !state_.window_export);
     const ImageSize size = image_.preview().size();
-    const Picture shown{texture_.id(),
-                        size.width,
-                        size.height,
-                        image_.preview().done(),
-                        image_.preview().has_every_pixel(),
-                        image_.preview().finished(),
-                        image_.seconds_left(),
-                        image_.preview().hottest(),
-                        &costs_,
-                        costs_texture_.id()};
+    const PictureView shown{texture_.id(),
+                            size.width,
+                            size.height,
+                            image_.preview().done(),
+                            image_.preview().has_every_pixel(),
+                            image_.preview().finished(),
+                            image_.seconds_left(),
+                            image_.preview().hottest(),
+                            &costs_,
+                            costs_texture_.id()};
     interface_.draw(state_, fonts_, unit(), dpi(), shown);
     const Colour ground = palette(state_.theme).window;
     if (seen) {
@@ -302,7 +301,7 @@ class Loop {
     }
     if (frames_drawn_++ == 0) first_frame_ = seconds_between(begun_, Clock::now());
     apply();
-    // How far a film has come stands where it is not in the picture.
+    // A film's progress is shown outside of the picture.
     std::string title = document_title(state_);
     if (film_)
       title =
@@ -347,13 +346,13 @@ class Loop {
   Attention& attention_;
   Interface interface_;
   Demo demo_;
-  std::optional<WalkFilm> film_;  ///< being made
+  std::optional<WalkFilm> film_;  ///< in progress
   LiveImage image_;
   Texture texture_;
   LiveCosts costs_;
   Texture costs_texture_;
   Clock::time_point begun_, last_ = Clock::now(), image_shown_{}, costs_shown_{};
-  Settings settings_;  ///< as they were last kept
+  Settings settings_;  ///< as last saved
   FontFiles fonts_found_;
   Fonts fonts_;
   float styled_unit_ = 0;
@@ -370,7 +369,7 @@ class Loop {
 
 Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
   const Clock::time_point begun = Clock::now();
-  // Else the window is opened last: what is wrong with a scene is said without one.
+  // Otherwise the window is opened last: errors in a scene are reported without one.
   Result<std::unique_ptr<Window>> window{nullptr};
   std::optional<Attention> attention;
   if (takes_long_to_read(options)) {
@@ -382,8 +381,8 @@ Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
   if (!state) return tl::unexpected(state.error());
   Demo demo;
   if (!options.demo_path.empty()) {
-    constexpr std::size_t most_bytes = 16 << 20;
-    const Result<std::string> text = read_text(options.demo_path, most_bytes);
+    constexpr std::size_t max_bytes = 16 << 20;
+    const Result<std::string> text = read_text(options.demo_path, max_bytes);
     if (!text) return tl::unexpected(text.error());
     Result<std::vector<Action>> actions = parse_demo(*text, options.demo_path);
     if (!actions) return tl::unexpected(actions.error());

@@ -58,13 +58,13 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   Integrator integrator = next.integrator.value_or(state.scene().render.integrator);
   if (pick_among(ui, form, "property.integrator", integrators, integrator)) next.integrator = integrator;
   pick_among(ui, form, "property.accelerator", pickable_accelerators, next.accelerator);
-  form.whole("property.samples", next.samples, 1, most_image_samples);
-  form.whole("property.walk_samples", next.walk_samples, 1, most_walk_samples);
+  form.whole("property.samples", next.samples, 1, max_image_samples);
+  form.whole("property.walk_samples", next.walk_samples, 1, max_walk_samples);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
   pick_among(ui, form, "property.heat", all_heats, next.heat, heat_word);
   if (next != state.image) ui.act(action::SetImageSettings{next});
 
-  // These belong to the scene: the walk and the file have them too.
+  // These belong to the scene: they also affect the walk and the file.
   TraceLimits limits = state.scene().limits;
   bool now = form.whole("property.limits_depth", limits.depth, 1, 50);
   now |= form.number("property.threshold", limits.threshold, 0.0005, 0, 1);
@@ -104,7 +104,7 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
   const std::array<std::string, 3> numbers{"0", number_text(hottest / 2, ui.state.language),
                                            ui.say(most, {{"number", number_text(hottest, ui.state.language)}})};
   const float bar = ui.px(9), y = where.y;
-  // The longest number stands to the right of the bar, the others below their colours.
+  // The last number is to the right of the bar, the others below their colours.
   const float last = ImGui::CalcTextSize(numbers[2].c_str()).x;
   const float left = where.x + ImGui::CalcTextSize(numbers[0].c_str()).x + ui.px(8);
   const float right = std::max(where.right() - last - ui.px(10), left + ui.px(20));

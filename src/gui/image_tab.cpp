@@ -9,8 +9,8 @@ namespace raywalk {
 
 namespace {
 
-// The largest rectangle of the picture's shape in the middle of `room`. Larger than the picture it is a whole multiple,
-// so that all its pixels are alike.
+// The largest centred rectangle with the picture's aspect ratio in `room`; an integer multiple if larger than the
+// picture, so that pixels are equal.
 Rect fitted(const Rect& room, int width, int height, float density) {
   const float across = std::max(room.width, 1.0f), down = std::max(room.height, 1.0f);
   float scale = std::min(across / static_cast<float>(width), down / static_cast<float>(height));
@@ -38,13 +38,13 @@ void mark_cell(const Ui& ui, const Rect& image, int cell, int cells, float middl
   const float edge = image.width / static_cast<float>(cells), half = std::max(edge / 2, ui.px(4));
   const float x = image.x + (static_cast<float>(cell) + 0.5f) * edge;
   const ImVec2 least{x - half, middle - half}, most{x + half, middle + half};
-  // White on black, to be seen on any picture.
+  // White on black, visible on any picture.
   draw.AddRect(least, most, IM_COL32(0, 0, 0, 255), 0, 0, ui.px(3.5f));
   draw.AddRect(least, most, IM_COL32(255, 255, 255, 255), 0, 0, ui.px(1.5f));
 }
 
-// The pixel that is walked, where the picture is the one it was taken from.
-void mark_walked(const Ui& ui, const Rect& image, const Picture& picture) {
+// Marks the walked pixel, if the picture is the one it was chosen in.
+void mark_walked(const Ui& ui, const Rect& image, const PictureView& picture) {
   const std::optional<PixelWalk>& walk = ui.state.walk;
   if (!walk || walk->camera != ui.state.image_camera || walk->size.width != picture.width) return;
   const float edge = image.width / static_cast<float>(picture.width), half = std::max(edge / 2, ui.px(4));
@@ -61,7 +61,7 @@ std::string seconds_text(double seconds) {
   return std::to_string(whole / 60) + ":" + rest;
 }
 
-std::string status_of(const Ui& ui, const Picture& picture, bool has_row) {
+std::string status_of(const Ui& ui, const PictureView& picture, bool has_row) {
   const std::string about = ui.say(ui.state.image_camera ? "image.turned"
                                    : has_row             ? "image.row_marked"
                                                          : "image.click");
@@ -74,7 +74,7 @@ std::string status_of(const Ui& ui, const Picture& picture, bool has_row) {
 
 }  // namespace
 
-void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
+void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   const float line = line_height(ui.fonts, *ui.fonts.small), side = ui.px(12);
   push_font(ui.fonts.small);
   if (picture.texture == 0) {
@@ -120,7 +120,7 @@ void image_tab(const Ui& ui, const Rect& where, const Picture& picture) {
   if (heat != Heat::none)
     heat_legend(ui, {room.x, room.bottom() + ui.px(6), room.width, legend}, heat, picture.hottest);
 
-  // What the picture shows, and beside it the way to its settings.
+  // The contents of the picture, and a button for its settings.
   const ButtonLook look{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small, .label = true};
   const float button = button_width(ui, Command::image_settings, look);
   ImGui::SetCursorScreenPos({where.right() - button, where.bottom() - line - ui.px(7)});

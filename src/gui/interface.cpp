@@ -15,7 +15,7 @@ Ui Interface::ui(const State& state, const Fonts& fonts, float unit, float dpi) 
 }
 
 void Interface::grant(const Ui& ui) {
-  constexpr float beyond = 1e6f;  // any end of the help text
+  constexpr float beyond = 1e6f;  // beyond either end of the help text
   for (const WindowWish wish : std::exchange(wishes_, {})) {
     switch (wish) {
       case WindowWish::full_screen:
@@ -76,7 +76,7 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
     aside_ = {(shown_menu_ + (key.key == GLFW_KEY_LEFT ? menu_count - 1 : 1)) % menu_count, until_closed};
   }
 #if IMGUI_VERSION_NUM < 18700
-  // This ImGui takes Space alone for pressing what the arrows have chosen.
+  // This ImGui accepts only Space to press the item chosen with the arrows.
   if (shown_menu_ >= 0 && (key.key == GLFW_KEY_ENTER || key.key == GLFW_KEY_KP_ENTER))
     ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1;
 #endif
@@ -85,7 +85,7 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
   grant(with);
 }
 
-void Interface::draw(const State& state, const Fonts& fonts, float unit, float dpi, const Picture& picture) {
+void Interface::draw(const State& state, const Fonts& fonts, float unit, float dpi, const PictureView& picture) {
   items_.clear();
   const Ui with = ui(state, fonts, unit, dpi);
   ImGuiIO& io = ImGui::GetIO();
@@ -104,7 +104,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::PushFont(fonts.text);
-  // The ground is seen only between the panes, as hairlines.
+  // The background is visible only between the panes, as hairlines.
   ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(Shades(state.theme).line));
   ImGui::Begin("raywalk", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -121,8 +121,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
 
-  // What is in the corner is small; exchanged it has the plan's room. The Cost panel and the microscope need that
-  // room from the start; the former that of the walk too, which it has no use for.
+  // The tabs are small; exchanged, they get the plan's room. The Cost panel and the microscope need that from the
+  // start; the former also that of the walk, which it does not show.
   const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
   const bool costs = state.tab == Tab::cost && !exchanged_ && state.mode != Mode::help;
   const bool wide = state.tab == Tab::cost || state.tab == Tab::microscope;
@@ -134,7 +134,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     layout_.tabs.height = layout_.strip.bottom() - layout_.tabs.y;
     layout_.strip.height = 0;
   }
-  // The structures draw into the plan and say much beside it: they take the place of the code.
+  // Structures are drawn in the plan, with much text beside it: they replace the code.
   const bool boxes = shows_structure(state) && !exchanged_;
   if (boxes)
     layout_.tabs = {layout_.side.x, layout_.side.y, layout_.side.width, layout_.tabs.bottom() - layout_.side.y};
@@ -159,7 +159,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     } else {
       plan_pane(with, layout_.plan);
     }
-    // One strip for both modes, so that the plan stays where it is.
+    // One strip for both modes, so that the plan does not move.
     if (!costs && state.mode == Mode::move) palette_pane(with, layout_.strip);
     if (!costs && !scope && state.mode == Mode::trace) legend_pane(with, layout_.strip);
     if (!costs) transport_pane(with, layout_.transport);

@@ -1,6 +1,5 @@
 #pragma once
-// All keys and what they do, from the table of commands: Help shows this list and lessons/README.md has it as a table,
-// which a test compares.
+// All keys and what they do, from the table of commands: shown in Help and, checked by a test, in lessons/README.md.
 
 #include "text/language.h"
 

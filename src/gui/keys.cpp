@@ -47,7 +47,7 @@ std::string key_name(int key, Language language) {
     case GLFW_KEY_KP_SUBTRACT:
       return "\u2212";
     case GLFW_KEY_KP_ADD:
-    case GLFW_KEY_EQUAL:  // where the plus stands on many keyboards
+    case GLFW_KEY_EQUAL:  // the key of the plus on many keyboards
       return "+";
     case GLFW_KEY_KP_0:
       return "0";
@@ -81,7 +81,7 @@ std::optional<Vec2d> arrow(int key) {
   return std::nullopt;
 }
 
-// How a key scrolls the help text.
+// Scrolling of the help text by keys.
 std::optional<WindowWish> scrolling(int key) {
   if (key == GLFW_KEY_UP) return WindowWish::line_up;
   if (key == GLFW_KEY_DOWN) return WindowWish::line_down;
@@ -92,7 +92,7 @@ std::optional<WindowWish> scrolling(int key) {
   return std::nullopt;
 }
 
-// Enter gives the first answer, which is the safe one; Escape cancels where that is an answer; a digit picks.
+// Enter gives the first answer, which is safe; Escape cancels if possible; a digit picks.
 bool answer_by_key(const KeyPress& press, const Ui& ui) {
   const QuestionPanel question = question_panel(ui.state);
   const auto answer = [&](std::size_t i) {
@@ -158,8 +158,8 @@ int commands_on(const KeyPress& press, Mode mode) {
                                         [&](const CommandRow& row) { return asks_for(row, press, mode); }));
 }
 
-// A lesson that asks takes digits for its choices, of a presenter as hands of the class; and Enter for its answer and
-// for the next step.
+// In a lesson's question, digits are for choices (with a presenter, for hands of the class), and Enter for the answer
+// and the next step.
 bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
   if (!state.lessons.shown || state.mode != Mode::trace || press.ctrl || press.alt) return false;
@@ -202,7 +202,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
     return press.key == GLFW_KEY_ESCAPE;
   }
   if (press.key == GLFW_KEY_ESCAPE) {
-    // One thing at a time, the most passing one first.
+    // One thing at a time, the most transient first.
     if (state.drag) {
       ui.act(action::CancelDrag{});
     } else if (state.notice) {
@@ -234,7 +234,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
   }
   if (lesson_by_key(press, ui)) return true;
   const auto command = command_of(press, state);
-  // A key that is held down steps faster and faster.
+  // A held key steps faster and faster.
   if (press.repeated && (command == Command::step || command == Command::step_back)) {
     ui.act(action::Hold{command == Command::step});
     return true;

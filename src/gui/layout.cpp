@@ -7,14 +7,14 @@ namespace raywalk {
 
 namespace {
 
-// What is left of `space` for a part that asks for `wish`.
+// The part of `space` for a pane that wants `wish`.
 float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, std::max(space, 0.0f)); }
 
 }  // namespace
 
 float shrink_to_fit(float width, float height, float unit, float least) {
   const float part = std::min(width / (least * unit), height / (least_height * unit));
-  // In steps: fonts are made anew for each. Smaller than that nobody could read it.
+  // In steps, because each needs new fonts. Anything smaller is illegible.
   constexpr float steps = 32, smallest = 0.3f;
   return std::clamp(std::floor(part * steps) / steps, smallest, 1.0f);
 }
@@ -27,7 +27,7 @@ Layout lay_out(const LayoutWishes& wishes) {
   layout.bar = {0, 0, width, take(height, (low ? 38 : 44) * unit)};
   const float top = std::min(layout.bar.bottom() + hairline, height), below = height - top;
 
-  // The code gets its longest line; the plan, a third of the window at least.
+  // The code fits its longest line; the plan gets at least a third of the window.
   const float side = take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
   const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f - hairline, wishes.lesson) : 0.0f;
   const float edge = lesson > 0 ? lesson + hairline : 0.0f;
@@ -39,7 +39,7 @@ Layout lay_out(const LayoutWishes& wishes) {
   layout.strip = {edge, std::max(layout.transport.y - hairline - strip, top), left, strip};
   layout.plan = {edge, top, left, layout.strip.y - top};
 
-  // The tabs need room for a picture; what the code does not need is theirs.
+  // The tabs need room for a picture, and get what the code does not need.
   const float least_tabs = std::clamp(below * 0.36f, 190 * unit, 250 * unit);
   const float code = take(below, std::min(wishes.code, std::max(below * 0.5f, below - least_tabs)));
   layout.side = {width - side, top, side, code};

@@ -10,14 +10,14 @@ namespace raywalk {
 
 namespace {
 
-// A line as rays of this kind are drawn, with their arrowhead, from (x, y) to the right.
+// A sample of a ray of this kind, with its arrowhead, from (x, y) to the right.
 void sample(const Ui& ui, const LegendRow& row, float x, float y, float length) {
   LineItem line;
   line.from = {x, y};
   line.to = {x + length, y};
   line.stroke = {row.style.colour, static_cast<double>(ui.px(2.2f)), row.style.dash, 0};
   for (double& part : line.stroke.dash.lengths) part *= static_cast<double>(ui.unit);
-  // Where there is little room the dashes tell more than the arrowhead.
+  // With little room, dashes are more informative than the arrowhead.
   line.arrow = length < ui.px(30) ? 0.0 : static_cast<double>(ui.px(10));
   paint_line(*ImGui::GetWindowDrawList(), line);
 }
@@ -70,7 +70,7 @@ void legend_pane(const Ui& ui, const Rect& where) {
     const float least_between = ui.px(8) * static_cast<float>(content.rays.size());
     const bool in_short = width_of(&LegendRow::name) + least_between > where.width - ui.px(28);
     const auto name = in_short ? &LegendRow::short_name : &LegendRow::name;
-    // Spread, but not too far; in a narrow window as close as they must be, or in two lines.
+    // Spread, but not too far; in a narrow window tight, or in two lines.
     const float most = where.width - ui.px(28);
     const auto count = content.rays.size();
     const std::size_t lines = width_of(name) + least_between > most ? 2 : 1, in_line = (count + lines - 1) / lines;
@@ -78,7 +78,7 @@ void legend_pane(const Ui& ui, const Rect& where) {
     const float between = std::clamp(room, ui.px(4), ui.px(22));
     const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
     float y = std::round(where.y + (where.height - line * static_cast<float>(lines)) / 2 + (line - height) / 2);
-    // In two lines the names stand below each other.
+    // In two lines the names are aligned.
     float widest = 0;
     for (const LegendRow& row : content.rays) widest = std::max(widest, ImGui::CalcTextSize((row.*name).c_str()).x);
     float x = where.x + ui.px(14);

@@ -17,7 +17,7 @@ namespace {
 void list(const Ui& ui, const LessonPanel& panel) {
   const Shades shades(ui.state.theme);
   int number = 0;
-  bool found = false;  // the one to go on with
+  bool found = false;  // the one to continue with
   for (const LessonRow& row : panel.rows) {
     const bool next = !found && !row.locked && row.done < row.steps;
     found = found || next;
@@ -32,7 +32,7 @@ void list(const Ui& ui, const LessonPanel& panel) {
   command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say("bug.title"));
 }
 
-// How many of the class are for a choice: counted while the answer is not known, as a bar beside the others.
+// The class's votes for a choice: counted while the answer is not known, shown as a bar.
 void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i) {
   int most = 1;
   for (const LessonChoice& choice : panel.choices) most = std::max(most, choice.hands);
@@ -67,7 +67,7 @@ void choices(const Ui& ui, const LessonPanel& panel) {
   for (std::size_t i = 0; i < panel.choices.size(); ++i) {
     const LessonChoice& choice = panel.choices[i];
     const bool filled = choice.guessed;
-    // What is right is told by a sign, and not by its colour alone.
+    // The right choice has a sign, not only a colour.
     const std::string sign = !revealed ? "" : choice.right ? "\u2713 " : choice.guessed ? "\u2717 " : "";
     const std::string text = fmt::format("{}{}  {}", sign, i + 1, choice.text);
     if (wide_button(ui, fmt::format("guess/{}", i + 1), text, filled ? shades.accent : shades.raised,
@@ -77,12 +77,12 @@ void choices(const Ui& ui, const LessonPanel& panel) {
   }
 }
 
-// How the lessons are shown: to a student, or by a presenter, who may hide the notes and take them along on paper.
+// How lessons are shown: to a student, or by a presenter, who may hide or export the notes.
 void options(const Ui& ui, float width, bool open) {
   const LessonSitting& sitting = ui.state.lessons;
   const bool presents = sitting.presenter && open;
   const float gap = ui.px(8), count = presents ? 3 : 2;
-  // As wide as their words ask for, and together as wide as the pane.
+  // Sized by their words, and together as wide as the pane.
   const auto needs = [&](std::string_view label) {
     return button_width(ui, ui.say(label), {Look::plain, Icon::none, ui.fonts.small});
   };
@@ -111,7 +111,7 @@ void options(const Ui& ui, float width, bool open) {
     ui.act(action::AskExport{});
 }
 
-// Where one is, how to close, and what it is about.
+// The current step, a close button, and the topic.
 void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) {
   const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui);
   push_font(ui.fonts.small);
@@ -160,7 +160,7 @@ void notes(const Ui& ui, const LessonPanel& panel) {
   part(ui.say("lesson.sources"), panel.sources);
 }
 
-// To the list, a step back, and on: to the answer first, where one is asked for.
+// To the list, back, and on: first to the answer, if one is asked for.
 void steps(const Ui& ui, const LessonPanel& panel, ImVec2 at, float width) {
   const float height = button_height(ui), gap = ui.px(8), half = (width - height - 2 * gap) / 2;
   ImGui::SetCursorScreenPos(at);
@@ -199,7 +199,7 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
         action::GuessNumber{typed_guess(ui.state.lessons, number_).value_or(std::numeric_limits<double>::quiet_NaN())});
   }
   if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
-  // What comes next is still meant for this field, and not for the walk.
+  // Further input is still for this field, and not for the walk.
   if (entered && !panel.can_reveal) ImGui::SetKeyboardFocusHere(-1);
   if (!panel.unit.empty()) {
     ImGui::SameLine();
@@ -256,7 +256,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         if (!panel.summary.empty()) prose(ui, ui.colours.dim_text, panel.summary);
         prose(ui, ui.colours.text, panel.text);
         if (panel.asks != Asks::nothing) question(ui, panel, is_new);
-        // A new answer is brought into sight, with what leads to it.
+        // Scrolls a new answer into view, with its context.
         if (is_new && sitting.revealed) ImGui::SetScrollHereY(0.35f);
         answer(ui, panel);
         notes(ui, panel);

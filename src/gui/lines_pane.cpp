@@ -46,7 +46,7 @@ void lines_pane(const Ui& ui, const Rect& where) {
   ImGui::PopStyleVar();
   if (visible) {
     paint(*ImGui::GetWindowDrawList(), lines_view(ui.state, viewport), where, ui.dpi, ui.fonts);
-    // The buttons come before the pane's own, for what comes first gets the mouse.
+    // The buttons come before the pane's own item: the first one gets the mouse.
     const float edge = ui.px(28);
     ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
     float x = where.right() - ui.px(10);
@@ -74,7 +74,7 @@ void lines_pane(const Ui& ui, const Rect& where) {
           {static_cast<double>((mouse.x - where.x) / ui.dpi), static_cast<double>((mouse.y - where.y) / ui.dpi)});
     }
     const int ray = target.kind == TargetKind::ray ? target.index : -1;
-    // Said only by the pane that is pointed at.
+    // Set only by the hovered pane.
     bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
     if ((inside || pointing) && ray != ui.state.hovered_ray) ui.act(action::HoverRay{ray});
     pointing = inside;

@@ -40,7 +40,7 @@ bool LiveCosts::surveyed(const State& state) const {
 }
 
 void LiveCosts::take_survey(const State& state, double milliseconds) {
-  // Small pictures, so that the window stays awake between them.
+  // Small pictures, so that the window stays responsive.
   constexpr int samples = 4000, repetitions = 11;
   if (!survey_ || survey_revision_ != state.revision) {
     survey_.emplace(state.scene(), samples, repetitions);

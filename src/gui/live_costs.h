@@ -1,5 +1,5 @@
 #pragma once
-// The Cost panel's tries of the state's scene, worked on in slices of time, and the picture that shows them.
+// The Cost panel's attempts with the state's scene, rendered in time slices, and the picture that shows them.
 
 #include "study/effect_costs.h"
 #include "study/workbench.h"
@@ -13,22 +13,22 @@ namespace raywalk {
 
 class LiveCosts {
  public:
-  /// Takes up what the state wants tried, and works for about `milliseconds` while the panel is open. Whether more is
+  /// Starts the state's attempts, and works for about `milliseconds` while the panel is open. Returns whether more is
   /// to be done.
   bool work(const State& state, double milliseconds);
   /// Nothing is to be done for this state.
   [[nodiscard]] bool rests(const State& state) const;
 
   [[nodiscard]] const study::Workbench& bench() const { return bench_; }
-  /// What each effect adds, as far as it is measured: survey_done() of it.
+  /// What each effect adds, as measured so far: a fraction survey_done().
   [[nodiscard]] const std::optional<study::SceneCost>& survey() const { return survey_result_; }
   [[nodiscard]] double surveyed() const { return survey_ ? survey_->done() : 0; }
-  /// The chosen picture and the one it is compared with; 4 bytes a pixel, empty while there is none.
+  /// The chosen picture and the one it is compared with; 4 bytes per pixel, empty if none.
   [[nodiscard]] const std::vector<std::uint8_t>& rgba() const { return rgba_; }
   [[nodiscard]] ImageSize size() const { return size_; }
-  /// Of a picture of differences: the largest.
+  /// The largest difference, for a difference picture.
   [[nodiscard]] double largest() const { return largest_; }
-  /// Another number whenever something of the above has changed.
+  /// Changes whenever any of the above does.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:

@@ -36,7 +36,7 @@ void show_loading(Window& window, const GuiOptions& options) {
   const std::string words = fill("files.reading_scene", language, {{"file", file}});
   const auto part = [](std::uint8_t byte) { return static_cast<float>(byte) / 255; };
   const Colour ground = colours.window;
-  // A window manager shows a window some time after it was asked to, and what was drawn before that may be lost.
+  // A window manager shows a window with a delay, and frames drawn before may be lost.
   constexpr int frames = 4;
   for (int i = 0; i < frames; ++i) {
     window.wait(i == 0 ? 0 : 0.03);

@@ -1,5 +1,5 @@
 #pragma once
-// What the window says while a large scene is read: until then there is nothing else to show.
+// The window while a large scene is read, with nothing else to show yet.
 
 #include "gui/attention.h"
 #include "gui/gui.h"
@@ -8,9 +8,9 @@
 
 namespace raywalk {
 
-/// Whether the scene that `options` name takes so long to read that one would wonder.
+/// Whether the scene of `options` takes noticeably long to read.
 [[nodiscard]] bool takes_long_to_read(const GuiOptions& options);
-/// Shows the window with a word that the scene is being read, while it is. Throws Stopped when it is closed meanwhile.
+/// Shows the window with a message while the scene is read. Throws Stopped if it is closed meanwhile.
 [[nodiscard]] Result<State> start_in_sight(const GuiOptions& options, Window& window, Attention& attention);
 
 }  // namespace raywalk

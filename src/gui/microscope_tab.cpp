@@ -14,7 +14,7 @@ namespace raywalk {
 
 namespace {
 
-// How it is looked at: closer and back; in which numerics and precision the scene is walked.
+// Controls: zoom; numerics and precision of the walk.
 void draw_controls(const Ui& ui, ButtonRow& row, float height) {
   const float edge = height, bar = ui.px(120), gap = ui.px(4);
   const ButtonLook minus{.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false};
@@ -51,7 +51,7 @@ void draw_slide(const Ui& ui, const Rect& where, const Specimen& specimen) {
     ui.act(action::Magnify{ui.state.magnified + notch * static_cast<double>(wheel)});
 }
 
-// A number that leaves digits out ("7.857\u202611") leaves out as many as the column asks for: its last ones matter.
+// Elides more digits of a number ("7.857\u202611") to fit the column: the last ones matter.
 std::string with_fewer_digits(std::string words, float width) {
   const std::string ellipsis = "\u2026";
   while (ImGui::CalcTextSize(words.c_str()).x > width) {
@@ -62,7 +62,7 @@ std::string with_fewer_digits(std::string words, float width) {
   return words;
 }
 
-// Words wrapped within a column; where the column's next cell may begin.
+// Wraps words within a column; returns where the column's next cell may begin.
 float cell(Colour colour, const std::string& words, float x, float y, float width) {
   ImGui::SetCursorScreenPos({x, y});
   label(colour, broken_lines(with_fewer_digits(words, width), width));

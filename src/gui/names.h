@@ -1,5 +1,5 @@
 #pragma once
-// Names of choices as options, settings and reports write them.
+// Names of choices in options, settings and reports.
 
 #include "view/state.h"
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-class Painter {
+class ListPainter {
  public:
-  Painter(ImDrawList& draw, ImVec2 origin, float scale, const Fonts* fonts)
+  ListPainter(ImDrawList& draw, ImVec2 origin, float scale, const Fonts* fonts)
       : draw_(draw), origin_(origin), scale_(scale), fonts_(fonts) {}
 
   void operator()(const LineItem& line) {
@@ -30,7 +30,7 @@ class Painter {
       draw_.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour(item.stroke), 0, width(item.stroke));
       return;
     }
-    // Dashes run on across the corners.
+    // Dashes continue across corners.
     Stroke stroke = item.stroke;
     for (std::size_t i = 0; i + 1 < item.points.size(); ++i) {
       (*this)(LineItem{item.points[i], item.points[i + 1], stroke});
@@ -44,7 +44,7 @@ class Painter {
     if (item.fill) {
       const ImU32 fill = to_imgui(*item.fill);
       const auto triangles = triangulate(points_);
-      // Plain triangles: smoothed ones would show the seams between them. The outline smooths the edge.
+      // Triangles without anti-aliasing, which would show seams. The outline smooths the edge.
       const ImDrawListFlags flags = draw_.Flags;
       draw_.Flags &= ~ImDrawListFlags_AntiAliasedFill;
       for (const auto& [a, b, c] : triangles) draw_.AddTriangleFilled(point(a), point(b), point(c), fill);
@@ -131,15 +131,15 @@ float turn(ImVec2 a, ImVec2 b, ImVec2 c) { return (b.x - a.x) * (c.y - a.y) - (b
 
 void paint(ImDrawList& draw, const DisplayList& list, const Rect& pane, float scale, const Fonts& fonts) {
   draw.PushClipRect(corner(pane), opposite(pane), true);
-  Painter painter(draw, corner(pane), scale, &fonts);
+  ListPainter painter(draw, corner(pane), scale, &fonts);
   for (const DisplayItem& item : list) std::visit(painter, item.shape);
   draw.PopClipRect();
 }
 
-void paint_line(ImDrawList& draw, const LineItem& line) { Painter(draw, {0, 0}, 1, nullptr)(line); }
+void paint_line(ImDrawList& draw, const LineItem& line) { ListPainter(draw, {0, 0}, 1, nullptr)(line); }
 
-Lettering lettering(const Fonts& fonts, float size) {
-  Lettering best{fonts.text, 0};
+FontChoice lettering(const Fonts& fonts, float size) {
+  FontChoice best{fonts.text, 0};
   for (ImFont* font : {fonts.text, fonts.small, fonts.title}) {
     const float height = line_height(fonts, *font);
     if (std::abs(height - size) < std::abs(best.size - size)) best = {font, height};

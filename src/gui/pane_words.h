@@ -1,5 +1,5 @@
 #pragma once
-// What the panes of words are written with: the lessons, and spot the bug.
+// Text widgets of the panes of lessons and spot the bug.
 
 #include "gui/ui.h"
 
@@ -7,11 +7,11 @@
 
 namespace raywalk {
 
-/// Paragraphs, with lists; Markdown's stars and backquotes are for emphasis that the pane does not have.
+/// Paragraphs, with lists; Markdown's stars and backquotes are removed.
 void prose(const Ui& ui, Colour colour, const std::string& text);
 void heading(const Ui& ui, Colour colour, const std::string& text);
 [[nodiscard]] float button_height(const Ui& ui);
-/// A button over the width of the pane, as high as its words need. Whether it was pressed.
+/// A button as wide as the pane, as high as its words need. Returns whether it was pressed.
 bool wide_button(const Ui& ui, const std::string& name, const std::string& text, Colour ground, Colour ink,
                  bool enabled);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The panes. Each draws what `view` says into its rectangle and adds the user's actions; none changes the state.
+// The panes. Each draws the data of `view` into its rectangle and adds the user's actions; none changes the state.
 
 #include "gui/form.h"
 #include "gui/ui.h"
@@ -13,11 +13,11 @@ class LiveCosts;     // gui/live_costs.h
 struct LessonPanel;  // view/lesson_panel.h
 
 inline constexpr int menu_count = 5;
-/// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Which
-/// menu is open; -1: none.
+/// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Returns
+/// the open menu, or -1.
 int bar_pane(const Ui& ui, const Rect& where, int open_menu);
 
-/// What can be added to the scene, and removed.
+/// Buttons to add and remove objects.
 void palette_pane(const Ui& ui, const Rect& where);
 
 /// The plan and the pointer on it.
@@ -25,9 +25,9 @@ void plan_pane(const Ui& ui, const Rect& where);
 
 /// The scene as lines in space, in the plan's place.
 void lines_pane(const Ui& ui, const Rect& where);
-/// What the mouse does on the item just added, which shows a view that can be turned, in `where`.
+/// Mouse actions on the last item, which shows a turnable view, in `where`.
 void turn_by_mouse(const Ui& ui, SpaceView view, const Rect& where);
-/// Whether the item just added was clicked with the left button and the mouse stood still.
+/// Whether the last item was clicked with the left button without moving.
 [[nodiscard]] bool clicked_in_place();
 
 /// Help mode's text. `scroll_by`: units, downwards.
@@ -38,26 +38,26 @@ void transport_pane(const Ui& ui, const Rect& where);
 /// Height that the transport needs at this width.
 [[nodiscard]] float transport_height(const Ui& ui, float width);
 
-/// The two boxes of pseudocode. Keeps the lines that matter in sight where there is no room for all.
+/// The two boxes of pseudocode. Scrolls to the important lines if there is not enough room.
 void code_pane(const Ui& ui, const Rect& where);
 [[nodiscard]] float code_height(const Ui& ui);
 [[nodiscard]] float code_width(const Ui& ui);
 
-/// Numbers and colours of what is selected.
+/// Numbers and colours of the selection.
 class PropertiesPane {
  public:
-  /// `focus`: puts the keyboard into the first field.
+  /// `focus`: focuses the first field.
   void draw(const Ui& ui, const Rect& where, bool focus);
-  /// Whether something is selected that has properties, in the mode that changes them.
+  /// Whether the selection has properties, in the mode that edits them.
   [[nodiscard]] static bool shows(const State& state);
 
  private:
   FormMemory memory_;
-  Target shown_;  ///< whose fields the memory speaks of
+  Target shown_;  ///< the target of the memory
   bool focus_field_ = false;
 };
 
-/// Where the walk comes to rest, and a step to go to: a popup beside the code.
+/// Breakpoints, and a step to go to: a popup beside the code.
 class BreakpointsPopup {
  public:
   void draw(const Ui& ui, const Rect& code, bool open);
@@ -66,7 +66,7 @@ class BreakpointsPopup {
   FormMemory memory_;
 };
 
-/// The lessons: their list, or the step of the one that is open.
+/// The lessons: their list, or the current step of the open one.
 class LessonPane {
  public:
   void draw(const Ui& ui, const Rect& where);
@@ -79,23 +79,22 @@ class LessonPane {
   std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
 };
 
-/// Spot the bug: the list, or the bug that is hunted.
+/// Spot the bug: the list, or the current hunt.
 void bug_pane(const Ui& ui, const Rect& where);
-/// What stands over the plan while the tracer has a bug.
-/// A strip above the plan, while there is a reason for one.
+/// The banner over the plan while the tracer has a bug. Whether there is a banner above the plan.
 [[nodiscard]] bool has_banner(const State& state);
 [[nodiscard]] float banner_height(const Ui& ui);
 void banner_pane(const Ui& ui, const Rect& where);
 
-/// The 3-D image as far as it is.
-struct Picture {
+/// The 3-D image so far.
+struct PictureView {
   std::uintptr_t texture = 0;  ///< 0: none yet
   int width = 0, height = 0;   ///< of the image; `texture` has this size
   double done = 0;             ///< 0..1
   bool has_every_pixel = false, finished = false;
   double seconds_left = 0;           ///< an estimate; 0: none
-  double hottest = 0;                ///< of a heat map: what the last colour stands for
-  const LiveCosts* costs = nullptr;  ///< of the Cost panel; null: there is none
+  double hottest = 0;                ///< of a heat map: the value of the last colour
+  const LiveCosts* costs = nullptr;  ///< of the Cost panel; may be null
   std::uintptr_t cost_texture = 0;   ///< its picture, of costs->size()
 };
 
@@ -104,35 +103,35 @@ class TabsPane {
  public:
   /// `open_settings`: of the picture,
   /// and `open_knobs`: of the Cost panel.
-  void draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings, bool open_knobs);
+  void draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs);
 
  private:
   FormMemory settings_, knobs_, numerics_;
   Microscope microscope_;
-  int hovering_ = -1;    ///< the ray that this pane said is pointed at
-  int centred_on_ = -1;  ///< the ray that the tree was last scrolled to
+  int hovering_ = -1;    ///< the ray hovered in this pane
+  int centred_on_ = -1;  ///< the ray last scrolled to
 };
 
-void image_tab(const Ui& ui, const Rect& where, const Picture& picture);
+void image_tab(const Ui& ui, const Rect& where, const PictureView& picture);
 /// The popup "image-settings", where it is open.
 void image_settings(const Ui& ui, FormMemory& memory);
-void cost_tab(const Ui& ui, const Rect& where, const Picture& picture);
+void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture);
 /// The popup "cost-knobs", where it is open.
 void cost_knobs_popup(const Ui& ui, FormMemory& memory);
 /// A bar of colours with numbers, as high as two lines of small letters.
 void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest);
-/// Both return the ray that is pointed at, or -1.
+/// Both return the hovered ray, or -1.
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on);
 int stack_tab(const Ui& ui, const Rect& where);
 void legend_tab(const Ui& ui, const Rect& where);
 /// What the line that has just run has computed, with its numbers.
 void equation_tab(const Ui& ui, const Rect& where);
 
-/// The hit in hand, magnified. `microscope`: what it remembers of the recording.
+/// The current hit, magnified. `microscope`: its cache.
 void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, FormMemory& memory);
-/// The accelerators, stepped.
+/// The accelerators, step by step.
 void structure_tab(const Ui& ui, const Rect& where);
-/// A field for how far naive rays of the scene start from a surface.
+/// A field for the scene's epsilon of naive rays.
 void epsilon_row(const Ui& ui, Form& form);
 
 /// Samples of the ray kinds, in one row.

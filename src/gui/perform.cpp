@@ -1,4 +1,4 @@
-// What comes of each command.
+// Performs the commands.
 
 #include "gui/choices.h"
 #include "gui/commands.h"
@@ -13,7 +13,7 @@ namespace raywalk {
 
 namespace {
 
-// What Tab goes through, in this order.
+// The targets of Tab, in order.
 std::vector<Target> selectable(const Scene& scene) {
   std::vector<Target> targets;
   for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) targets.push_back({TargetKind::object, i});
@@ -50,7 +50,7 @@ constexpr double magnify_step = 0.05;
 constexpr double turn_step = 3.14159265358979323846 / 24;  // radians
 constexpr double shift_step = 0.05;                        // of the view's width
 
-// The line that has just run; where one is marked already, whether that is the one.
+// Marks the line that has just run; if one is marked already, judges it.
 void mark(const Ui& ui) {
   const State& state = ui.state;
   if (state.bugs.hunt && state.bugs.hunt->marked) return ui.act(action::JudgeLine{});

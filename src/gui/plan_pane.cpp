@@ -11,7 +11,7 @@ namespace raywalk {
 
 namespace {
 
-// Whether the pointer should look like a hand that takes hold or presses.
+// Whether the pointer should be a hand.
 bool can_be_held(const State& state, TargetKind kind) {
   switch (kind) {
     case TargetKind::nothing:
@@ -34,7 +34,7 @@ bool can_be_held(const State& state, TargetKind kind) {
   return false;
 }
 
-// What the mouse does on the item just added, told in pixels of the plan.
+// Mouse actions on the last item, in pixels of the plan.
 void pointer_actions(const Ui& ui, const Rect& where) {
   const ImGuiIO& io = ImGui::GetIO();
   const State& state = ui.state;
@@ -61,7 +61,7 @@ void pointer_actions(const Ui& ui, const Rect& where) {
   if (inside && io.MouseWheel != 0) ui.act(action::Zoom{at, std::pow(1.2, static_cast<double>(io.MouseWheel))});
 }
 
-// Says what is under the pointer, at once: it is part of the picture.
+// The tooltip of what is under the pointer, without delay.
 void name_target(const Ui& ui) {
   const std::string what = target_text(ui.state, ui.state.hovered);
   if (what.empty()) return;
@@ -92,7 +92,7 @@ void plan_pane(const Ui& ui, const Rect& where) {
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     pointer_actions(ui, where);
     const bool inside = ImGui::IsItemHovered();
-    // Drawn for the pane as it is, even in the one frame in which the state does not know of a new size yet.
+    // Drawn for the current size of the pane, even in the one frame before the state knows it.
     paint(*ImGui::GetWindowDrawList(), plan_view(ui.state, viewport), where, ui.dpi, ui.fonts);
     if (inside && !ui.state.drag) name_target(ui);
     if ((inside || ui.state.drag) && can_be_held(ui.state, ui.state.hovered.kind))

@@ -99,12 +99,12 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
     push_font(ui.fonts.small);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(5)});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(6), ui.px(4)});
-    // Fields of different things are different fields, although they look alike.
+    // Fields of different things need different ids.
     ImGui::PushID(static_cast<int>(target.kind));
     ImGui::PushID(target.index);
     if (std::exchange(shown_, target) != target) memory_ = {};
     Form form(ui, memory_, width);
-    // First the pane, a frame later its field: newer versions of ImGui look for the field only where the focus is.
+    // First the pane, a frame later its field: newer versions of ImGui search only the focused window.
     if (std::exchange(focus_field_, false)) form.focus_next();
     if (focus) ImGui::SetWindowFocus();
     focus_field_ |= focus;

@@ -8,13 +8,13 @@
 
 namespace raywalk {
 
-/// What a test or a script wants to know of the window besides the state.
+/// What tests and scripts need to know of the window besides the state.
 struct WindowReport {
   int frames = 0;               ///< drawn since the start
   double first_frame = 0;       ///< seconds from run_gui to the end of the first frame
   float width = 0, height = 0;  ///< units
-  bool idle = false;            ///< nothing is left to do until something happens
-  bool typing = false;          ///< a field has the keyboard
+  bool idle = false;            ///< nothing to do until an event
+  bool typing = false;          ///< a field has the focus
 };
 
 /// The state as JSON: mode, playback, selection, files, questions, every object's and light's place in the window, and

@@ -102,7 +102,7 @@ class SchemaForm {
       return false;
     std::size_t next = 0;
     schema::each_number(value, [&](double& number) { number = numbers[next++]; });
-    if constexpr (std::is_same_v<T, Vec3d>) holds_ &= !kind.is_direction || length(value) >= 1 / schema::most_magnitude;
+    if constexpr (std::is_same_v<T, Vec3d>) holds_ &= !kind.is_direction || length(value) >= 1 / schema::max_magnitude;
     return true;
   }
   template <class T>
@@ -123,7 +123,7 @@ class SchemaForm {
     return kind.unit == schema::degrees ? 0.2 : std::max(0.005, std::abs(value) / 200);
   }
   static double least(const schema::Number& kind) {
-    return kind.above_low ? kind.low + 1 / schema::most_magnitude : kind.low;
+    return kind.above_low ? kind.low + 1 / schema::max_magnitude : kind.low;
   }
   static double most(const schema::Number& kind) {
     return kind.below_high ? std::nextafter(kind.high, kind.low) : kind.high;

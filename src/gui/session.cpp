@@ -18,11 +18,11 @@ namespace raywalk {
 
 namespace {
 
-constexpr std::size_t most_settings = 1 << 16;  // bytes
+constexpr std::size_t max_settings = 1 << 16;  // bytes
 
 std::string settings_path(const std::string& state_dir) { return state_dir + "/settings.json"; }
 
-// Sets `to` to what `name` says, if it says anything.
+// Sets `to` to the choice of this name, if any.
 template <class Choice>
 Result<void> choose(std::initializer_list<Choice> choices, const std::string& name, const char* what, Choice& to) {
   if (name.empty()) return {};
@@ -44,7 +44,7 @@ Settings settings_of(const State& state) {
 Settings read_settings(const std::string& state_dir) {
   Settings settings;
   if (state_dir.empty()) return settings;
-  const Result<std::string> bytes = read_file(settings_path(state_dir), most_settings);
+  const Result<std::string> bytes = read_file(settings_path(state_dir), max_settings);
   if (!bytes) return settings;
   const auto json = nlohmann::json::parse(*bytes, nullptr, false);
   if (!json.is_object()) return settings;
@@ -76,7 +76,7 @@ void write_settings(const std::string& state_dir, const Settings& settings) {
 Language language_of_environment(const Languages& languages) {
   for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
     const char* const locale = std::getenv(variable);
-    if (locale == nullptr || *locale == '\0') continue;  // as POSIX has it: the first that is set and not empty
+    if (locale == nullptr || *locale == '\0') continue;  // as in POSIX: the first that is set and not empty
     const std::string_view whole(locale);
     return languages.find(whole.substr(0, whole.find_first_of("_.@"))).value_or(languages.english());
   }
@@ -102,11 +102,11 @@ std::string state_folder(const GuiOptions& options) {
 Result<State> start(const GuiOptions& options, const Stop& stop) {
   const std::string path = options.scene_path.empty() ? options.data_dir + "/scenes/classic.toml" : options.scene_path;
   const auto reading = std::make_shared<Result<SceneDocument>>();
-  run_aside(stop, [reading, path] { *reading = read_scene(path); });
+  run_detached(stop, [reading, path] { *reading = read_scene(path); });
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return tl::unexpected(document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
-  // A picture is of this scene: no question about an earlier one may stand before it, and no trace of it stays behind.
+  // A screenshot shows this scene: without questions about an earlier one, and without leaving traces.
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
   State state = make_state(std::move(*document), path, folder, stop);
@@ -178,7 +178,7 @@ const Action* Demo::due(double seconds) {
   if (waited_ < pause) return nullptr;
   const Action& action = actions_[next_++];
   const auto* wait = std::get_if<action::Wait>(&action);
-  waited_ = wait == nullptr ? 0 : -std::clamp(wait->seconds, 0.0, most_wait);
+  waited_ = wait == nullptr ? 0 : -std::clamp(wait->seconds, 0.0, max_wait);
   return &action;
 }
 

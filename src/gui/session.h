@@ -1,5 +1,5 @@
 #pragma once
-// One sitting: the state, the 3-D image that follows it, and what is kept between sittings.
+// A session: the state, its 3-D image, and persistent data.
 
 #include "gui/gui.h"
 #include "render/preview.h"
@@ -11,12 +11,12 @@
 
 namespace raywalk {
 
-/// The look that was last chosen; kept in `state_dir`/settings.json.
+/// The last chosen appearance; saved in `state_dir`/settings.json.
 struct Settings {
   Theme theme = Theme::dark;
   double ui_scale = 1;
   Tab tab = Tab::image;
-  std::string language{};  ///< its code; empty: none was kept
+  std::string language{};  ///< its code; empty: none saved
   bool tweens = true;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -26,29 +26,29 @@ struct Settings {
 /// Fails silently for the same reason.
 void write_settings(const std::string& state_dir, const Settings& settings);
 
-/// Of the first of LC_ALL, LC_MESSAGES and LANG that is set; English where `languages` do not hold it.
+/// By the first of LC_ALL, LC_MESSAGES and LANG that is set; English if `languages` does not contain it.
 [[nodiscard]] Language language_of_environment(const Languages& languages);
 
-/// What `options` say, else what was chosen last, else that of the environment.
+/// From `options`, else the last chosen one, else from the environment.
 [[nodiscard]] Language language_for(const GuiOptions& options, const Settings& settings);
 
-/// `options.state_dir`, or the user's own folder; empty when there is none.
+/// `options.state_dir`, or the user's own folder; empty if there is none.
 [[nodiscard]] std::string state_folder(const GuiOptions& options);
 
-/// The state that `options` ask for: the scene is read, the session restored, mode and position set.
-/// `stop` may end it: it throws Stopped then, and is the state's until another is set.
+/// The initial state for `options`: reads the scene, restores the session, sets mode and position. `stop` cancels it
+/// with Stopped, and remains the state's until replaced.
 [[nodiscard]] Result<State> start(const GuiOptions& options, const Stop& stop = {});
 
-/// The 3-D image of the state's scene, worked on in slices of time.
+/// The 3-D image of the state's scene, rendered in time slices.
 class LiveImage {
  public:
-  /// Starts afresh when the scene has changed. Throws Stopped when asked to while it builds its structure.
+  /// Restarts if the scene has changed. Throws Stopped if cancelled while it builds its accelerator.
   void follow(const State& state, const Stop& stop = {});
-  /// Works for about `milliseconds` on the scene that it followed last; while that is being dragged it goes no further
-  /// than the coarse picture. Whether more is to be done.
+  /// Works for about `milliseconds` on the scene that it followed last; during a drag only up to the coarse picture.
+  /// Returns whether more is to be done.
   bool work(const State& state, double milliseconds, const Stop& stop = {});
   [[nodiscard]] const Preview& preview() const { return preview_; }
-  /// Seconds until it is finished at the pace so far; 0 while there is none.
+  /// Seconds until it is finished at the current pace; 0 if unknown.
   [[nodiscard]] double seconds_left() const;
   /// Nothing is to be done for this state.
   [[nodiscard]] bool rests(const State& state) const;
@@ -56,21 +56,21 @@ class LiveImage {
  private:
   Preview preview_;
   std::uint64_t revision_ = 0, image_revision_ = 0;
-  double seconds_ = 0;  ///< worked since it was begun
+  double seconds_ = 0;  ///< of work since its start
   bool begun_ = false;
 };
 
-/// The actions of a demo file, handed out at a walking pace.
+/// The actions of a demo file, paced.
 class Demo {
  public:
   Demo() = default;
   explicit Demo(std::vector<Action> actions) : actions_(std::move(actions)) {}
   [[nodiscard]] bool over() const { return next_ >= actions_.size(); }
-  /// The next action when it is due after `seconds` more.
+  /// The next action, if it is due after `seconds` more.
   const Action* due(double seconds);
 
  private:
-  static constexpr double pause = 0.25, most_wait = 3600;  // seconds between actions
+  static constexpr double pause = 0.25, max_wait = 3600;  // seconds between actions
   std::vector<Action> actions_;
   std::size_t next_ = 0;
   double waited_ = 0;

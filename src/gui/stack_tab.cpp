@@ -38,7 +38,7 @@ int stack_tab(const Ui& ui, const Rect& where) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), pad = ui.px(10);
-    // The ground is as high as the text turns out to be, so it is drawn last, on a layer below.
+    // The background's height depends on the text, so it is drawn last, on a layer below.
     draw.ChannelsSplit(2);
     draw.ChannelsSetCurrent(1);
     ImGui::SetCursorScreenPos({at.x + pad, at.y + ui.px(7)});

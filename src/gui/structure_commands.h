@@ -1,5 +1,5 @@
 #pragma once
-// What comes of the commands of the Structure tab.
+// The commands of the Structure tab.
 
 #include "gui/commands.h"
 

@@ -1,4 +1,4 @@
-// The accelerators, stepped: which one, how far its search or its build has come, what the step did, what each spares.
+// The accelerators, step by step: which one, the step of its search or build, what the step did, what each saves.
 
 #include "gui/panes.h"
 #include "gui/structure_commands.h"
@@ -14,7 +14,7 @@ namespace {
 
 std::string said(const Ui& ui, std::string_view id) { return std::string(text(id, ui.state.language)); }
 
-// A button of one of several, as wide as its words; what is chosen is filled.
+// A button for one of several choices, as wide as its words; the chosen one is filled.
 bool choice_button(const Ui& ui, ButtonRow& row, std::string_view name, const std::string& words, std::string_view hint,
                    float height, bool is_chosen) {
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
@@ -56,7 +56,7 @@ float draw_steps(const Ui& ui, const Rect& where, float height) {
   return where.y + height;
 }
 
-// Each line is a button that chooses its structure.
+// Each line is a button that chooses its accelerator.
 float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
   const Shades shades(ui.state.theme);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -96,7 +96,7 @@ float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
 }  // namespace
 
 void structure_tab(const Ui& ui, const Rect& pane) {
-  // Where it scrolls, the bar takes some of the width, and the contents begin above the pane.
+  // If scrolled, the bar takes some of the width, and the contents begin above the pane.
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect where{at.x, at.y, ImGui::GetContentRegionAvail().x, pane.height};
   const StructurePanel panel = structure_panel(ui.state);
@@ -115,7 +115,7 @@ void structure_tab(const Ui& ui, const Rect& pane) {
   };
   words(ui.fonts.strong, ui.colours.text, panel.title, "structure/title");
   if (structure_steps(ui.state) > 0) take(draw_steps(ui, {rest.x, rest.y, rest.width, height}, height));
-  // Room for three lines, so that nothing below jumps about from step to step.
+  // Room for three lines, so that nothing below jumps between steps.
   const float top = rest.y;
   words(ui.fonts.text, ui.colours.text, panel.sentence, "structure/sentence");
   words(ui.fonts.small, ui.colours.dim_text, panel.so_far, "structure/so-far");

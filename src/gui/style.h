@@ -6,12 +6,12 @@ struct ImGuiStyle;
 
 namespace raywalk {
 
-/// Shades that ImGui's parts need besides those of the palette, mixed from it.
+/// Further shades for ImGui's widgets, mixed from the palette.
 struct Shades {
   explicit Shades(Theme theme);
   Colour raised, raised_hovered, raised_held;  ///< buttons and fields
-  Colour line;                                 ///< between panes and round fields
-  Colour accent, accent_hovered, accent_held;  ///< what is chosen, and the first thing to press
+  Colour line;                                 ///< between panes and around fields
+  Colour accent, accent_hovered, accent_held;  ///< of choices, and of the primary button
   Colour on_accent;                            ///< text on it
 };
 

@@ -3,7 +3,7 @@
 
 namespace raywalk {
 
-void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, bool open_settings, bool open_knobs) {
+void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   const bool visible = begin_pane(ui, "tabs", where, ui.colours.panel, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
@@ -65,7 +65,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Picture& picture, boo
       }
       ImGui::EndChild();
     }
-    // Beside the picture that they change, and never over the menus.
+    // Beside the picture, and never over the menus.
     const auto beside = [&] {
       const ImVec2 whole = ImGui::GetIO().DisplaySize;
       const float bar = ui.px(44);

@@ -13,12 +13,12 @@ namespace raywalk {
 namespace {
 
 // Lengths at scale 1.
-constexpr float margin = 14, small = 34, step_width = 106, least_speed = 84, most_speed = 124, usual_gap = 20,
-                least_shrink = 0.6f;
+constexpr float margin = 14, small = 34, step_width = 106, min_speed_width = 84, max_speed_width = 124,
+                default_gap = 20, least_shrink = 0.6f;
 
-// What stands in which row. What does not fit beside the big buttons moves down: the grain into the row of the scrub
-// bar, and in a very narrow window both grain and speed into a row of their own. Before that the slider of the speed
-// and then the big buttons shrink. In a low window everything moves together.
+// The assignment to rows. What does not fit beside the big buttons moves down: the grain into the row of the scrub bar,
+// and in a very narrow window both grain and speed into their own row. Before that the speed slider and then the big
+// buttons shrink. In a low window everything is tighter.
 struct Rows {
   explicit Rows(const Ui& ui, float width) {
     constexpr float low = 560;  // units at scale 1
@@ -35,19 +35,19 @@ struct Rows {
     inner = width - ui.px(2 * margin);
     const float buttons = big + ui.px(3 * step_width), transport = buttons + 3 * space,
                 ends = ui.px(2 * small) + 2 * space;
-    speed = ends + ui.px(most_speed);
+    speed = ends + ui.px(max_speed_width);
     beside = transport + grain + speed + ui.px(28) <= inner;
     if (compact) {
       beside = true;
       shrink = std::clamp((inner - 3 * space) / buttons, 0.3f, 1.0f);
     } else if (!beside) {
-      const float room = inner - least_shrink * buttons - 3 * space - ui.px(usual_gap);
-      own_row = room < ends + ui.px(least_speed);
-      // In a row of its own the slider takes what is left of it, if that is enough to be of use.
-      const float left = own_row ? inner - grain - ui.px(usual_gap) : room;
-      speed = left < ends + ui.px(least_speed) ? ends - space : std::min(left, speed);
+      const float room = inner - least_shrink * buttons - 3 * space - ui.px(default_gap);
+      own_row = room < ends + ui.px(min_speed_width);
+      // In its own row the slider takes the remaining width, if that is enough.
+      const float left = own_row ? inner - grain - ui.px(default_gap) : room;
+      speed = left < ends + ui.px(min_speed_width) ? ends - space : std::min(left, speed);
       grain = own_row ? std::min(grain, inner - speed - ui.px(4)) : grain;
-      shrink = (inner - 3 * space - (own_row ? 0 : speed + ui.px(usual_gap))) / buttons;
+      shrink = (inner - 3 * space - (own_row ? 0 : speed + ui.px(default_gap))) / buttons;
       shrink = std::clamp(shrink, 0.3f, 1.0f);
     }
     slider = std::max(speed - ends, 0.0f);
@@ -62,10 +62,10 @@ struct Rows {
   float big, gap, top, bottom, grain, speed, slider, inner, sentence, scrub, height;
   float shrink = 1;
   bool beside, own_row = false;
-  bool compact;  ///< without the grain and the speed, which the menu and the keys have
+  bool compact;  ///< without grain and speed, which have menu entries and keys
 };
 
-// STEP and BACK go faster and faster while they are held down.
+// STEP and BACK speed up while held down.
 void hold(const Ui& ui, Command command) {
   constexpr float patience = 0.4f;  // seconds
   const ImGuiIO& io = ImGui::GetIO();
@@ -90,7 +90,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
   command_button(ui, Command::slower, {ui.px(small), ui.px(small)}, minus);
   ImGui::SameLine();
   if (rows.slider > 0) {
-    // Every doubling of the speed is as long on the slider.
+    // The slider is logarithmic.
     const double range = std::log(max_speed / min_speed);
     const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
     const std::string rate = number_text(ui.state.lines_per_second, ui.state.language) + "/s";
@@ -98,7 +98,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
     const std::string value = ImGui::CalcTextSize(in_full.c_str()).x + ui.px(8) <= rows.slider ? in_full : rate;
     if (const auto to = slider(ui, "speed", {rows.slider, ui.px(small)}, static_cast<float>(fraction), value)) {
       const double speed = min_speed * std::exp(static_cast<double>(*to) * range);
-      // Round numbers: whole ones from 2 on, quarters below.
+      // Round numbers: integers from 2 on, quarters below.
       const double neat = speed >= 20  ? std::round(speed / 10) * 10
                           : speed >= 2 ? std::round(speed)
                                        : std::round(speed * 4) / 4;
@@ -113,7 +113,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
 void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const State& state = ui.state;
   push_font(ui.fonts.small);
-  // The bar must not change its length while it is dragged, so there is room for the longest status from the start.
+  // The bar must not change its length during a drag, so the longest status has room from the start.
   const auto widest_of = [&](bool in_short) {
     return ImGui::CalcTextSize(widest_status_line(state, in_short).c_str()).x;
   };
@@ -137,7 +137,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const float left = at.x + edge + ui.px(8);
   ImGui::SetCursorScreenPos({left, at.y});
   const int steps = std::max(state.timeline->steps(), 1);
-  // Where pixels end; the bar shows how unequal they are.
+  // Ends of pixels: the bar shows how their lengths differ.
   const auto& pixels = state.timeline->pixels();
   if (length / static_cast<float>(pixels.size() + 1) > ui.px(5)) {
     for (const PixelRecord& pixel : pixels) {
@@ -181,7 +181,7 @@ void transport_pane(const Ui& ui, const Rect& where) {
     const float left = where.x + ui.px(margin);
     float y = where.y + rows.top;
     ImGui::SetCursorScreenPos({left, y});
-    // A long one in a narrow window is written smaller, and clipped if that does not help.
+    // In a narrow window a long one is smaller, or else clipped.
     const std::string said = sentence(ui.state);
     std::string lines = broken_lines(said, rows.inner);
     const bool fits = ImGui::CalcTextSize(lines.c_str()).y <= rows.sentence;
@@ -219,7 +219,7 @@ void transport_pane(const Ui& ui, const Rect& where) {
     const float second = y + rows.big + rows.gap, third = second + (rows.own_row ? ui.px(small) + rows.gap : 0);
     const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
     const float grain_x = rows.beside ? speed_x - rows.grain - ui.px(4) : left;
-    // Where there is room the choice says what it is about.
+    // If there is room, the choice has a label.
     const std::string about = ui.say("transport.grain");
     const float about_x = grain_x - ImGui::CalcTextSize(about.data(), about.data() + about.size()).x - ui.px(10);
     if (about_x > ImGui::GetItemRectMax().x + ui.px(16)) {

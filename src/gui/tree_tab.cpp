@@ -12,12 +12,12 @@ namespace raywalk {
 namespace {
 
 // Lengths at scale 1.
-constexpr float least_radius = 8, most_radius = 14, least_column = 22, most_column = 140, least_level = 30,
-                most_level = 96;
+constexpr float least_radius = 8, max_radius = 14, least_column = 22, max_column = 140, least_level = 30,
+                max_level = 96;
 
 Vec2d to_view(ImVec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
-// Black or white, whichever is seen better on `ground`.
+// Black or white, whichever has more contrast with `ground`.
 Colour contrasting(Colour ground) {
   const double brightness = 0.299 * ground.r + 0.587 * ground.g + 0.114 * ground.b;
   return brightness > 140 ? Colour{0, 0, 0} : Colour{255, 255, 255};
@@ -35,11 +35,11 @@ void draw_link(const Ui& ui, const TreeNode& node, ImVec2 from, ImVec2 to) {
   paint_line(*ImGui::GetWindowDrawList(), line);
 }
 
-void draw_text(const Ui& ui, ImFont* font, ImVec2 middle, Colour colour, const std::string& text, float most_width,
+void draw_text(const Ui& ui, ImFont* font, ImVec2 middle, Colour colour, const std::string& text, float max_width,
                Colour ground = {0, 0, 0, 0}) {
   if (text.empty()) return;
   push_font(font);
-  const std::string what = shortened(text, most_width);
+  const std::string what = shortened(text, max_width);
   const ImVec2 extent = ImGui::CalcTextSize(what.c_str());
   const float width = extent.x, left = middle.x - width / 2;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -56,8 +56,7 @@ struct Spacing {
   float column, level, radius;
 };
 
-// A disc in the colour that came back, ringed in the colour of the ray's kind; a stub is a square, what is still to
-// come an outline.
+// A disc in the returned colour, ringed in the colour of the ray's kind; a stub is a square, a future ray an outline.
 void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float r = spacing.radius;
@@ -79,14 +78,14 @@ void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spa
             node.returned ? contrasting(ground) : ui.colours.text, node.symbol, 2 * r);
 }
 
-// What it met, below it, where there is room; the one that matters has it always.
+// What it hit, below it, if there is room; always for the current one.
 void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing) {
   const float r = spacing.radius, column = spacing.column;
   if (node.future || ((column < ui.px(64) || spacing.level < ui.px(58)) && !node.current && !node.hovered)) return;
   const bool whole = node.current || node.hovered;
   const float room = whole ? ui.px(200) : column - ui.px(6);
   if (whole) {
-    // Beside its node rather than cut off at the border of what is seen.
+    // Beside its node rather than clipped at the border.
     push_font(ui.fonts.small);
     const float half = std::min(ImGui::CalcTextSize(node.label.c_str()).x, room) / 2 + ui.px(4);
     pop_font();
@@ -98,7 +97,7 @@ void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& sp
             ui.colours.panel.with_alpha(200));
 }
 
-// What the node's sign stands for, and what its ray could bring.
+// The tooltip: the node's sign, and its ray's throughput.
 void explain(const Ui& ui, const TreeNode& node) {
   const std::string what = node_text(ui.state, node);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
@@ -128,13 +127,13 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
     const auto columns = static_cast<float>(std::max(tree.columns, 1.0));
     const auto levels = static_cast<float>(std::max(tree.levels, 1));
     const float margin = ui.px(10);
-    // A unit less than there is: a sum of rounded numbers a hair too long would bring scroll bars along.
+    // A unit less than available: rounding could otherwise cause scroll bars.
     const float column =
-        std::clamp((where.width - ui.px(1) - 2 * margin) / columns, ui.px(least_column), ui.px(most_column));
+        std::clamp((where.width - ui.px(1) - 2 * margin) / columns, ui.px(least_column), ui.px(max_column));
     // The lowest nodes have their labels below them.
     const float below = line_height(ui.fonts, *ui.fonts.small) + ui.px(4);
-    const float level = std::clamp((where.height - ui.px(1) - below) / levels, ui.px(least_level), ui.px(most_level));
-    const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(most_radius));
+    const float level = std::clamp((where.height - ui.px(1) - below) / levels, ui.px(least_level), ui.px(max_level));
+    const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(max_radius));
     const float width = column * columns + 2 * margin, height = level * levels + below;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float indent = std::max((where.width - width) / 2, 0.0f) + margin + column / 2;

@@ -16,7 +16,7 @@ void Ui::publish(std::string_view name, const Rect& where) const { items.insert_
 bool begin_pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImGuiWindowFlags flags) {
   ImGui::SetCursorScreenPos(corner(where));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ground));
-  // ImGui takes a size of 0 for "what is left", so an empty pane is one unit large, and outside of what is seen.
+  // ImGui takes a size of 0 as "the rest", so an empty pane is one unit large, and outside the window.
   const ImVec2 extent{std::max(where.width, 1.0f), std::max(where.height, 1.0f)};
   const bool visible = ImGui::BeginChild(name, extent, false, flags | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleColor();

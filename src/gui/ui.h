@@ -1,5 +1,5 @@
 #pragma once
-// What every pane is given: the state to show, and where to put the actions of the user.
+// The context of every pane: the state to show, and the sink of user actions.
 
 #include "gui/fonts.h"
 #include "gui/layout.h"
@@ -17,15 +17,15 @@
 
 namespace raywalk {
 
-/// A wish that concerns the window and not the state.
+/// A request that concerns the window and not the state.
 enum class WindowWish {
   full_screen,
-  menu,            ///< opens the first menu, or the one after that which is open
-  properties,      ///< puts the keyboard into the first field of the properties
+  menu,            ///< opens the first menu, or the one after the open one
+  properties,      ///< focuses the first field of the properties
   image_settings,  ///< opens the settings of the 3-D picture
   cost_knobs,      ///< opens the knobs of the Cost panel
-  breakpoints,     ///< opens the breakpoints and the field for a step to go to
-  exchange,        ///< the plan and the tabs take each other's place
+  breakpoints,     ///< opens the breakpoints and the go-to field
+  exchange,        ///< swaps the plan and the tabs
   line_up,         ///< these scroll the help text
   line_down,
   page_up,
@@ -34,10 +34,10 @@ enum class WindowWish {
   bottom,
 };
 
-/// What the pointer rests on, for tooltips that wait a moment before they show.
+/// What the pointer rests on, for delayed tooltips.
 class Rest {
  public:
-  /// To be asked by what is under the pointer, every frame: whether it has been there long enough.
+  /// Called in every frame for the item under the pointer: whether it has been there long enough.
   bool rested_on(std::string_view name, double now) {
     if (name_ != name) {
       name_ = name;
@@ -47,9 +47,9 @@ class Rest {
     now_ = now;
     return now - since_ >= patience;
   }
-  /// Asks for another frame after so many seconds at most.
+  /// Requests another frame after at most this many seconds.
   void wake_in(double seconds) { wake_ = wake_ < 0 ? seconds : std::min(wake_, seconds); }
-  /// At the end of a frame. Seconds after which another frame is needed; negative: none.
+  /// At the end of a frame. Returns the seconds until the next frame; negative: none.
   double end_frame() {
     if (!asked_) name_.clear();
     if (std::exchange(asked_, false) && now_ - since_ < patience) wake_in(patience - (now_ - since_));
@@ -72,7 +72,7 @@ struct Ui {
   float dpi = 1;   ///< ImGui's units per pixel of `view`, which scales its drawings itself
   std::vector<Action>& actions;
   std::vector<WindowWish>& wishes;
-  /// Where things were drawn in this frame, by name: tests aim with it.
+  /// Rectangles drawn in this frame, by name: used by tests.
   std::map<std::string, Rect, std::less<>>& items;
   Rest& rest;
 
@@ -80,7 +80,7 @@ struct Ui {
   [[nodiscard]] std::string say(std::string_view id, const TextArguments& arguments = {}) const {
     return fill(id, state.language, arguments);
   }
-  /// In a file of its own: what moves an action about takes two seconds to compile.
+  /// In its own file: moving actions takes two seconds to compile.
   void act(Action action) const;
   void wish(WindowWish what) const { wishes.push_back(what); }
   [[nodiscard]] float px(float units) const { return units * unit; }
@@ -95,13 +95,13 @@ struct Ui {
 [[nodiscard]] inline ImVec2 opposite(const Rect& r) { return {r.right(), r.bottom()}; }
 [[nodiscard]] inline ImVec2 size(const Rect& r) { return {r.width, r.height}; }
 
-/// A pane: a child window that covers `where`, with a ground. False when nothing of it would be seen; end_pane is to
-/// be called in any case.
+/// A pane: a child window that covers `where`, with a background. False if invisible; end_pane must be called in any
+/// case.
 bool begin_pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImGuiWindowFlags flags = 0);
 void end_pane();
 
-/// At the end of a region that scrolls: where more lies above or below, it fades into the ground, so that a line that
-/// is cut there reads as one that goes on.
+/// At the end of a scrolling region: fades into the background where more is above or below, so that clipped lines read
+/// as continued.
 void fade_edges(const Ui& ui, Colour ground);
 
 }  // namespace raywalk

@@ -46,16 +46,16 @@ std::string hint_of(Command command, Language language) {
 void push_font(ImFont* font) { ImGui::PushFont(font); }
 void pop_font() { ImGui::PopFont(); }
 
-std::string shortened(const std::string& text, float most_width) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= most_width) return text;
+std::string shortened(const std::string& text, float max_width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= max_width) return text;
   std::string kept = text;
   while (!kept.empty()) {
-    // The last letter goes whole: its last byte and those of UTF-8 before it.
+    // Removes the whole last character: its last byte and the UTF-8 bytes before it.
     while (kept.size() > 1 && (static_cast<unsigned char>(kept.back()) & 0xC0U) == 0x80U) kept.pop_back();
     kept.pop_back();
     while (!kept.empty() && kept.back() == ' ') kept.pop_back();
     const std::string with_ellipsis = kept + "\u2026";
-    if (ImGui::CalcTextSize(with_ellipsis.c_str()).x <= most_width) return with_ellipsis;
+    if (ImGui::CalcTextSize(with_ellipsis.c_str()).x <= max_width) return with_ellipsis;
   }
   return {};
 }
@@ -77,7 +77,7 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
     draw.AddTriangleFilled(at(tip, 0), at(base, -0.85f), at(base, 0.85f), colour);
   };
   const auto bar = [&](float x) { draw.AddRectFilled(at(x - 0.13f, -0.85f), at(x + 0.13f, 0.85f), colour); };
-  // Three quarters of a circle that start with an arrowhead, at the left for side 1.
+  // Three quarters of a circle that begin with an arrowhead, at the left for side 1.
   const auto turn = [&](float side) {
     constexpr float pi = 3.14159265f;
     const ImVec2 middle = at(0, 0.1f);
@@ -194,7 +194,9 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   }
   tooltip(ui, name, hint);
   ui.publish(name);
-  if (look.label && m.width() > size.x) ui.publish(std::string(name) + "/clipped");  // which no language should be
+  if (look.label && m.width() > size.x)
+    ui.publish(std::string(name) + "/clipped");  // which should not happen in any
+                                                 // language
   if (!is_enabled) ImGui::EndDisabled();
   return pressed;
 }
@@ -214,7 +216,7 @@ void command_button(const Ui& ui, Command command, ImVec2 size, const ButtonLook
     perform(command, ui);
 }
 
-void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font, float most_width) {
+void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font, float max_width) {
   const Shades shades(ui.state.theme);
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
   bool in_short = false;
@@ -227,13 +229,13 @@ void choice(const Ui& ui, std::initializer_list<Command> commands, float height,
     return sum;
   };
   float width = widths();
-  if (width > most_width) {
+  if (width > max_width) {
     in_short = true;
     width = widths();
   }
-  // Still too wide: each gives up the same, from beside its words.
-  const float less = std::max(width - most_width, 0.0f) / static_cast<float>(commands.size());
-  width = std::min(width, most_width);
+  // Still too wide: each loses the same amount of padding.
+  const float less = std::max(width - max_width, 0.0f) / static_cast<float>(commands.size());
+  width = std::min(width, max_width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height}, to_imgui(shades.raised),
                                             ImGui::GetStyle().FrameRounding);
@@ -249,7 +251,7 @@ void choice(const Ui& ui, std::initializer_list<Command> commands, float height,
 float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, float line_height, ImFont* font,
                       float width) {
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
-  // What short words may give up on either side, and still stand apart.
+  // The padding that short words can lose on either side.
   const float spare = 2 * ui.px(7) * static_cast<float>(commands.size());
   const auto sum = [&](bool in_short) {
     float all = 0;
@@ -263,9 +265,9 @@ float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, flo
   }
   const ImVec2 least = ImGui::GetCursorScreenPos();
   const float low = line_height * 0.8f;
-  using Lines = std::vector<std::vector<std::pair<Command, float>>>;
+  using ButtonLines = std::vector<std::vector<std::pair<Command, float>>>;
   const auto broken = [&](bool in_short) {
-    Lines lines(1);
+    ButtonLines lines(1);
     float used = 0;
     for (const Command command : commands) {
       const std::string word = in_short ? short_label(command, ui.state) : command_label(command, ui.state);
@@ -280,7 +282,7 @@ float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, flo
     return lines;
   };
   const bool in_short = broken(true).size() < broken(false).size();
-  const Lines lines = broken(in_short);
+  const ButtonLines lines = broken(in_short);
   const float height = low * static_cast<float>(lines.size());
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
                                             to_imgui(Shades(ui.state.theme).raised), ImGui::GetStyle().FrameRounding);

@@ -21,7 +21,7 @@ namespace raywalk {
 
 namespace {
 
-/// What GLFW last complained of; it reports through a function without a context of ours.
+/// GLFW's last error; its callback has no user data.
 std::string& last_complaint() {
   static std::string text;
   return text;
@@ -56,16 +56,16 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-  // ImGui smooths its own edges; multisampling would only cost, most of all in software.
+  // ImGui anti-aliases its own edges; multisampling would only cost, especially in software.
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "raywalk");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raywalk");
 
-  constexpr int usual_width = 1280, usual_height = 720;
+  constexpr int default_width = 1280, default_height = 720;
   const bool usual = width <= 0 || height <= 0;
-  if (usual) width = usual_width, height = usual_height;
+  if (usual) width = default_width, height = default_height;
   if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
-#if !defined(__APPLE__)  // there, screen coordinates follow the scale by themselves
+#if !defined(__APPLE__)  // there, screen coordinates already follow the scale
     float scale_x = 1, scale_y = 1;
     glfwGetMonitorContentScale(monitor, &scale_x, &scale_y);
     if (usual && scale_x > 1) {
@@ -73,11 +73,11 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
       height = static_cast<int>(static_cast<float>(height) * scale_x);
     }
 #endif
-    int x = 0, y = 0, most_width = 0, most_height = 0;
-    glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
-    if (most_width > 0 && most_height > 0) {
-      width = std::min(width, most_width);
-      height = std::min(height, most_height);
+    int x = 0, y = 0, max_width = 0, max_height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &max_width, &max_height);
+    if (max_width > 0 && max_height > 0) {
+      width = std::min(width, max_width);
+      height = std::min(height, max_height);
     }
   }
   window->window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
@@ -88,8 +88,8 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
 
   IMGUI_CHECKVERSION();
   window->imgui_ = ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;               // the panes stand where the layout puts them: nothing to remember
-  ImGui::GetIO().ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw for ever
+  ImGui::GetIO().IniFilename = nullptr;               // the layout is fixed: nothing to remember
+  ImGui::GetIO().ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw forever
   // ImGui keeps the functions set above and calls them after its own.
   if (!ImGui_ImplGlfw_InitForOpenGL(window->window_, true)) return tl::unexpected(no_opengl());
   if (!ImGui_ImplOpenGL3_Init("#version 150")) {
@@ -112,7 +112,7 @@ Window::~Window() {
 
 void Window::listen() {
   glfwSetWindowUserPointer(window_, this);
-  // A function for each event; most need to say only that something happened.
+  // A callback per event; most only note that something happened.
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
     Window& self = *window_of(w);
     self.happened_ = true;
@@ -135,7 +135,7 @@ void Window::listen() {
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) {
     Window& self = *window_of(w);
     self.happened_ = true;
-    // Not glfwGetCursorPos: that is where the pointer is by now.
+    // Not glfwGetCursorPos, which gives the current position.
     self.button_places_.push_back(self.pointer_);
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
@@ -159,7 +159,7 @@ float Window::density() const {
   return width > 0 && pixel_width > 0 ? static_cast<float>(pixel_width) / static_cast<float>(width) : 1.0f;
 }
 
-Window::Extent Window::extent() const {
+Window::WindowSize Window::extent() const {
   int width = 0, height = 0;
   glfwGetWindowSize(window_, &width, &height);
   return {static_cast<float>(width), static_cast<float>(height)};
@@ -218,14 +218,14 @@ void Window::toggle_full_screen() {
 }
 
 void Window::upload_fonts() {
-#if IMGUI_VERSION_NUM < 19200  // from 1.92 on the backend sees by itself that the atlas changed
+#if IMGUI_VERSION_NUM < 19200  // from 1.92 on the backend detects changes of the atlas
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 #endif
 }
 
-// A drag begins where the button went down, although the pointer has moved on before the frame; and a key that has been
-// released before the frame was pressed all the same. Each gets a frame of its own.
+// A drag begins where the button went down, even if the pointer has moved before the frame; and a key released before
+// the frame still counts as pressed. Each gets its own frame.
 void Window::replay_fast_input() {
 #if IMGUI_VERSION_NUM < 18700
   ImGuiIO& io = ImGui::GetIO();
@@ -300,7 +300,7 @@ void Window::end_frame(const float (&background)[3], Image* picture) {
   }
   glfwSwapBuffers(window_);
   if (!shown_) {
-    // Shown only now, so that the first thing to be seen is the interface and not an empty frame.
+    // Shown only now, so that the first visible frame is not empty.
     shown_ = true;
     glfwShowWindow(window_);
   }

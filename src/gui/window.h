@@ -12,7 +12,7 @@ struct ImGuiContext;
 
 namespace raywalk {
 
-/// A key as GLFW numbers it (GLFW_KEY_*), pressed or repeated, with the modifiers that were held.
+/// A GLFW key (GLFW_KEY_*), pressed or repeated, with its modifiers.
 struct KeyPress {
   int key = 0;
   bool ctrl = false, shift = false, alt = false;
@@ -25,7 +25,7 @@ struct KeyPress {
 class Window {
  public:
   /// Opens a window of this size in screen coordinates, not yet shown; 0: 1280 x 720 at the display's own scale. It is
-  /// cut to the screen. Fails where there is no display or no OpenGL 3.3.
+  /// limited to the screen. Fails without a display or OpenGL 3.3.
   static Result<std::unique_ptr<Window>> open(const std::string& title, int width, int height);
   ~Window();
   Window(const Window&) = delete;
@@ -33,24 +33,24 @@ class Window {
   Window(Window&&) = delete;
   Window& operator=(Window&&) = delete;
 
-  struct Extent {
+  struct WindowSize {
     float width = 0, height = 0;
   };
   /// Of the window, in units.
-  [[nodiscard]] Extent extent() const;
-  /// Pixels of the framebuffer per unit: 2 on a display that is twice as dense as its coordinates say.
+  [[nodiscard]] WindowSize extent() const;
+  /// Framebuffer pixels per unit: 2 on a high-DPI display with scaled coordinates.
   [[nodiscard]] float density() const;
-  /// How much larger than at 96 dots per inch things should be, in units.
+  /// The scale relative to 96 dots per inch, in units.
   [[nodiscard]] float scale() const;
   [[nodiscard]] bool minimised() const;
 
-  /// Waits until something happens, at most `seconds` (negative: for ever; 0: not at all), and tells ImGui of it.
-  /// Whether something did.
+  /// Waits for events, at most `seconds` (negative: indefinitely; 0: not at all), and passes them to ImGui. Returns
+  /// whether there were any.
   bool wait(double seconds);
-  /// Takes in what has happened, as `wait` does, in the middle of something else: whether the user asked the window to
-  /// close, or, with `input`, pressed a key or a button or drags. What it was is still told by the functions below.
+  /// Polls events, as `wait` does, during other work: whether the user asked to close the window, or, with `input`,
+  /// pressed a key or a button or drags. The functions below still report them.
   [[nodiscard]] bool look(bool input);
-  /// Keys pressed since the last call, in their order.
+  /// Keys pressed since the last call, in order.
   [[nodiscard]] std::vector<KeyPress> take_keys();
   /// Whether a key was let go since the last call.
   [[nodiscard]] bool take_key_release();
@@ -59,15 +59,14 @@ class Window {
 
   void set_title(const std::string& title);
   void toggle_full_screen();
-  /// Makes the font atlas known to the graphics card after it was rebuilt.
+  /// Uploads the rebuilt font atlas to the GPU.
   void upload_fonts();
 
-  /// `with_pointer` false: as if the pointer were nowhere and none of its buttons down, for pictures.
+  /// `with_pointer` false: without pointer and buttons, for screenshots.
   void begin_frame(bool with_pointer = true);
-  /// Draws what ImGui has, on `background` (sRGB, 0..1), and shows it. `picture`: where to copy the window to, if
-  /// anywhere.
+  /// Draws ImGui's frame on `background` (sRGB, 0..1), and shows it. `picture`: optional copy of the window.
   void end_frame(const float (&background)[3], Image* picture = nullptr);
-  /// In place of end_frame: a frame that nobody is to see, after which things stand where they belong.
+  /// Instead of end_frame: an invisible frame, after which the layout has settled.
   void end_frame_unseen();
 
  private:
@@ -79,7 +78,7 @@ class Window {
   ImGuiContext* imgui_ = nullptr;
   bool backends_ = false;
   std::vector<KeyPress> keys_;
-  /// For ImGui before 1.87, which looks at mouse and keys once a frame: what came and went between two frames.
+  /// For ImGui before 1.87, which polls mouse and keys once per frame: events between two frames.
   struct Place {
     float x, y;
   };
@@ -91,7 +90,7 @@ class Window {
   int restore_[4] = {0, 0, 0, 0};  ///< x, y, width, height before full screen
 };
 
-/// A picture on the graphics card, drawn crisply: a pixel that covers several of the screen's has sharp edges.
+/// A GPU texture with nearest-neighbour magnification.
 class Texture {
  public:
   Texture() = default;

@@ -5,11 +5,11 @@
 
 namespace raywalk {
 
-/// What is wrong with an input, or why an output could not be made, for a person to read.
+/// What is wrong with an input, or why an output could not be made, for users.
 struct Error {
   std::string file;          ///< as the user named it; may be empty
-  int line = 0, column = 0;  ///< from 1, column in characters; 0 where there is none
-  std::string message;       ///< one sentence without a full stop, with what was expected where that applies
+  int line = 0, column = 0;  ///< from 1, column in characters; 0: unknown
+  std::string message;       ///< one sentence without a full stop, with what was expected if applicable
   std::string hint;          ///< what to do about it; may be empty
   friend bool operator==(const Error&, const Error&) = default;
 

@@ -40,7 +40,7 @@ std::string hint_for_writing(int error_number, bool replaces) {
       return "make room on the disk or write elsewhere" + whole;
     case EFBIG:
       return "the file would be larger than this system allows; write something smaller" + whole;
-    case ENOENT:  // the folder is there, as in /proc
+    case ENOENT:  // the folder exists, as in /proc
       return "no file can be made in this folder; choose another";
     case ENOTDIR:
     case EEXIST:
@@ -80,7 +80,7 @@ std::string hint_for_reading(const std::string& path, int error_number) {
   }
 }
 
-/// What a path leads to that is no file; "" for a file.
+/// The kind of what is not a regular file; "" for a file.
 std::string_view what_else(mode_t mode) {
   if (S_ISREG(mode)) return "";
   if (S_ISDIR(mode)) return "a folder";
@@ -88,8 +88,8 @@ std::string_view what_else(mode_t mode) {
   return S_ISSOCK(mode) ? "a socket" : "a device";
 }
 
-/// Whether a path names what this process has open, such as the file that standard output goes to: whoever opened it
-/// wants to see it grow, not another one in its place.
+/// Whether a path names a file that this process has open, such as the one that standard output goes to: it is appended
+/// to, not replaced.
 bool is_already_open(std::string_view path) {
   return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
          path.starts_with("/proc/self/fd/");
@@ -126,8 +126,8 @@ namespace detail {
 Result<std::filesystem::path> follow_links(const std::string& path) {
   namespace fs = std::filesystem;
   fs::path target = path;
-  constexpr int most_links = 40;  // as Linux itself
-  for (int i = 0; i < most_links; ++i) {
+  constexpr int max_links = 40;  // as Linux itself
+  for (int i = 0; i < max_links; ++i) {
     std::error_code error;
     if (fs::symlink_status(target, error).type() != fs::file_type::symlink) return target;
     const fs::path next = fs::read_symlink(target, error);
@@ -143,16 +143,16 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 
 }  // namespace detail
 
-Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
   if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot read: the file name is empty", "give a file name"});
-  // Asked before it is opened: to open a pipe waits for its writer, and to open a device may move it.
+  // Checked before opening: opening a pipe waits for its writer, and opening a device may have effects.
   struct stat status{};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (const std::string_view what = exists ? what_else(status.st_mode) : ""; !what.empty())
     return tl::unexpected(
         Error{path, 0, 0, "this is " + std::string(what) + " (expected a file)",
               S_ISDIR(status.st_mode) ? "name a file inside it" : "put what it holds into a file first"});
-  // Should a pipe have taken its place by now, nothing waits for that one either.
+  // If a pipe has taken its place meanwhile, opening does not block either.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) return tl::unexpected(cannot("read", path, errno, hint_for_reading(path, errno)));
   std::string bytes;
@@ -168,9 +168,9 @@ Result<std::string> read_file(const std::string& path, std::size_t most_bytes) {
       detail::note_read(path);
       return bytes;
     }
-    if (bytes.size() > most_bytes)
+    if (bytes.size() > max_bytes)
       return tl::unexpected(
-          Error{path, 0, 0, "the file is too large (expected at most " + std::to_string(most_bytes >> 20) + " MiB)",
+          Error{path, 0, 0, "the file is too large (expected at most " + std::to_string(max_bytes >> 20) + " MiB)",
                 "is this the right file?"});
   }
 }
@@ -240,11 +240,11 @@ Result<void> FileWriter::commit() {
   }
   const int descriptor = new_file_.descriptor();
   if (exists_) {
-    // The owner first: changing it clears the set-user-id bits. Only the superuser may, so failing is no error.
+    // The owner first: changing it clears the set-user-ID bits. Only the superuser may, so failure is no error.
     if (::fchown(descriptor, old_user_, old_group_) != 0) errno = 0;
     if (::fchmod(descriptor, old_mode_) != 0) return give_up(errno);
   }
-  // Without this a crash of the machine soon after could leave the name on an empty file.
+  // Without this, a system crash soon after could leave an empty file of this name.
   if (::fsync(descriptor) != 0 && errno != EINVAL) return give_up(errno);
   if (const int error = new_file_.take_name(target_)) return give_up(error);
   const Descriptor folder(::open(detail::folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

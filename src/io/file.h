@@ -11,16 +11,16 @@
 
 namespace raywalk {
 
-/// The bytes of a file. Refuses more than `most_bytes`, and whatever is no file: a pipe could keep the program waiting
-/// for ever.
-[[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t most_bytes);
+/// The bytes of a file. Refuses more than `max_bytes`, and whatever is not a regular file: a pipe could block the
+/// program indefinitely.
+[[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
 /// Writes a file piece by piece, all or nothing: into a new file beside it, which takes its name only when `commit` is
 /// called. The rules are those of write_file_atomically.
 class FileWriter {
  public:
   FileWriter() = default;
-  ~FileWriter();  ///< without a commit: as if nothing had been written (what is no regular file keeps what it got)
+  ~FileWriter();  ///< without a commit: as if nothing had been written (other than to a special file)
   FileWriter(const FileWriter&) = delete;
   FileWriter& operator=(const FileWriter&) = delete;
 
@@ -31,36 +31,36 @@ class FileWriter {
  private:
   friend Result<void> claim_output(const std::string&, OutputUse);
   [[nodiscard]] tl::unexpected<Error> give_up(int error_number);
-  /// Finds where to write, and whether that can be; a file that is no regular one is not touched.
+  /// Finds where to write, and whether that is possible; special files are not touched.
   [[nodiscard]] Result<void> find_target(const std::string& path);
 
   std::string path_, target_;  ///< as the user named it; after all links
   TemporaryFile new_file_;     ///< not open when written directly
-  int direct_ = -1;            ///< the descriptor of what is no regular file
+  int direct_ = -1;            ///< the descriptor of a special file
   bool exists_ = false, is_regular_ = true;
   unsigned old_mode_ = 0, old_user_ = 0, old_group_ = 0;
 };
 
-/// Says before hours of work that a file will be written: why it may not be (io/file_ledger.h), or could not be. What
-/// only shows when writing, such as a full disk, is not found out. Nothing is touched.
+/// Announces, before hours of work, that a file will be written; fails if it may not (io/file_ledger.h) or could not
+/// be. What shows only when writing, such as a full disk, is not detected. Nothing is touched.
 [[nodiscard]] Result<void> claim_output(const std::string& path, OutputUse use = OutputUse::once);
 
-/// Makes a folder, with those above it, unless it is there.
+/// Creates a folder and its parents if necessary.
 [[nodiscard]] Result<void> make_folder(const std::string& path);
 
-/// Makes an empty file, or says that there is one of this name already: false.
+/// Creates an empty file; false if one of this name exists.
 [[nodiscard]] Result<bool> make_new_file(const std::string& path);
 
 /// Writes `bytes` as the file `path`, all or nothing: into a new file beside it, which then takes its name. Whatever
 /// fails or kills the program, the old file stays whole. A symbolic link keeps pointing at its file, which is what is
-/// replaced; permissions (and the owner, where allowed) are kept. What is no regular file (/dev/stdout, a pipe) is
-/// written directly. A file that is write-protected is not replaced.
+/// replaced; permissions (and the owner, where allowed) are kept. Special files (/dev/stdout, a pipe) are written
+/// directly. A file that is write-protected is not replaced.
 [[nodiscard]] Result<void> write_file_atomically(const std::string& path, std::string_view bytes);
 
 namespace detail {
-/// The file that `path` means after all symbolic links, also when that file does not exist yet.
+/// The file that `path` leads to through all symbolic links, even if that file does not exist yet.
 [[nodiscard]] Result<std::filesystem::path> follow_links(const std::string& path);
-/// The folder that holds the file of this name.
+/// The folder of the file of this name.
 [[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
 }  // namespace detail
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether the file system takes both for one name. Only it can say: there are many rules for letters.
+/// Whether the file system treats both as the same name. Only it knows: rules for letter case vary.
 bool is_same_name(const fs::path& folder, const std::string& a, const std::string& b) {
   if (a == b) return true;
   const auto letter = [](char c) {
@@ -66,7 +66,7 @@ Error in_use(const std::string& path, const std::string& as, std::string_view is
   return {path, 0, 0, "cannot write: " + which + std::string(is), "choose another file name; nothing was lost"};
 }
 
-/// Notes in each ledger that `path` is put to `use`, unless it is in use there.
+/// Notes `use` of `path` in each ledger, unless it is in use there.
 Result<void> note_output(const std::string& path, Use use) {
   const std::lock_guard lock(ledgers().mutex);
   for (Book& book : ledgers().open) {

@@ -9,19 +9,18 @@
 
 namespace raywalk {
 
-/// Whether two paths lead to one file: through links, as another hard link, or in another case where the file system
-/// does not tell them apart. Files need not exist: then it is asked whether they would be one. What is no regular file
-/// (a device, a pipe) is never the same: nothing in it can be lost.
+/// Whether two paths lead to the same file: through links, as another hard link, or in another case if the file system
+/// ignores case. Files need not exist: then, whether they would be the same. Special files (a device, a pipe) never
+/// are: nothing in them can be lost.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
-/// Why nothing may be written to `path`: it is one of `files`, of which `is` says what they are, such as "a part of the
-/// open scene".
+/// Why `path` must not be written: it is one of `files`, which `is` describes, such as "a part of the open scene".
 [[nodiscard]] std::optional<Error> why_in_use(const std::string& path, const std::vector<std::string>& files,
                                               std::string_view is);
 
-/// The files of one piece of work. While it is open, whatever read_file reads and FileWriter writes, anywhere in the
-/// program, is noted here, and FileWriter refuses to write over what was read or written. One lives around each
-/// command, so that neither its readers nor its writers have to know of each other.
+/// The files of one operation. While it exists, all that read_file reads and FileWriter writes, anywhere in the
+/// program, is noted here, and FileWriter refuses to overwrite what was read or written. Each command has one, so that
+/// its readers and writers need not know of each other.
 class FileLedger {
  public:
   FileLedger();
@@ -29,23 +28,23 @@ class FileLedger {
   FileLedger(const FileLedger&) = delete;
   FileLedger& operator=(const FileLedger&) = delete;
 
-  /// What was read so far, as it was named, each name once.
+  /// The files read so far, as they were named, without duplicates.
   [[nodiscard]] std::vector<std::string> files_read() const;
-  /// Whether something was to be written over what is in use: that is wrong use of the program.
+  /// Whether overwriting a file in use was refused: that is wrong usage of the program.
   [[nodiscard]] bool has_refused() const;
   void close();
 };
 
-/// What becomes of an output.
+/// How an output is used.
 enum class OutputUse {
-  once,  ///< written, and that is all
-  kept,  ///< read back, and written again and again, as the work goes on
+  once,  ///< written only
+  kept,  ///< read back, and rewritten during the work
 };
 
 namespace detail {
 
 void note_read(const std::string& path);
-/// Notes that `path` will be written, or is now; or says why it may not be.
+/// Notes that `path` will be written, or fails if it must not be.
 [[nodiscard]] Result<void> note_claim(const std::string& path, OutputUse use);
 [[nodiscard]] Result<void> note_written(const std::string& path);
 

@@ -2,7 +2,7 @@
 
 #include "io/file.h"
 #include "math/random.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <fmt/format.h>
 
@@ -19,9 +19,9 @@ namespace raywalk {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int most_in_toml = 20'000;
+constexpr int max_in_toml = 20'000;
 
-/// Gathers pieces of text until there are enough to be written at once; after an error it takes in no more.
+/// Buffers text for writing; ignores further text after an error.
 class Sink {
  public:
   explicit Sink(FileWriter& file) : file_(file) { buffer_.reserve(full + 4096); }
@@ -62,7 +62,7 @@ class Sink {
   Result<void> result_;
 };
 
-/// Where a scene's pieces go: as NFF, or as our own format.
+/// Writes the parts of a scene as NFF or in our own format.
 class SceneSink {
  public:
   SceneSink(Sink& sink, bool toml) : sink_(sink), toml_(toml) {}
@@ -131,7 +131,7 @@ void write_spheres(const GenerateOptions& options, Sink& sink, SceneSink& scene)
   scene.begin({2.6, -4.2, 2.2}, {0, 0, 0}, 32, fmt::format("{} spheres, seed {}", options.count, options.seed));
   scene.light({5, -8, 9});
   scene.light({-7, -3, 4});
-  // As many as there are share the cube, so a ray meets about as much of them however many they are.
+  // They share the cube, so a ray hits about equally many for any count.
   const double usual = 0.45 * std::cbrt(8.0 / options.count);
   const auto draw = [&](int sphere, std::uint32_t dimension) {
     return random_unit<double>({options.seed, sphere, 0, 0, 0, 0, dimension});
@@ -150,7 +150,7 @@ void write_spheres(const GenerateOptions& options, Sink& sink, SceneSink& scene)
 }
 
 /// Nine spheres of a third of the size sit on `sphere`: six around it, three on top, as seen along `axis`.
-void write_flake(Sink& sink, SceneSink& scene, const Vec3d& centre, double radius, const Frame<double>& across,
+void write_flake(Sink& sink, SceneSink& scene, const Vec3d& centre, double radius, const PlaneAxes<double>& across,
                  const Vec3d& axis, int levels) {
   scene.sphere(centre, radius);
   if (levels == 0 || !sink.ok()) return;
@@ -175,12 +175,12 @@ void write_flake(const GenerateOptions& options, Sink& sink, SceneSink& scene) {
   write_flake(sink, scene, {0, 0, 0}, 0.5, {{1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, options.levels);
 }
 
-/// A ball whose radius waves with latitude and longitude. Its triangles lie between `rings` circles of `around`
+/// A ball whose radius varies with latitude and longitude. Its triangles lie between `rings` circles of `around`
 /// vertices, and two poles.
-class Ball {
+class BumpyBall {
  public:
-  explicit Ball(const GenerateOptions& options) {
-    // Two rows at the poles of `around` triangles, and twice as many in each of the others: 4 rings^2.
+  explicit BumpyBall(const GenerateOptions& options) {
+    // Two rows of `around` triangles at the poles, and twice as many in each other row: 4 rings^2.
     rings_ = std::max(2, static_cast<int>(std::lround(std::sqrt(options.count / 4.0))));
     around_ = 2 * rings_;
     for (std::size_t i = 0; i < phases_.size(); ++i)
@@ -226,7 +226,7 @@ class Ball {
     return {pi * static_cast<double>(ring + 1) / (rings_ + 1), 2 * pi * static_cast<double>(place) / around_};
   }
   [[nodiscard]] Vec3d at(double down, double turn) const {
-    const double flat = std::sin(down);  // bumps end at the poles
+    const double flat = std::sin(down);  // no bumps at the poles
     double radius = 1;
     for (std::size_t i = 0; i < phases_.size(); ++i) {
       const double waves = static_cast<double>(i) + 3;
@@ -239,7 +239,7 @@ class Ball {
   std::array<double, 5> phases_{};
 };
 
-void write_ply(const Ball& ball, Sink& sink) {
+void write_ply(const BumpyBall& ball, Sink& sink) {
   sink.print(
       "ply\nformat binary_little_endian 1.0\ncomment a ball with bumps, by raywalk generate\n"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
@@ -255,7 +255,7 @@ void write_ply(const Ball& ball, Sink& sink) {
   }
 }
 
-void write_obj(const Ball& ball, Sink& sink) {
+void write_obj(const BumpyBall& ball, Sink& sink) {
   sink.print("# a ball with bumps, by raywalk generate: {} vertices, {} triangles\n", ball.vertices(),
              ball.triangles());
   for (std::int64_t i = 0; i < ball.vertices() && sink.ok(); ++i) {
@@ -268,7 +268,7 @@ void write_obj(const Ball& ball, Sink& sink) {
   }
 }
 
-void write_nff(const Ball& ball, Sink& sink, SceneSink& scene) {
+void write_nff(const BumpyBall& ball, Sink& sink, SceneSink& scene) {
   scene.begin({2.6, -4.2, 2.2}, {0, 0, 0}, 32, fmt::format("A ball with bumps, of {} triangles", ball.triangles()));
   scene.light({5, -8, 9});
   scene.light({-7, -3, 4});
@@ -308,10 +308,10 @@ std::optional<Error> why_not_generated(const GenerateOptions& options, const std
                  fmt::format("\"{}\" is no ending for this (expected {})", ending,
                              is_mesh ? ".ply, .obj or .nff" : ".nff or .toml"),
                  is_mesh ? "a scene takes a mesh in by its file" : ".nff is the shorter of the two"};
-  if (ending == ".toml" && size_of(options) > most_in_toml)
+  if (ending == ".toml" && size_of(options) > max_in_toml)
     return Error{
         path, 0, 0,
-        fmt::format("{} spheres are too many for a .toml (expected at most {})", size_of(options), most_in_toml),
+        fmt::format("{} spheres are too many for a .toml (expected at most {})", size_of(options), max_in_toml),
         "write an .nff, which is made for that"};
   return std::nullopt;
 }
@@ -331,7 +331,7 @@ Result<void> generate(const GenerateOptions& options, const std::string& path) {
       write_flake(options, sink, scene);
       break;
     case GeneratedKind::mesh: {
-      const Ball ball(options);
+      const BumpyBall ball(options);
       if (ending == ".ply") write_ply(ball, sink);
       if (ending == ".obj") write_obj(ball, sink);
       if (ending == ".nff") write_nff(ball, sink, scene);

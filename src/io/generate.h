@@ -1,6 +1,6 @@
 #pragma once
-// Scenes and meshes of any size, to measure and to look at. All of them are made from formulas and written as they are
-// made, so memory does not grow with their size.
+// Scenes and meshes of any size, for measuring and viewing. All are computed from formulas and written on the fly, so
+// memory does not grow with their size.
 
 #include "io/error.h"
 
@@ -12,7 +12,7 @@
 namespace raywalk {
 
 enum class GeneratedKind {
-  spheres,  ///< strewn evenly over a cube, each with about the same share of it, in eight materials
+  spheres,  ///< scattered evenly over a cube, in eight materials
   flake,    ///< a sphere on which nine smaller ones sit, and so on (E. Haines's sphereflake)
   mesh,     ///< a ball with bumps, of triangles with normals
 };
@@ -30,12 +30,12 @@ enum class GeneratedKind {
 
 struct GenerateOptions {
   GeneratedKind kind = GeneratedKind::spheres;
-  int count = 1000;  ///< spheres exactly, triangles about
+  int count = 1000;  ///< exact for spheres, approximate for triangles
   int levels = 3;    ///< of a flake: (9^(levels + 1) - 1) / 8 spheres
   std::uint64_t seed = 0;
 };
 
-/// What is wrong with writing this to a file of that name.
+/// Why this cannot be written to a file of that name.
 [[nodiscard]] std::optional<Error> why_not_generated(const GenerateOptions& options, const std::string& path);
 
 /// Writes a whole scene (.nff, .toml) or a mesh alone (.ply in binary, .obj), all or nothing.

@@ -20,7 +20,7 @@ int append(GifFileType* file, const GifByteType* bytes, int size) {
 }
 
 /// Columns and rows, both ends included.
-struct Part {
+struct FrameRect {
   int left, top, right, bottom;
   [[nodiscard]] int width() const { return right - left + 1; }
   [[nodiscard]] int height() const { return bottom - top + 1; }
@@ -45,7 +45,7 @@ class GifFilm::Encoder {
     }
     EGifSetGifVersion(file_, true);
     check(EGifPutScreenDesc(file_, size.width, size.height, 8, 0, nullptr));
-    // Netscape's extension: play it again, 0 for ever.
+    // Netscape's extension: the number of repetitions, 0 for endless.
     const std::array<GifByteType, 3> loop{1, 0, 0};
     check(EGifPutExtensionLeader(file_, APPLICATION_EXT_FUNC_CODE));
     check(EGifPutExtensionBlock(file_, 11, "NETSCAPE2.0"));
@@ -60,8 +60,8 @@ class GifFilm::Encoder {
     if (file_ == nullptr ||
         rgb.size() != 3 * static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height))
       return;
-    // What stays the same for a while is one pixel of the frame before.
-    const Part part = changed(rgb).value_or(Part{0, 0, 0, 0});
+    // An unchanged frame repeats one pixel of the previous frame.
+    const FrameRect part = changed(rgb).value_or(FrameRect{0, 0, 0, 0});
     const auto is_new = [&](std::size_t at) {
       return shown_.empty() || !std::equal(&rgb[at], &rgb[at] + 3, &shown_[at]);
     };
@@ -72,7 +72,7 @@ class GifFilm::Encoder {
     part.each([&](int column, int row) {
       if (const std::size_t at = place(column, row); is_new(at)) colours.push_back(colour(at));
     });
-    // One index is left for "as before", where there is a frame before.
+    // After the first frame, one index is reserved for "unchanged".
     const FramePalette palette(std::move(colours), shown_.empty() ? 256 : 255);
     const int transparent = shown_.empty() ? NO_TRANSPARENT_COLOR : static_cast<int>(palette.colours().size());
     std::vector<GifByteType> indices;
@@ -97,15 +97,15 @@ class GifFilm::Encoder {
            (static_cast<std::size_t>(row) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(column));
   }
 
-  /// The smallest part that holds all that is not as it was.
-  [[nodiscard]] std::optional<Part> changed(const std::vector<std::uint8_t>& rgb) const {
-    if (shown_.empty()) return Part{0, 0, size_.width - 1, size_.height - 1};
-    std::optional<Part> part;
+  /// The smallest part that contains all changes.
+  [[nodiscard]] std::optional<FrameRect> changed(const std::vector<std::uint8_t>& rgb) const {
+    if (shown_.empty()) return FrameRect{0, 0, size_.width - 1, size_.height - 1};
+    std::optional<FrameRect> part;
     for (int row = 0; row < size_.height; ++row) {
       for (int column = 0; column < size_.width; ++column) {
         const std::size_t at = place(column, row);
         if (std::equal(&rgb[at], &rgb[at] + 3, &shown_[at])) continue;
-        if (!part) part = Part{column, row, column, row};
+        if (!part) part = FrameRect{column, row, column, row};
         part->left = std::min(part->left, column), part->right = std::max(part->right, column);
         part->bottom = row;
       }
@@ -113,7 +113,7 @@ class GifFilm::Encoder {
     return part;
   }
 
-  void put(const Part& part, std::vector<GifByteType>& indices, const std::vector<Rgb24>& colours, int transparent,
+  void put(const FrameRect& part, std::vector<GifByteType>& indices, const std::vector<Rgb24>& colours, int transparent,
            double seconds) {
     GraphicsControlBlock control{};
     control.DisposalMode = DISPOSE_DO_NOT;
@@ -151,7 +151,7 @@ class GifFilm::Encoder {
 
   ImageSize size_;
   std::string bytes_, error_;
-  std::vector<std::uint8_t> shown_;  ///< the frame before; empty before the first
+  std::vector<std::uint8_t> shown_;  ///< the previous frame; empty before the first
   GifFileType* file_ = nullptr;
 };
 

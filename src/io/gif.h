@@ -1,5 +1,5 @@
 #pragma once
-// Animated GIF (CompuServe, GIF89a, 1990), by giflib. Each frame has 256 colours of its own for what is new in it.
+// Animated GIF (CompuServe, GIF89a, 1990), by giflib. Each frame has its own 256 colours for what has changed.
 
 #include "io/image.h"
 
@@ -10,19 +10,18 @@
 
 namespace raywalk {
 
-/// Takes the frames of a film one after the other; of each only what has changed is kept. It plays for ever.
+/// Takes the frames of an animation in order and keeps only what has changed in each. It loops endlessly.
 class GifFilm {
  public:
-  /// 1 to 65535 pixels each way.
+  /// 1 to 65535 pixels per side.
   explicit GifFilm(ImageSize size);
   ~GifFilm();
   GifFilm(const GifFilm&) = delete;
   GifFilm& operator=(const GifFilm&) = delete;
 
-  /// `rgb`: three bytes a pixel, encoded as they are to be shown, row by row from the top. `seconds`: how long it
-  /// stays.
+  /// `rgb`: three bytes per pixel, encoded for display, row by row from the top. `seconds`: its duration.
   void add(const std::vector<std::uint8_t>& rgb, double seconds);
-  /// The file's bytes; the film takes no frame after it. Fails when a frame could not be made.
+  /// The file's bytes; no frame can be added afterwards. Fails if a frame could not be made.
   [[nodiscard]] Result<std::string> finish();
 
  private:

@@ -28,7 +28,7 @@ Result<Image> bad_pfm(const std::string& file, const std::string& what) {
       Error{file, 0, 0, what, "a colour PFM starts with PF, the width and height, and -1.0, then 12 bytes a pixel"});
 }
 
-/// The next word of a PFM's header and, skipped, the single blank after it.
+/// The next word of a PFM's header; also skips the single blank after it.
 std::string_view next_word(std::string_view& bytes) {
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return {};
@@ -77,11 +77,11 @@ std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
 }
 
 Result<std::string> encode_png(const Image& image, Encoding encoding) {
-  constexpr std::size_t most_pixels = std::size_t{1} << 28;
-  if (image.pixels.empty() || image.pixels.size() > most_pixels)
+  constexpr std::size_t max_pixels = std::size_t{1} << 28;
+  if (image.pixels.empty() || image.pixels.size() > max_pixels)
     return tl::unexpected(Error{"", 0, 0,
                                 "a PNG of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                    " pixels cannot be made (expected 1 to " + std::to_string(most_pixels) + " pixels)",
+                                    " pixels cannot be made (expected 1 to " + std::to_string(max_pixels) + " pixels)",
                                 "choose another size"});
   const std::vector<std::uint8_t> bytes = bytes_of(image, encoding);
   png_image header{};

@@ -30,27 +30,27 @@ enum class ImageFormat { png, pfm, exr };
 /// Whether this build can write and read OpenEXR files.
 [[nodiscard]] bool has_exr();
 
-/// The format that the ending of `path` names, in upper or lower case. Ask before a long render, not after it.
+/// The format that the extension of `path` names, in either case. To be checked before a long render, not after.
 [[nodiscard]] Result<ImageFormat> image_format_of(const std::string& path);
 
-/// Pixels with a channel that is not a number: each is a defect of the tracer or the scene.
+/// The number of pixels with a NaN channel: each is a defect of the tracer or the scene.
 [[nodiscard]] std::size_t count_nan_pixels(const Image& image);
 
-/// 8 bits a channel. A pixel that is not a number is painted in full magenta, so that it is seen.
-/// Three bytes a pixel, row by row from the top; magenta for what is not a number.
+/// 8 bits per channel. NaN pixels are painted full magenta, so that they stand out. Three bytes per pixel, row by row
+/// from the top; magenta for NaN.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding);
 [[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb);
-/// Portable float map: linear, bottom row first, little-endian; what is not a number stays so.
+/// Portable float map: linear, bottom row first, little-endian; NaN is preserved.
 [[nodiscard]] std::string encode_pfm(const Image& image);
 
 /// OpenEXR: linear, 32-bit floats, packed without loss. Fails in a build without the library.
 [[nodiscard]] Result<std::string> encode_exr(const Image& image);
 
 struct ImageWritten {
-  std::size_t nan_pixels = 0;  ///< to be reported: they are in the picture (magenta in a PNG)
+  std::size_t nan_pixels = 0;  ///< to be reported: they are in the image (magenta in a PNG)
 };
 
-/// Writes the format that the ending names, all or nothing. The encoding is that of an 8-bit picture.
+/// Writes the format that the extension names, all or nothing. The encoding applies to 8-bit formats.
 [[nodiscard]] Result<ImageWritten> write_image(const std::string& path, const Image& image,
                                                Encoding encoding = Encoding::srgb);
 
@@ -58,7 +58,7 @@ struct ImageWritten {
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);
 [[nodiscard]] Result<Image> read_pfm(const std::string& path);
 
-/// Reads the red, green and blue of an OpenEXR file; a channel that it has not is black.
+/// Reads the red, green and blue of an OpenEXR file; a missing channel is black.
 [[nodiscard]] Result<Image> decode_exr(std::string_view bytes, const std::string& file_name);
 
 }  // namespace raywalk

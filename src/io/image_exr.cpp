@@ -1,5 +1,5 @@
 // OpenEXR, by the format's own library (C. Everitt, F. Kainz et al., Industrial Light & Magic 2002; now the Academy
-// Software Foundation). Its exceptions end here.
+// Software Foundation). Its exceptions are caught here.
 #include "io/image.h"
 
 #ifdef RAYWALK_EXR
@@ -28,7 +28,7 @@ class StringOut : public Imf::OStream {
  public:
   explicit StringOut(std::string& bytes) : OStream("memory"), bytes_(bytes) {}
   void write(const char* data, int size) override {
-    // The table of lines is written over at the end.
+    // The line offset table is overwritten at the end.
     const auto count = static_cast<std::size_t>(size);
     if (at_ + count > bytes_.size()) bytes_.resize(at_ + count);
     std::memcpy(bytes_.data() + at_, data, count);
@@ -62,8 +62,8 @@ class StringIn : public Imf::IStream {
   std::size_t at_ = 0;
 };
 
-/// Where the channels of the pixels of `window` lie. The library wants no const.
-Imf::FrameBuffer frame_of(const Image& image, const Imath::Box2i& window) {
+/// The memory layout of the channels in `window`. The library takes no const.
+Imf::FrameBuffer plane_axes(const Image& image, const Imath::Box2i& window) {
   static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
   constexpr std::size_t pixel = sizeof(Rgb<float>);
   const char* base = reinterpret_cast<const char*>(image.pixels.data());
@@ -75,7 +75,7 @@ Imf::FrameBuffer frame_of(const Image& image, const Imath::Box2i& window) {
   return frame;
 }
 
-/// The header alone, which the library reads without making room for the picture.
+/// The header alone, which the library reads without allocating the image.
 Imf::Header header_of(std::string_view bytes) {
   StringIn stream(bytes);
   char magic[4];
@@ -89,24 +89,24 @@ Imf::Header header_of(std::string_view bytes) {
   return header;
 }
 
-/// Whether a file of so many bytes can hold the picture of this header, and the rows that the library unpacks at once
-/// fit into memory. It makes room for them before it has read anything, so that a few bytes could ask for all memory.
+/// Whether a file of this many bytes can hold the image of this header, and the rows that the library unpacks at once
+/// fit into memory. It allocates them before reading, so that a few bytes could demand all memory.
 bool can_hold(std::size_t bytes, const Imf::Header& header) {
   const auto size = static_cast<std::int64_t>(bytes);
   const auto window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  const std::int64_t most_pixels = std::min(std::int64_t{1} << 28, 4096 * size);  // no method packs tighter
-  if (width < 1 || height < 1 || width > most_pixels / height) return false;
-  if (height > 32 * size) return false;  // each 256 rows, or fewer, have 8 bytes in the table at the beginning
+  const std::int64_t max_pixels = std::min(std::int64_t{1} << 28, 4096 * size);  // no compression is tighter
+  if (width < 1 || height < 1 || width > max_pixels / height) return false;
+  if (height > 32 * size) return false;  // each 256 rows, or fewer, have 8 bytes in the offset table
   std::int64_t pixel = 0;                // bytes
   for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) pixel += 4;
-  constexpr std::int64_t most_of_row = 1 << 22, most_of_tile = 1 << 28;  // bytes
-  if (width * pixel > most_of_row) return false;
+  constexpr std::int64_t max_row_bytes = 1 << 22, max_tile_bytes = 1 << 28;  // bytes
+  if (width * pixel > max_row_bytes) return false;
   if (!header.hasTileDescription()) return true;
   const Imf::TileDescription& tile = header.tileDescription();
-  return tile.xSize > 0 && tile.ySize > 0 && tile.xSize <= most_of_row && tile.ySize <= most_of_row &&
-         std::int64_t{tile.xSize} * tile.ySize * pixel <= most_of_tile;
+  return tile.xSize > 0 && tile.ySize > 0 && tile.xSize <= max_row_bytes && tile.ySize <= max_row_bytes &&
+         std::int64_t{tile.xSize} * tile.ySize * pixel <= max_tile_bytes;
 }
 
 }  // namespace
@@ -122,9 +122,9 @@ Result<std::string> encode_exr(const Image& image) {
     StringOut stream(bytes);
     {
       Imf::OutputFile file(stream, header, 0);
-      file.setFrameBuffer(frame_of(image, header.dataWindow()));
+      file.setFrameBuffer(plane_axes(image, header.dataWindow()));
       file.writePixels(image.height);
-    }  // the table of lines is written on closing
+    }  // the line offset table is written on closing
   } catch (const std::exception& error) {
     return tl::unexpected(Error{"", 0, 0, std::string("the OpenEXR picture cannot be made: ") + error.what(),
                                 "choose another size, or write a .pfm"});
@@ -145,7 +145,7 @@ Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
     const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
     Image image{width, height, {}};
     image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    file.setFrameBuffer(frame_of(image, window));
+    file.setFrameBuffer(plane_axes(image, window));
     file.readPixels(window.min.y, window.max.y);
     return image;
   } catch (const std::exception& error) {

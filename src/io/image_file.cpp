@@ -8,8 +8,8 @@
 namespace raywalk {
 
 Result<Image> read_image(const std::string& path) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 30;
-  const auto bytes = read_file(path, most_bytes);
+  constexpr std::size_t max_bytes = std::size_t{1} << 30;
+  const auto bytes = read_file(path, max_bytes);
   if (!bytes) return tl::unexpected(bytes.error());
   const std::string_view content = *bytes;
   if (content.starts_with("PF")) return decode_pfm(content, path);

@@ -37,7 +37,7 @@ std::string value_words(const schema::Tuple& kind) {
 
 std::string value_words(const schema::Colour& kind) { return value_words(static_cast<const schema::Tuple&>(kind)); }
 
-/// The `Fields` of the schema that notes down what is said of the keys.
+/// The `Fields` of the schema that collects the descriptions of the keys.
 class Documenter {
  public:
   explicit Documenter(std::string path) : path_(std::move(path)) {}
@@ -45,9 +45,10 @@ class Documenter {
   void about(std::string_view sentence) { own_.about = sentence; }
   template <class T, class Kind>
   void key(std::string_view name, T& value, const Kind& kind, std::string_view sentence) {
-    const Value usual = detail::tree(kind, value);
-    const bool is_empty = is_absent(usual) || (usual.kind == Value::Kind::list && usual.children.empty());
-    add(name, value_words(kind), is_empty ? "none" : inline_text(usual), sentence);
+    const Value default_value = detail::tree(kind, value);
+    const bool is_empty =
+        is_absent(default_value) || (default_value.kind == Value::Kind::list && default_value.children.empty());
+    add(name, value_words(kind), is_empty ? "none" : inline_text(default_value), sentence);
   }
   template <class T, class Kind>
   void key(std::string_view name, std::optional<T>& /*value*/, const Kind& kind, std::string_view sentence) {
@@ -89,14 +90,14 @@ class Documenter {
     const std::size_t before = own_.keys.size();
     schema::describe(*this, value);
     for (std::size_t i = before; i < own_.keys.size(); ++i)
-      if (own_.keys[i].usual.empty()) own_.keys[i].usual = "none";  // all of them may be left out
+      if (own_.keys[i].default_value.empty()) own_.keys[i].default_value = "none";  // all of them are optional
   }
   template <class... Rule>
   void check(const Rule&... /*rule*/) {}
   template <class T>
   void complete(const T& /*value*/) {}
 
-  /// The table of a new T, then those of its types, then those within it.
+  /// The table of a default T, then those of its types, then those within it.
   template <class T>
   static std::vector<KeyTable> tables_of(std::string name, std::string heading, std::string path) {
     T value{};
@@ -110,15 +111,15 @@ class Documenter {
   }
 
  private:
-  void add(std::string_view name, std::string expected, std::string usual, std::string_view sentence) {
-    own_.keys.push_back({std::string(name), std::move(expected), std::move(usual), std::string(sentence)});
+  void add(std::string_view name, std::string expected, std::string default_value, std::string_view sentence) {
+    own_.keys.push_back({std::string(name), std::move(expected), std::move(default_value), std::string(sentence)});
   }
   template <class T>
-  void add_table(std::string_view name, std::string expected, std::string usual, bool is_many) {
+  void add_table(std::string_view name, std::string expected, std::string default_value, bool is_many) {
     const std::string path = path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
     const auto tables = tables_of<T>(std::string(name), is_many ? "[[" + path + "]]" : "[" + path + "]", path);
-    add(name, std::move(expected), std::move(usual), tables.front().about);
-    // Tables within many tables of the same kind, the objects of a group, are those that stand by themselves as well.
+    add(name, std::move(expected), std::move(default_value), tables.front().about);
+    // Tables within tables, such as the objects of a group, are the same as those at the top level.
     if (!is_many || path_.empty()) inner_.insert(inner_.end(), tables.begin(), tables.end());
   }
   template <class T>
@@ -142,7 +143,7 @@ class Documenter {
   std::vector<KeyTable> types_, inner_;
 };
 
-/// `text` in lines of at most 100 characters, each but the first behind `indent` blanks.
+/// `text` in lines of at most 100 characters, all but the first indented by `indent`.
 std::string wrapped(const std::string& text, std::size_t indent) {
   constexpr std::size_t longest = 100;
   std::string lines;
@@ -165,11 +166,11 @@ std::string reference_text(const std::vector<KeyTable>& tables) {
   for (const KeyTable& table : tables) {
     text += (text.empty() ? "" : "\n") + table.heading + "\n" + wrapped(table.about, 0);
     for (const KeyEntry& key : table.keys) {
-      const std::string usual = key.usual.empty()     ? "must be given"
-                                : key.usual == "none" ? "may be left out"
-                                                      : key.usual + " when left out";
+      const std::string default_value = key.default_value.empty()     ? "must be given"
+                                        : key.default_value == "none" ? "may be left out"
+                                                                      : key.default_value + " when left out";
       text += fmt::format("  {:<{}}", key.name, indent - 2);
-      text += key.expected.empty() ? "\n" : wrapped(key.expected + "; " + usual, indent);
+      text += key.expected.empty() ? "\n" : wrapped(key.expected + "; " + default_value, indent);
       text += std::string(indent, ' ') + wrapped(key.sentence, indent);
     }
   }

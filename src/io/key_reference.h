@@ -1,5 +1,5 @@
 #pragma once
-// The reference of the scene format, made from its schema.
+// The reference of the scene format, generated from its schema.
 
 #include <string>
 #include <string_view>
@@ -7,18 +7,18 @@
 
 namespace raywalk {
 
-/// A key as people read it.
+/// The description of a key.
 struct KeyEntry {
   std::string name;
-  std::string expected;  ///< what it takes, with its unit
-  std::string usual;     ///< what it is when left out, as TOML; "none" for nothing, "" where it must be given
+  std::string expected;       ///< its values, with their unit
+  std::string default_value;  ///< the default, as TOML; "none" for nothing, "" if required
   std::string sentence;
 };
 
-/// The keys of a table, or those that one type of light or object has besides.
+/// The keys of a table, or the additional ones of a type of light or object.
 struct KeyTable {
-  std::string name;     ///< what people ask for it by: "camera", "sphere"
-  std::string heading;  ///< as it stands in a file: "[camera]", "[[light]] of type \"sphere\""
+  std::string name;     ///< its name on the command line: "camera", "sphere"
+  std::string heading;  ///< as in a file: "[camera]", "[[light]] of type \"sphere\""
   std::string about;
   std::vector<KeyEntry> keys;
 };

@@ -13,10 +13,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_of_a_file = 4 << 20;
+constexpr std::size_t max_of_a_file = 4 << 20;
 
 Result<Catalogue> read_catalogue(const std::string& file, const std::string& code) {
-  const Result<std::string> bytes = read_file(file, most_of_a_file);
+  const Result<std::string> bytes = read_file(file, max_of_a_file);
   if (!bytes) return tl::unexpected(bytes.error());
   if (const auto checked = toml_text::check(*bytes, file); !checked) return tl::unexpected(checked.error());
   tl::expected<Catalogue, TextMistake> catalogue = Catalogue::parse(*bytes, code);
@@ -47,7 +47,7 @@ LanguagesRead read_languages(const std::string& folder) {
   for (const std::string& code : language_codes_in(folder, ".toml")) {
     const std::string file = (fs::path(folder) / (code + ".toml")).string();
     std::error_code ignored;
-    if (!fs::exists(file, ignored)) continue;  // English, which the program holds
+    if (!fs::exists(file, ignored)) continue;  // English, which is built in
     Result<Catalogue> catalogue = read_catalogue(file, code);
     if (catalogue)
       languages->add(*std::move(catalogue));

@@ -11,16 +11,16 @@
 
 namespace raywalk {
 
-/// The codes of the languages that a folder has a file of, "pt" of pt.md: English first, whether it is there or not.
-/// `ending`: ".md".
+/// The codes of the languages with a file in a folder, "pt" for pt.md: English first, whether present or not. `ending`:
+/// ".md".
 [[nodiscard]] std::vector<std::string> language_codes_in(const std::string& folder, std::string_view ending);
 
 struct LanguagesRead {
-  std::shared_ptr<const Languages> languages;  ///< English at least: where its file is broken, as the program holds it
-  std::vector<Error> broken;                   ///< a file each that could not be read
+  std::shared_ptr<const Languages> languages;  ///< at least English: the built-in one if its file is broken
+  std::vector<Error> broken;                   ///< one per file that could not be read
 };
 
-/// Of a folder that is not there: English alone.
+/// If the folder does not exist: English alone.
 [[nodiscard]] LanguagesRead read_languages(const std::string& folder);
 
 }  // namespace raywalk

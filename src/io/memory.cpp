@@ -19,14 +19,14 @@ namespace raywalk {
 
 namespace {
 
-/// The first number of a small file; none where there is none ("max").
+/// The first number of a small file; none if there is none ("max").
 std::optional<double> number_in_file(const std::string& path) {
   std::ifstream file(path);
   double number = 0;
   return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// What the kernel would give without swapping, and what may be swapped.
+/// What the kernel would provide without swapping, and free swap.
 std::optional<double> free_memory() {
   std::ifstream file("/proc/meminfo");
   std::string key, unit;
@@ -48,7 +48,7 @@ std::optional<double> free_addresses() {
   return std::max(static_cast<double>(limit.rlim_cur) - used, 0.0);
 }
 
-/// Of the control group that a container or a batch system runs us in: version 2, then 1.
+/// Of our control group, set by a container or a batch system: version 2, then 1.
 std::optional<double> free_in_group() {
   constexpr std::array<std::pair<const char*, const char*>, 2> files{
       {{"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},

@@ -14,7 +14,7 @@ namespace detail {
 
 std::string path_beside(const std::string& from, const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(from).parent_path();
-  return (folder / name).string();  // an absolute name stays what it is
+  return (folder / name).string();  // an absolute name is kept
 }
 
 std::string one_name(const std::string& path) {
@@ -86,7 +86,7 @@ Result<MeshFile> read_mesh(const std::string& path) {
     return tl::unexpected(Error{path, 0, 0,
                                 "no mesh can be read from a file of this ending (expected .obj, .ply, .gltf or .glb)",
                                 "convert it with a modelling program"});
-  auto bytes = read_file(path, detail::most_mesh_bytes);
+  auto bytes = read_file(path, detail::max_mesh_bytes);
   if (!bytes) return tl::unexpected(bytes.error());
   if (is_gltf) return parse_gltf(std::move(*bytes), path);
   return ending == ".obj" ? parse_obj(std::move(*bytes), path) : parse_ply(std::move(*bytes), path);

@@ -11,18 +11,18 @@
 
 namespace raywalk {
 
-/// A mesh with the materials that its triangles name; these are null when the file has none.
+/// A mesh with the materials of its triangles; null if the file has none.
 struct MeshFile {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const std::vector<Material>> materials;
   std::vector<std::string> warnings{};  ///< one line each, "FILE:LINE: ..."
 };
 
-/// Reads a mesh by the ending of its name. A file that is cut short, or that names vertices which it does not have, or
-/// numbers that are not finite, is refused; nothing is allocated for a count that the file cannot hold.
+/// Reads a mesh by the ending of its name. Refuses a file that is truncated, refers to missing vertices or has numbers
+/// that are not finite; allocates nothing for a count that the file cannot hold.
 [[nodiscard]] Result<MeshFile> read_mesh(const std::string& path);
 
-/// From the bytes of a file; `path` is for messages, and says where the files lie that it names.
+/// From the bytes of a file; `path` is for messages, and locates the files that it refers to.
 [[nodiscard]] Result<MeshFile> parse_obj(std::string bytes, const std::string& path);
 [[nodiscard]] Result<MeshFile> parse_ply(std::string bytes, const std::string& path);
 [[nodiscard]] Result<MeshFile> parse_gltf(std::string bytes, const std::string& path);  ///< .gltf or .glb
@@ -36,23 +36,23 @@ struct NamedMaterial {
 
 namespace detail {
 
-/// Objects and triangles of a whole scene: what a machine of 16 GiB still holds.
-inline constexpr double most_entries = 3.2e7;
-inline constexpr std::size_t most_mesh_bytes = std::size_t{1} << 31;
+/// Objects and triangles of a whole scene: what fits into 16 GiB.
+inline constexpr double max_entries = 3.2e7;
+inline constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
 
-/// Where `name`, found in the file `from`, lies: relative to it unless absolute.
+/// The path of `name`, found in the file `from`: relative to it unless absolute.
 [[nodiscard]] std::string path_beside(const std::string& from, const std::string& name);
-/// The same for all names of one file: through links, "." and "..", so that it is read once however it is spelt.
+/// The same for all names of one file: with links, "." and ".." resolved, so that it is read only once.
 [[nodiscard]] std::string one_name(const std::string& path);
-/// Whether `name` stays in the folder of the file that names it, or in one below. Meshes come from strangers, who need
-/// not learn what other files hold.
+/// Whether `name` stays within the folder of the file that refers to it. Meshes come from untrusted sources, which must
+/// not read other files.
 [[nodiscard]] bool stays_beside(std::string_view name);
 
-/// What is wrong with a mesh's numbers, "" when nothing: the last check of every reader.
+/// What is wrong with a mesh's numbers, or "": the final check of every reader.
 [[nodiscard]] std::string why_no_mesh(const Mesh& mesh);
-/// Why nothing of a sound mesh can be seen, "" when something can.
+/// Why nothing of a valid mesh is visible, or "".
 [[nodiscard]] std::string why_unseen(const Mesh& mesh);
-/// What a reader has made of the file `path`, with a warning where nothing of it can be seen.
+/// The mesh read from the file `path`, with a warning if nothing of it is visible.
 [[nodiscard]] MeshFile finished_mesh(Mesh mesh, const std::string& path);
 
 }  // namespace detail

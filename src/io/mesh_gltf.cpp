@@ -1,4 +1,4 @@
-// glTF 2.0 (Khronos, ISO/IEC 12113:2022): the triangles of the default scene, each mesh where its nodes put it.
+// glTF 2.0 (Khronos, ISO/IEC 12113:2022): the triangles of the default scene, each mesh placed by its nodes.
 
 #include "io/mesh_gltf.h"
 #include "io/memory.h"
@@ -20,10 +20,10 @@ namespace {
 using detail::GltfFile;
 using detail::Json;
 
-constexpr int most_depth = 256;
-constexpr std::int64_t most_nodes = 1'000'000;
+constexpr int max_depth = 256;
+constexpr std::int64_t max_nodes = 1'000'000;
 
-/// Where an accessor's elements lie: `width` numbers of one type each.
+/// The location of an accessor's elements: `width` numbers of one type each.
 struct View {
   const unsigned char* data = nullptr;
   std::int64_t count = 0, stride = 0;
@@ -102,15 +102,15 @@ class GltfReader {
   }
 
   void add_node(std::int64_t index, const Affine<double>& outer, int depth) {
-    if (++nodes_visited_ > most_nodes)
+    if (++nodes_visited_ > max_nodes)
       return file_.fail(
           fmt::format(
               "its nodes come to more than they may when all that share children are spelt out (expected at most {})",
-              most_nodes),
+              max_nodes),
           "nodes that share nodes grow fast: use fewer of them");
-    if (depth > most_depth)
+    if (depth > max_depth)
       return file_.fail(
-          fmt::format("its nodes are nested too deeply, or in a circle (expected at most {} deep)", most_depth),
+          fmt::format("its nodes are nested too deeply, or in a circle (expected at most {} deep)", max_depth),
           "no node may be its own child");
     const Json& node = file_.element("nodes", index);
     const Affine<double> map = outer * map_of(node);
@@ -155,7 +155,7 @@ class GltfReader {
     if (first + positions.count > std::numeric_limits<std::int32_t>::max())
       return file_.fail("too many vertices", "the file is damaged");
     const auto end = static_cast<std::size_t>(first + positions.count);
-    // Nodes may repeat a mesh as often as they like.
+    // Nodes may repeat a mesh arbitrarily often.
     constexpr double per_vertex = 2 * sizeof(Vec3d) + sizeof(Vec2d);
     if (end > mesh_.positions.capacity()) {
       if (const auto large =
@@ -200,8 +200,8 @@ class GltfReader {
       return file_.fail(fmt::format("a mesh names material {} (expected one of {})", material, materials_.size()),
                         "the file is damaged");
     const std::int64_t triangles = mode == 4 ? count / 3 : std::max<std::int64_t>(count - 2, 0);
-    if (static_cast<double>(mesh_.triangles.size()) + static_cast<double>(triangles) > detail::most_entries)
-      return file_.fail(fmt::format("too many triangles (expected at most {:g})", detail::most_entries),
+    if (static_cast<double>(mesh_.triangles.size()) + static_cast<double>(triangles) > detail::max_entries)
+      return file_.fail(fmt::format("too many triangles (expected at most {:g})", detail::max_entries),
                         "use a coarser mesh");
     for (std::int64_t t = 0; t < triangles && !file_.failure(); ++t) {
       Mesh::Corners corners = mode == 4    ? Mesh::Corners{corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)}
@@ -265,7 +265,7 @@ class GltfReader {
       materials_.push_back(material_of(file_.element("materials", i)));
   }
 
-  /// What a metal's share mirrors is as sharp as it is not rough; the rest is matte.
+  /// The metallic part is a mirror, blurred by roughness; the rest is matte.
   Material material_of(const Json& from) {
     Material material;
     const Json empty = Json::object();

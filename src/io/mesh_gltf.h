@@ -1,6 +1,5 @@
 #pragma once
-// A glTF file taken apart: its JSON, its buffers, and members of the JSON that are what they should be. Internal to
-// `io`.
+// A parsed glTF file: its JSON, its buffers, and checked access to the members of the JSON. Internal to `io`.
 
 #include "io/mesh_file.h"
 
@@ -17,19 +16,19 @@ namespace raywalk::detail {
 
 using Json = nlohmann::json;
 
-/// Where the file is not as they ask, its members note the first error and return what does no harm.
+/// If the file does not conform, its members note the first error and return something harmless.
 class GltfFile {
  public:
   Json json;
-  std::vector<std::shared_ptr<const std::string>> buffers;  ///< those of one file share its bytes
+  std::vector<std::shared_ptr<const std::string>> buffers;  ///< buffers of one file share its bytes
 
-  /// A member that is there, or null.
+  /// A member, or null if absent.
   [[nodiscard]] static const Json* find(const Json& object, const char* key);
   [[nodiscard]] std::int64_t whole(const Json& object, const char* key, std::int64_t otherwise) const;
   [[nodiscard]] std::string text(const Json& object, const char* key) const;
-  /// A node, as the list `key` names it.
+  /// An index into the list `key`.
   [[nodiscard]] std::int64_t index(const Json& number, const char* key) const;
-  /// An element of one of the lists at the top.
+  /// An element of one of the top-level lists.
   [[nodiscard]] const Json& element(const char* list, std::int64_t index) const;
   [[nodiscard]] std::int64_t size_of(const char* list) const;
   [[nodiscard]] const std::string& buffer(std::int64_t index) const;

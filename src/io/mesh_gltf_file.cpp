@@ -13,7 +13,7 @@ namespace raywalk::detail {
 
 namespace {
 
-/// The number of 4 bytes, the lowest first.
+/// The little-endian number of 4 bytes.
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
@@ -27,7 +27,7 @@ int base64_digit(char c) {
   return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
 }
 
-/// None when there is anything else in it.
+/// None if it contains anything else.
 std::optional<std::string> from_base64(std::string_view text) {
   std::string bytes;
   std::uint32_t bits = 0;
@@ -64,7 +64,7 @@ std::string from_percent(std::string_view uri) {
   return text;
 }
 
-/// A value as a message shows it. What nests is named only: it may do so too deep for a walk through it.
+/// A value as shown in messages. Nested values are only named: they may be too deep to traverse.
 std::string shown(const Json& value) {
   if (value.is_array()) return "a list";
   if (value.is_object()) return "an object";
@@ -72,7 +72,7 @@ std::string shown(const Json& value) {
   return value.dump();
 }
 
-/// Listens to a parser for the place where a text stops being JSON: the bytes read until then, with the one at fault.
+/// A SAX handler that finds where a text stops being JSON: the bytes read until then, including the faulty one.
 struct JsonFault {
   std::size_t at = 0;
 
@@ -94,7 +94,7 @@ struct JsonFault {
   }
 };
 
-/// That `text`, which begins at byte `begin` of the file, is no JSON; at which line, where the file is one of lines.
+/// The error that `text`, at byte `begin` of the file, is not JSON; with the line, if it is a text file.
 Error no_json(std::string_view text, std::size_t begin, const std::string& path) {
   JsonFault fault;
   static_cast<void>(Json::sax_parse(text, &fault));
@@ -114,7 +114,7 @@ Error no_json(std::string_view text, std::size_t begin, const std::string& path)
   return error;
 }
 
-/// The line in which a text stands in quotes; 0 where it stands in none or in several, or is written in another way.
+/// The line that contains a text in quotes; 0 if none or several do, or it is written differently.
 int line_of(std::string_view text, const std::string& word) {
   const std::string quoted = '"' + word + '"';
   const std::size_t at = text.find(quoted);
@@ -122,7 +122,7 @@ int line_of(std::string_view text, const std::string& word) {
   return static_cast<int>(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-/// The bytes that a buffer's URI stands for: in the URI itself, or in a file beside this one. Nothing is fetched.
+/// The bytes of a buffer's URI: in the URI itself, or in a file next to this one. Nothing is downloaded.
 std::string read_uri(const GltfFile& file, const std::string& uri, const std::string& path) {
   if (uri.rfind("data:", 0) == 0) {
     const std::size_t comma = uri.find(";base64,");
@@ -137,7 +137,7 @@ std::string read_uri(const GltfFile& file, const std::string& uri, const std::st
               "nothing is read from elsewhere: copy the buffer into the mesh's folder");
     return "";
   }
-  auto bytes = read_file(path_beside(path, name), most_mesh_bytes);
+  auto bytes = read_file(path_beside(path, name), max_mesh_bytes);
   if (bytes) return std::move(*bytes);
   file.fail("its buffer \"" + name.substr(0, 60) + "\": " + bytes.error().message, bytes.error().hint);
   return "";
@@ -263,7 +263,7 @@ Result<GltfFile> open_gltf(std::string bytes, const std::string& path) {
   if (!version->is_string() || version->get_ref<const std::string&>().rfind("2.", 0) != 0)
     return fail(fmt::format("its version is {} (expected \"2.0\")", shown(*version)));
   int line = 0;
-  std::map<std::string, std::shared_ptr<const std::string>> read;  // each file once, however many buffers name it
+  std::map<std::string, std::shared_ptr<const std::string>> read;  // each file once, however many buffers refer to it
   for (std::int64_t i = 0; i < file.size_of("buffers") && !file.failure(); ++i) {
     const Json& buffer = file.element("buffers", i);
     const bool is_own = i == 0 && GltfFile::find(buffer, "uri") == nullptr;

@@ -20,7 +20,7 @@ namespace raywalk {
 
 namespace {
 
-/// Indices of one corner of a face, -1 for what it has not.
+/// Indices of one corner of a face, -1 for absent ones.
 struct ObjCorner {
   std::int32_t position = -1, uv = -1, normal = -1;
   friend bool operator==(const ObjCorner&, const ObjCorner&) = default;
@@ -89,10 +89,10 @@ class ObjReader {
     } else if (keyword == "mtllib") {
       return read_libraries(std::string(cursor_.rest()));
     }
-    return true;  // names of parts, smoothing groups, curves and comments say nothing about triangles
+    return true;  // names of parts, smoothing groups, curves and comments do not affect triangles
   }
 
-  /// The numbers of a line: at least `least`; what a line has more of is not looked at.
+  /// The numbers of a line: at least `least`; further ones are ignored.
   bool numbers(std::array<double, 3>& values, std::size_t least, std::string_view form) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::string_view word = cursor_.word();
@@ -108,7 +108,7 @@ class ObjReader {
     return true;
   }
 
-  /// One index of a corner: from 1, or back from the newest one as -1. `count` are known so far; `form` gives one.
+  /// One index of a corner: from 1, or backwards from the newest as -1. `count` are known so far; `form` is an example.
   bool read_index(std::string_view word, std::size_t count, std::string_view what, std::string_view form,
                   std::int32_t& index) {
     const auto number = detail::whole_in(word);
@@ -202,11 +202,11 @@ class ObjReader {
     const std::string path = detail::path_beside(path_, name);
     const auto [library, is_new] = libraries_.emplace(detail::one_name(path), Library{});
     Library* const now = &library->second;
-    latest_.remove(now);  // few files, however many lines
+    latest_.remove(now);  // few files, even with many lines
     latest_.push_front(now);
     if (!is_new) return true;
-    constexpr std::size_t most_bytes = std::size_t{16} << 20;
-    auto bytes = read_file(path, most_bytes);
+    constexpr std::size_t max_bytes = std::size_t{16} << 20;
+    auto bytes = read_file(path, max_bytes);
     if (!bytes)
       return fail(fmt::format("its materials cannot be read: {}", bytes.error().message),
                   fmt::format("\"{}\" is looked for beside the mesh; remove the line mtllib to do without", name));
@@ -221,7 +221,7 @@ class ObjReader {
     }
     return true;
   }
-  /// The index of the material that has this name in the library named last, of those that have it; -1 for none.
+  /// The index of the material of this name in the most recently named library that has it; -1 for none.
   [[nodiscard]] std::int32_t material_named(const std::string& name) const {
     for (const Library* library : latest_)
       if (const auto found = library->find(name); found != library->end()) return found->second;
@@ -236,10 +236,10 @@ class ObjReader {
   std::vector<Vec2d> uvs_;
   std::unordered_map<ObjCorner, std::int32_t, HashCorner> vertices_;
   std::vector<Material> materials_;
-  std::map<std::string, Library> libraries_;  ///< by file: each is read once
-  std::list<Library*> latest_;                ///< the one named last first
+  std::map<std::string, Library> libraries_;  ///< by file; each is read once
+  std::list<Library*> latest_;                ///< most recently named first
   std::int32_t material_ = -1;
-  std::set<std::string> unknown_;  ///< materials that faces ask for and no library has
+  std::set<std::string> unknown_;  ///< materials that faces use and no library has
   std::string first_unknown_;
   int unknown_line_ = 0;
   bool has_normals_ = false, has_uv_ = false, has_materials_ = false;
@@ -247,7 +247,7 @@ class ObjReader {
   std::optional<Error> error_;
 };
 
-/// What MTL's numbers come to in the end, when a material is complete.
+/// The final values of MTL's numbers, when a material is complete.
 struct MtlMaterial {
   Material material;
   Rgbd filter{1.0};
@@ -279,10 +279,10 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
     const std::string keyword(cursor.word());
     if (keyword == "newmtl") {
       finish();
-      constexpr std::size_t most_materials = 100'000;
-      if (named.size() == most_materials)
+      constexpr std::size_t max_materials = 100'000;
+      if (named.size() == max_materials)
         return tl::unexpected(Error{path, cursor.line(), 0,
-                                    fmt::format("there are too many materials (expected at most {})", most_materials),
+                                    fmt::format("there are too many materials (expected at most {})", max_materials),
                                     "is this the right file?"});
       named.push_back({std::string(cursor.rest()), {}});
       current = {};
@@ -292,10 +292,10 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
     const bool is_colour = keyword == "Ka" || keyword == "Kd" || keyword == "Ks" || keyword == "Ke" || keyword == "Tf";
     const bool is_number =
         keyword == "Ns" || keyword == "Ni" || keyword == "d" || keyword == "Tr" || keyword == "illum";
-    if (!is_colour && !is_number) continue;  // pictures and what other renderers added
+    if (!is_colour && !is_number) continue;  // textures and extensions of other renderers
     const double most = keyword == "Ke" ? schema::light_amount.high
                         : is_colour     ? schema::reflectance.high
-                                        : schema::most_magnitude;
+                                        : schema::max_magnitude;
     std::array<double, 3> values{};
     int count = 0;
     for (std::string_view word = cursor.word(); !word.empty() && count < 3; word = cursor.word()) {
@@ -313,7 +313,7 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
                                   fmt::format("{}: a number is missing (expected {})", keyword, is_colour ? "3" : "1"),
                                   is_colour ? "such as Kd 0.8 0.2 0.1" : "such as Ns 30"});
     const Rgbd colour = count == 3 ? Rgbd(values[0], values[1], values[2]) : Rgbd(values[0]);
-    // Blender and others write Ka 1 1 1 whatever the surface: all things would shine white in full ambient light.
+    // Blender and others write Ka 1 1 1 for every surface: everything would be white in full ambient light.
     if (keyword == "Ka" && colour != Rgbd(1.0)) current.material.ambient = colour;
     if (keyword == "Kd") current.material.diffuse = colour;
     if (keyword == "Ks") current.material.specular = colour;

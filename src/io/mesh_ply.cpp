@@ -15,13 +15,13 @@ namespace raywalk {
 
 namespace {
 
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class PlyScalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 enum class Format { text, little, big };
 
 constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
-std::size_t size_of(Scalar type) { return sizes[static_cast<std::size_t>(type)]; }
+std::size_t size_of(PlyScalar type) { return sizes[static_cast<std::size_t>(type)]; }
 
-std::optional<Scalar> scalar_named(std::string_view word) {
+std::optional<PlyScalar> scalar_named(std::string_view word) {
   constexpr std::array<std::array<std::string_view, 2>, 8> names{{{"char", "int8"},
                                                                   {"uchar", "uint8"},
                                                                   {"short", "int16"},
@@ -31,17 +31,17 @@ std::optional<Scalar> scalar_named(std::string_view word) {
                                                                   {"float", "float32"},
                                                                   {"double", "float64"}}};
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (word == names[i][0] || word == names[i][1]) return static_cast<Scalar>(i);
+    if (word == names[i][0] || word == names[i][1]) return static_cast<PlyScalar>(i);
   return std::nullopt;
 }
 
 struct Property {
   std::string name;
-  Scalar type;
-  std::optional<Scalar> count_type;  ///< of a list
+  PlyScalar type;
+  std::optional<PlyScalar> count_type;  ///< of a list
 };
 
-struct Element {
+struct PlyElement {
   std::string name;
   std::int64_t count;
   std::vector<Property> properties;
@@ -56,7 +56,7 @@ class PlyReader {
     if (!read_header()) return tl::unexpected(*error_);
     at_ = cursor_.position();
     if (format_ == Format::text) end_lines_with_lf(bytes_, at_, bytes_.size());
-    for (const Element& element : elements_)
+    for (const PlyElement& element : elements_)
       if (!read_element(element)) return tl::unexpected(*error_);
     if (normals_given_ < 3) mesh_.normals.clear();
     if (uv_given_ < 2) mesh_.uv.clear();
@@ -73,7 +73,7 @@ class PlyReader {
     return false;
   }
 
-  /// Where numbers in binary may begin: after the header's last line, which ends as its first one does.
+  /// Where binary data begins: after the header's last line, which ends like its first.
   [[nodiscard]] std::size_t header_end() const {
     const std::size_t first = std::min(bytes_.find_first_of("\r\n"), bytes_.size());
     const bool lone_cr = bytes_.compare(first, 1, "\r") == 0 && bytes_.compare(first, 2, "\r\n") != 0;
@@ -82,11 +82,11 @@ class PlyReader {
   }
 
   bool read_header() {
-    constexpr int most_lines = 1000;
+    constexpr int max_lines = 1000;
     if (cursor_.word() != "ply")
       return fail("the file does not begin with \"ply\" (expected a PLY file)", "is this the right file?");
     bool has_format = false;
-    for (int lines = 0; lines < most_lines && cursor_.next_line(); ++lines) {
+    for (int lines = 0; lines < max_lines && cursor_.next_line(); ++lines) {
       const std::string_view keyword = cursor_.word();
       if (keyword == "end_header") {
         if (!has_format) return fail("the header has no line \"format\" (expected one such as \"format ascii 1.0\")");
@@ -126,7 +126,7 @@ class PlyReader {
     std::string_view word = cursor_.word();
     if (word == "list") {
       property.count_type = scalar_named(cursor_.word());
-      if (!property.count_type || *property.count_type >= Scalar::float32)
+      if (!property.count_type || *property.count_type >= PlyScalar::float32)
         return fail("a list without a type for its length (expected a whole-number type, such as uchar)");
       word = cursor_.word();
     }
@@ -140,8 +140,8 @@ class PlyReader {
     return true;
   }
 
-  /// The next value of a type; NaN with an error where there is none.
-  double value(Scalar type) {
+  /// The next value of a type; NaN and an error at the end.
+  double value(PlyScalar type) {
     if (format_ == Format::text) {
       const std::string_view word = cursor_.word_anywhere();
       const auto number = detail::number_in(word);
@@ -163,26 +163,26 @@ class PlyReader {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < size; ++i) bits |= std::uint64_t{raw[i]} << (8 * i);
     switch (type) {
-      case Scalar::int8:
+      case PlyScalar::int8:
         return static_cast<std::int8_t>(bits);
-      case Scalar::int16:
+      case PlyScalar::int16:
         return static_cast<std::int16_t>(bits);
-      case Scalar::int32:
+      case PlyScalar::int32:
         return static_cast<std::int32_t>(bits);
-      case Scalar::uint8:
-      case Scalar::uint16:
-      case Scalar::uint32:
+      case PlyScalar::uint8:
+      case PlyScalar::uint16:
+      case PlyScalar::uint32:
         return static_cast<double>(bits);
-      case Scalar::float32:
+      case PlyScalar::float32:
         return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-      case Scalar::float64:
+      case PlyScalar::float64:
         return std::bit_cast<double>(bits);
     }
     return NAN;
   }
 
-  /// Whether so many elements can still be in the file: no memory is taken for a count that is a lie.
-  bool can_hold(const Element& element) {
+  /// Whether the rest of the file can hold this many elements: nothing is allocated for a false count.
+  bool can_hold(const PlyElement& element) {
     std::size_t least = 0;
     for (const Property& property : element.properties)
       least += format_ == Format::text ? 2 : size_of(property.count_type.value_or(property.type));
@@ -192,7 +192,7 @@ class PlyReader {
                             element.name.substr(0, 40)));
   }
 
-  bool read_element(const Element& element) {
+  bool read_element(const PlyElement& element) {
     if (element.properties.empty()) return true;
     if (!can_hold(element)) return false;
     if (element.count > std::numeric_limits<std::int32_t>::max()) return fail("too many elements");
@@ -208,7 +208,7 @@ class PlyReader {
     return true;
   }
 
-  bool read_vertices(const Element& element, std::size_t count) {
+  bool read_vertices(const PlyElement& element, std::size_t count) {
     constexpr std::array<std::string_view, 8> names{"x", "y", "z", "nx", "ny", "nz", "u", "v"};
     constexpr std::array<std::string_view, 2> st{"s", "t"}, long_uv{"texture_u", "texture_v"};
     std::vector<int> slots;
@@ -248,7 +248,7 @@ class PlyReader {
     return true;
   }
 
-  /// A list's length, which the rest of the file can hold.
+  /// A list's length, if the rest of the file can hold it.
   std::optional<std::size_t> length_of(const Property& property) {
     const double length = value(*property.count_type);
     if (error_) return std::nullopt;
@@ -296,7 +296,7 @@ class PlyReader {
   detail::TextCursor cursor_;
   std::size_t at_ = 0;  ///< of binary data
   Format format_ = Format::text, header_format_ = Format::text;
-  std::vector<Element> elements_;
+  std::vector<PlyElement> elements_;
   Mesh mesh_;
   int normals_given_ = 0, uv_given_ = 0;
   std::optional<Error> error_;

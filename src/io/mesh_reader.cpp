@@ -1,4 +1,4 @@
-// What meshes, groups and motion add to reading a scene.
+// Reads the scene keys of meshes, groups and motion.
 
 #include "io/scene_reader.h"
 #include "io/spelling.h"
@@ -14,7 +14,7 @@ namespace raywalk::detail {
 
 namespace {
 
-constexpr int most_nesting = 64;
+constexpr int max_nesting = 64;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::optional<MeshFile> ReadLog::mesh(const std::string& name, const toml::sourc
   if (const auto known = meshes_.find(file); known != meshes_.end()) return known->second;
   auto read = read_mesh(path);
   if (!read) {
-    // The mesh's own place is what helps; that the scene names it is told along.
+    // The place in the mesh file helps most; the scene's reference to it is mentioned too.
     const Error& error = read.error();
     if (error.line == 0 && error.message.find(" at byte ") == std::string::npos)
       fail(where, fmt::format("file {}: {}", toml_text::quoted(name), error.message), error.hint);
@@ -39,15 +39,15 @@ std::optional<MeshFile> ReadLog::mesh(const std::string& name, const toml::sourc
 void ReadLog::define(const Group& group, const toml::source_region& where) {
   if (error_) return;
   auto content = std::make_shared<const GroupContent>(group);
-  if (content->entries > most_entries)
+  if (content->entries > max_entries)
     return fail(where,
                 fmt::format("group {} comes to {:.3g} objects and triangles (expected at most {:g})",
-                            toml_text::quoted(group.name), content->entries, most_entries),
+                            toml_text::quoted(group.name), content->entries, max_entries),
                 "groups of groups grow fast: use fewer instances, or smaller meshes");
-  if (content->nesting > most_nesting)
+  if (content->nesting > max_nesting)
     return fail(where,
                 fmt::format("group {} nests {} deep (expected at most {})", toml_text::quoted(group.name),
-                            content->nesting, most_nesting),
+                            content->nesting, max_nesting),
                 "put more objects into one group");
   groups_[group.name] = std::move(content);
 }
@@ -91,7 +91,7 @@ bool SceneReader::read(const toml::node& node, std::string_view key, const schem
   if (!read(node, key, kind.rows, rows)) return false;
   for (const Vec3d& row : rows) {
     for (const double corner : {row.x, row.y, row.z}) {
-      // Of a mesh without vertices complete() tells.
+      // complete() reports a mesh without vertices.
       if (mesh.positions.empty() ||
           (corner >= 0 && corner < static_cast<double>(mesh.positions.size()) && corner == std::floor(corner)))
         continue;

@@ -29,7 +29,7 @@ Result<SceneDocument> scene_of_mesh(const std::string& path) {
   scene.camera.fov = FieldOfView{degrees, FovAxis::x};
 
   MeshShape shape;
-  shape.file = name;  // beside the scene, as long as that is no other file
+  shape.file = name;  // beside the scene, unless that would be another file
   shape.mesh = file->mesh;
   shape.materials = file->materials;
   Material clay;

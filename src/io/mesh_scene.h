@@ -4,8 +4,8 @@
 
 namespace raywalk {
 
-/// A mesh's file as a scene: the mesh as it stands, its y upwards as in most of such files, seen from before and a
-/// little above, under a sun behind the left shoulder and a weaker one to the right.
+/// A mesh file as a scene: the mesh with its y axis up, as in most such files, seen from the front and slightly above,
+/// lit by a key light from behind left and a weaker fill light from the right.
 [[nodiscard]] Result<SceneDocument> scene_of_mesh(const std::string& path);
 
 }  // namespace raywalk

@@ -1,5 +1,5 @@
 #pragma once
-// Words and numbers of a text file, with the line that they stand in. Internal to `io`.
+// Words and numbers of a text file, with their lines. Internal to `io`.
 
 #include "io/error.h"
 
@@ -14,7 +14,7 @@
 
 namespace raywalk::detail {
 
-/// Walks through a text word by word. A word never goes over the end of its line.
+/// Reads a text word by word. A word never spans lines.
 class TextCursor {
  public:
   explicit TextCursor(const std::string& text, std::size_t at = 0, int line = 1) : text_(text), at_(at), line_(line) {}
@@ -31,7 +31,7 @@ class TextCursor {
     while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
     return std::string_view(text_).substr(begin, at_ - begin);
   }
-  /// What is left of this line, without blanks around it.
+  /// The rest of this line, trimmed.
   std::string_view rest() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
     const std::size_t begin = at_;
@@ -72,10 +72,10 @@ class TextCursor {
   int line_;
 };
 
-/// A whole word as a number; none when it is anything else, or not finite.
+/// A whole word as a number; none if it is anything else, or not finite.
 [[nodiscard]] inline std::optional<double> number_in(std::string_view word) {
   if (word.empty() || word.size() > 400) return std::nullopt;
-  // The word stands in a longer text that ends with a 0, and is followed by a blank there or by its end.
+  // The word is part of a null-terminated text, and is followed there by a blank or the end.
   char* end = nullptr;
   const double value = std::strtod(word.data(), &end);
   if (end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;

@@ -23,7 +23,7 @@ using schema::view_angle;
 
 constexpr schema::Whole corner_count{3, 10'000};
 
-/// About z from z_min to z_max, put where `foot` is the point at z = 0 and `axis` the way along +z.
+/// Maps z = 0 to `foot` and the +z direction to `axis`, for a shape about z.
 std::vector<TransformStep> along(const Vec3d& foot, const Vec3d& axis) {
   std::vector<TransformStep> steps;
   steps.reserve(2);
@@ -163,7 +163,7 @@ class NffReader {
     material_ = material;
   }
 
-  /// The material of the object that begins; fails when there was none.
+  /// The material for the next object; fails if there is none.
   const Material& material() {
     static const Material none;
     if (!material_)
@@ -172,7 +172,7 @@ class NffReader {
     return material_ ? *material_ : none;
   }
 
-  /// A radius, whose sign only chose a side.
+  /// A radius, whose sign only selects a side.
   double radius(std::string_view what) {
     const double given = words_.number(what, coordinate);
     return std::abs(given);
@@ -182,7 +182,7 @@ class NffReader {
     const Material& of = material();
     const Vec3d centre = words_.point("the centre");
     const double r = radius("the radius");
-    if (words_.ok() && r * schema::most_magnitude < 1)
+    if (words_.ok() && r * schema::max_magnitude < 1)
       words_.fail("the radius of s is 0 (expected any other number)", "a negative radius shows the inside");
     if (words_.ok()) add({names_.next("Sphere"), Shape<double>(Sphere<double>{centre, r}), of});
   }
@@ -196,7 +196,7 @@ class NffReader {
     double apex_radius = radius("the radius at the apex");
     if (!words_.ok()) return;
     if (base_radius < apex_radius) std::swap(base, apex), std::swap(base_radius, apex_radius);
-    const double height = length(apex - base), least = 1 / schema::most_magnitude;
+    const double height = length(apex - base), least = 1 / schema::max_magnitude;
     if (!(height >= least))
       return words_.fail_item("base and apex are the same point (expected a cone with a height)", "move one of them");
     if (!(base_radius >= least))
@@ -209,14 +209,14 @@ class NffReader {
       add({names_.next("Cylinder"), Shape<double>(cylinder), of, along(base, apex - base)});
       return;
     }
-    // z counts from the tip that the wall would end in.
+    // z is measured from the apex of the extended wall.
     const double tip = height * (base_radius / (base_radius - apex_radius));
     Cone<double> cone;
     cone.radii = {base_radius / tip, base_radius / tip, 1};
     cone.z_min = apex_radius == 0 ? 0 : tip - height;
     cone.z_max = tip;
     const Vec3d axis = (base - apex) / height;
-    if (!(tip <= schema::most_magnitude && cone.radii.x >= least && cone.z_min < cone.z_max))
+    if (!(tip <= schema::max_magnitude && cone.radii.x >= least && cone.z_min < cone.z_max))
       return words_.fail_item("the cone is too slender to be told from a cylinder (expected radii that differ more)",
                               "make the two radii equal");
     add({names_.next("Cone"), Shape<double>(cone), of, along(base - tip * axis, axis)});
@@ -262,8 +262,8 @@ class NffReader {
 
   WordReader words_;
   Scene scene_;
-  detail::Names names_;
-  detail::Triangles triangles_;
+  detail::UniqueNames names_;
+  detail::TriangleGatherer triangles_;
   std::optional<Material> material_;
   std::optional<Error> too_large_;
   bool said_bent_ = false;

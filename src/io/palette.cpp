@@ -12,7 +12,7 @@ namespace raywalk {
 
 namespace {
 
-/// A colour that stands in the picture.
+/// A colour of the image.
 struct Shade {
   Rgb24 colour = 0;
   std::uint32_t count = 0;  ///< pixels that have it
@@ -31,22 +31,22 @@ std::vector<Shade> shades_of(std::vector<Rgb24> pixels) {
   for (auto from = pixels.begin(); from != pixels.end();) {
     const auto to = std::upper_bound(from, pixels.end(), *from);
     const auto count = static_cast<std::uint32_t>(to - from);
-    // The root: thin lines and small gleams count for more than their few pixels.
+    // The root gives thin lines and small highlights more weight than their few pixels.
     shades.push_back({*from, count, std::sqrt(static_cast<float>(count)), lab_of(*from)});
     from = to;
   }
   return shades;
 }
 
-/// The mean of shades, their spread along the axis on which they spread most, and that axis.
-struct Spread {
+/// The mean of shades, their principal axis, and their variance along it.
+struct ColourSpread {
   std::array<double, 3> mean{}, axis{};
   double error = 0;  ///< weight times squared distance along the axis
 };
 
-Spread spread_of(std::span<const Shade> shades) {
+ColourSpread spread_of(std::span<const Shade> shades) {
   double weight = 0;
-  Spread spread;
+  ColourSpread spread;
   for (const Shade& shade : shades) {
     weight += shade.weight;
     for (std::size_t i = 0; i < 3; ++i) spread.mean[i] += shade.weight * shade.lab[i];
@@ -57,7 +57,7 @@ Spread spread_of(std::span<const Shade> shades) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         moments[i][j] += shade.weight * (shade.lab[i] - spread.mean[i]) * (shade.lab[j] - spread.mean[j]);
-  // The largest eigenvector, by repeated multiplication from the column that is largest.
+  // The principal eigenvector, by power iteration from the largest column.
   const auto largest = [&](std::size_t a, std::size_t b) { return moments[a][a] < moments[b][b] ? b : a; };
   spread.axis = moments[largest(0, largest(1, 2))];
   constexpr int rounds = 8;
@@ -74,12 +74,12 @@ Spread spread_of(std::span<const Shade> shades) {
   return spread;
 }
 
-/// Splits what spreads most until there are `most` clusters, and answers their means (M. Orchard and C. Bouman, "Color
-/// quantization of images", 1991). Reorders the shades.
+/// Splits the cluster of largest variance until there are `most`, and returns their means (M. Orchard and C. Bouman,
+/// "Color quantization of images", 1991). Reorders the shades.
 std::vector<Lab> clusters(std::span<Shade> shades, std::size_t most) {
   struct Cluster {
     std::span<Shade> shades;
-    Spread spread;
+    ColourSpread spread;
   };
   if (shades.empty()) return {};
   std::vector<Cluster> all{{shades, spread_of(shades)}};
@@ -152,7 +152,7 @@ FramePalette::FramePalette(std::vector<Rgb24> pixels, int most) {
   std::vector<Shade> shades = shades_of(std::move(pixels));
   mixture_of_.reserve(shades.size());
 
-  // What covers much comes first, and keeps its colour.
+  // Colours that cover much come first, and are kept exactly.
   std::vector<Lab> labs;
   if (shades.size() <= room) {
     for (const Shade& shade : shades) colours_.push_back(shade.colour), labs.push_back(shade.lab);
@@ -164,7 +164,7 @@ FramePalette::FramePalette(std::vector<Rgb24> pixels, int most) {
     const std::span<Shade> rest = std::span(shades).subspan(pinned);
     for (const Lab& lab : clusters(rest, room - pinned)) labs.push_back(lab);
     settle(labs, pinned, rest);
-    // Colours that stand in the picture.
+    // Colours of the image.
     std::vector<std::pair<float, Rgb24>> best(labs.size(), {INFINITY, 0});
     for (const Shade& shade : shades) {
       const std::size_t at = nearest(labs, shade.lab);
@@ -217,8 +217,8 @@ FramePalette::FramePalette(std::vector<Rgb24> pixels, int most) {
 }
 
 std::uint8_t FramePalette::index(Rgb24 colour, int column, int row) const {
-  // Evenly spread without a pattern that the eye would find: the fractional parts of multiples of 1/g and 1/g^2, g the
-  // root of g^3 = g + 1, in 32 bits (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
+  // Even, without a visible pattern: the fractional parts of multiples of 1/g and 1/g^2, g the root of g^3 = g + 1, in
+  // 32 bits (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
   const std::uint32_t threshold =
       static_cast<std::uint32_t>(column) * 3242174889U + static_cast<std::uint32_t>(row) * 2447445414U;
   return mixtures_[mixture_of_.at(colour)][threshold >> 28];

@@ -1,6 +1,6 @@
 #pragma once
-// Few colours in place of many. Colours are told apart as eyes do, in OKLab (Bjoern Ottosson, "A perceptual color space
-// for image processing", 2020).
+// Colour quantization. Distances are perceptual, in OKLab (Bjoern Ottosson, "A perceptual color space for image
+// processing", 2020).
 
 #include <array>
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace raywalk {
 
-/// 0xRRGGBB, encoded as it is shown.
+/// 0xRRGGBB, encoded for display.
 using Rgb24 = std::uint32_t;
 
-/// Lightness, green to red, blue to yellow; a distance of 0.02 can just be seen.
+/// Lightness, green to red, blue to yellow; a distance of 0.02 is just noticeable.
 using Lab = std::array<float, 3>;
 [[nodiscard]] Lab lab_of(Rgb24 colour);
 
 class FramePalette {
  public:
-  /// The best `most` colours, 2 to 256, for pixels of these colours: all that there are, where they are no more. What
-  /// covers much, as a drawing's grounds do, keeps its very colour.
+  /// The best `most` colours, 2 to 256, for pixels of these colours: all of them, if they are few enough. Colours that
+  /// cover much, such as a drawing's backgrounds, are kept exactly.
   FramePalette(std::vector<Rgb24> pixels, int most);
 
   [[nodiscard]] const std::vector<Rgb24>& colours() const { return colours_; }
-  /// Which of colours() shows one of `pixels` at this place. Where none comes near enough, neighbouring places take
-  /// several that are right in the mean: the same ones each time, so that nothing flickers from frame to frame.
+  /// Which of colours() shows one of `pixels` at this place. If none is close enough, neighbouring places are dithered:
+  /// always in the same way, so that frames do not flicker.
   [[nodiscard]] std::uint8_t index(Rgb24 colour, int column, int row) const;
 
  private:

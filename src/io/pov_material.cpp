@@ -9,8 +9,8 @@ namespace raywalk::detail {
 
 namespace {
 
-/// One of the lights that a surface sends out by itself, by its colour: all of these are weights of that colour.
-struct Part {
+/// The part of a material that has one colour: the members are weights of it.
+struct ColouredPart {
   Rgbd colour;  ///< its largest channel is 1
   double ambient = 0, diffuse = 0, emission = 0;
   bool patterned = false;  ///< the material's checker multiplies it
@@ -19,29 +19,30 @@ struct Part {
 double mean(const Rgbd& colour) { return (colour.x + colour.y + colour.z) / 3; }
 bool is_grey(const Rgbd& colour) { return colour.x == colour.y && colour.y == colour.z; }
 
-/// The parts of `material`, those of one colour together.
-std::vector<Part> parts_of(const Material& material) {
-  std::vector<Part> parts;
-  const auto add = [&](const Rgbd& colour, double Part::* weight, bool patterned) {
+/// The parts of `material`, grouped by colour.
+std::vector<ColouredPart> parts_of(const Material& material) {
+  std::vector<ColouredPart> parts;
+  const auto add = [&](const Rgbd& colour, double ColouredPart::* weight, bool patterned) {
     if (is_black(colour)) return;
     const double size = max_component(colour);
     const Rgbd unit = colour / size;
-    const auto same = std::find_if(parts.begin(), parts.end(), [&](const Part& part) {
+    const auto same = std::find_if(parts.begin(), parts.end(), [&](const ColouredPart& part) {
       return length(part.colour - unit) < 1e-12 && part.patterned == patterned;
     });
-    Part& part = same == parts.end() ? parts.emplace_back(Part{.colour = unit, .patterned = patterned}) : *same;
+    ColouredPart& part =
+        same == parts.end() ? parts.emplace_back(ColouredPart{.colour = unit, .patterned = patterned}) : *same;
     part.*weight = size;
   };
   const bool patterned = material.checker.has_value();
-  add(material.diffuse, &Part::diffuse, patterned);
-  add(material.ambient, &Part::ambient, patterned);
-  add(material.emission, &Part::emission, false);
+  add(material.diffuse, &ColouredPart::diffuse, patterned);
+  add(material.ambient, &ColouredPart::ambient, patterned);
+  add(material.emission, &ColouredPart::emission, false);
   if (parts.empty()) parts.push_back({.colour = Rgbd(1.0)});
   return parts;
 }
 
-/// What is put between "pigment {" and "}". `transmits` is added to each colour: " transmit 0.5".
-std::string pigment(const Part& part, const Material& material, const std::optional<FlatFrame>& frame,
+/// The contents of "pigment { }". `transmits` is appended to each colour: " transmit 0.5".
+std::string pigment(const ColouredPart& part, const Material& material, const std::optional<FlatFrame>& frame,
                     const std::string& transmits, PovLosses& losses) {
   if (!part.patterned) return pov_colour(part.colour) + transmits;
   const Checker& checker = *material.checker;
@@ -51,22 +52,22 @@ std::string pigment(const Part& part, const Material& material, const std::optio
     losses.insert("patterns on curved surfaces and solids, which become cubes in space");
     return text + fmt::format(" scale {}", checker.size);
   }
-  // POV-Ray's checker fills space with cubes. The surface is put through the middle of a layer of them, whose first
-  // cube has the colour `even`.
+  // POV-Ray's checker fills space with cubes. The surface is placed in the middle of a layer of them, whose first cube
+  // has the colour `even`.
   const Vec3d u = checker.size * frame->u, v = checker.size * frame->v, n = checker.size * frame->normal;
   const Vec3d origin = frame->origin - 0.5 * n;
   return text + fmt::format(" matrix <{0}, {2}, {1},  {3}, {5}, {4},  {6}, {8}, {7},  {9}, {11}, {10}>", u.x, u.y, u.z,
                             n.x, n.y, n.z, v.x, v.y, v.z, origin.x, origin.y, origin.z);
 }
 
-std::string finish(const Part& part, double share) {
+std::string finish(const ColouredPart& part, double share) {
   const auto weight = [&](const char* word, double value) {
     return value == 0 && word[0] == 'e' ? std::string() : fmt::format(" {} {}", word, value == 0 ? 0 : value / share);
   };
   return weight("ambient", part.ambient) + weight("diffuse", part.diffuse) + weight("emission", part.emission);
 }
 
-/// What only the uppermost layer has: highlight and mirror.
+/// Only for the uppermost layer: highlight and mirror.
 std::string gloss(const Material& material, PovLosses& losses) {
   std::string text;
   if (!is_black(material.specular)) {
@@ -100,9 +101,9 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
     losses.insert("light lost in total internal reflection and by dielectrics: it is reflected in full");
   if (transmits && !is_black(material.absorption) && (material.reflects() || material.dielectric))
     losses.insert("absorption along rays that are reflected inside of an object");
-  std::vector<Part> parts = parts_of(material);
-  // Layers from top to bottom. Each covers a share of what is below it, so that all shares are alike; what they let
-  // through together is the transmission, whose colour the lowest layer gives.
+  std::vector<ColouredPart> parts = parts_of(material);
+  // Layers from top to bottom. Each covers a fraction of what is below it, so that all contribute equally; together
+  // they let the transmission through, whose colour the lowest layer gives.
   const double passed = transmits ? std::min(max_component(through), 1.0) : 0;
   const bool bare = parts.size() == 1 && parts[0].ambient + parts[0].diffuse + parts[0].emission == 0;
   if (transmits && passed == 1 && !bare)
@@ -115,10 +116,10 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
   const bool tinted = transmits && !is_grey(through);
   const double covered = 1 - passed, layers = static_cast<double>(parts.size());
   std::vector<std::string> texts;
-  double left = 1;  // of the light from below that the layers so far let through
+  double left = 1;  // transmittance of the layers so far
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool last = i + 1 == parts.size();
-    const double share = covered / layers;  // of the whole
+    const double share = covered / layers;  // of the total
     const double transmit = last && !transmits ? 0 : (left - share) / left;
     const std::string transmitted = transmit > 0 ? fmt::format(" transmit {}", transmit) : "";
     texts.push_back(fmt::format("texture {{ pigment {{ {} }} finish {{{}{} }} }}\n",
@@ -126,7 +127,7 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
                                 i == 0 ? gloss(material, losses) : ""));
     left *= transmit;
   }
-  // What the layers let through is grey; a last one that covers nothing gives it its colour.
+  // The layers transmit grey; a final layer that covers nothing colours it.
   if (tinted)
     texts.push_back(fmt::format("texture {{ pigment {{ {} filter 1 }} finish {{ ambient 0 diffuse 0 }} }}\n",
                                 pov_colour(through / max_component(through))));
@@ -140,7 +141,7 @@ std::string pov_interior(const Material& material) {
   if (!material.transmits()) return {};
   std::string text = fmt::format("interior {{ ior {}", material.ior);
   if (!is_black(material.absorption)) {
-    // exp(-a d) is what POV-Ray makes of a fade_power above 1000: exp(-(1 - colour) d / distance).
+    // POV-Ray computes exp(-a d) for a fade_power above 1000: exp(-(1 - colour) d / distance).
     const double most = max_component(material.absorption);
     text += fmt::format(" fade_power 1001 fade_distance {} fade_color {}", 1 / most,
                         pov_colour(Rgbd(1.0) - material.absorption / most));

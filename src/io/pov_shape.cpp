@@ -20,7 +20,7 @@ std::string pov_colour(const Rgbd& colour) {
 std::string pov_matrix(const std::vector<TransformStep>& steps) {
   if (steps.empty()) return {};
   const Affine<double> m = affine_of(steps);
-  // Both sides change axes: POV-Ray's second axis is our third.
+  // Axes are exchanged on both sides: POV-Ray's second axis is our third.
   return fmt::format("  matrix <{}, {}, {},  {}, {}, {},  {}, {}, {},  {}, {}, {}>\n", m.x.x, m.x.z, m.x.y, m.z.x,
                      m.z.z, m.z.y, m.y.x, m.y.z, m.y.y, m.move.x, m.move.z, m.move.y);
 }
@@ -48,7 +48,7 @@ std::string text_of(const Triangle<double>& triangle) {
   return fmt::format("triangle {{ {}, {}, {}", pov_vector(triangle.a), pov_vector(triangle.b), pov_vector(triangle.c));
 }
 
-/// A prism stands on POV-Ray's x and z, which are our x and y.
+/// A prism's base is in POV-Ray's x and z, our x and y.
 std::string text_of(const Prism<double>& prism) {
   std::string text = fmt::format("prism {{ linear_sweep linear_spline {}, {}, {}", -prism.height / 2, prism.height / 2,
                                  prism.corners.size() + 1);
@@ -59,7 +59,7 @@ std::string text_of(const Prism<double>& prism) {
   return text;
 }
 
-/// Every loop ends with its first corner.
+/// Every loop repeats its first corner.
 std::string text_of(const Polygon<double>& polygon) {
   std::size_t count = polygon.outline.size() + 1;
   for (const auto& hole : polygon.holes) count += hole.size() + 1;
@@ -129,7 +129,7 @@ std::optional<Shape<double>> plain_shape(const ObjectShape& shape) {
 std::optional<FlatFrame> flat_frame(const Shape<double>& shape) {
   const auto at = [](const Vec3d& origin, const Vec3d& normal) {
     const Vec3d unit = normalize(normal);
-    const Frame<double> frame = frame_of(unit);
+    const PlaneAxes<double> frame = plane_axes(unit);
     return FlatFrame{origin, frame.u, frame.v, unit};
   };
   if (const auto* plane = std::get_if<Plane<double>>(&shape)) return at(plane->point, plane->normal);

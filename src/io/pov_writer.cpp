@@ -19,7 +19,7 @@ using detail::pov_number;
 using detail::pov_vector;
 using detail::PovLosses;
 
-/// Away from everything; POV-Ray meets nothing beyond 1e7.
+/// Far from everything; POV-Ray finds no hits beyond 1e7.
 constexpr double far_away = 1e5;
 
 std::string head(const Scene& scene) {
@@ -54,19 +54,19 @@ std::string camera_text(const Scene& scene) {
   return text + "}\n";
 }
 
-/// The light's colour and how it fades, as far as POV-Ray can say it: 2 / (1 + (d / fade_distance)^fade_power).
-std::string fading(const Light& light, const Attenuation& a, double usual_distance, PovLosses& losses) {
+/// The light's colour and attenuation, as far as POV-Ray supports it: 2 / (1 + (d / fade_distance)^fade_power).
+std::string fading(const Light& light, const Attenuation& a, double typical_distance, PovLosses& losses) {
   Attenuation used = a;
   if (a.linear > 0 && a.quadratic > 0) {
     losses.insert("attenuation with a linear and a quadratic term: taken as at the distance of what is looked at");
-    used.quadratic += a.linear / usual_distance;
+    used.quadratic += a.linear / typical_distance;
     used.linear = 0;
   }
   const bool linear = used.linear > 0;
   const double fade = linear ? used.linear : used.quadratic;
   if (fade == 0) return "color " + pov_colour(light.strength / used.constant);
-  // Without a constant term it is one so small that it shows nowhere.
-  const double least = linear ? 1e-4 * fade * usual_distance : 1e-8 * fade * usual_distance * usual_distance;
+  // Without a constant term, one too small to be visible is used.
+  const double least = linear ? 1e-4 * fade * typical_distance : 1e-8 * fade * typical_distance * typical_distance;
   const double constant = std::max(used.constant, least);
   const double distance = linear ? constant / fade : std::sqrt(constant / fade);
   return fmt::format("color {} fade_distance {} fade_power {}", pov_colour(light.strength / (2 * constant)), distance,
@@ -129,7 +129,7 @@ std::string comment(std::string name) {
   return "// " + name + "\n";
 }
 
-/// The texture's name, and its declaration in front of `text` when it is new.
+/// The texture's name; prepends its declaration to `text` if it is new.
 class Textures {
  public:
   std::string use(const std::string& texture, std::string& text) {
@@ -189,8 +189,8 @@ class ObjectText {
     } else {
       return {};
     }
-    // In POV-Ray whatever transmits lets shadow rays pass. Where it should not, a double that nobody sees stops them in
-    // its place.
+    // In POV-Ray everything that transmits lets shadow rays pass. If it should not, an invisible copy blocks them
+    // instead.
     const bool stops = material.transmits() && material.shadow == ShadowKind::opaque;
     const std::string texture = texture_of(material);
     std::string text = comment(object.name) + shape + "\n  " + texture + " " + detail::pov_interior(material) +

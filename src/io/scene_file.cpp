@@ -25,8 +25,8 @@ namespace {
 using detail::ReadLog;
 using detail::SceneReader;
 
-/// Other formats hold their millions of shapes themselves.
-constexpr std::size_t most_foreign_bytes = std::size_t{2} << 30;
+/// Other formats contain their millions of shapes themselves.
+constexpr std::size_t max_foreign_bytes = std::size_t{2} << 30;
 
 bool ends_with(std::string_view path, std::string_view ending) {
   if (path.size() <= ending.size()) return false;
@@ -34,7 +34,7 @@ bool ends_with(std::string_view path, std::string_view ending) {
   return std::equal(path.end() - static_cast<std::ptrdiff_t>(ending.size()), path.end(), ending.begin(), same);
 }
 
-/// Where a value stands, or the nearest table around it that the file has.
+/// The place of a value, or of the innermost table around it that the file has.
 toml::source_region place_of(const toml::table& root, std::string_view table, std::string_view key) {
   const auto outer = root[table];
   if (const auto inner = outer[key]) return inner.node()->source();
@@ -52,7 +52,7 @@ void check_camera(const Camera& camera, const toml::table& root, ReadLog& log) {
              "the picture has no width (expected either fov in [camera] or width in [screen])",
              "add fov = 45 to [camera]");
   const Vec3d view = camera.look_at - camera.eye;
-  const double least = 1 / schema::most_magnitude;
+  const double least = 1 / schema::max_magnitude;
   if (!(length(view) >= least))
     return log.fail(place_of(root, "camera", "look_at"),
                     "look_at of [camera] is the same point as eye (expected a point that the eye sees)",
@@ -65,19 +65,19 @@ void check_camera(const Camera& camera, const toml::table& root, ReadLog& log) {
 }
 
 void check_image(const ImageSize& image, const toml::table& root, ReadLog& log) {
-  constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-  if (std::int64_t{image.width} * image.height > most_pixels)
+  constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+  if (std::int64_t{image.width} * image.height > max_pixels)
     log.fail(
         place_of(root, "image", "height"),
-        fmt::format("[image] has {} x {} pixels (expected at most {} in all)", image.width, image.height, most_pixels),
+        fmt::format("[image] has {} x {} pixels (expected at most {} in all)", image.width, image.height, max_pixels),
         "make it narrower or lower");
 }
 
 void check_entries(const Scene& scene, const toml::table& root, ReadLog& log) {
-  if (const double entries = entries_of(scene.objects); entries > detail::most_entries)
+  if (const double entries = entries_of(scene.objects); entries > detail::max_entries)
     log.fail(root["object"] ? root["object"].node()->source() : root.source(),
              fmt::format("the scene comes to {:.3g} objects and triangles (expected at most {:g})", entries,
-                         detail::most_entries),
+                         detail::max_entries),
              "groups of groups grow fast: use fewer instances, or smaller meshes");
 }
 
@@ -105,10 +105,10 @@ Error syntax_error(const toml::parse_error& error, const std::string& file) {
 }  // namespace
 
 Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name, MeshReading meshes) {
-  if (text.size() > most_scene_bytes)
+  if (text.size() > max_scene_bytes)
     return tl::unexpected(
         Error{file_name, 0, 0,
-              fmt::format("the file is too large for a scene (expected at most {} MiB)", most_scene_bytes >> 20),
+              fmt::format("the file is too large for a scene (expected at most {} MiB)", max_scene_bytes >> 20),
               "is this the right file?"});
   if (const auto fine = toml_text::check(text, file_name); !fine) return tl::unexpected(fine.error());
   const toml::parse_result parsed = toml::parse(text, std::string_view(file_name));
@@ -118,7 +118,7 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
   SceneDocument document;
   document.text = text;
   Scene& scene = document.scene;
-  scene.camera.screen.width.reset();  // given by the file, or by the angle
+  scene.camera.screen.width.reset();  // given by the file, or computed from the angle
   ReadLog log(file_name, meshes == MeshReading::read);
   SceneReader reader(root, log, "");
   schema::describe(reader, scene);
@@ -152,7 +152,7 @@ namespace {
 
 Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
   if (is_mesh(format)) return scene_of_mesh(path);
-  auto text = read_file(path, format == SceneFormat::toml ? most_scene_bytes : most_foreign_bytes);
+  auto text = read_file(path, format == SceneFormat::toml ? max_scene_bytes : max_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
   const bool marked = text->starts_with(utf8_mark);
   if (const auto plain = make_plain_text(*text, path); !plain) return tl::unexpected(plain.error());
@@ -160,7 +160,7 @@ Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
     case SceneFormat::toml: {
       auto document = parse_scene(*text, path);
       if (!document) return document;
-      if (marked) document->text.insert(0, utf8_mark);  // as it was, so it is written again
+      if (marked) document->text.insert(0, utf8_mark);  // preserved when written
       const std::string folder = path.substr(0, path.find_last_of('/') + 1);
       if (const auto loaded = load_textures(document->scene, folder); !loaded) return tl::unexpected(loaded.error());
       return document;

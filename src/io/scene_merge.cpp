@@ -14,7 +14,8 @@ namespace {
 
 class Merger {
  public:
-  Merger(const Layout& layout, std::string_view text, TextEdits& edits) : layout_(layout), text_(text), edits_(edits) {}
+  Merger(const TomlLayout& layout, std::string_view text, TextEdits& edits)
+      : layout_(layout), text_(text), edits_(edits) {}
 
   /// `path` is the header's name of `node`.
   void merge(const LayoutNode& node, const Value& old, const Value& now, const std::string& path) {
@@ -49,7 +50,7 @@ class Merger {
     if (grows) edits_.insert(node.children.back().value.end, ", " + now.children.back().text);
   }
 
-  /// Elements continue those that are equal from the front and from the back, then those between in their order.
+  /// Elements are matched with equal ones from the front and from the back, then in order in between.
   static Origins continued(const Value& old, const Value& now) {
     const auto &olds = old.children, &news = now.children;
     const std::size_t shorter = std::min(olds.size(), news.size());
@@ -90,13 +91,13 @@ class Merger {
     const bool is_dotted = node.section == no_section && sibling != nullptr;
     if (child.kind == Kind::table && !is_dotted) return add_section(node, child, path);
     if (sibling != nullptr) {
-      // Written like the key above it, with the same indentation and the same table in front of the dot.
+      // Written like the key above it, with the same indentation and the same dotted prefix.
       const std::size_t begin = line_begin(text_, sibling->entry.begin);
       const std::string start(text_.substr(begin, sibling->name_begin - begin));
       return edits_.insert(line_end(text_, sibling->entry.end), start + line_of(child));
     }
     if (node.section == no_section) {
-      // Only tables within this one have headers: open it in front of them.
+      // Only tables within this one have headers: its own is inserted before them.
       const std::vector<std::size_t> inner = sections_of(node);
       const std::size_t at = inner.empty() ? text_.size() : layout_.sections[inner.front()].lead_begin;
       const std::string opened = opened_ == &node ? "" : "[" + path + "]\n";
@@ -104,7 +105,7 @@ class Merger {
       return edits_.insert(at, opened + line_of(child));
     }
     const Section& section = layout_.sections[node.section];
-    // The top of a file whose first header comes at once begins with that header's comments; keys go between.
+    // If a file begins with a header, its comments belong to that header; keys go before them.
     const std::size_t at = node.section == 0 && layout_.sections.size() > 1 && section.body_end == section.lead_begin
                                ? layout_.sections[1].lead_begin
                                : section.body_end;
@@ -117,7 +118,7 @@ class Merger {
     const std::string name = path.empty() ? child.key : path + "." + child.key;
     const std::string lines = "[" + name + "]\n" + section_text(child, name);
     if (!path.empty()) return edits_.insert(layout_.sections[sections_of(node).back()].own_end, lines);
-    // In front of the lights and objects, which a reader expects last.
+    // Before the lights and objects, which readers expect last.
     std::size_t at = text_.size();
     for (const LayoutNode& top : node.children)
       if (top.kind == LayoutNode::Kind::tables && !top.is_inline && !top.children.empty())
@@ -125,8 +126,8 @@ class Merger {
     edits_.insert(at, at == text_.size() ? "\n" + lines : lines + "\n");
   }
 
-  /// The nearest key above `child`, in the order of a new file, that stands on a line of its own in this table; else
-  /// any such key.
+  /// The nearest key before `child`, in the order of a new file, that has its own line in this table; else any such
+  /// key.
   static const LayoutNode* sibling_before(const LayoutNode& node, const Value& table, const Value& child) {
     const LayoutNode* nearest = nullptr;
     for (const Value& each : table.children) {
@@ -148,15 +149,16 @@ class Merger {
     }
   }
 
-  const Layout& layout_;
+  const TomlLayout& layout_;
   std::string_view text_;
   TextEdits& edits_;
-  const LayoutNode* opened_ = nullptr;  ///< the table that add() has just given a header
+  const LayoutNode* opened_ = nullptr;  ///< the table whose header add() has just inserted
 };
 
 }  // namespace
 
-void merge_values(const Layout& layout, std::string_view text, const Value& old, const Value& now, TextEdits& edits) {
+void merge_values(const TomlLayout& layout, std::string_view text, const Value& old, const Value& now,
+                  TextEdits& edits) {
   Merger(layout, text, edits).merge(layout.root, old, now, "");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Values that changed are replaced in a scene's text; all else in it stays. Internal to `io`.
+// Replaces changed values in a scene's text; everything else is kept. Internal to `io`.
 
 #include "io/scene_values.h"
 #include "io/toml_layout.h"
@@ -8,8 +8,9 @@
 
 namespace raywalk::detail {
 
-/// Collects the edits that make a text that holds `old` hold `now`. Lists of tables have as many elements in both
-/// (rearrange_tables has seen to that).
-void merge_values(const Layout& layout, std::string_view text, const Value& old, const Value& now, TextEdits& edits);
+/// Collects the edits that change a text from `old` to `now`. Lists of tables have equally many elements in both
+/// (rearrange_tables ensures that).
+void merge_values(const TomlLayout& layout, std::string_view text, const Value& old, const Value& now,
+                  TextEdits& edits);
 
 }  // namespace raywalk::detail

@@ -9,7 +9,8 @@
 
 namespace raywalk::detail {
 
-void Triangles::add(Scene& scene, Names& names, const Material& material, const std::array<MeshCorner, 3>& corners) {
+void TriangleGatherer::add(Scene& scene, UniqueNames& names, const Material& material,
+                           const std::array<MeshCorner, 3>& corners) {
   const Vec3d& a = corners[0].position;
   if (cross(corners[1].position - a, corners[2].position - a) == Vec3d(0.0)) {
     ++left_out_;
@@ -29,7 +30,7 @@ void Triangles::add(Scene& scene, Names& names, const Material& material, const 
   if (gathered_.triangles.size() == most) put(scene, names);
 }
 
-void Triangles::put(Scene& scene, Names& names) {
+void TriangleGatherer::put(Scene& scene, UniqueNames& names) {
   if (gathered_.triangles.empty()) return;
   if (!smooth_) gathered_.normals.clear();
   if (gathered_.triangles.size() == 1 && !smooth_) {
@@ -51,7 +52,7 @@ void Triangles::put(Scene& scene, Names& names) {
   smooth_ = false;
 }
 
-void Triangles::warn(WordReader& words) const {
+void TriangleGatherer::warn(WordReader& words) const {
   if (left_out_ > 0)
     words.warn(fmt::format("{} triangle{} without an area {} left out: no ray meets them", left_out_,
                            left_out_ == 1 ? "" : "s", left_out_ == 1 ? "is" : "are"));
@@ -74,7 +75,7 @@ std::optional<Error> make_room(Scene& scene, std::string_view text, const std::s
   }
   // With its share of the text, and of what its name and material may hold beside it.
   constexpr double per_object = 1.1 * sizeof(Object);
-  // Of a triangle three corners with normals, in lists that grow.
+  // Three corners with normals per triangle, in growing lists.
   constexpr double per_triangle = 1.5 * (3 * 2 * sizeof(Vec3d) + sizeof(Mesh::Corners));
   const MemoryNeed need{triangles > objects ? fmt::format("a scene of {:.0f} triangles", triangles)
                                             : fmt::format("a scene of {:.0f} objects", objects),
@@ -87,7 +88,7 @@ std::optional<Error> make_room(Scene& scene, std::string_view text, const std::s
 
 void check_camera(const Camera& camera, WordReader& words) {
   const Vec3d view = camera.look_at - camera.eye;
-  if (!(length(view) >= 1 / schema::most_magnitude))
+  if (!(length(view) >= 1 / schema::max_magnitude))
     return words.fail_item("the camera looks at the point where it stands (expected a point that the eye sees)",
                            "move one of the two points");
   constexpr double least_sine = 1e-9;
@@ -97,11 +98,11 @@ void check_camera(const Camera& camera, WordReader& words) {
 }
 
 void check_image(const ImageSize& image, WordReader& words) {
-  constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-  if (std::int64_t{image.width} * image.height > most_pixels)
-    words.fail(fmt::format("the image has {} x {} pixels (expected at most {} in all)", image.width, image.height,
-                           most_pixels),
-               "make it narrower or lower");
+  constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+  if (std::int64_t{image.width} * image.height > max_pixels)
+    words.fail(
+        fmt::format("the image has {} x {} pixels (expected at most {} in all)", image.width, image.height, max_pixels),
+        "make it narrower or lower");
 }
 
 }  // namespace raywalk::detail

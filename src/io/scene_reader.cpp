@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t longest_text = 10'000, longest_file = 4'000;
 
-/// A value as a message shows it, in few words.
+/// A value as shown in messages, in few words.
 std::string found(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::none:
@@ -101,7 +101,7 @@ void SceneReader::check(std::string_view key, bool holds, std::string_view messa
 }
 
 void SceneReader::finish() {
-  // Of several unknown keys the one that stands first in the file.
+  // Of several unknown keys, the first in the file.
   const toml::key* unknown = nullptr;
   for (const auto& [key, node] : table_) {
     if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
@@ -130,7 +130,7 @@ bool SceneReader::read(const toml::node& node, std::string_view key, const schem
     fail_type(node, key, kind.expected(), node.is_string() ? "numbers stand without quotes" : kind.hint);
     return false;
   }
-  const auto* integer = node.as_integer();  // asked for as a double, one that no double equals would be 0
+  const auto* integer = node.as_integer();  // as a double, an integer that is not representable would be 0
   const double given = integer != nullptr ? static_cast<double>(integer->get()) : node.as_floating_point()->get();
   const auto refusal = kind.refusal(given);
   if (!std::isfinite(given))
@@ -173,7 +173,7 @@ std::vector<double> SceneReader::numbers_of(const toml::node& node, std::string_
 }
 
 bool SceneReader::is_direction(const toml::node& node, std::string_view key, const Vec3d& value) {
-  const double least = 1 / schema::most_magnitude, size = length(value);
+  const double least = 1 / schema::max_magnitude, size = length(value);
   if (size >= least) return true;
   fail(node, key,
        value == Vec3d(0.0) ? "found a direction of length 0 (expected any other length)"
@@ -255,7 +255,7 @@ std::optional<std::size_t> SceneReader::word_of(const toml::node& node, std::str
 
 void SceneReader::fail_without_type(const std::vector<std::string_view>& words) {
   constexpr std::string_view key = "type";
-  // Without it no other key can be judged, so this cannot wait for finish(). A misspelt one is the better message.
+  // Without it no other key can be checked, so this cannot wait for finish(). A misspelt one gives the better message.
   for (const auto& [other, node] : table_) {
     if (nearest_word(other.str(), {key}).empty()) continue;
     log_.fail(other.source(), fmt::format("unknown key {} in {}", toml_text::quoted(other.str()), place_),

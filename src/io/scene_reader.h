@@ -1,5 +1,5 @@
 #pragma once
-// A parsed TOML table told to a scene's members. Internal to `io`; the interface is io/scene_file.h.
+// Reads a scene's members from parsed TOML tables. Internal to `io`; the interface is io/scene_file.h.
 
 #include "io/mesh_file.h"
 #include "io/scene_file.h"
@@ -16,10 +16,10 @@
 
 namespace raywalk::detail {
 
-/// What reading a whole file has come to. The first error is the one that is told; later ones may follow from it.
+/// The state of reading a whole file. Only the first error is kept; later ones may follow from it.
 class ReadLog {
  public:
-  /// Without `reads_meshes`, objects keep the names of their meshes' files and nothing else of them.
+  /// Without `reads_meshes`, objects keep only the names of their mesh files.
   ReadLog(std::string file, bool reads_meshes) : file_(std::move(file)), reads_meshes_(reads_meshes) {}
 
   void fail(const toml::source_region& where, std::string message, std::string hint);
@@ -27,11 +27,11 @@ class ReadLog {
   /// False (and an error) when an object or light already has this name.
   void claim_name(const std::string& name, const toml::source_region& where);
 
-  /// A mesh's file, named relative to the scene's; read once. Null (and an error) when it cannot be read, null too
-  /// where meshes are not read.
+  /// A mesh file, relative to the scene's; read once. Null (and an error) if it cannot be read; null too if meshes are
+  /// not read.
   std::optional<MeshFile> mesh(const std::string& name, const toml::source_region& where);
   void define(const Group& group, const toml::source_region& where);
-  /// Null when no group of this name stands above.
+  /// Null if no group of this name has been defined before.
   [[nodiscard]] std::shared_ptr<const GroupContent> group(const std::string& name) const;
   [[nodiscard]] std::vector<std::string_view> group_names() const;
 
@@ -42,16 +42,16 @@ class ReadLog {
   std::string file_;
   std::optional<Error> error_;
   std::vector<std::string> warnings_;
-  std::map<std::string, toml::source_index> names_;  ///< to the line of each
+  std::map<std::string, toml::source_index> names_;  ///< with the line of each
   bool reads_meshes_;
   std::map<std::string, MeshFile> meshes_;  ///< by file
   std::map<std::string, std::shared_ptr<const GroupContent>> groups_;
 };
 
-/// The `Fields` of the schema that reads: takes each key from one TOML table, checks its value and stores it.
+/// The `Fields` of the schema for reading: takes each key from one TOML table, checks its value and stores it.
 class SceneReader {
  public:
-  /// `place` says in messages which table this is: "[camera]".
+  /// `place` names the table in messages: "[camera]".
   SceneReader(const toml::table& table, ReadLog& log, std::string place)
       : table_(table), log_(log), place_(std::move(place)) {}
 
@@ -81,17 +81,17 @@ class SceneReader {
   void complete(MeshShape& mesh);
   void complete(const Group& group) { log_.define(group, table_.source()); }
 
-  /// Call once at the end: refuses keys that nobody asked for, tells the first one that is missing, and then, as a rule
-  /// may be broken only for these, the first rule that is.
+  /// Call once at the end: refuses unknown keys, reports the first missing one, or else the first broken rule, which
+  /// may be only a consequence of these.
   void finish();
 
  private:
-  /// The value of `key`, or null where the file does not give it.
+  /// The value of `key`, or null if absent.
   const toml::node* take(std::string_view key);
   void fail(const toml::node& at, std::string_view key, const std::string& message, std::string hint);
   void fail_type(const toml::node& at, std::string_view key, const std::string& expected, std::string_view hint);
 
-  // Stores what stands at `node`, or leaves the value and fails.
+  // Stores the value of `node`, or fails and leaves the old one.
   bool read(const toml::node& node, std::string_view key, const schema::Number& kind, double& value);
   bool read(const toml::node& node, std::string_view key, const schema::Whole& kind, int& value);
   bool read(const toml::node& node, std::string_view key, const schema::Flag& kind, bool& value);
@@ -115,7 +115,7 @@ class SceneReader {
   template <class T>
   bool read(const toml::node& node, std::string_view key, const schema::Tables& kind, std::vector<T>& value);
 
-  /// The numbers of a tuple, at most `count`; fewer than that only where the kind allows it. Empty after an error.
+  /// The numbers of a tuple, at most `count`; fewer only if the kind allows it. Empty after an error.
   std::vector<double> numbers_of(const toml::node& node, std::string_view key, const schema::Tuple& kind,
                                  std::size_t count);
   bool is_direction(const toml::node& node, std::string_view key, const Vec3d& value);
@@ -136,7 +136,7 @@ class SceneReader {
   std::string place_;
   std::vector<std::string_view> known_, missing_;
   int found_ = 0;
-  std::function<void()> broken_;  ///< tells of the first rule that does not hold
+  std::function<void()> broken_;  ///< reports the first broken rule
   Mesh own_mesh_;                 ///< of the lists in this table
 };
 
@@ -230,7 +230,7 @@ bool SceneReader::read(const toml::node& node, std::string_view key, const schem
   const toml::array* array = tables_of(node, key);
   if (array == nullptr) return false;
   for (const toml::node& element : *array) {
-    if (log_.error()) return false;  // a file of millions of wrong tables is refused at the first
+    if (log_.error()) return false;  // a file of millions of wrong tables is refused at the first one
     SceneReader inner(*element.as_table(), log_, place_of_element(key, value.size() + 1));
     schema::describe(inner, value.emplace_back());
     inner.finish();

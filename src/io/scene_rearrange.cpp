@@ -13,12 +13,12 @@ const std::string& text_of(const Value& table, std::string_view key) {
   return child == nullptr ? nothing : child->text;
 }
 
-/// Values of `a` besides its name and type, and how many of them `b` has too.
-struct Likeness {
+/// The number of values of `a` besides name and type, and how many of them `b` shares.
+struct Similarity {
   std::size_t values = 0, same = 0;
 };
-Likeness compare(const Value& a, const Value& b) {
-  Likeness likeness;
+Similarity compare(const Value& a, const Value& b) {
+  Similarity likeness;
   for (const Value& child : a.children) {
     if (child.key == "name" || child.key == "type") continue;
     ++likeness.values;
@@ -30,7 +30,7 @@ Likeness compare(const Value& a, const Value& b) {
 
 std::string_view part(std::string_view text, Span span) { return text.substr(span.begin, span.end - span.begin); }
 
-/// Spaces and tabs that the line of `at` begins with.
+/// The leading blanks of the line of `at`.
 std::string_view indentation(std::string_view text, std::size_t at) {
   const std::size_t begin = line_begin(text, at);
   return text.substr(begin, std::min(text.find_first_not_of(" \t", begin), text.size()) - begin);
@@ -45,8 +45,8 @@ bool is_empty_line(std::string_view text, std::size_t begin) {
   return first == std::string_view::npos || text[first] == '\n';
 }
 
-/// The parts of the text that a table with its sub-tables takes, neighbouring ones joined.
-std::vector<Span> spans_of(const Layout& layout, const LayoutNode& table) {
+/// The text spans of a table with its sub-tables, adjacent ones joined.
+std::vector<Span> spans_of(const TomlLayout& layout, const LayoutNode& table) {
   std::vector<Span> spans;
   std::size_t previous = no_section;
   for (const std::size_t i : sections_of(table)) {
@@ -60,7 +60,7 @@ std::vector<Span> spans_of(const Layout& layout, const LayoutNode& table) {
   return spans;
 }
 
-/// `span` with the empty lines below it, if there is an empty line or nothing above it that stays.
+/// `span` with the empty lines below it, if an empty line or nothing remains above it.
 Span with_gap(std::string_view text, Span span) {
   if (span.begin > 0 && !is_empty_line(text, line_begin(text, span.begin - 1))) return span;
   while (span.end < text.size() && is_empty_line(text, span.end)) span.end = line_end(text, span.end);
@@ -83,12 +83,12 @@ Origins pair_up(const Value& old_tables, const Value& new_tables) {
   for (std::size_t i = 0; i < news.size(); ++i)
     if (const auto found = by_name.find(text_of(news[i], "name")); found != by_name.end()) pair(i, found->second);
 
-  // What is left is few: renamed, added or removed since the file was last written.
+  // Few are left: renamed, added or removed since the file was last written.
   for (const bool exactly : {true, false}) {
     for (std::size_t i = 0; i < news.size(); ++i) {
       for (std::size_t j = 0; j < olds.size() && !origins[i]; ++j) {
         if (taken[j] || text_of(olds[j], "type") != text_of(news[i], "type")) continue;
-        const Likeness likeness = compare(news[i], olds[j]);
+        const Similarity likeness = compare(news[i], olds[j]);
         if (exactly ? likeness.same == likeness.values : i == j && 2 * likeness.same >= likeness.values) pair(i, j);
       }
     }
@@ -103,7 +103,7 @@ bool is_unchanged(const Origins& origins, std::size_t old_count) {
   return true;
 }
 
-void rearrange_tables(const Layout& layout, std::string_view text, const LayoutNode* tables, const Value& now,
+void rearrange_tables(const TomlLayout& layout, std::string_view text, const LayoutNode* tables, const Value& now,
                       const Origins& origins, TextEdits& edits) {
   const auto new_text = [&](std::size_t i) { return "[[" + now.key + "]]\n" + section_text(now.children[i], now.key); };
   if (tables == nullptr || tables->children.empty()) {
@@ -113,7 +113,7 @@ void rearrange_tables(const Layout& layout, std::string_view text, const LayoutN
   std::vector<std::vector<Span>> spans;
   for (const LayoutNode& table : tables->children) spans.push_back(spans_of(layout, table));
 
-  // The tables that stay, in their old order, are the places; the new order says who stands where.
+  // The remaining tables, in their old order, are the slots; the new order says which goes where.
   std::vector<bool> stays(spans.size());
   for (const auto& origin : origins)
     if (origin) stays[*origin] = true;
@@ -146,7 +146,7 @@ void rearrange_tables(const Layout& layout, std::string_view text, const LayoutN
 void rearrange_list(std::string_view text, const LayoutNode& list, const Value& now, const Origins& origins,
                     TextEdits& edits) {
   const auto& olds = list.children;
-  // Who keeps its place: the elements that still stand in ascending order, from the first on.
+  // The elements that keep their place: those still in ascending order, from the first on.
   std::vector<bool> keeps(origins.size());
   std::vector<bool> stays(olds.size());
   std::size_t least = 0;
@@ -172,7 +172,7 @@ void rearrange_list(std::string_view text, const LayoutNode& list, const Value& 
       const bool own_line = is_first_in_line(text, at);
       edits.insert(at, element_text(i) + (own_line ? ",\n" + std::string(indentation(text, at)) : ", "));
     } else if (bracket_stands_alone && last_kept == last) {
-      // A comment behind the last element stays behind it.
+      // A comment after the last element stays there.
       const bool comma = list.trailing_comma || (i > 0 && !keeps[i - 1]);
       if (!comma) edits.insert(olds[last].value.end, ",");
       edits.insert(line_begin(text, bracket),

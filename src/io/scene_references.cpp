@@ -1,4 +1,4 @@
-// The names of the files that a scene takes in, told from another folder.
+// The names of the files that a scene uses, relative to another folder.
 
 #include "io/scene_file.h"
 #include "io/toml_text.h"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of a file with all its links followed: only from there ".." leads where it seems to.
+/// The folder of a file with all links resolved: only from there ".." leads where it seems to.
 fs::path real_folder(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code failed;
@@ -24,10 +24,10 @@ fs::path real_folder(const fs::path& file) {
   return failed ? folder : real;
 }
 
-/// Tells names anew; keeps the first that no scene can state.
-class Retelling {
+/// Rewrites names; keeps the first that a scene cannot contain.
+class PathRewriter {
  public:
-  Retelling(const std::string& from, const std::string& to) : from_(real_folder(from)), to_(real_folder(to)) {}
+  PathRewriter(const std::string& from, const std::string& to) : from_(real_folder(from)), to_(real_folder(to)) {}
 
   [[nodiscard]] bool is_needed() const { return from_ != to_; }
   void retell(std::vector<Object>& objects) {
@@ -58,7 +58,7 @@ class Retelling {
 }  // namespace
 
 Result<Scene> with_names_from(Scene scene, const std::string& from, const std::string& to) {
-  Retelling retelling(from, to);
+  PathRewriter retelling(from, to);
   if (from.empty() || !retelling.is_needed()) return scene;
   retelling.retell(scene.objects);
   for (Group& group : scene.groups) retelling.retell(group.objects);

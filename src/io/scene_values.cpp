@@ -25,7 +25,7 @@ static Value tree(const schema::Tables& /*kind*/, std::vector<T>& value) {
 
 namespace {
 
-/// The `Fields` of the schema that lists what a table would hold.
+/// The `Fields` of the schema that lists the values of a table.
 class Lister {
  public:
   void about(std::string_view /*sentence*/) {}
@@ -61,7 +61,7 @@ class Lister {
   template <class T>
   void complete(const T& /*value*/) {}
 
-  /// The table of `value`'s members, those marked that a new T has as well.
+  /// The table of `value`'s members, with those of a default T marked.
   template <class T>
   static Value table_of(T& value) {
     Lister lister, fresh;
@@ -85,7 +85,7 @@ class Lister {
   }
 
  private:
-  /// `optional` stands for is_default until table_of() has compared the values.
+  /// `optional` is stored in is_default until table_of() has compared the values.
   void add(std::string_view name, Value value, bool optional) {
     value.key = name;
     value.is_default = optional;
@@ -110,7 +110,7 @@ std::string list_text(const Value& list) {
   return text + "]";
 }
 
-/// `text` is the value's inline text. A long list of lists gets a line for each.
+/// `text` is the value's inline text. A long list of lists is put on a line each.
 std::string entry_text(const Value& value) {
   std::string text = value.key + " = " + inline_text(value);
   constexpr std::size_t longest_line = 100;
@@ -160,12 +160,12 @@ std::string inline_text(const Value& value) {
 }
 
 std::string section_text(const Value& table, const std::string& path) {
-  const bool is_deep = path.find('.') != std::string::npos;  // a third level goes into braces
+  const bool is_deep = path.find('.') != std::string::npos;  // a third level is put in braces
   std::string lines, sections;
   for (const Value& child : table.children) {
     if (child.is_default) continue;
     const std::string child_path = path.empty() ? child.key : path + "." + child.key;
-    // Within a file, sections stand apart; within an object they belong together.
+    // Sections of a file are separated; those of an object are not.
     const char* gap = path.empty() ? "\n" : "";
     if (child.kind == Kind::tables) {
       for (const Value& element : child.children)

@@ -1,5 +1,5 @@
 #pragma once
-// A scene as the tree of keys and values that stands in its file. Internal to `io`; the interface is io/scene_file.h.
+// A scene as the tree of keys and values of its file. Internal to `io`; the interface is io/scene_file.h.
 
 #include "scene/schema.h"
 
@@ -9,7 +9,7 @@
 
 namespace raywalk::detail {
 
-/// A key's value. Two trees are equal when they hold the same numbers, bit for bit, however these are written.
+/// A key's value. Two trees are equal if their numbers are, bit for bit, however they are written.
 struct Value {
   enum class Kind {
     scalar,  ///< `text`
@@ -24,7 +24,7 @@ struct Value {
   std::string text{};  ///< as TOML
   std::vector<Value> children{};
   Shorthand shorthand = Shorthand::none;
-  bool is_default = false;  ///< reads back the same when left out
+  bool is_default = false;  ///< may be omitted
 
   friend bool operator==(const Value& a, const Value& b) {
     return a.key == b.key && a.kind == b.kind && a.text == b.text && a.children == b.children;
@@ -33,13 +33,13 @@ struct Value {
   [[nodiscard]] const Value* find(std::string_view child_key) const;
 };
 
-/// All of `scene`, with the values that a file may leave out.
+/// All of `scene`, including the values that a file may omit.
 [[nodiscard]] Value values_of(const Scene& scene);
 
-/// The value on one line, a table in braces. Of a table's values those that are not the default.
+/// The value on one line, a table in braces, without defaults.
 [[nodiscard]] std::string inline_text(const Value& value);
-/// The lines under a table's header: its values that are not the default, then those of its tables under headers of
-/// their own. `path` is the header's name, "" for the whole file.
+/// The lines under a table's header: its values other than defaults, then its tables under their own headers. `path` is
+/// the header's name, "" for the whole file.
 [[nodiscard]] std::string section_text(const Value& table, const std::string& path);
 
 }  // namespace raywalk::detail

@@ -18,7 +18,7 @@ namespace {
 
 using detail::Value;
 
-/// Whether every line of `text` ends as on Windows.
+/// Whether every line of `text` ends with CR LF.
 bool has_windows_lines(std::string_view text) {
   for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
     if (at == 0 || text[at - 1] != '\r') return false;
@@ -39,7 +39,7 @@ std::string with_windows_lines(std::string_view text) {
   return result;
 }
 
-/// `text`, which holds `old`, changed so that it holds `now`; nothing when its layout is beyond us.
+/// `text`, changed from `old` to `now`; nothing if its layout is too complex.
 std::optional<std::string> merged(std::string text, Value old, const Value& now) {
   if (!text.empty() && text.back() != '\n') text += '\n';
   for (const Value& tables : now.children) {
@@ -71,7 +71,7 @@ std::optional<std::string> merged(std::string text, Value old, const Value& now)
   return edits.apply(text);
 }
 
-/// Bytes that the scene's text has at least: a short name, a type and a few digits an object, "0, " a number of a mesh.
+/// Minimum size of the scene's text: a short name, a type and a few digits per object, "0, " per number of a mesh.
 double least_text(const Scene& scene) {
   constexpr double per_object = 60, per_number = 3;
   double bytes = per_object * static_cast<double>(scene.objects.size());
@@ -92,14 +92,14 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
     return tl::unexpected(Error{
         "", 0, 0,
         fmt::format("the scene is too large for a .toml: {} object{} to {}{:.0f} MiB (expected at most {} MiB)", count,
-                    count == 1 ? " comes" : "s come", at_least, std::ceil(bytes / mebibyte), most_scene_bytes >> 20),
+                    count == 1 ? " comes" : "s come", at_least, std::ceil(bytes / mebibyte), max_scene_bytes >> 20),
         "convert it to .pov, which may be larger, or keep the file that it was read from"});
   };
-  // The tree of values takes a thousand times the memory of what it says, so what cannot be is told before.
-  if (const double least = least_text(scene); least > static_cast<double>(most_scene_bytes))
+  // The tree of values takes a thousand times the memory of the text, so what is too large is refused before.
+  if (const double least = least_text(scene); least > static_cast<double>(max_scene_bytes))
     return too_large("at least ", least);
   const Value now = detail::values_of(scene);
-  // Reading what was written is the proof that nothing is lost, and the check of the scene itself.
+  // Reading back proves that nothing is lost, and checks the scene itself.
   const auto holds_scene = [&](const Result<SceneDocument>& written) {
     return written && detail::values_of(written->scene) == now;
   };
@@ -113,7 +113,7 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
     }
   }
   std::string text = detail::section_text(now, "");
-  if (text.size() > most_scene_bytes) return too_large("", static_cast<double>(text.size()));
+  if (text.size() > max_scene_bytes) return too_large("", static_cast<double>(text.size()));
   const auto written = parse_scene(text, "the scene to be written", MeshReading::skip);
   if (!written) return tl::unexpected(written.error());
   if (!holds_scene(written))
@@ -131,7 +131,7 @@ Result<void> write_scene(SceneDocument& document, const std::string& path) {
     return format_scene(scene, document.text);
   });
   if (!text) {
-    // The place in a text that nobody has seen says nothing; the message names the key and the object.
+    // A place in a text that the user has not seen is no help; the message names the key and the object.
     Error error = text.error();
     error.file = path;
     error.line = error.column = 0;

@@ -30,10 +30,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_word(std::string_view word, const std::vector<std::string_view>& candidates) {
-  constexpr std::size_t longest = 40;  // nothing that we ask for is longer; keeps hostile words cheap
+  constexpr std::size_t longest = 40;  // no candidate is longer; keeps hostile words cheap
   if (word.size() > longest) return {};
   std::string_view nearest;
-  std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;  // a third of it may be wrong
+  std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;  // up to a third of it may be wrong
   for (const std::string_view candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < least) {

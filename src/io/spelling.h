@@ -6,7 +6,7 @@
 
 namespace raywalk {
 
-/// The candidate that `word` most likely was meant to be, upper and lower case aside; empty when none is near enough.
+/// The candidate most similar to `word`, ignoring case; empty if none is close enough.
 [[nodiscard]] std::string nearest_word(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// "a, b or c".

@@ -14,7 +14,7 @@ std::uint8_t to_srgb8_by_formula(float linear) {
   return static_cast<std::uint8_t>(std::lround(255 * srgb_encode(clamped)));
 }
 
-/// For each byte but 0 the smallest float that becomes it. A power costs some 30 ns, a search through this table 5.
+/// For each byte but 0, the smallest float that is mapped to it. A power takes about 30 ns, a search in this table 5.
 std::array<float, 255> smallest_of_each_byte() {
   std::array<float, 255> smallest{};
   for (std::size_t byte = 1; byte <= 255; ++byte) {

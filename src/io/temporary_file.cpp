@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view name_begin = ".raywalk-", name_end = ".tmp";
 
-/// The name of this host, of letters that may stand in a file's name; "" when it has none.
+/// This host's name, in letters allowed in file names; "" if it has none.
 std::string host_name() {
   std::array<char, 65> name{};
   if (::gethostname(name.data(), name.size() - 1) != 0) return "";
@@ -36,7 +36,7 @@ std::string host_name() {
 /// ".raywalk-HOST-", with which the names of this host's files begin.
 std::string head_of_this_host() { return std::string(name_begin) + host_name() + "-"; }
 
-/// The process whose file this is; nothing when it is none of this host's files.
+/// The process that owns this file; nothing if it is not one of this host's files.
 std::optional<pid_t> owner_of(std::string_view name, std::string_view host_head) {
   if (!name.starts_with(host_head) || !name.ends_with(name_end)) return std::nullopt;
   name.remove_prefix(host_head.size());
@@ -53,7 +53,7 @@ std::optional<pid_t> owner_of(std::string_view name, std::string_view host_head)
   return process;
 }
 
-/// Removes what dead processes of this host left in `folder`. A process may be out of sight and alive, in another
+/// Removes what dead processes of this host left in `folder`. A process may be alive but invisible, in another
 /// container of the same name: then it still holds its lock.
 void clear_left_behind(const fs::path& folder) {
   if (host_name().empty()) return;
@@ -74,14 +74,14 @@ void clear_left_behind(const fs::path& folder) {
 int open_nameless([[maybe_unused]] const fs::path& folder) {
 #ifdef O_TMPFILE
   const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-  // It gets its name by way of this folder, which not every container has.
+  // It will be named through this folder, which not every container has.
   if (descriptor < 0 || ::access(("/proc/self/fd/" + std::to_string(descriptor)).c_str(), F_OK) == 0) return descriptor;
   ::close(descriptor);
 #endif
   return -1;
 }
 
-/// The names that files have for now. There are hardly ever two at once; what finds no place here is cleared later.
+/// Current names of temporary files. There are rarely two at once; those that do not fit here are removed later.
 std::array<std::atomic<const char*>, 16> names_in_use{};
 static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
@@ -109,11 +109,11 @@ void TemporaryFile::forget_name() {
   name_.clear();
 }
 
-/// Tries names that nobody has until `take`, which says -1 and errno when it fails, has one.
+/// Tries unused names until `take`, which returns -1 and sets errno on failure, succeeds.
 int TemporaryFile::find_name(int (*take)(int descriptor, const char* name)) {
-  constexpr int most_tries = 1000;
+  constexpr int max_tries = 1000;
   const std::string own_head = head_of_this_host() + std::to_string(::getpid()) + "-";
-  for (int i = 0; i < most_tries; ++i) {
+  for (int i = 0; i < max_tries; ++i) {
     const std::string name = (folder_ / (own_head + std::to_string(i) + std::string(name_end))).string();
     const int taken = take(descriptor_, name.c_str());
     if (taken < 0 && errno == EEXIST) continue;
@@ -146,7 +146,7 @@ int TemporaryFile::take_name(const std::string& name) {
     discard();
     return error;
   };
-  // A link cannot replace a file, so it has a name of its own for a moment.
+  // A link cannot replace a file, so it briefly has its own name.
   if (name_.empty()) {
     const int error = find_name([](int descriptor, const char* own) {
       const std::string open_file = "/proc/self/fd/" + std::to_string(descriptor);

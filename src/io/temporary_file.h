@@ -5,10 +5,10 @@
 
 namespace raywalk {
 
-/// A new file in a folder that vanishes with the program, however that ends, unless it is given a name. On Linux it has
-/// none until then, where the file system allows that. Elsewhere it is called .raywalk-HOST-PROCESS-N.tmp; what a
-/// killed program left of that kind is cleared by the next one that writes into the folder on the same host. Folders
-/// may be shared by the machines of a cluster: what others have under way is left alone.
+/// A new file in a folder that disappears with the program, however that ends, unless it is given a name. On Linux it
+/// has no name until then, if the file system supports that. Elsewhere it is called .raywalk-HOST-PROCESS-N.tmp; files
+/// left by a killed program are removed by the next one that writes into the folder on the same host. Folders may be
+/// shared by the machines of a cluster: files of other hosts are left alone.
 class TemporaryFile {
  public:
   TemporaryFile() = default;
@@ -20,7 +20,7 @@ class TemporaryFile {
   [[nodiscard]] int open(const std::filesystem::path& folder);
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  /// Becomes the file of this name, in the same folder, in place of what was there; closes it.
+  /// Becomes the file of this name, in the same folder, replacing any old one; closes it.
   [[nodiscard]] int take_name(const std::string& name);
   void discard();
 
@@ -33,7 +33,7 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// Removes what has a name. For a signal handler that ends the program: calls nothing that it may not.
+/// Removes the named ones. For a signal handler that ends the program: async-signal-safe.
 void remove_temporary_files() noexcept;
 
 }  // namespace raywalk

@@ -2,7 +2,7 @@
 
 #include "io/scene_parts.h"
 #include "io/spelling.h"
-#include "shape/placed.h"
+#include "shape/object_transform.h"
 
 #include <fmt/format.h>
 
@@ -23,20 +23,20 @@ using schema::reflectance;
 using schema::view_angle;
 
 /// Most vertices, and most matrices on the stack.
-constexpr int most_vertices = 100'000'000;
-constexpr std::size_t most_pushed = 10'000;
+constexpr int max_vertices = 100'000'000;
+constexpr std::size_t max_pushed = 10'000;
 
-/// The current matrix: the step written last acts on an object first.
+/// The matrix stack: the step written last is applied to an object first.
 class Matrices {
  public:
   void append(TransformStep step) {
-    // Many steps become one matrix, so that pushing them costs the same however many there are.
-    constexpr std::size_t most_steps = 16;
+    // Many steps are combined into one matrix, so that the cost of a push is bounded.
+    constexpr std::size_t max_steps = 16;
     steps_.push_back(std::move(step));
-    if (steps_.size() > most_steps) steps_ = {matrix_step()};
+    if (steps_.size() > max_steps) steps_ = {matrix_step()};
     whole_ = affine_of(object_steps());
   }
-  /// In the order in which an object goes through them.
+  /// In the order in which they are applied to an object.
   [[nodiscard]] std::vector<TransformStep> object_steps() const { return {steps_.rbegin(), steps_.rend()}; }
   [[nodiscard]] const Affine<double>& whole() const { return whole_; }
 
@@ -85,14 +85,14 @@ class TestFormatReader {
 
  private:
   using Read = void (TestFormatReader::*)();
-  struct Command {
+  struct FormatCommand {
     std::string_view word;
     Read read;
   };
 
   void read_command(std::string_view word) {
     using R = TestFormatReader;
-    static constexpr std::array<Command, 24> commands{{
+    static constexpr std::array<FormatCommand, 24> commands{{
         {"size", &R::read_size},
         {"maxdepth", &R::read_maxdepth},
         {"output", &R::read_output},
@@ -119,10 +119,10 @@ class TestFormatReader {
         {"emission", &R::read_emission},
     }};
     const auto known =
-        std::find_if(commands.begin(), commands.end(), [&](const Command& each) { return each.word == word; });
+        std::find_if(commands.begin(), commands.end(), [&](const FormatCommand& each) { return each.word == word; });
     if (known != commands.end()) return (this->*known->read)();
     std::vector<std::string_view> all;
-    for (const Command& each : commands) all.push_back(each.word);
+    for (const FormatCommand& each : commands) all.push_back(each.word);
     const std::string meant = word.size() <= 40 ? nearest_word(word, all) : std::string();
     words_.fail(
         fmt::format("unknown command {} (expected {})", word.size() <= 40 ? word : "of many letters", one_of(all)),
@@ -184,8 +184,8 @@ class TestFormatReader {
     if (words_.ok()) matrices_.back().append({Rotate{axis, degrees}});
   }
   void push() {
-    if (matrices_.size() > most_pushed)
-      return words_.fail(fmt::format("too many pushTransform (expected at most {} open ones)", most_pushed),
+    if (matrices_.size() > max_pushed)
+      return words_.fail(fmt::format("too many pushTransform (expected at most {} open ones)", max_pushed),
                          "each pushTransform needs its popTransform");
     matrices_.push_back(matrices_.back());
   }
@@ -195,7 +195,7 @@ class TestFormatReader {
                          "put a pushTransform before what it belongs to, or remove it");
     matrices_.pop_back();
   }
-  /// The current matrix; fails where no object can be placed by it.
+  /// The current matrix; fails if it cannot place an object.
   const Affine<double>& matrix() {
     const Affine<double>& m = matrices_.back().whole();
     if (words_.ok() && !inverse(m))
@@ -216,7 +216,7 @@ class TestFormatReader {
   }
   void add_light(Light light, const Vec3d& place) {
     if (!words_.ok()) return;
-    if (!is_finite(place) || length(place) > schema::most_magnitude)
+    if (!is_finite(place) || length(place) > schema::max_magnitude)
       return words_.fail_item("the current matrix puts the light too far away", "scale by less");
     scene_.lights.push_back(std::move(light));
   }
@@ -243,7 +243,7 @@ class TestFormatReader {
       words_.fail_item("there is no vertex yet (expected vertices above the triangles)",
                        "vertex belongs to tri, vertexnormal to trinormal");
     if (!words_.ok()) return 0;
-    const int last = static_cast<int>(std::min(size, static_cast<std::size_t>(most_vertices))) - 1;
+    const int last = static_cast<int>(std::min(size, static_cast<std::size_t>(max_vertices))) - 1;
     return static_cast<std::size_t>(words_.whole("a vertex, counted from 0,", {0, last}));
   }
   void read_triangle() {
@@ -259,19 +259,19 @@ class TestFormatReader {
     if (!words_.ok()) return;
     for (detail::MeshCorner& corner : corners) {
       corner = {m.point(corner.position), corner.normal == Vec3d(0.0) ? corner.normal : m.normal(corner.normal)};
-      if (!is_finite(corner.position) || length(corner.position) > schema::most_magnitude ||
-          !is_finite(corner.normal) || length(corner.normal) > schema::most_magnitude)
+      if (!is_finite(corner.position) || length(corner.position) > schema::max_magnitude || !is_finite(corner.normal) ||
+          length(corner.normal) > schema::max_magnitude)
         return words_.fail_item("the current matrix puts the triangle too far away", "scale by less");
     }
-    // Where the matrix mirrors, the corners change turns so that the normal's side stays (as by the inverse transpose).
+    // If the matrix mirrors, corners are swapped so that the normal keeps its side (as with the inverse transpose).
     if (m.determinant() < 0) std::swap(corners[1], corners[2]);
     triangles_.add(scene_, names_, material_, corners);
   }
 
   WordReader words_;
   Scene scene_;
-  detail::Names names_;
-  detail::Triangles triangles_;
+  detail::UniqueNames names_;
+  detail::TriangleGatherer triangles_;
   Material material_;
   Attenuation attenuation_;
   std::vector<Matrices> matrices_{1};

@@ -11,18 +11,18 @@ using namespace std::string_view_literals;
 
 std::optional<Error> why_not_utf8(std::string_view bytes, const std::string& path) {
   // The longer marks first: that of UTF-16 begins one of UTF-32.
-  struct Mark {
+  struct ByteOrderMark {
     std::string_view bytes, encoding;
   };
-  constexpr std::array<Mark, 4> marks{
+  constexpr std::array<ByteOrderMark, 4> marks{
       {{"\xff\xfe\0\0"sv, "UTF-32"}, {"\0\0\xfe\xff"sv, "UTF-32"}, {"\xff\xfe"sv, "UTF-16"}, {"\xfe\xff"sv, "UTF-16"}}};
   const auto refused = [&](std::string_view encoding, std::string_view why) {
     return Error{path, 1, 1, std::string("the file is in ").append(encoding).append(why) + " (expected UTF-8)",
                  "save it again with the encoding UTF-8"};
   };
-  for (const Mark& mark : marks)
+  for (const ByteOrderMark& mark : marks)
     if (bytes.starts_with(mark.bytes)) return refused(mark.encoding, ", as its byte order mark (BOM) says");
-  // Without one, every other byte of plain letters is 0.
+  // Without one, every other byte of ASCII letters is 0.
   const auto zero = [&](std::size_t i) { return bytes[i] == '\0'; };
   if (bytes.size() >= 4 && zero(0) == zero(2) && zero(1) == zero(3) && zero(0) != zero(1))
     return refused("UTF-16", ", without a byte order mark");
@@ -47,8 +47,8 @@ Result<void> make_plain_text(std::string& bytes, const std::string& path) {
   return {};
 }
 
-Result<std::string> read_text(const std::string& path, std::size_t most_bytes) {
-  auto bytes = read_file(path, most_bytes);
+Result<std::string> read_text(const std::string& path, std::size_t max_bytes) {
+  auto bytes = read_file(path, max_bytes);
   if (!bytes) return bytes;
   if (const auto plain = make_plain_text(*bytes, path); !plain) return tl::unexpected(plain.error());
   return bytes;

@@ -20,24 +20,24 @@ namespace raywalk {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{256} << 20;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
+constexpr std::size_t max_bytes = std::size_t{256} << 20;
+constexpr std::int64_t max_pixels = std::int64_t{1} << 26;
 
 tl::unexpected<Error> no_texture(const std::string& file, const std::string& why) {
   return tl::unexpected(Error{file, 0, 0, why, "a texture is a PNG or a JPEG of 8 bits a channel"});
 }
 
 Result<void> check_size(const std::string& file, std::int64_t width, std::int64_t height) {
-  if (width * height <= most_pixels) return {};
+  if (width * height <= max_pixels) return {};
   return no_texture(
-      file, fmt::format("the image has {} x {} pixels (expected at most {} in all)", width, height, most_pixels));
+      file, fmt::format("the image has {} x {} pixels (expected at most {} in all)", width, height, max_pixels));
 }
 
 tl::unexpected<Error> damaged(const std::string& file, const std::string& why) {
   return no_texture(file, fmt::format("the image is damaged: {}", why));
 }
 
-/// Bytes of red, green, blue and others that are left out, row by row from the top.
+/// Red, green and blue bytes, with others that are ignored, row by row from the top.
 struct Bytes {
   int width, height, channels;
   std::vector<std::uint8_t> bytes;
@@ -50,7 +50,7 @@ Result<Bytes> decode_png(std::string_view bytes, const std::string& file) {
   if (png_image_begin_read_from_memory(image.get(), bytes.data(), bytes.size()) == 0)
     return damaged(file, image->message);
   if (auto small = check_size(file, image->width, image->height); !small) return tl::unexpected(small.error());
-  image->format = PNG_FORMAT_RGBA;  // what is transparent keeps its colour
+  image->format = PNG_FORMAT_RGBA;  // transparent pixels keep their colour
   Bytes decoded{static_cast<int>(image->width), static_cast<int>(image->height), 4, {}};
   decoded.bytes.resize(PNG_IMAGE_SIZE(*image));
   if (png_image_finish_read(image.get(), nullptr, decoded.bytes.data(), 0, nullptr) == 0)
@@ -78,8 +78,8 @@ Result<Bytes> decode_jpeg(std::string_view bytes, const std::string& file) {
 }  // namespace
 
 Result<TexturePixels> decode_texture(std::string_view bytes, const std::string& file_name) {
-  if (bytes.size() > most_bytes)
-    return no_texture(file_name, fmt::format("the file is too large (expected at most {} MiB)", most_bytes >> 20));
+  if (bytes.size() > max_bytes)
+    return no_texture(file_name, fmt::format("the file is too large (expected at most {} MiB)", max_bytes >> 20));
   const bool png = bytes.starts_with("\x89PNG"), jpeg = bytes.starts_with("\xff\xd8");
   if (!png && !jpeg) return no_texture(file_name, "this is not an image that can be read (expected a PNG or JPEG)");
   const Result<Bytes> image = png ? decode_png(bytes, file_name) : decode_jpeg(bytes, file_name);
@@ -98,7 +98,7 @@ Result<TexturePixels> decode_texture(std::string_view bytes, const std::string& 
 
 namespace {
 
-/// Gives the textures of objects their pixels; each file is decoded once, by whatever names it is called.
+/// Loads the pixels of textures; each file is decoded once, whatever its names.
 class Loader {
  public:
   explicit Loader(std::string folder) : folder_(std::move(folder)) {}
@@ -127,7 +127,7 @@ class Loader {
     const std::string path = (std::filesystem::path(folder_) / object.material.texture->file).string();
     Pixels& pixels = pixels_[detail::one_name(path)];
     if (pixels) return pixels;
-    const auto bytes = read_file(path, most_bytes);
+    const auto bytes = read_file(path, max_bytes);
     auto decoded = bytes ? decode_texture(*bytes, path) : tl::unexpected(bytes.error());
     if (!decoded) {
       Error error = decoded.error();
@@ -138,7 +138,7 @@ class Loader {
     return pixels = std::make_shared<const TexturePixels>(std::move(*decoded));
   }
 
-  /// What the instances of a group share, with its textures; the same where it has none.
+  /// A group's shared content, with its textures loaded; unchanged if it has none.
   Result<Content> loaded(const Content& content) {
     if (const auto known = contents_.find(content); known != contents_.end()) return known->second;
     Group group = content->group;

@@ -19,7 +19,7 @@ class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
 
-  std::optional<Layout> scan() {
+  std::optional<TomlLayout> scan() {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (text_.substr(0, 3) == byte_order_mark) at_ = 3;
     layout_.root.section = 0;
@@ -39,7 +39,7 @@ class Scanner {
     ++at_;
     return true;
   }
-  /// Skips blanks and, if asked to, newlines and comments.
+  /// Skips blanks and, if `lines`, newlines and comments.
   void skip_blank(bool lines) {
     while (at_ < text_.size()) {
       const char c = text_[at_];
@@ -71,13 +71,14 @@ class Scanner {
     return parts;
   }
 
-  /// The table that the current section's keys belong to. Found anew each time: nodes move as their lists grow.
+  /// The table that the current section's keys belong to. Looked up each time, because nodes move when their lists
+  /// grow.
   LayoutNode* table() {
     LayoutNode* node = &layout_.root;
     for (const std::string& name : table_path_) node = descend(*node, name);
     return node;
   }
-  /// The table of this name in `node`, the last one of several, made if it is new.
+  /// The table of this name in `node`, the last of several; created if new.
   static LayoutNode* descend(LayoutNode& node, const std::string& name) {
     LayoutNode* child = own_child(node, name);
     return child->kind == Kind::tables && !child->children.empty() ? &child->children.back() : child;
@@ -166,7 +167,7 @@ class Scanner {
     return first != std::string_view::npos && text_[first] == '#';
   }
 
-  /// Gives comment lines to the header below them, else to the keys above them; those between empty lines to nobody.
+  /// Assigns comment lines to the header below them, else to the keys above them; those between empty lines to neither.
   void find_comments() {
     std::vector<Section>& sections = layout_.sections;
     for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -187,7 +188,7 @@ class Scanner {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<std::string> table_path_;
-  Layout layout_;
+  TomlLayout layout_;
 };
 
 void collect_sections(const LayoutNode& node, std::vector<std::size_t>& sections) {
@@ -203,7 +204,7 @@ const LayoutNode* LayoutNode::find(std::string_view child_key) const {
   return child == children.end() ? nullptr : &*child;
 }
 
-std::optional<Layout> scan_toml(std::string_view text) { return Scanner(text).scan(); }
+std::optional<TomlLayout> scan_toml(std::string_view text) { return Scanner(text).scan(); }
 
 std::size_t line_begin(std::string_view text, std::size_t at) {
   if (at == 0) return 0;

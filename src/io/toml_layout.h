@@ -1,6 +1,6 @@
 #pragma once
-// Where everything stands in a TOML text, so that parts of it can be replaced and the rest be left as it is. The text
-// has been accepted by a TOML parser before; on any other, scan_toml gives up. Internal to `io`.
+// The places of everything in a TOML text, so that parts can be replaced and the rest be kept. The text must have been
+// accepted by a TOML parser; otherwise scan_toml gives up. Internal to `io`.
 
 #include <cstddef>
 #include <optional>
@@ -24,7 +24,7 @@ struct LayoutNode {
   std::string key{};  ///< "" for an element of a list
   Kind kind = Kind::table;
   bool is_inline = false;            ///< a table in braces, or a value
-  Span value{};                      ///< the characters of what is inline
+  Span value{};                      ///< the characters of an inline value
   Span entry{};                      ///< of a key with a value: from the key's first character to the value's last
   std::size_t name_begin = 0;        ///< where in the entry the last part of a dotted key begins
   bool trailing_comma = false;       ///< of a list: a comma follows its last element
@@ -43,28 +43,28 @@ struct Section {
   std::size_t own_end = 0;       ///< after the comment lines directly below that
 };
 
-struct Layout {
+struct TomlLayout {
   LayoutNode root;
   std::vector<Section> sections;
 };
 
-[[nodiscard]] std::optional<Layout> scan_toml(std::string_view text);
+[[nodiscard]] std::optional<TomlLayout> scan_toml(std::string_view text);
 
-/// Of the line that `at` lies in: its first character, and one behind its newline.
+/// Of the line that contains `at`: its first character, and the one after its newline.
 [[nodiscard]] std::size_t line_begin(std::string_view text, std::size_t at);
 [[nodiscard]] std::size_t line_end(std::string_view text, std::size_t at);
 
-/// The sections that `node` and what is in it were opened by, in the order of the file.
+/// The sections that opened `node` and its contents, in file order.
 [[nodiscard]] std::vector<std::size_t> sections_of(const LayoutNode& node);
 
-/// Replacements in a text, collected and then made at once. They must not overlap; those at one place are made in
-/// the order in which they were added.
+/// Replacements in a text, collected and applied together. They must not overlap; those at one place are applied in the
+/// order of their addition.
 class TextEdits {
  public:
   void replace(Span span, std::string text) { edits_.push_back({span, std::move(text)}); }
   void insert(std::size_t at, std::string text) { replace({at, at}, std::move(text)); }
   void remove(Span span) { replace(span, ""); }
-  /// The text with all edits; nothing when two of them overlap.
+  /// The text with all edits; nothing if two of them overlap.
   [[nodiscard]] std::optional<std::string> apply(std::string_view text) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// A parsed TOML table as text again. toml++ can print one too, but 3.3 takes the logarithm of a fraction for a size.
+// Prints a parsed TOML table. toml++ can too, but version 3.3 takes the logarithm of a fraction as a size.
 
 #include "text/toml.h"
 
@@ -7,7 +7,7 @@
 
 namespace raywalk {
 
-/// `table` as a file: its values, then its tables under headers. Comments are gone, every number reads back the same.
+/// `table` as a file: its values, then its tables under headers. Comments are lost; numbers are read back exactly.
 [[nodiscard]] std::string text_of(const toml::table& table);
 
 }  // namespace raywalk

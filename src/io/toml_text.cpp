@@ -37,7 +37,7 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   return 0;
 }
 
-/// The character at `at`, such as "U+00E9", for it may be invisible.
+/// The character at `at`, such as "U+00E9", as it may be invisible.
 std::string described(std::string_view text, std::size_t at) {
   const std::size_t length = utf8_length(text, at);
   const auto lead = static_cast<unsigned>(static_cast<unsigned char>(text[at]));
@@ -46,7 +46,7 @@ std::string described(std::string_view text, std::size_t at) {
   return fmt::format("U+{:04X}", code);
 }
 
-/// Where `at` lies, as people count: lines and characters from 1.
+/// The place of `at`: lines and characters from 1.
 Error error_at(std::string_view text, std::size_t at, const std::string& file, std::string message, std::string hint) {
   int line = 1, column = 1;
   for (std::size_t i = 0; i < at; ++i) {
@@ -60,8 +60,8 @@ Error error_at(std::string_view text, std::size_t at, const std::string& file, s
   return {file, line, column, std::move(message), std::move(hint)};
 }
 
-/// Calls `visit` with the position of every character outside of strings and comments, until it answers true; that
-/// position, or the text's end. A quote within a word opens no string.
+/// Calls `visit` with the position of every character outside strings and comments until it returns true; returns that
+/// position, or the text's end. A quote within a word does not open a string.
 template <class Visit>
 std::size_t first_outside(std::string_view text, Visit visit) {
   constexpr std::string_view before_string = " \t\r\n=[{,.";
@@ -77,17 +77,17 @@ std::size_t first_outside(std::string_view text, Visit visit) {
   return text.size();
 }
 
-/// The first place where more names are joined by dots than any sensible key has.
+/// The first key with more dotted names than any sensible key has.
 std::size_t too_deep_key(std::string_view text) {
-  constexpr int most_dots = 64;
+  constexpr int max_dots = 64;
   return first_outside(text, [dots = 0](char c) mutable {
     if (c == '\n' || c == '=' || c == ',' || c == '{') dots = 0;
-    return c == '.' && ++dots > most_dots;
+    return c == '.' && ++dots > max_dots;
   });
 }
 
-/// The first character that TOML allows only in strings and comments. (toml++ 3.3.0 does not take such a one well: its
-/// test for blanks runs into undefined behaviour.)
+/// The first character that TOML allows only in strings and comments. (toml++ 3.3.0 has undefined behaviour on it, in
+/// its test for blanks.)
 std::size_t stray_character(std::string_view text) {
   const std::size_t skipped = text.starts_with(utf8_mark) ? utf8_mark.size() : 0;
   return skipped + first_outside(text.substr(skipped), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });

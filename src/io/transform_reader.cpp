@@ -1,4 +1,4 @@
-// What transforms add to reading a scene.
+// Reads the scene keys of transforms.
 
 #include "io/scene_reader.h"
 
@@ -10,7 +10,7 @@ namespace raywalk::detail {
 
 namespace {
 
-/// One new step of each kind.
+/// One default step of each kind.
 template <class... Kinds>
 std::vector<TransformStep> all_steps(const std::variant<Kinds...>& /*kinds*/) {
   return {TransformStep{Kinds{}}...};

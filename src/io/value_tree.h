@@ -1,5 +1,5 @@
 #pragma once
-// A value of each kind of the schema as it stands in a scene's file. Internal to `io`.
+// Converts a value of each kind of the schema to its form in a scene's file. Internal to `io`.
 
 #include "io/scene_values.h"
 #include "io/toml_text.h"
@@ -12,7 +12,7 @@
 
 namespace raywalk::detail {
 
-/// Whether it cannot be written, as there is none: a scalar without a text.
+/// Whether there is nothing to write: a scalar without text.
 inline bool is_absent(const Value& value) { return value.kind == Value::Kind::scalar && value.text.empty(); }
 
 inline Value scalar(std::string text) { return {.text = std::move(text)}; }

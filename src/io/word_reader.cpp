@@ -18,13 +18,13 @@ bool is_control(char c) {
   return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && !is_blank(c)) || static_cast<unsigned char>(c) == 0x7f;
 }
 
-/// A word as a message shows it.
+/// A word as shown in messages.
 std::string shown(std::string_view word) {
   constexpr std::size_t longest = 40;
   return word.size() <= longest ? toml_text::quoted(word) : "a long word";
 }
 
-/// Decimal digits with a point and an exponent where wanted, and a sign in front; what strtod takes besides is refused.
+/// Decimal digits with optional sign, point and exponent; other forms that strtod accepts are refused.
 std::optional<double> decimal(std::string_view word) {
   constexpr std::size_t longest = 400;
   if (word.empty() || word.size() > longest || word.find_first_not_of("+-.0123456789eE") != std::string_view::npos ||
@@ -173,7 +173,7 @@ Vec3d WordReader::point(std::string_view what) {
 
 Vec3d WordReader::direction(std::string_view what) {
   const Vec3d v = point(what);
-  if (!error_ && !(length(v) >= 1 / schema::most_magnitude))
+  if (!error_ && !(length(v) >= 1 / schema::max_magnitude))
     fail(fmt::format("{} of {}: the direction has length 0 (expected any other)", what, item_),
          "at least one of its three numbers is not 0");
   return v;

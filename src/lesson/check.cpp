@@ -17,7 +17,7 @@ namespace {
 
 bool is_decimal_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// A formula in braces, "t:2": and how many decimals it is to have, or -1.
+/// A formula in braces, "t:2", and its number of decimals, or -1.
 struct Slot {
   std::string formula;
   int decimals = -1;
@@ -34,7 +34,7 @@ Slot slot_of(std::string_view inner) {
   return {std::string(inner.substr(0, colon)), decimals};
 }
 
-/// A number with decimals that stands in the words outside of braces and code; empty for none.
+/// A decimal number in the words outside braces and code; empty if none.
 std::string unchecked_number(const std::string& text) {
   int depth = 0;
   bool code = false;
@@ -126,7 +126,7 @@ class WordsChecker {
     for (const Passage& each : words->choices) fill(index, played.asked, each);
     for (const Passage* after : {&words->reveal, &words->change, &words->presenter, &words->teacher})
       fill(index, played.shown, *after);
-    // What is read before the answer and again with it is one number: another line may have another ray in hand.
+    // A number read before the answer and again with it must be the same: another line may have another current ray.
     for (const std::string& slot : slots_in(words->text.text + words->question.text)) {
       if (words->reveal.text.find(slot) == std::string::npos) continue;
       const Passage alone{slot, words->text.line};
@@ -140,7 +140,7 @@ class WordsChecker {
     }
   }
 
-  /// Each word of the passage that states something needs a claim to bear it out.
+  /// Each word of the passage that states something needs a claim.
   void check_stated(const Passage& passage, const std::vector<Saying>& says, const std::string& of,
                     bool quotes_state = true) {
     if (list_ == nullptr) return;
@@ -167,7 +167,7 @@ class WordsChecker {
            "write it as a formula in braces, {count(formed)}, or as code between `");
   }
 
-  /// What is said has to be on the lists, and in the words of some language.
+  /// What `says` names must be on the lists, and in the words of some language.
   void check_sayings() {
     const auto check = [&](const Saying& saying) {
       const ClaimWords& list = lists_.at("en");
@@ -195,9 +195,9 @@ class WordsChecker {
 
   void check_length() {
     const double minutes = script_time(lesson_, *words_, lesson_.steps.size() - 1).end;
-    if (minutes < fewest_minutes || minutes > most_minutes)
+    if (minutes < fewest_minutes || minutes > max_minutes)
       fail(1,
-           fmt::format("the presenter needs {:.1f} minutes (expected {} to {})", minutes, fewest_minutes, most_minutes),
+           fmt::format("the presenter needs {:.1f} minutes (expected {} to {})", minutes, fewest_minutes, max_minutes),
            "counted: what is said and revealed, and the questions; a step with extra = true is left out");
   }
 

@@ -17,7 +17,7 @@ namespace {
 
 bool is_figure(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// How many bytes of `text` at `at` are a letter, or 0: ASCII, and the Latin letters of two bytes in UTF-8.
+/// The length in bytes of the letter of `text` at `at`, or 0: ASCII, and Latin letters of two bytes in UTF-8.
 std::size_t letter_at(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   if (std::isalpha(static_cast<int>(byte(at))) != 0) return 1;
@@ -35,7 +35,7 @@ std::string in_lower_case(std::string_view letter) {
   return small;
 }
 
-/// A word of a text, or what stands in the place of one: a formula, code, a number.
+/// A word of a text, or a formula, code or a number.
 struct Token {
   std::string word;  ///< in lower case; empty for a formula or code
   std::size_t at = 0, end = 0;
@@ -98,7 +98,7 @@ bool fits_form(const std::string& form, const std::string& word) {
   return form == word;
 }
 
-/// How many tokens from `at` on are the form; 0: it does not stand there.
+/// How many tokens from `at` on match the form, or 0.
 std::size_t length_at(const std::vector<Token>& tokens, std::size_t at, const std::string& form) {
   std::size_t taken = 0;
   for (std::size_t begin = 0; begin < form.size(); ++taken) {
@@ -137,11 +137,11 @@ Result<ClaimWords> parse_claim_words(std::string_view text, const std::string& f
 }
 
 Result<ClaimWordsByLanguage> read_claim_words(const std::string& folder) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 16;
+  constexpr std::size_t max_bytes = std::size_t{1} << 16;
   ClaimWordsByLanguage all;
   for (const std::string& code : language_codes_in(folder, ".toml")) {
     const std::string file = folder + "/" + code + ".toml";
-    const auto text = read_file(file, most_bytes);
+    const auto text = read_file(file, max_bytes);
     if (!text) return tl::unexpected(text.error());
     auto words = parse_claim_words(*text, file);
     if (!words) return tl::unexpected(words.error());

@@ -13,7 +13,7 @@ namespace {
 std::string object_name(const Scene& scene, int index) { return scene.objects[static_cast<std::size_t>(index)].name; }
 std::string light_name(const Scene& scene, int index) { return scene.lights[static_cast<std::size_t>(index)].name; }
 
-/// What happened at a position, for the table below to ask.
+/// What happened at a position, for the table below.
 struct Moment {
   const Scene& scene;
   const Timeline& timeline;
@@ -24,7 +24,7 @@ struct Moment {
   [[nodiscard]] const Detail* is() const {
     return std::get_if<Detail>(&event.detail);
   }
-  /// The ray that the line speaks of; null where it speaks of none.
+  /// The ray that the line is about; null if none.
   [[nodiscard]] const RayRecord* ray() const {
     const int index = timeline.current_ray(position);
     return index < 0 ? nullptr : &timeline.rays()[static_cast<std::size_t>(index)];
@@ -55,7 +55,7 @@ Value shading(const Moment& at, Of of) {
   const auto* computed = at.is<ShadeComputed>();
   return computed != nullptr ? Value(of(*computed)) : Value(Nothing{});
 }
-/// A member that both the event of a formed ray and that of one not formed have.
+/// A member common to the events of formed rays and rays not formed.
 template <class Of>
 Value spawned(const Moment& at, Of of) {
   if (const auto* formed = at.is<RayFormed>()) return of(*formed);
@@ -78,7 +78,7 @@ Value ending_of(const Moment& at) {
   return Nothing{};
 }
 
-/// Of a search: what was met. Of a line of SHADE, or the call of it: what is shaded.
+/// For a search: what was hit. For a line of SHADE, or its call: what is shaded.
 Value object_of(const Moment& at) {
   const auto* found = at.is<Found>();
   if (found != nullptr) return found->object >= 0 ? Value(object_name(at.scene, found->object)) : Value(Nothing{});
@@ -134,7 +134,8 @@ constexpr std::array facts{
     Fact{"origin", [](const Moment& at) { return spawned(at, [](const auto& ray) -> Value { return ray.origin; }); }},
     Fact{"direction",
          [](const Moment& at) { return spawned(at, [](const auto& ray) -> Value { return ray.direction; }); }},
-    Fact{"share", [](const Moment& at) { return spawned(at, [](const auto& ray) -> Value { return ray.share; }); }},
+    Fact{"share",
+         [](const Moment& at) { return spawned(at, [](const auto& ray) -> Value { return ray.throughput; }); }},
     Fact{"t",
          [](const Moment& at) -> Value {
            const auto* found = at.is<Found>();

@@ -83,7 +83,7 @@ Outcome compare(const std::string& sign, const Value& a, const Value& b, double 
   return sign == "<" ? *x < *y : sign == "<=" ? *x <= *y : sign == ">" ? *x > *y : *x >= *y;
 }
 
-/// Functions of numbers and vectors; empty where the name is none of these.
+/// Functions of numbers and vectors; empty for other names.
 std::optional<Outcome> mathematics(const std::string& name, const std::vector<Value>& values) {
   if (std::any_of(values.begin(), values.end(), is_nothing)) return Outcome(Nothing{});
   const auto number = [&](std::size_t i) { return i < values.size() ? std::get_if<double>(&values[i]) : nullptr; };
@@ -124,7 +124,7 @@ bool is_mathematics(const std::string& name) {
                      [&](const NumberFunction& function) { return function.name == name; });
 }
 
-/// `point.x`, `total.r`: a component of what the name before the last dot stands for.
+/// `point.x`, `total.r`: a component of the value of the name before the last dot.
 Outcome component(const Value& value, std::string_view name) {
   if (is_nothing(value)) return Nothing{};
   const Vec3d* vector = std::get_if<Vec3d>(&value);
@@ -229,7 +229,7 @@ std::string text_of(const Value& value, int decimals, char decimal_mark) {
     std::replace(text.begin(), text.end(), '.', decimal_mark);
     return text;
   };
-  struct Writer {
+  struct NodeWriter {
     const decltype(number)& write;
     char mark;
     std::string operator()(Nothing) const { return "nothing"; }
@@ -241,7 +241,7 @@ std::string text_of(const Value& value, int decimals, char decimal_mark) {
       return write(v.x) + between + write(v.y) + between + write(v.z);
     }
   };
-  return std::visit(Writer{number, decimal_mark}, value);
+  return std::visit(NodeWriter{number, decimal_mark}, value);
 }
 
 }  // namespace raywalk

@@ -1,13 +1,13 @@
 #pragma once
-// The formulas of lessons: conditions to run to, claims to check, numbers to put into a text. For example
+// The formulas of lessons: conditions to run to, claims to check, numbers for a text. For example
 //
 //   line == "Form reflect ray" and depth == 2
 //   t == 4.62 +- 0.01
 //   n1 * sin(angle_in) == n2 * sin(angle_out) +- 1e-9
 //   count(formed and kind == "shadow") == 3
 //
-// From weak to strong: or; and; not; == != < <= > >= (== and != with a tolerance after +-); + -; * /; ^; unary minus.
-// Strings stand in either kind of quotes. Angles are in degrees.
+// From lowest to highest precedence: or; and; not; == != < <= > >= (== and != with a tolerance after +-); + -; * /; ^;
+// unary minus. Strings are in either kind of quotes. Angles are in degrees.
 
 #include "lesson/value.h"
 
@@ -21,26 +21,26 @@ namespace raywalk {
 
 class Expression;
 
-/// What the names and functions of an expression stand for.
+/// Resolves the names and functions of an expression.
 class Scope {
  public:
   virtual ~Scope() = default;
   /// The value of a name such as "t" or "ray.length".
   [[nodiscard]] virtual Outcome name(std::string_view name) const = 0;
-  /// A function that is no mathematics. It may evaluate its arguments in scopes of its own.
+  /// A non-mathematical function. It may evaluate its arguments in other scopes.
   [[nodiscard]] virtual Outcome call(std::string_view function, const std::vector<Expression>& arguments) const = 0;
 };
 
 class Expression {
  public:
-  /// Reads a formula, or says what is wrong with it.
+  /// Parses a formula, or says what is wrong with it.
   [[nodiscard]] static tl::expected<Expression, std::string> parse(std::string_view text);
 
   [[nodiscard]] Outcome evaluate(const Scope& scope) const;
   /// The two sides of a comparison, as values, for a message; empty for anything else.
   [[nodiscard]] std::string sides(const Scope& scope) const;
 
-  /// What stands on the left of a comparison's sign; none for anything else.
+  /// The left side of a comparison; none for anything else.
   [[nodiscard]] std::optional<Expression> left_side() const;
 
   struct Node;

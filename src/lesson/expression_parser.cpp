@@ -10,8 +10,8 @@ namespace raywalk {
 
 namespace {
 
-/// A lesson's formulas are short; what nests deeper than this was not written by a person.
-constexpr int most_nesting = 60;
+/// A lesson's formulas are short; deeper nesting is not handwritten.
+constexpr int max_nesting = 60;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -55,7 +55,7 @@ tl::expected<Expression, std::string> ExpressionParser::parse() {
 }
 
 ExpressionParser::Parsed ExpressionParser::either() {
-  if (++nesting_ > most_nesting) return fail("fewer brackets");
+  if (++nesting_ > max_nesting) return fail("fewer brackets");
   auto left = both();
   while (left && take_word("or")) {
     auto right = both();
@@ -78,7 +78,7 @@ ExpressionParser::Parsed ExpressionParser::both() {
 
 ExpressionParser::Parsed ExpressionParser::negation() {
   if (!take_word("not")) return comparison();
-  if (++nesting_ > most_nesting) return fail("fewer negations");
+  if (++nesting_ > max_nesting) return fail("fewer negations");
   auto part = negation();
   --nesting_;
   if (!part) return part;
@@ -131,7 +131,7 @@ ExpressionParser::Parsed ExpressionParser::product() {
 ExpressionParser::Parsed ExpressionParser::power() {
   auto base = single();
   if (!base || !take("^")) return base;
-  if (++nesting_ > most_nesting) return fail("fewer powers");
+  if (++nesting_ > max_nesting) return fail("fewer powers");
   auto exponent = power();
   --nesting_;
   if (!exponent) return exponent;
@@ -148,7 +148,7 @@ ExpressionParser::Parsed ExpressionParser::single() {
     return inner;
   }
   if (take("-")) {
-    if (++nesting_ > most_nesting) return fail("fewer signs");
+    if (++nesting_ > max_nesting) return fail("fewer signs");
     auto part = power();
     --nesting_;
     if (!part) return part;

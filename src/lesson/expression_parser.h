@@ -1,5 +1,5 @@
 #pragma once
-// How an expression is kept, and read. Internal to lesson/expression.
+// The representation and the parser of expressions. Internal to lesson/expression.
 
 #include "lesson/expression.h"
 
@@ -12,7 +12,7 @@ struct Expression::Node {
   enum class Kind { value, name, call, negative, not_, and_, or_, add, subtract, multiply, divide, power, compare };
   Kind kind = Kind::value;
   Value value{};                       ///< of a literal
-  std::string word{};                  ///< a name, a function, a comparison's sign
+  std::string word{};                  ///< a name, a function, a comparison operator
   std::vector<Expression> parts{};     ///< arguments or sides
   std::optional<Expression> within{};  ///< a comparison's tolerance
 };

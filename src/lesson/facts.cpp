@@ -16,7 +16,7 @@ namespace {
 
 double number_of(std::uint64_t count) { return static_cast<double>(count); }
 
-/// Objects, those of an instance's group in its place.
+/// The number of objects, with an instance counted as its group's.
 double bodies_of(const std::vector<Object>& objects) {
   double bodies = 0;
   for (const Object& object : objects) {
@@ -26,7 +26,7 @@ double bodies_of(const std::vector<Object>& objects) {
   return bodies;
 }
 
-/// The angle between a ray, seen backwards, and the normal on its side, in degrees.
+/// The angle of incidence, in degrees.
 double incidence(const RayRecord& ray) {
   const double cosine = std::abs(dot(normalize(ray.direction), ray.normal));
   return std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi;
@@ -67,13 +67,13 @@ Outcome Facts::of_ray(std::string_view name, int index) const {
   if (name == "light") return known(index >= 0, named(scene().lights, ray.light));
   if (name == "origin") return known(index >= 0, ray.origin);
   if (name == "direction") return known(index >= 0, ray.direction);
-  // Until it is searched for, a shadow ray ends at its light.
+  // Until its hits are searched, a shadow ray ends at its light.
   const bool has_light = index >= 0 && ray.light >= 0 && !ray.endless;
   const Vec3d end = found ? ray.end : ray.origin + ray.direction;
   if (name == "end") return known(met || has_light, end);
   if (name == "normal") return known(met, ray.normal);
-  if (name == "share") return known(index >= 0, ray.share);
-  if (name == "passed") return known(found, ray.passed);
+  if (name == "share") return known(index >= 0, ray.throughput);
+  if (name == "passed") return known(found, ray.transmittance);
   if (name == "length") return known(met || has_light, length(end - ray.origin));
   if (name == "incidence") return known(met, met ? incidence(ray) : 0.0);
   return wrong(fmt::format("a ray has no \"{}\"", name));
@@ -129,8 +129,9 @@ Outcome Facts::call(std::string_view function, const std::vector<Expression>& ar
   return gather(function, arguments);
 }
 
-/// count, so_far and walk count the lines for which a condition holds: of the pixel, of it up to here, of all. most is
-/// the greatest value in the pixel; sum, first and last take the lines for which the first argument holds.
+/// count, so_far and walk count the lines for which a condition holds: of the pixel, of the pixel up to here, of the
+/// whole walk. most is the greatest value in the pixel; sum, first and last take the lines for which the first argument
+/// holds.
 Outcome Facts::gather(std::string_view function, const std::vector<Expression>& arguments) const {
   const bool counts = function == "count" || function == "so_far" || function == "walk";
   const bool selects = function == "first" || function == "last" || function == "sum";
@@ -216,7 +217,7 @@ Outcome Facts::of_pixel(const std::vector<Expression>& arguments) const {
   return wrong("pixel takes the name of a picture of the step, and a column and a row that it has");
 }
 
-/// searched("bvh", "tests"): what the search for the ray of the line cost in a structure, or "nodes".
+/// searched("bvh", "tests"): the cost of the line's ray in an accelerator; or "nodes".
 Outcome Facts::of_search(const std::vector<Expression>& arguments) const {
   std::vector<std::string> words;
   for (const Expression& argument : arguments) {

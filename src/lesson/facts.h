@@ -1,5 +1,5 @@
 #pragma once
-// What the names in a lesson's formulas stand for. Internal to `lesson`; lessons/README.md lists them for its writers.
+// Resolves the names in a lesson's formulas. Internal to `lesson`; lessons/README.md lists them for authors.
 
 #include "lesson/play.h"
 
@@ -8,8 +8,8 @@
 
 namespace raywalk {
 
-/// The names at one position of a step's walk: those of the line that has just run, "ray." and "parent." of the ray it
-/// speaks of, and the names of pictures; and the functions that count.
+/// The names at one position of a step's walk: those of the line that has just run, "ray." and "parent." of its ray,
+/// and the names of pictures; and the counting functions.
 class Facts : public Scope {
  public:
   Facts(const PlayedLesson& played, std::size_t index, int position)
@@ -34,7 +34,7 @@ class Facts : public Scope {
   int position_;
 };
 
-/// What the line tells that leads to `position` of a timeline; nothing where it tells no such thing. Empty for a name
+/// A fact of the line that leads to `position` of a timeline; nothing if it has none of this name. Empty for a name
 /// that no line has.
 [[nodiscard]] std::optional<Value> event_fact(const Scene& scene, const Timeline& timeline, int position,
                                               std::string_view name);

@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = std::size_t{1} << 20;
-constexpr std::int64_t most_pixels = 4096, most_samples = 4096, most_seed = 1'000'000'000;
+constexpr std::size_t max_bytes = std::size_t{1} << 20;
+constexpr std::int64_t max_pixels = 4096, max_samples = 4096, max_seed = 1'000'000'000;
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
-/// Takes keys from one table, and remembers the first thing that is wrong with the file.
-class Reader {
+/// Reads keys from one table, and keeps the first error of the file.
+class LessonReader {
  public:
-  explicit Reader(const std::string& file_name) : file_(file_name) {}
+  explicit LessonReader(const std::string& file_name) : file_(file_name) {}
 
   Result<Lesson> read(const toml::table& root) {
     Lesson lesson;
@@ -131,7 +131,7 @@ class Reader {
     return list;
   }
 
-  /// says.half = 'CLAIM', or several of them, or what else the word stands for: says.half = { means = "..." }.
+  /// says.half = 'CLAIM', or a list of them, or what else the word means: says.half = { means = "..." }.
   std::vector<Saying> sayings(const toml::table& table) {
     std::vector<Saying> list;
     const toml::node* node = table.get("says");
@@ -171,15 +171,15 @@ class Reader {
     if (node == nullptr) return std::nullopt;
     const toml::array* both = node->as_array();
     if (both == nullptr) {
-      const auto cell = whole(*node, "pixel", 0, most_pixels);
+      const auto cell = whole(*node, "pixel", 0, max_pixels);
       return cell ? std::optional(LessonPixel{*cell, -1}) : std::nullopt;
     }
     if (both->size() != 2) {
       fail(line_of(*node), "pixel: expected a cell of SCREEN, or [column, row] of the picture", "all count from 0");
       return std::nullopt;
     }
-    const auto column = whole(*both->get(0), "pixel", 0, most_pixels),
-               row = whole(*both->get(1), "pixel", 0, most_pixels);
+    const auto column = whole(*both->get(0), "pixel", 0, max_pixels),
+               row = whole(*both->get(1), "pixel", 0, max_pixels);
     return column && row ? std::optional(LessonPixel{*column, *row}) : std::nullopt;
   }
 
@@ -238,13 +238,13 @@ class Reader {
       if (both == nullptr || both->size() != 2) {
         fail(line_of(*size), "size: expected [width, height]", "");
       } else {
-        const auto width = whole(*both->get(0), "size", 1, most_pixels),
-                   height = whole(*both->get(1), "size", 1, most_pixels);
+        const auto width = whole(*both->get(0), "size", 1, max_pixels),
+                   height = whole(*both->get(1), "size", 1, max_pixels);
         if (width && height) request.size = ImageSize{*width, *height};
       }
     }
-    request.samples = whole(table, "samples", 1, most_samples).value_or(1);
-    if (const auto seed = whole(table, "seed", 0, most_seed)) request.seed = static_cast<std::uint64_t>(*seed);
+    request.samples = whole(table, "samples", 1, max_samples).value_or(1);
+    if (const auto seed = whole(table, "seed", 0, max_seed)) request.seed = static_cast<std::uint64_t>(*seed);
     if (const auto word = text(table, "accelerator")) {
       std::vector<std::string_view> names;
       const auto at = std::find_if(all_accelerators.begin(), all_accelerators.end(),
@@ -337,7 +337,7 @@ Result<Lesson> parse_lesson(std::string_view text, const std::string& file_name)
                                 static_cast<int>(error.source().begin.column), std::string(error.description()),
                                 "the file is TOML, as scenes are; a string needs quotes at both ends"});
   }
-  return Reader(file_name).read(parsed.table());
+  return LessonReader(file_name).read(parsed.table());
 }
 
 Language Lesson::told_in(Language language) const {
@@ -347,7 +347,7 @@ Language Lesson::told_in(Language language) const {
 Result<Lesson> read_lesson(const std::string& folder) {
   const fs::path path(folder);
   const std::string file = (path / "lesson.toml").string();
-  const auto text = read_text(file, most_bytes);
+  const auto text = read_text(file, max_bytes);
   if (!text) return tl::unexpected(text.error());
   auto lesson = parse_lesson(*text, file);
   if (!lesson) return lesson;
@@ -355,7 +355,7 @@ Result<Lesson> read_lesson(const std::string& folder) {
   lesson->name = (path.has_filename() ? path : path.parent_path()).filename().string();
   for (const std::string& code : language_codes_in(folder, ".md")) {
     const std::string words_file = (path / (code + ".md")).string();
-    const auto words = read_text(words_file, most_bytes).and_then([&](const std::string& words_text) {
+    const auto words = read_text(words_file, max_bytes).and_then([&](const std::string& words_text) {
       return parse_words(words_text, words_file);
     });
     if (!words) return tl::unexpected(words.error());

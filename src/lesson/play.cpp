@@ -60,7 +60,7 @@ class Player {
     if (step.question) verify_question(step);
   }
 
-  /// Makes the walk that the step stands in.
+  /// Records the step's walk.
   bool stage(const LessonStep& step) {
     if (step.scene) {
       auto document = stage_scene(*step.scene, lesson_.folder, scenes_folder_);
@@ -91,7 +91,7 @@ class Player {
       position_ = 0;
     }
     if (step.pane == LessonBeside::structure && walk_->searches == nullptr) {
-      // The walk holds both, so that the one's timeline lives as long as the other.
+      // The walk owns both, so the timeline lives long enough.
       const std::shared_ptr<const Timeline> timeline(std::shared_ptr<const Timeline>(), &walk_->timeline);
       walk_->searches = std::make_shared<const SearchWalks>(document_.scene, timeline, Precision::double_);
     }
@@ -188,14 +188,14 @@ class Player {
          fmt::format("step \"{}\" stands at step {} of the walk", to_.steps.back().step->id, position));
   }
 
-  /// The fault has to change something in the pixel under way, first by the line that it breaks.
+  /// The fault must change something in the current pixel, first at the line that it breaks.
   void verify_fault(const LessonStep& step) {
     const Timeline& timeline = walk_->timeline;
     const int pixel = timeline.current_pixel(to_.steps.back().shown);
     if (pixel < 0) return fail(step.line, "fault: the walk stands in no pixel (expected pixel, or run)");
     const PixelRecord& at = timeline.pixels()[static_cast<std::size_t>(pixel)];
     Scene scene = document_.scene;
-    scene.render.numerics = Numerics::naive;  // as beside the fault
+    scene.render.numerics = Numerics::naive;  // as with the fault
     const auto walked = [&](const Recording& how) {
       return walk_->pixel ? record_pixel(scene, scene.image, at.column, at.row, how)
                           : record_cell(scene, at.column, how);
@@ -213,7 +213,7 @@ class Player {
                                   pseudocode_of(expected).text));
   }
 
-  /// Whoever answers what thinking finds has to be right.
+  /// The predicted value must count as right.
   void verify_theory(const NumberQuestion& question, double measured) {
     const Outcome theory = value_at(to_, to_.steps.size() - 1, to_.steps.back().shown, question.theory->expression);
     const double* number = theory ? std::get_if<double>(&*theory) : nullptr;

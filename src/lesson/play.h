@@ -1,5 +1,5 @@
 #pragma once
-// A lesson played: its steps as places in recorded walks. What it claims is looked up there.
+// A played lesson: its steps as places in recorded walks, where its claims are evaluated.
 
 #include "io/scene_file.h"
 #include "lesson/lesson.h"
@@ -17,44 +17,44 @@ namespace raywalk {
 
 class SearchWalks;  // timeline/search_walk.h
 
-/// The walk that a step, and those after it, stand in.
+/// The walk of a step and those after it.
 struct LessonWalk {
   SceneDocument document;
   std::optional<LessonPixel> pixel;  ///< what was recorded: one pixel of the image; none: the whole strip
-  std::optional<Fault> fault;        ///< that the tracer had
+  std::optional<Fault> fault;        ///< of the tracer
   Timeline timeline;
-  std::shared_ptr<const SearchWalks> searches;  ///< where a step shows structures; else null
+  std::shared_ptr<const SearchWalks> searches;  ///< if a step shows accelerators; else null
 };
 
-/// A step, and where in its walk it stands.
+/// A step, and its place in its walk.
 struct PlayedStep {
   const LessonStep* step = nullptr;
   std::shared_ptr<const LessonWalk> walk;
   int asked = 0;  ///< position at which the student reads and predicts
-  int shown = 0;  ///< position of the answer; where nothing is asked, the same
+  int shown = 0;  ///< position of the answer; the same if nothing is asked
   std::map<std::string, Rendering, std::less<>> pictures;
-  bool random = false;  ///< other random numbers would make another walk, or other pictures
+  bool random = false;  ///< its walk or its pictures depend on random numbers
 };
 
-/// What a lesson comes to. `lesson` must outlive it.
+/// The result of playing a lesson. `lesson` must outlive it.
 struct PlayedLesson {
   const Lesson* lesson = nullptr;
   std::vector<PlayedStep> steps;  ///< up to the first that cannot be reached
-  std::vector<Error> errors;      ///< steps that are not reached, and claims that the trace does not bear out
+  std::vector<Error> errors;      ///< steps that are not reached, and claims that the trace contradicts
 };
 
-/// Whether to render the pictures that steps ask for: a class that looks on need not wait for those.
+/// Whether to render the steps' pictures: not needed for showing the lesson.
 enum class Pictures { render, leave_out };
 
-/// Plays all steps. `scenes_folder`: where the scenes are that come with Raywalk.
+/// Plays all steps. `scenes_folder`: of the shipped scenes.
 [[nodiscard]] PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder,
                                        Pictures pictures = Pictures::render);
 
-/// The same lesson with the random numbers of another seed. Steps that draw none keep their pictures, and pictures keep
-/// theirs that have a seed of their own; nothing is verified.
+/// The same lesson with another seed. Steps without random numbers, and pictures with their own seed, keep their
+/// pictures; nothing is verified.
 [[nodiscard]] PlayedLesson play_again(const PlayedLesson& first, const std::string& scenes_folder, std::uint64_t seed);
 
-/// The value of a formula in the step number `index` at one of its positions.
+/// The value of a formula in step `index` at one of its positions.
 [[nodiscard]] Outcome value_at(const PlayedLesson& played, std::size_t index, int position,
                                const Expression& expression);
 

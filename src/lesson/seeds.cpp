@@ -1,4 +1,4 @@
-// Claims with other random numbers: what holds only with some of them is luck.
+// Claims under other seeds: what holds only for some is luck.
 
 #include "lesson/check.h"
 
@@ -33,19 +33,19 @@ class SeedsChecker {
   }
 
  private:
-  /// A formula's number, with all seeds so far.
+  /// A formula's values over all seeds so far.
   struct Tried {
     std::string step, text;
     int line = 0;
     double least = 0, most = 0;
     bool any = false;
-    std::string broken{};  ///< what is wrong with it, for the first seed that breaks it
-    int breaks = 0;        ///< how many do
+    std::string broken{};  ///< what is wrong with it, for the first failing seed
+    int breaks = 0;        ///< the number of failing seeds
     const NumberQuestion* question = nullptr;
     std::optional<double> theory{};
   };
 
-  /// What stands before a comparison's sign.
+  /// The left side of a comparison.
   [[nodiscard]] static std::string left_of(const std::string& claim) {
     int nested = 0;
     for (std::size_t i = 0; i < claim.size(); ++i) {
@@ -70,7 +70,7 @@ class SeedsChecker {
       for (const Formula& claim : saying.claims) look_at(played, played.steps.size() - 1, claim);
   }
 
-  /// The next of those that are tried: the same formulas come in the same order each time.
+  /// The next entry: formulas come in the same order for each seed.
   Tried& next(const LessonStep& step, const std::string& text, int line) {
     if (at_ == tried_.size()) tried_.push_back({step.id, text, line});
     return tried_[at_++];
@@ -131,7 +131,7 @@ class SeedsChecker {
     return std::move(found_);
   }
 
-  /// An answer that hangs on luck needs one that can be thought out, and that is right whatever the luck.
+  /// An answer that depends on random numbers needs a predictable one that is right for all seeds.
   void check_number(const Tried& tried, const std::string& range) {
     if (tried.least == tried.most) return;
     if (!tried.theory)

@@ -123,7 +123,7 @@ Result<SceneDocument> changed_scene(const SceneDocument& document, std::string_v
   std::string text = text_of(scene.table());
   auto changed = parse_scene(text, file_name);
   if (!changed) {
-    // The place is one in the changed text, which nobody can look at.
+    // The place is in the changed text, which the author cannot see.
     Error error = changed.error();
     error.line = error.column = 0;
     return tl::unexpected(error);

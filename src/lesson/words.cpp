@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Adds a line of the file: lines of a paragraph flow into one, a list's items stay apart.
+/// Adds a line of the file: lines of a paragraph are joined, a list's items are not.
 void add_line(Passage& passage, std::string_view line, int number, bool after_empty) {
   if (line.empty()) return;
   if (passage.line == 0) passage.line = number;
@@ -64,7 +64,7 @@ class WordsReader {
          "begin the file with # and the lesson's title");
   }
 
-  /// Where the words go that come next; null before the title.
+  /// Where the next words go; null before the title.
   Passage* target() {
     if (words_.title.empty()) return nullptr;
     switch (section_) {

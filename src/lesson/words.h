@@ -1,7 +1,7 @@
 #pragma once
 // The words of a lesson in one language: plain Markdown. A heading of the first order is the title; one of the second
 // opens a step, "## id: Heading", or one of the sections of the whole lesson, "## teacher" and "## sources"; one of the
-// third opens a part of a step. Numbers stand as formulas in braces, {t:2}, which the trace fills in.
+// third opens a part of a step. Numbers are formulas in braces, {t:2}, filled in from the trace.
 
 #include "io/error.h"
 
@@ -11,8 +11,8 @@
 
 namespace raywalk {
 
-/// Words, and the line of the file in which they begin. Paragraphs are one line each, an empty line between them; the
-/// items of a list begin with "- ".
+/// Words, and the line of the file where they begin. Paragraphs are one line each, separated by an empty line; list
+/// items begin with "- ".
 struct Passage {
   std::string text;
   int line = 0;
@@ -25,8 +25,8 @@ struct StepWords {
   Passage text;                  ///< what the student reads first
   Passage question;              ///< "### predict", without the choices
   std::vector<Passage> choices;  ///< the items of the list under "### predict"
-  Passage reveal;                ///< "### reveal": what to see once the answer stands there
-  Passage change;                ///< "### change": what to change next, and watch
+  Passage reveal;                ///< "### reveal": what to see once the answer is shown
+  Passage change;                ///< "### change": what to change and watch next
   Passage presenter;             ///< "### presenter": what the presenter says and does
   Passage teacher;               ///< "### teacher": what students answer, and why
   int line = 0;
@@ -35,7 +35,7 @@ struct StepWords {
 struct LessonWords {
   std::string file;
   std::string title;
-  Passage summary;  ///< what one can do afterwards
+  Passage summary;  ///< what one has learnt
   std::vector<StepWords> steps;
   Passage teacher, sources;
   [[nodiscard]] const StepWords* find(std::string_view id) const;

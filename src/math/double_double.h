@@ -11,7 +11,9 @@ struct DoubleDouble {
   double hi = 0, lo = 0;  ///< value hi + lo, |lo| <= ulp(hi) / 2
 
   DoubleDouble() = default;
-  DoubleDouble(double value) : hi(value) {}  // NOLINT(google-explicit-constructor): every double is one exactly
+  DoubleDouble(double value)
+      : hi(value) {}  // NOLINT(google-explicit-constructor): every double is exactly
+                      // representable
   DoubleDouble(double high, double low) : hi(high), lo(low) {}
   explicit operator double() const { return hi + lo; }
 };
@@ -24,8 +26,8 @@ struct DoubleDouble {
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-/// a * b exactly, short of over- and underflow: by Dekker's splitting, or by a fused multiply-add where the target has
-/// one. Only such a target can contract, and there neither the split nor the product itself may be fused with anything.
+/// a * b exactly, barring over- and underflow: by Dekker's splitting, or by a fused multiply-add where the target has
+/// one. Only such a target can contract, and there neither the split nor the product may be fused with anything else.
 [[nodiscard]] inline DoubleDouble two_product(double a, double b) {
 #if defined(__FMA__) && defined(__x86_64__)
   double product = a * b;

@@ -1,5 +1,5 @@
 #pragma once
-// Signs that are right: a rounded value where it settles the sign, the exact one where it does not.
+// Correct signs: the rounded value where it settles the sign, the exact value where it does not.
 
 #include "math/expansion.h"
 #include "math/vec.h"
@@ -8,10 +8,10 @@
 
 namespace raywalk {
 
-/// A rounded sum of products and a bound of its error.
+/// A rounded sum of products and a bound on its error.
 struct RoundedSum {
   double value, error;
-  /// Whether the value's sign is right. (Both 0: nothing to cancel.)
+  /// Whether the value's sign is certain. (Both 0: nothing cancelled.)
   [[nodiscard]] bool certain() const { return std::abs(value) >= 2 * error; }
 };
 
@@ -19,7 +19,7 @@ namespace detail {
 
 constexpr double half_ulp = 1.1102230246251565e-16;
 
-// What only few rays need stays out of the way of the others: never inlined.
+// Only few rays need these, so they are never inlined.
 
 [[nodiscard, gnu::noinline, gnu::cold]] inline Expansion exact_dot(const Vec3d& n, const Vec3d& d) {
   return Expansion(n.x) * d.x + Expansion(n.y) * d.y + Expansion(n.z) * d.z;
@@ -44,21 +44,22 @@ constexpr double half_ulp = 1.1102230246251565e-16;
   return {x + y + z, 5 * detail::half_ulp * (std::abs(x) + std::abs(y) + std::abs(z))};
 }
 
-/// Where a line meets the plane through p across n: at t = numerator / denominator, each right in sign. Where one of
-/// them had to be exact both are, and t is rounded once; parallel to the plane it is no number.
-struct PlaneMeeting {
+/// Where a line intersects the plane through p with normal n: at t = numerator / denominator, both of correct sign. If
+/// one of them had to be computed exactly, both are, and t is rounded once; NaN when parallel to the plane.
+struct PlaneIntersection {
   RoundedSum numerator, denominator;
   double t;
   bool exact = false;
-  /// A bound of t's relative error.
+  /// A bound on t's relative error.
   [[nodiscard]] double error() const {
     return 1.5 * (numerator.error / std::abs(numerator.value) + denominator.error / std::abs(denominator.value)) +
            2 * detail::half_ulp;
   }
 };
 
-[[nodiscard, gnu::noinline, gnu::cold]] inline PlaneMeeting meet_plane_exactly(const Vec3d& n, const Vec3d& p,
-                                                                               const Vec3d& o, const Vec3d& d) {
+[[nodiscard, gnu::noinline, gnu::cold]] inline PlaneIntersection intersect_plane_exactly(const Vec3d& n, const Vec3d& p,
+                                                                                         const Vec3d& o,
+                                                                                         const Vec3d& d) {
   const Expansion numerator = detail::exact_dot_of_difference(n, p, o), denominator = detail::exact_dot(n, d);
   const auto rounded = [](const Expansion& exact) {
     const double value = static_cast<double>(exact.rounded());
@@ -67,9 +68,9 @@ struct PlaneMeeting {
   const double t = denominator.sign() == 0 ? NAN : static_cast<double>(numerator.rounded() / denominator.rounded());
   return {rounded(numerator), rounded(denominator), t, true};
 }
-[[nodiscard]] inline PlaneMeeting meet_plane(const Vec3d& n, const Vec3d& p, const Vec3d& o, const Vec3d& d) {
+[[nodiscard]] inline PlaneIntersection intersect_plane(const Vec3d& n, const Vec3d& p, const Vec3d& o, const Vec3d& d) {
   const RoundedSum numerator = estimate_dot_of_difference(n, p, o), denominator = estimate_dot(n, d);
-  if (!(numerator.certain() && denominator.certain())) return meet_plane_exactly(n, p, o, d);
+  if (!(numerator.certain() && denominator.certain())) return intersect_plane_exactly(n, p, o, d);
   return {numerator, denominator, numerator.value / denominator.value};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Exact arithmetic on doubles, for the rays that no rounded arithmetic can decide: every sum, difference and product is
-// exact, short of over- and underflow.
+// Exact arithmetic on doubles, for the rays that rounded arithmetic cannot decide: every sum, difference and product is
+// exact, barring over- and underflow.
 //
 // J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete and
 // Computational Geometry 18, 1997: a number is a sum of doubles whose bits do not overlap.
@@ -17,11 +17,11 @@ namespace raywalk {
 
 namespace detail {
 
-/// Doubles in a row: without the heap while they are few, as nearly always; taking and giving memory was half of the
-/// time of exact arithmetic.
+/// A vector of doubles that uses no heap while it is small, as it nearly always is: allocation took half of the time of
+/// exact arithmetic.
 class Terms {
  public:
-  Terms() {}  // NOLINT(modernize-use-equals-default): room is left as it is
+  Terms() {}  // NOLINT(modernize-use-equals-default): the storage stays uninitialised
   Terms(const Terms& other) { *this = other; }
   Terms& operator=(const Terms& other) {
     if (this == &other) return *this;
@@ -34,14 +34,14 @@ class Terms {
   Terms(Terms&& other) noexcept { *this = std::move(other); }
   Terms& operator=(Terms&& other) noexcept {
     if (this == &other) return *this;
-    if (other.first_ == other.few_) {  // no more than these, and there is room for them
+    if (other.first_ == other.few_) {  // it fits into the fixed storage
       std::copy_n(other.few_, other.size_, first_);
     } else {
       many_ = std::move(other.many_);
       first_ = many_.data();
       room_ = many_.size();
       other.first_ = other.few_;
-      other.room_ = most_few;
+      other.room_ = inline_capacity;
     }
     size_ = std::exchange(other.size_, 0);
     return *this;
@@ -63,7 +63,7 @@ class Terms {
   }
 
  private:
-  static constexpr std::size_t most_few = 16;
+  static constexpr std::size_t inline_capacity = 16;
 
   void reserve(std::size_t room) {
     if (room <= room_) return;
@@ -74,25 +74,25 @@ class Terms {
     room_ = room;
   }
 
-  double few_[most_few];
-  std::vector<double> many_;  ///< where they stand once they are more
+  double few_[inline_capacity];
+  std::vector<double> many_;  ///< the storage once there are more
   double* first_ = few_;
-  std::size_t size_ = 0, room_ = most_few;
+  std::size_t size_ = 0, room_ = inline_capacity;
 };
 
 }  // namespace detail
 
 class Expansion {
  public:
-  Expansion() {}             // NOLINT(modernize-use-equals-default): room for terms is left as it is
-  Expansion(double value) {  // NOLINT(google-explicit-constructor): every double is one exactly
+  Expansion() {}             // NOLINT(modernize-use-equals-default): the storage for terms stays uninitialised
+  Expansion(double value) {  // NOLINT(google-explicit-constructor): every double is exactly representable
     if (value != 0) terms_.push_back(value);
   }
 
-  /// -1, 0 or 1: that of the largest term.
+  /// -1, 0 or 1: the sign of the largest term.
   [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.back() > 0 ? 1 : -1; }
 
-  /// The value to about 100 bits, for what is not a sign.
+  /// The value to about 100 bits, where not only the sign matters.
   [[nodiscard]] DoubleDouble rounded() const {
     DoubleDouble sum;
     for (std::size_t i = terms_.size(); i-- > 0;) sum = sum + DoubleDouble(terms_[i]);
@@ -118,7 +118,7 @@ class Expansion {
     if (term != 0) terms_.push_back(term);
   }
 
-  /// Fast-expansion-sum: the terms of both by size, each added to what the smaller ones carry.
+  /// Fast-expansion-sum: the terms of both merged by size, each added to the carry of the smaller ones.
   [[nodiscard]] static Expansion sum(const Expansion& x, const Expansion& y) {
     if (x.terms_.empty()) return y;
     if (y.terms_.empty()) return x;

@@ -1,5 +1,5 @@
 #pragma once
-// Four floats at a time, by the vector types that g++ and clang share on all processors.
+// Four floats at a time, using the vector types that g++ and clang support on all processors.
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -8,11 +8,11 @@
 namespace raywalk {
 
 using Lanes = float __attribute__((vector_size(16)));
-using LaneMask = int __attribute__((vector_size(16)));  ///< of a comparison: -1 where it holds, else 0
+using LaneMask = int __attribute__((vector_size(16)));  ///< of a comparison: -1 where true, else 0
 
 [[nodiscard]] inline Lanes all_lanes(float value) { return Lanes{value, value, value, value}; }
 
-/// By lane; the second argument where one is no number, as the processors' own instructions have it.
+/// Per lane; the second argument where either is NaN, as the processors' own instructions do.
 [[nodiscard]] inline Lanes min(Lanes a, Lanes b) { return a < b ? a : b; }
 [[nodiscard]] inline Lanes max(Lanes a, Lanes b) { return a > b ? a : b; }
 
@@ -20,13 +20,13 @@ using LaneMask = int __attribute__((vector_size(16)));  ///< of a comparison: -1
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(a) &
                                  LaneMask{0x7fffffff, 0x7fffffff, 0x7fffffff, 0x7fffffff});
 }
-/// `a`, which is not negative, with the signs of `signs`.
+/// Non-negative `a` with the signs of `signs`.
 [[nodiscard]] inline Lanes with_signs_of(Lanes signs, Lanes a) {
   const LaneMask sign = reinterpret_cast<LaneMask>(all_lanes(-0.0F));
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(a) | (reinterpret_cast<LaneMask>(signs) & sign));
 }
 
-/// Bit i is set where lane i holds, or is negative.
+/// Bit i is set where lane i is true, or negative.
 [[nodiscard]] inline unsigned bits_of(LaneMask mask) {
 #if defined(__SSE2__)
   return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));

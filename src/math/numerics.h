@@ -5,10 +5,10 @@
 
 namespace raywalk {
 
-/// How crossings are computed and surfaces left.
+/// How intersections are computed and rays spawned.
 enum class Numerics {
-  robust,  ///< error bounds, and exact arithmetic where they leave a doubt; a ray knows the surface that it leaves
-  naive,   ///< as books print it, to be studied (shape/naive.h); a ray leaves a surface by a fixed epsilon
+  robust,  ///< error bounds, and exact arithmetic where they leave a doubt; a ray knows the surface it starts on
+  naive,   ///< as textbooks give it, for study (shape/naive.h); a ray starts a fixed epsilon off the surface
 };
 inline constexpr std::array all_numerics{Numerics::robust, Numerics::naive};
 
@@ -22,8 +22,8 @@ inline constexpr std::array all_numerics{Numerics::robust, Numerics::naive};
   return "";
 }
 
-/// How far naive rays start from the surface that they leave, along its normal, in scene units: what many tracers take.
-/// Too little at one place of a scene and too much at another: no such number is right for all.
-inline constexpr double usual_epsilon = 1e-4;
+/// How far off the surface naive rays start, along its normal, in scene units: what many tracers use. Too small in one
+/// place of a scene and too large in another: no single number suits all.
+inline constexpr double default_epsilon = 1e-4;
 
 }  // namespace raywalk

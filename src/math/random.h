@@ -4,11 +4,12 @@
 
 namespace raywalk {
 
-/// What a random number is for. The number is a pure function of this key, so no draw depends on the order, the thread
+/// Identifies a random number. The number is a pure function of this key, so no draw depends on the order, the thread
 /// or the number of other draws.
 struct RandomKey {
   std::uint64_t seed = 0;
-  std::int32_t pixel_x = 0, pixel_y = 0;  ///< where the pixel lies, from the image's centre (trace/ray_generator.h)
+  std::int32_t pixel_x = 0, pixel_y = 0;  ///< the pixel's position relative to the image's centre
+                                          ///< (trace/ray_generator.h)
   std::uint32_t sample = 0;
   std::uint32_t effect = 0;     ///< which effect draws
   std::uint64_t path = 0;       ///< place in the ray tree
@@ -26,18 +27,18 @@ namespace detail {
   return x ^ (x >> 31);
 }
 
-/// What all draws of a pixel have in common. The odd factor keeps the pixels of one seed apart from those of another.
+/// The bits common to all draws of a pixel. The odd factor separates the pixels of different seeds.
 [[nodiscard]] constexpr std::uint64_t pixel_bits(const RandomKey& key) {
   return mix(key.seed * 0xd1342543de82ef95u ^
              (static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.pixel_x)) << 32 |
               static_cast<std::uint32_t>(key.pixel_y)));
 }
-/// What the draws of a key have in common that differ in sample and dimension. Paths count up or are mixed themselves:
-/// the odd factor takes even small ones out of reach of the samples, dimensions and effects that are set against them.
+/// The bits common to the draws that differ only in sample and dimension. Paths count up or are already mixed: the odd
+/// factor keeps even small ones from colliding with samples, dimensions and effects.
 [[nodiscard]] constexpr std::uint64_t branch_bits(const RandomKey& key) {
   return pixel_bits(key) ^ key.path * 0x9fb21c651e98df25u ^ key.effect;
 }
-/// What the draws of a branch have in common that differ in their dimension only.
+/// The bits common to the draws of a branch that differ only in dimension.
 [[nodiscard]] constexpr std::uint64_t common_bits(std::uint64_t branch, std::uint32_t sample) {
   return mix(branch ^ static_cast<std::uint64_t>(sample) << 32);
 }
@@ -54,8 +55,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// The `path` of a ray that leaves the end of the ray with `path` as its `branch`-th: distinct branches draw
-/// independently, and no draw depends on how many others there are. A primary ray's path is 0.
+/// The `path` of the `branch`-th ray spawned where the ray with `path` ends: distinct branches draw independently, and
+/// no draw depends on how many others there are. A primary ray's path is 0.
 [[nodiscard]] constexpr std::uint64_t child_path(std::uint64_t path, std::uint32_t branch) {
   return detail::mix(detail::mix(path) + branch);
 }

@@ -6,9 +6,9 @@
 
 namespace raywalk {
 
-/// Where a ray leaves from, when that is a surface: the primitive and which of its parts (the face of a prism; 0 for
-/// shapes of one part). An intersection test that meets its own departure knows the root t = 0 exactly and takes the
-/// other one, so no epsilon is needed at any scale. primitive -1: the ray starts in the open.
+/// The surface a ray starts on, if any: the primitive and which of its parts (the face of a prism; 0 for shapes of one
+/// part). An intersection test with that very surface knows the root t = 0 exactly and takes the other one, so no
+/// epsilon is needed at any scale. primitive -1: the ray starts on no surface.
 struct Departure {
   int primitive = -1;
   int part = 0;
@@ -21,15 +21,15 @@ struct Ray {
   Vec3<T> origin;
   Vec3<T> direction;
   Departure departure{};
-  T time = 0;  ///< what moves is met where it is then
+  T time = 0;  ///< moving objects are hit where they are at this time
 
   [[nodiscard]] Vec3<T> at(T t) const { return origin + t * direction; }
 };
 
-/// A ray whose crossings are computed as books print it (shape/naive.h); what it departs from is not heeded.
+/// A ray whose intersections are computed as textbooks give them (shape/naive.h); its departure is ignored.
 template <class T>
 struct NaiveRay : Ray<T> {
-  bool near_root_only = false;  ///< a mistake made on purpose: what it starts in is left unseen
+  bool near_root_only = false;  ///< a deliberate mistake: the far side of what it starts inside of is missed
 };
 
 template <class T>

@@ -25,9 +25,9 @@ namespace {
 constexpr int unit_bits = 24;
 constexpr std::uint32_t unit = 1u << unit_bits;
 
-/// What all samples of a key have in common; `salt` tells apart what is derived from it.
+/// The bits common to all samples of a key; `salt` distinguishes what is derived from them.
 std::uint64_t wide_stream(const RandomKey& key, std::uint32_t salt) {
-  constexpr std::uint64_t apart = 0x5bd1e995cc9e2d51u;  // a world apart from random_unit's numbers
+  constexpr std::uint64_t apart = 0x5bd1e995cc9e2d51u;  // independent of random_unit's numbers
   return mix(branch_bits(key) ^ apart ^ (static_cast<std::uint64_t>(key.dimension) << 32 | salt << 16));
 }
 std::uint32_t stream(const RandomKey& key, std::uint32_t salt) {
@@ -63,8 +63,8 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t seed)
   return turned < count && turned >= i ? turned : turned - count;
 }
 
-/// So many orders of edge * edge cells, one after the other. They are the same for every picture: made when they are
-/// first asked for.
+/// The given number of permutations of edge * edge cells, one after the other. They are the same for every picture:
+/// made on first use.
 template <std::uint32_t orders, std::uint32_t edge>
 const std::vector<std::uint8_t>& orders_of_edge() {
   static const std::vector<std::uint8_t> listed = [] {
@@ -85,15 +85,15 @@ const std::vector<std::uint8_t>& listed_orders(std::uint32_t edge,
 }
 
 /// i * unit / cells, rounded up: where cell i of `cells` equal ones begins. Quotients of integers below 2^48 and 2^24
-/// lie further from the next integer than a double rounds, and are had sooner than those of integers.
+/// are further from the next integer than a double's rounding, and floating point divides faster than integers do.
 std::uint32_t cell_begin(std::uint32_t i, std::uint32_t cells) {
   const std::int64_t whole = std::int64_t{i} * unit;
   const auto below = static_cast<std::int64_t>(static_cast<double>(whole) / cells);
   return static_cast<std::uint32_t>(below + (below * cells != whole));
 }
 
-/// A step of 2^-24 between two, chosen by a random one of the whole interval. In integers, so that rounding carries
-/// nothing into a neighbouring cell.
+/// A step of 2^-24 between two, by a random one of the whole interval. In integers, so that rounding moves nothing into
+/// a neighbouring cell.
 std::uint32_t between(std::uint32_t begin, std::uint32_t end, std::uint32_t random) {
   return begin + static_cast<std::uint32_t>(std::uint64_t{end - begin} * random >> unit_bits);
 }
@@ -126,8 +126,8 @@ constexpr std::array<std::uint32_t, 32> second_directions = [] {
   return v;
 }();
 
-/// The index whose point is this sample's: shuffled, so that what belongs together in one dimension pair does not in
-/// another, yet aligned blocks of 2^m stay such (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
+/// The index of this sample's point: shuffled, so that dimension pairs are uncorrelated, while aligned blocks of 2^m
+/// stay together (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
 std::uint32_t shuffled_index(const RandomKey& key) {
   return reversed(owen_scrambled(reversed(key.sample), stream(key, 1)));
 }
@@ -159,10 +159,11 @@ DrawnPair draw_sobol_pair(const RandomKey& key) {
 }  // namespace detail
 
 Strata::Strata(std::uint32_t count)
-    : count_(count), edge_(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)))) {  // rounded right: exact
+    : count_(count), edge_(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)))) {  // sqrt rounds
+                                                                                                 // correctly: exact
   for (std::uint32_t i = 0; i <= edge_; ++i) begins_.push_back(detail::cell_begin(i, edge_));
-  if (edge_ == 1 || edge_ * edge_ > most_listed) return;
-  static_assert(most_listed == 16 * 16);
+  if (edge_ == 1 || edge_ * edge_ > max_listed) return;
+  static_assert(max_listed == 16 * 16);
   listed_ = &detail::listed_orders<orders>(edge_, std::make_integer_sequence<std::uint32_t, 17>{});
 }
 
@@ -175,8 +176,7 @@ Strata::Order Strata::order(std::uint64_t bits) const {
     order.seed_ = static_cast<std::uint32_t>(bits >> 32);
     return order;
   }
-  // Two of those listed, one after the other: 256 by themselves would be few enough for it to show which samples lie
-  // together.
+  // Two of the precomputed orders, composed: 256 alone would be so few that correlations between samples show.
   const auto chosen = [&](std::uint64_t which) { return listed_->data() + which % orders * order.cells_; };
   const auto turn = [&](std::uint64_t by) { return static_cast<std::uint32_t>(by % (1u << 24) * order.cells_ >> 24); };
   order.first_ = chosen(bits), order.first_turn_ = turn(bits >> 16);

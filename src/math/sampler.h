@@ -1,5 +1,5 @@
 #pragma once
-// Samplers: how the n samples of one pixel lie to each other. Each number is a pure function of its key and of n, so
+// Samplers: how the n samples of one pixel are distributed. Each number is a pure function of its key and of n, so
 // neither order nor threads nor other draws can change it.
 
 #include "math/random.h"
@@ -11,31 +11,30 @@
 namespace raywalk {
 
 enum class Sampler {
-  random,    ///< each sample by itself
-  jittered,  ///< pairs: one in each cell of a k x k grid, k the root of n rounded down, what is left over anywhere;
-             ///< single numbers: one in each of n cells. In an order of its own for each key
+  random,    ///< independent samples
+  jittered,  ///< pairs: one in each cell of a k x k grid, k the square root of n rounded down, the rest anywhere;
+             ///< single numbers: one in each of n cells. Every key has an order of its own
   sobol,     ///< a (0, 2)-sequence: every 2^m samples from a multiple of 2^m on have one in each elementary interval
 };
 
 [[nodiscard]] std::string_view sampler_name(Sampler sampler);  ///< "jittered"
 
-/// How many samples there are to be spread, and what follows from that: worked out once for the many draws of a
-/// picture.
+/// The number of samples to distribute, and what follows from it: computed once for the many draws of a picture.
 class Strata {
  public:
   explicit Strata(std::uint32_t count);  ///< count >= 1
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
-  /// The root of the count, rounded down: there are edge x edge cells, and what is left over lies anywhere.
+  /// The square root of the count, rounded down: there are edge x edge cells; further samples lie anywhere.
   [[nodiscard]] std::uint32_t edge() const { return edge_; }
-  /// Where the cells of an edge begin, in steps of 2^-24; that after the last is the end.
+  /// Where the cells along an edge begin, in steps of 2^-24; the one after the last is the end.
   [[nodiscard]] std::uint32_t begin_of(std::uint32_t cell) const { return begins_[cell]; }
 
-  /// An order of the cells.
+  /// A permutation of the cells.
   class Order {
    public:
-    /// That of a sample < edge * edge. Each order holds every cell once; over all that bits may choose, every sample
-    /// comes into all cells alike, any two samples into all pairs of cells alike up to 2%.
+    /// The cell of a sample < edge * edge. Each order holds every cell once; over all choices of bits, every sample
+    /// falls into all cells equally often, and any two samples into all pairs of cells equally often up to 2%.
     [[nodiscard]] std::uint32_t cell_of(std::uint32_t sample) const {
       return first_ == nullptr ? permuted(sample) : turned(second_[turned(first_[sample], first_turn_)], second_turn_);
     }
@@ -46,18 +45,18 @@ class Strata {
     [[nodiscard]] std::uint32_t turned(std::uint32_t cell, std::uint32_t turn) const {
       return cell + turn < cells_ ? cell + turn : cell + turn - cells_;
     }
-    const std::uint8_t *first_ = nullptr, *second_ = nullptr;  ///< of the listed orders, one after the other; or none
-    std::uint32_t first_turn_ = 0, second_turn_ = 0;           ///< each of them begins anywhere in its round
+    const std::uint8_t *first_ = nullptr, *second_ = nullptr;  ///< two of the precomputed orders, composed; or null
+    std::uint32_t first_turn_ = 0, second_turn_ = 0;           ///< the rotation of each
     std::uint32_t cells_ = 1, seed_ = 0;
   };
-  /// The one that random bits choose.
+  /// The order chosen by random bits.
   [[nodiscard]] Order order(std::uint64_t bits) const;
 
  private:
-  static constexpr std::uint32_t orders = 256, most_listed = 256;
+  static constexpr std::uint32_t orders = 256, max_listed = 256;
   std::uint32_t count_, edge_;
   std::vector<std::uint32_t> begins_;
-  /// So many orders, one after the other, the same for all of these edges; null where the cells are more than that.
+  /// The precomputed orders for this edge, one after the other; null where there are too many cells.
   const std::vector<std::uint8_t>* listed_ = nullptr;
 };
 
@@ -97,12 +96,12 @@ template <class T>
   return random_unit<T>(key);
 }
 
-/// Pairs that fill the unit square evenly, strata.count() of them: one for each sample of a key, whatever the key's
-/// own. What they have in common is worked out once. Takes dimensions `key.dimension` and the one after it.
+/// strata.count() pairs that fill the unit square evenly, one for each sample (the key's own sample is ignored). What
+/// they have in common is computed once. Uses dimensions `key.dimension` and the one after it.
 class SamplePairs {
  public:
   SamplePairs() = default;
-  /// `strata` must live as long.
+  /// `strata` must outlive this.
   SamplePairs(Sampler sampler, const RandomKey& key, const Strata& strata);
 
   template <class T>
@@ -121,13 +120,13 @@ class SamplePairs {
   Strata::Order order_;
 };
 
-/// One of them.
+/// A single pair.
 template <class T>
 [[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, const Strata& strata) {
   return SamplePairs(sampler, key, strata).draw<T>(key.sample);
 }
 
-/// The pairs of Sampler::random for one key, whatever its dimension: what they have in common is worked out once.
+/// The pairs of Sampler::random for one key in any dimension: what they have in common is computed once.
 class RandomPairs {
  public:
   RandomPairs() = default;

@@ -41,7 +41,7 @@ std::size_t stack_left() {
 
 #else
 
-std::size_t stack_left() { return std::size_t{512} << 10; }  // what the system with the least gives to threads
+std::size_t stack_left() { return std::size_t{512} << 10; }  // the smallest default for threads among systems
 
 #endif
 

@@ -1,11 +1,11 @@
 #pragma once
-// How much stack there is: what calls itself as deep as a scene says needs to know.
+// How much stack is left, for recursion as deep as a scene asks for.
 
 #include <cstddef>
 
 namespace raywalk {
 
-/// Bytes that are left of the present thread's stack; a guess on systems that do not say.
+/// Bytes left on the current thread's stack; a guess on systems that do not tell.
 [[nodiscard]] std::size_t stack_left();
 
 }  // namespace raywalk

@@ -1,7 +1,7 @@
 #pragma once
-// How long work learns that nobody wants its result any more. Whoever may end it (a signal, a person at the window, a
-// clock) is a Stopper; whatever takes long is given a Stop by value, reads it now and then, and throws Stopped. No
-// threads and no signals are needed for that: a Stopper whose attention is always raised is asked each time.
+// Cancellation of long work, like std::stop_source and std::stop_token. Whoever may cancel (a signal, a person at the
+// window, a clock) is a Stopper; long work is given a Stop by value, checks it regularly, and throws Stopped. This
+// needs neither threads nor signals: a Stopper that is always raised is asked each time.
 
 #include <algorithm>
 #include <atomic>
@@ -9,10 +9,10 @@
 
 namespace raywalk {
 
-/// Thrown by work that was given up. What it had begun is dropped.
+/// Thrown by cancelled work. What it had begun is dropped.
 struct Stopped {};
 
-/// Who may end work. Outlives it.
+/// Who may cancel work. Outlives it.
 class Stopper {
  public:
   Stopper() = default;
@@ -20,15 +20,15 @@ class Stopper {
   Stopper(const Stopper&) = delete;
   Stopper& operator=(const Stopper&) = delete;
 
-  /// Asked for the work to end, or at least for `stops` to be asked. From any thread or a signal handler.
+  /// Requests that the work end, or at least that `stops` be asked. Set from any thread or a signal handler.
   std::atomic<bool> raised{false};
   static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-  /// Whether the work is to end, asked by any thread that works while `raised` is true.
+  /// Whether the work is to end. Called by any working thread while `raised` is true.
   [[nodiscard]] virtual bool stops() { return true; }
 };
 
-/// What work is given of a Stopper: where nobody has raised it, a look costs one load.
+/// A handle to a Stopper: while it is not raised, a check costs one load.
 class Stop {
  public:
   Stop() = default;  ///< never
@@ -40,7 +40,7 @@ class Stop {
     if (stopper_->raised.load(std::memory_order_relaxed)) [[unlikely]]
       ask();
   }
-  /// body(*i) for each i from `begin` up to `end`, with a check every now and then: for bodies of a few instructions.
+  /// body(*i) for each i from `begin` up to `end`, with regular checks: for bodies of a few instructions.
   template <class Iterator, class Body>
   void each(Iterator begin, Iterator end, Body body) const {
     constexpr std::ptrdiff_t stretch = std::ptrdiff_t{1} << 15;
@@ -50,7 +50,7 @@ class Stop {
         body(*begin);
     }
   }
-  /// std::sort, with a check every now and then.
+  /// std::sort, with regular checks.
   template <class Iterator, class Less>
   void sort(Iterator begin, Iterator end, Less less) const {
     constexpr std::ptrdiff_t soon_done = std::ptrdiff_t{1} << 17;

@@ -19,14 +19,14 @@ struct Affine {
   [[nodiscard]] T determinant() const { return dot(x, cross(y, z)); }
 
   /// The image of a surface's normal, not of unit length: by the cofactor matrix, turned so that outside stays outside
-  /// under a mirror. Right for every map that can be inverted.
+  /// under a reflection. Correct for every invertible map.
   [[nodiscard]] Vec3<T> normal(const Vec3<T>& n) const {
     const Vec3<T> image = n.x * cross(y, z) + n.y * cross(z, x) + n.z * cross(x, y);
     return determinant() < 0 ? -image : image;
   }
 };
 
-/// First `inner`, then `outer`.
+/// The composition: first `inner`, then `outer`.
 template <class T>
 [[nodiscard]] Affine<T> operator*(const Affine<T>& outer, const Affine<T>& inner) {
   return {outer.direction(inner.x), outer.direction(inner.y), outer.direction(inner.z), outer.point(inner.move)};
@@ -56,7 +56,7 @@ template <class T>
   return {image({1, 0, 0}), image({0, 1, 0}), image({0, 0, 1}), Vec3<T>(0)};
 }
 
-/// None when the map is singular, or so nearly that the inverse is not finite.
+/// None when the map is singular, or so close to it that the inverse is not finite.
 template <class T>
 [[nodiscard]] std::optional<Affine<T>> inverse(const Affine<T>& m) {
   const T determinant = m.determinant();
@@ -70,7 +70,7 @@ template <class T>
   return inverted;
 }
 
-/// The box of a box's image; unbounded stays unbounded.
+/// The bounds of a box's image; unbounded stays unbounded.
 template <class T>
 [[nodiscard]] Bounds<T> image_of(const Affine<T>& m, const Bounds<T>& box) {
   if (box.empty()) return box;

@@ -4,9 +4,9 @@
 // GLM is used for storage and componentwise arithmetic only. What a tracer's bits depend on (dot, length, normalize)
 // is written out here, so that the order of operations is ours and the same for every compiler and GLM version.
 
-// It copies vectors by components then, and the compiler with it whatever holds them. As a block of memory they would
-// be copied 8 bytes at a time: where the components have just been written one by one, as a tracer's mostly have, the
-// processor cannot forward two floats to one such load and waits (a quarter of a render in float).
+// GLM then copies vectors by components, and so does the compiler for whatever contains them. As a block of memory they
+// would be copied 8 bytes at a time: where the components have just been written one by one, as is usual in a tracer,
+// the processor cannot forward two stores to one such load and stalls (a quarter of a float render).
 #define GLM_FORCE_CTOR_INIT
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -28,8 +28,8 @@ template <class T>
 using Rgb = glm::vec<3, T>;
 using Rgbd = Rgb<double>;
 
-/// v in double. By components, for a copy of the whole goes through memory: where the components have just been written
-/// one by one, the processor waits for them.
+/// v in double. By components: a copy of the whole goes through memory, where the processor would wait for components
+/// that have just been written one by one.
 template <class T>
 [[nodiscard]] constexpr Vec3d wide(const Vec3<T>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
@@ -73,8 +73,8 @@ template <class T>
   return v / length(v);
 }
 
-/// v, whose length is 1 but for a few roundings, brought back to 1: one step of Newton's method for 1 / length(v). No
-/// root and no division, for the directions that each reflection and refraction derives from unit vectors.
+/// v, whose length is 1 but for a few roundings, brought back to 1 by one step of Newton's method for 1 / length(v):
+/// without root or division, for the directions that reflection and refraction derive from unit vectors.
 template <class T>
 [[nodiscard]] constexpr Vec3<T> renormalize(const Vec3<T>& v) {
   return (T(1.5) - T(0.5) * dot(v, v)) * v;
@@ -95,7 +95,7 @@ template <class T>
   return c.x == 0 && c.y == 0 && c.z == 0;
 }
 
-/// The plan (x, y) under a point.
+/// A point's position in the plan (x, y).
 template <class T>
 [[nodiscard]] constexpr Vec2<T> plan(const Vec3<T>& v) {
   return {v.x, v.y};

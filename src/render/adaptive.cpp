@@ -13,7 +13,7 @@ namespace {
 /// As a screen shows it, 0..1.
 double shown(double linear) { return srgb_encode(std::clamp(linear, 0.0, 1.0)); }
 
-/// The x that the normal distribution exceeds in either direction with this probability, by bisection.
+/// The two-sided quantile of the normal distribution, by bisection.
 double normal_quantile(double two_sided) {
   double low = 0, high = 40;
   for (int i = 0; i < 200; ++i) {
@@ -73,7 +73,7 @@ bool Adaptive<T>::next(const Film<T>& film) {
   std::uint64_t going_on = 0;
   for (int row = 0; row < size_.height; ++row)
     for (int column = 0; column < size_.width; ++column) {
-      if (!is_active(column, row)) continue;  // its samples are not the first ones any more
+      if (!is_active(column, row)) continue;  // its samples are no longer the first ones
       std::uint8_t& goes_on = active[index(column, row)];
       for (int y = std::max(row - 1, 0); y <= std::min(row + 1, size_.height - 1); ++y)
         for (int x = std::max(column - 1, 0); x <= std::min(column + 1, size_.width - 1); ++x)

@@ -7,27 +7,26 @@
 
 namespace raywalk {
 
-/// Adaptive sampling: a pixel takes samples until it is known well enough.
+/// Adaptive sampling: a pixel takes samples until it is known accurately enough.
 ///
-/// After 16, 32, 64 ... samples every pixel is looked at. It is known when in each channel the 95% interval of its
-/// mean, as a screen shows it (sRGB, 0..1), reaches at most `tolerance` to either side, and it takes no more samples
-/// when the eight pixels around it are known too: what slips between the few samples of one pixel, its neighbours have
-/// mostly met.
+/// After 16, 32, 64 ... samples every pixel is examined. It is known when in each channel the 95% interval of its mean,
+/// as a screen shows it (sRGB, 0..1), reaches at most `tolerance` to either side, and it takes no more samples when the
+/// eight pixels around it are known too: detail that the few samples of one pixel miss is usually hit in a neighbour.
 ///
-/// The confidence holds for all looks together. Whoever stops at the first of L looks that pleases him errs more often
-/// than each look by itself would say, so each takes its interval from Student's distribution at 1 - 0.05 / L
-/// (Bonferroni). Samples are counted as if each was drawn by itself: for jittered and Sobol samples, which lie better,
-/// the interval is too wide rather than too narrow. What no sample has met, here or next to here, cannot be known.
+/// The confidence holds for all examinations together. Stopping at the first of L that succeeds errs more often than a
+/// single one would, so each uses the interval of Student's distribution at 1 - 0.05 / L (Bonferroni). Samples are
+/// treated as independent: for jittered and Sobol samples, which are better distributed, the interval is too wide
+/// rather than too narrow. What no sample has hit, here or in a neighbour, cannot be known.
 template <class T>
 class Adaptive {
  public:
   static constexpr int first_look = 16;
   static constexpr double confidence = 0.95;
 
-  /// `most`: samples that no pixel exceeds. A tolerance of 0 gives every pixel all of them.
+  /// `most`: maximum samples per pixel. With a tolerance of 0 every pixel takes them all.
   Adaptive(ImageSize size, int most, double tolerance);
 
-  /// The samples of the pass under way: every active pixel takes those in from() .. to() - 1.
+  /// The samples of the current pass: every active pixel takes those in from() .. to() - 1.
   [[nodiscard]] int from() const { return from_; }
   [[nodiscard]] int to() const { return to_; }
   [[nodiscard]] bool is_active(int column, int row) const {
@@ -44,7 +43,7 @@ class Adaptive {
     }
   }
 
-  /// Takes in a sample of an active pixel, in their order; also into the film. Other pixels may be added to at once.
+  /// Adds a sample of an active pixel, in order; also to the film. Other pixels may be added to concurrently.
   void add(Film<T>& film, int column, int row, int sample, const Rgb<T>& shade) {
     if (spread_.empty()) return film.add(column, row, sample, shade);
     const Vec3d before(film.at(column, row));
@@ -54,10 +53,10 @@ class Adaptive {
       spread_[index(column, row)] += Vec3<float>((value - before) * (value - Vec3d(film.at(column, row))));
   }
 
-  /// Ends the pass: looks at the pixels, and says whether any of them goes on.
+  /// Ends the pass: examines the pixels, and returns whether any continues.
   [[nodiscard]] bool next(const Film<T>& film);
 
-  /// Samples that all pixels together will have taken if none that goes on stops before the end.
+  /// The samples that all pixels together will have taken if no remaining pixel stops early.
   [[nodiscard]] std::uint64_t expected() const { return expected_; }
 
  private:
@@ -70,11 +69,12 @@ class Adaptive {
   int most_, from_ = 0, to_, looks_ = 0;
   double tolerance_;
   std::uint64_t expected_;
-  std::vector<Vec3<float>> spread_;   ///< sum of squared deviations; empty when nothing adapts
+  std::vector<Vec3<float>> spread_;   ///< sum of squared deviations; empty without adaptive sampling
   std::vector<std::uint8_t> active_;  ///< empty: all are
 };
 
-/// The x that Student's distribution with `freedom` (>= 15) degrees exceeds in either direction with this probability.
+/// The two-sided quantile of Student's distribution with `freedom` (>= 15) degrees: |t| exceeds it with this
+/// probability.
 [[nodiscard]] double student_quantile(double two_sided, int freedom);
 
 extern template class Adaptive<float>;

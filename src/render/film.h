@@ -10,17 +10,17 @@
 namespace raywalk {
 
 /// The picture while it is rendered: for each pixel the mean of its samples so far, in linear RGB and in the tracer's
-/// own scalar. Row 0 is the top one.
+/// scalar type. Row 0 is the top one.
 template <class T>
 class Film {
  public:
   Film() = default;
-  /// Black, without a sample.
+  /// Black, without samples.
   explicit Film(ImageSize size)
       : size_(size), means_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), Rgb<T>(0)) {}
 
-  /// Takes in sample number `sample` of a pixel, from 0. Those before it must have been added, each once.
-  /// The mean moves by a step, m += (x - m) / n: unlike a sum over n it stays put when all samples are equal.
+  /// Adds sample number `sample` of a pixel, from 0. The previous ones must have been added, each once. The mean is
+  /// updated as m += (x - m) / n: unlike a sum over n, it stays exact when all samples are equal.
   void add(int column, int row, int sample, const Rgb<T>& shade) {
     Rgb<T>& mean = means_[index(column, row)];
     mean += (shade - mean) / static_cast<T>(sample + 1);
@@ -61,7 +61,7 @@ template <class T>
   return image;
 }
 
-/// Pixels that are no finite number in a picture's file: also where every sample was, as sums of very bright ones.
+/// Pixels that are not finite in a picture's file, even though every sample was: sums of very bright ones.
 template <class T>
 [[nodiscard]] std::size_t not_finite(const Film<T>& film) {
   return static_cast<std::size_t>(std::count_if(film.pixels().begin(), film.pixels().end(),

@@ -1,5 +1,5 @@
 #pragma once
-// What each pixel of a picture cost, as colours.
+// The cost of each pixel of a picture, as colours.
 
 #include <algorithm>
 #include <array>
@@ -8,18 +8,18 @@
 
 namespace raywalk {
 
-/// What a heat map shows for each pixel: the first three at one sample.
+/// What a heat map shows for each pixel; rays, tests and time at one sample.
 enum class Heat {
   none,   ///< no heat map: the picture
   rays,   ///< rays formed
-  tests,  ///< nodes of the accelerator and shapes that rays were tested against
+  tests,  ///< accelerator nodes and shapes tested
   time,   ///< microseconds
-  noise,  ///< how far its samples scatter: the standard deviation of their grey (the mean of red, green and blue)
+  noise,  ///< the spread of its samples: the standard deviation of their grey (the mean of red, green and blue)
 };
 inline constexpr std::array all_heats{Heat::none, Heat::rays, Heat::tests, Heat::time, Heat::noise};
 
-/// From dark blue to yellow, evenly growing lighter and told apart whatever the eye: "cividis" (J. Nunez, C. Anderton
-/// and R. Renslow, PLoS ONE 13(7), 2018). `part` in 0..1.
+/// From dark blue to yellow, of uniformly growing lightness and safe for colour-blind people: "cividis" (J. Nunez, C.
+/// Anderton and R. Renslow, PLoS ONE 13(7), 2018). `part` in 0..1.
 [[nodiscard]] inline std::array<std::uint8_t, 3> heat_colour(double part) {
   constexpr std::array<std::array<double, 3>, 9> scale{{{0, 34, 78},
                                                         {18, 53, 112},

@@ -12,7 +12,7 @@ namespace raywalk {
 
 namespace {
 
-/// What a scene comes to when all instances are spelt out; they share their surfaces.
+/// The size of a scene with all instances expanded; they share their surfaces.
 struct Census {
   double shapes = 0, placed = 0, triangles = 0, vertices = 0, surfaces = 0;
 
@@ -55,14 +55,14 @@ class Counter {
   std::map<std::pair<const GroupContent*, bool>, Census> known_;
 };
 
-/// Bytes of a structure for each primitive in double, and what building it takes meanwhile: measured on 400,000 strewn
-/// spheres and as many triangles of a closed surface. In float it is two thirds of it.
+/// Bytes of a structure for each primitive in double, and what building it takes meanwhile: measured on 400,000
+/// scattered spheres and as many triangles of a closed surface. In float it is two thirds.
 struct PerPrimitive {
   double shape, triangle;
 };
 PerPrimitive per_primitive(AcceleratorKind kind) {
   switch (kind) {
-    case AcceleratorKind::automatic:  // of as many as matter
+    case AcceleratorKind::automatic:  // for numbers that matter
     case AcceleratorKind::bvh:
       return {150, 170};
     case AcceleratorKind::none:
@@ -83,21 +83,21 @@ PerPrimitive per_primitive(AcceleratorKind kind) {
 
 template <class T>
 MemoryNeed needed(const Scene& scene, const RenderSettings& settings) {
-  // Lists that grow as they are filled are half as large again, on the average.
+  // Growing vectors are half as large again on average.
   constexpr double growing = 1.5;
   constexpr double share = sizeof(T) == sizeof(double) ? 1 : 2.0 / 3;
-  // By primitive: whose object and surface it is, where its leaf begins, and its kind.
+  // Per primitive: its object, its surface, its leaf and its kind.
   constexpr double known = growing * (4 + 4 + 12 + 1 + 1);
   const Census census = Counter().count(scene.objects, false);
   const PerPrimitive structure = per_primitive(settings.accelerator);
   // Found by its material while the lists are filled.
   constexpr double surface = growing * sizeof(typename World<T>::Surface) + 64;
   const double shapes = census.shapes * (growing * sizeof(Shape<T>) + known + share * structure.shape) +
-                        census.placed * growing * (sizeof(Placement<T>) + 4) + census.surfaces * surface;
+                        census.placed * growing * (sizeof(ObjectTransform<T>) + 4) + census.surfaces * surface;
   const double triangles = census.triangles * (sizeof(Mesh::Corners) + known + share * structure.triangle) +
-                           census.vertices * 2 * sizeof(Vec3<T>);  // places and normals
+                           census.vertices * 2 * sizeof(Vec3<T>);  // positions and normals
   const ImageSize size = settings.size.value_or(scene.image);
-  // The mean of each pixel, and the floats that its file is made of.
+  // The mean of each pixel, and the floats of its file.
   const double pixels = static_cast<double>(size.width) * size.height,
                picture = pixels * (sizeof(Rgb<T>) + sizeof(Rgb<float>));
   const double most = std::max({shapes, triangles, picture});

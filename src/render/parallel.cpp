@@ -30,7 +30,7 @@ extern "C" void* run_body(void* body) {
   return nullptr;
 }
 
-/// std::thread has no say in the size of its stack.
+/// std::thread cannot set the size of its stack.
 bool start(pthread_t& thread, std::size_t stack, std::function<void()> body) {
   pthread_attr_t attributes;
   if (pthread_attr_init(&attributes) != 0) return false;
@@ -42,10 +42,10 @@ bool start(pthread_t& thread, std::size_t stack, std::function<void()> body) {
   return started;
 }
 
-/// Counts threads out, so that whoever waits for them can do something meanwhile.
-class Doors {
+/// Like std::latch, but the waiting thread can do something meanwhile.
+class Latch {
  public:
-  void leave() {
+  void count_down() {
     const std::lock_guard lock(mutex_);
     ++left_;
     changed_.notify_all();
@@ -67,7 +67,7 @@ class Doors {
   std::size_t left_ = 0;
 };
 
-std::atomic<int> alone{0};
+std::atomic<int> detached{0};
 
 }  // namespace
 
@@ -81,20 +81,20 @@ int parallel_for(int count, int threads, const std::function<void(int index)>& b
   const auto work = [&] {
     for (int index = next++; index < count; index = next++) body(index);
   };
-  Doors doors;
+  Latch latch;
   std::vector<pthread_t> helpers;
   helpers.reserve(static_cast<std::size_t>(wanted - 1));
   for (int i = 1; i < wanted; ++i) {
     pthread_t helper{};
     if (!start(helper, stack, [&] {
           work();
-          doors.leave();
+          latch.count_down();
         }))
-      break;  // the system has no more threads to give; those there are do all of the work
+      break;  // the system refuses more threads; the existing ones do all of the work
     helpers.push_back(helper);
   }
   work();
-  if (waiting) doors.wait_for(helpers.size(), waiting);
+  if (waiting) latch.wait_for(helpers.size(), waiting);
   for (const pthread_t helper : helpers) pthread_join(helper, nullptr);
   return static_cast<int>(helpers.size()) + 1;
 }
@@ -115,35 +115,35 @@ bool run_on_stack(std::size_t stack, const std::function<void()>& body) {
   return true;
 }
 
-void run_aside(const Stop& stop, std::function<void()> body) {
+void run_detached(const Stop& stop, std::function<void()> body) {
   struct Shared {
     std::function<void()> body;
-    Doors doors;
+    Latch latch;
     std::exception_ptr thrown;
   };
   const auto shared = std::make_shared<Shared>();
   shared->body = std::move(body);
   pthread_t thread{};
-  ++alone;
-  const bool started = start(thread, usual_stack, [shared] {
+  ++detached;
+  const bool started = start(thread, default_stack, [shared] {
     try {
       shared->body();
     } catch (...) {
       shared->thrown = std::current_exception();
     }
-    --alone;
-    shared->doors.leave();
+    --detached;
+    shared->latch.count_down();
   });
   if (!started) {
-    --alone;
+    --detached;
     return shared->body();
   }
   pthread_detach(thread);
-  shared->doors.wait_for(1, [&] { stop.check(); });
+  shared->latch.wait_for(1, [&] { stop.check(); });
   if (shared->thrown) std::rethrow_exception(shared->thrown);
 }
 
-bool left_alone() { return alone > 0; }
+bool has_detached_work() { return detached > 0; }
 
 #else
 
@@ -156,8 +156,8 @@ int parallel_for(int count, int /*threads*/, const std::function<void(int index)
 }
 
 bool run_on_stack(std::size_t /*stack*/, const std::function<void()>& /*body*/) { return false; }
-void run_aside(const Stop& /*stop*/, std::function<void()> body) { body(); }
-bool left_alone() { return false; }
+void run_detached(const Stop& /*stop*/, std::function<void()> body) { body(); }
+bool has_detached_work() { return false; }
 
 #endif
 

@@ -49,12 +49,12 @@ double cost_of(Heat heat, const Statistics& own, double microseconds) {
 
 }  // namespace
 
-/// One preview under way. A *pass* visits every row of a grid once, in any order and in any thread: first the passes
-/// that trace each pixel's centre, of ever finer grids, then one pass a sample.
+/// A preview in progress. A *pass* visits every row of a grid once, in any order and in any thread: first the passes
+/// that trace pixel centres on ever finer grids, then one pass per sample.
 class Preview::Work {
  public:
   Work(const Scene& scene, const PreviewSettings& settings)
-      : settings_(settings), stack_(std::max(usual_stack, stack_for(scene.limits.depth))) {
+      : settings_(settings), stack_(std::max(default_stack, stack_for(scene.limits.depth))) {
     if (settings.heat != Heat::none)
       costs_.assign(static_cast<std::size_t>(settings.size.width) * static_cast<std::size_t>(settings.size.height),
                     -1.0f);
@@ -69,7 +69,7 @@ class Preview::Work {
   [[nodiscard]] double done() const {
     const double rows = static_cast<double>(rows_to_do_.size());
     const double grid = rows_of_pass_ > 0 ? (rows_of_pass_ - rows) / rows_of_pass_ : 1;
-    // The grid of one pass is four times as fine as that of the one before: 1/64, 1/16, 1/4, 1.
+    // The grid of each pass has four times the pixels of the previous one: 1/64, 1/16, 1/4, 1.
     const auto up_to = [](int stride) { return 1.0 / (stride * stride); };
     const double centres = has_every_pixel()     ? 1
                            : stride_ == coarsest ? grid * up_to(stride_)
@@ -85,15 +85,15 @@ class Preview::Work {
   [[nodiscard]] std::size_t index_of(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(size().width) + static_cast<std::size_t>(column);
   }
-  /// What the pixel cost, in the unit of the heat map.
+  /// Records the cost of the pixel, in the unit of the heat map.
   void note_cost(int column, int row, double cost) { costs_[index_of(column, row)] = static_cast<float>(cost); }
-  /// Traces what is new in row `row` of the grid of this stride.
+  /// Traces the new pixels in row `row` of the grid of this stride.
   virtual Statistics trace_centres(int row, int stride, const Stop& stop) = 0;
   virtual Statistics trace_sample(int row, int sample, const Stop& stop) = 0;
   [[nodiscard]] virtual Rgba shown(int column, int row, int samples_taken) const = 0;
 
   [[nodiscard]] const ImageSize& size() const { return settings_.size; }
-  /// Samples of each pixel that are taken after its centre. One sample a pixel is the centre itself.
+  /// Samples of each pixel to take after its centre. One sample per pixel is the centre itself.
   [[nodiscard]] int samples_to_take() const {
     if (settings_.heat == Heat::noise) return std::max(settings_.samples, PreviewSettings::fewest_for_noise);
     return settings_.samples > 1 && settings_.heat == Heat::none ? settings_.samples : 0;
@@ -108,10 +108,10 @@ class Preview::Work {
 
   PreviewSettings settings_;
   std::size_t stack_;
-  std::vector<float> costs_;  ///< of a heat map, each pixel's; negative: not traced yet
+  std::vector<float> costs_;  ///< of a heat map, per pixel; negative: not traced yet
   double hottest_ = 0;
-  int stride_ = coarsest;  ///< of the pass under way, while centres are traced
-  int sample_ = -1;        ///< of the pass under way, after that
+  int stride_ = coarsest;  ///< of the current pass, while centres are traced
+  int sample_ = -1;        ///< of the current pass, after that
   std::vector<int> rows_to_do_;
   double rows_of_pass_ = 0;
   Statistics statistics_;
@@ -121,7 +121,7 @@ class Preview::Work {
 template <class T>
 class Preview::WorkIn final : public Preview::Work {
  public:
-  WorkIn(const Scene& scene, const PreviewSettings& settings, Worlds& worlds, const Stop& stop)
+  WorkIn(const Scene& scene, const PreviewSettings& settings, WorldCache& worlds, const Stop& stop)
       : Work(scene, settings),
         world_(worlds.of<T>(scene, settings.accelerator, settings.fault, stop)),
         kernel_(scene, *world_),
@@ -138,7 +138,7 @@ class Preview::WorkIn final : public Preview::Work {
 
  private:
   Statistics trace_centres(int row, int stride, const Stop& stop) override {
-    // A row that the grid before had too has every second of its pixels already.
+    // In a row of the previous grid every second pixel is already traced.
     const bool old_row = stride < coarsest && row % (2 * stride) == 0;
     const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride, 1, stop};
     const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); };
@@ -156,7 +156,7 @@ class Preview::WorkIn final : public Preview::Work {
   }
 
   Statistics trace_sample(int row, int sample, const Stop& stop) override {
-    std::vector<Rgb<T>> shades(static_cast<std::size_t>(size().width));  // a row that is stopped is traced once more
+    std::vector<Rgb<T>> shades(static_cast<std::size_t>(size().width));  // a cancelled row is traced again
     const Statistics statistics =
         kernel_(spread_, {0, size().width, row, row + 1, sample, 1, 1, stop},
                 [&shades](const Pixel& p, const Rgb<T>& shade) { shades[static_cast<std::size_t>(p.column)] = shade; });
@@ -169,7 +169,7 @@ class Preview::WorkIn final : public Preview::Work {
     return statistics;
   }
 
-  /// Sums the squares of the distances from the mean as the mean moves (B. Welford, Technometrics 4(3), 1962).
+  /// Updates the sum of squared deviations from the running mean (B. Welford, Technometrics 4(3), 1962).
   void note_scatter(int column, int row, int sample, const Rgb<T>& shade, const Rgb<T>& before) {
     const auto grey = [](const Rgb<T>& c) { return (Rgbd(c).x + Rgbd(c).y + Rgbd(c).z) / 3; };
     double& squares = squares_[index_of(column, row)];
@@ -177,7 +177,8 @@ class Preview::WorkIn final : public Preview::Work {
     if (sample > 0) note_cost(column, row, std::sqrt(std::max(squares, 0.0) / sample));
   }
 
-  /// While samples are missing, the centre counts as one more: the first samples alone lie in one corner of the pixel.
+  /// While samples are missing, the centre counts as one more: the first samples alone may lie in one corner of the
+  /// pixel.
   [[nodiscard]] Rgba shown(int column, int row, int samples_taken) const override {
     const Rgb<T>& centre = first_.at(column, row);
     if (samples_taken == 0) return rgba_of(centre, encoding_);
@@ -191,7 +192,7 @@ class Preview::WorkIn final : public Preview::Work {
   RayGenerator<T> centres_, spread_;
   Encoding encoding_;
   Film<T> first_, mean_;
-  std::vector<double> squares_;  ///< of a map of noise, each pixel's
+  std::vector<double> squares_;  ///< of a noise map, per pixel
 };
 
 void Preview::Work::begin_pass() {
@@ -214,9 +215,9 @@ void Preview::Work::end_pass() {
 
 void Preview::Work::refine(double milliseconds, int threads, const Stop& stop, std::vector<std::uint8_t>& rgba) {
   const auto deadline = Clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
-  bool first = true;  // one row at least, so that whoever refines without time still gets there
+  bool first = true;  // at least one row, so that refining with no time budget still progresses
   while (!finished() && (first || Clock::now() < deadline) && !stop.asked()) {
-    // Which rows the deadline leaves undone depends on the threads; each row is marked for itself.
+    // Which rows are left at the deadline depends on the threads, so each row is marked.
     std::vector<std::uint8_t> traced(rows_to_do_.size(), 0);
     const auto trace = [&](int i) {
       const auto index = static_cast<std::size_t>(i);
@@ -239,15 +240,15 @@ void Preview::Work::refine(double milliseconds, int threads, const Stop& stop, s
   if (settings_.heat != Heat::none) show_heat(rgba);
 }
 
-/// Paints the whole picture, since what is hottest may have changed: each pixel as it is, or as the nearest one of the
-/// coarser grids that has been traced.
+/// Paints the whole picture, since the maximum may have changed: each pixel with its own cost, or that of the nearest
+/// traced one on the coarser grids.
 void Preview::Work::show_heat(std::vector<std::uint8_t>& rgba) {
   std::vector<float> known;
   for (const float cost : costs_)
     if (cost >= 0) known.push_back(cost);
   if (known.empty()) return;
-  // A pixel in which the machine did something else must not leave all others in the dark.
-  // Nor one that happened to draw a light that the others missed.
+  // An outlier, where the machine was busy with something else, must not darken all others. Nor one that happened to
+  // hit a light that the others missed.
   const double part = settings_.heat == Heat::time || settings_.heat == Heat::noise ? 0.995 : 1;
   const auto last = known.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(known.size() - 1));
   std::nth_element(known.begin(), last, known.end());
@@ -294,8 +295,8 @@ Preview::~Preview() = default;
 Preview::Preview(Preview&&) noexcept = default;
 Preview& Preview::operator=(Preview&&) noexcept = default;
 
-void Preview::reset(const Scene& scene, const PreviewSettings& settings, Worlds* worlds, const Stop& stop) {
-  Worlds own;
+void Preview::reset(const Scene& scene, const PreviewSettings& settings, WorldCache* worlds, const Stop& stop) {
+  WorldCache own;
   if (worlds == nullptr) worlds = &own;
   const bool keep_picture = work_ && work_->settings().size == settings.size;
   switch (settings.precision) {

@@ -24,8 +24,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The rectangles that threads take one after the other: large enough that taking one costs nothing, small enough that
-/// all threads end together.
+/// The rectangles that threads take in turn: large enough that taking one is cheap, small enough that all threads
+/// finish together.
 class Tiles {
  public:
   explicit Tiles(ImageSize size) : size_(size), across_((size.width + edge - 1) / edge) {}
@@ -78,7 +78,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   rendering.structure = world.accelerator.statistics();
   rendering.build_seconds = seconds_since(build_start);
 
-  if (settings.endless && scene.render.integrator != Integrator::path)  // paths are no trees
+  if (settings.endless && scene.render.integrator != Integrator::path)  // paths do not branch
     if (const auto tree = endless_tree(world, kernel, camera, size, settings.sampling.per_pixel, settings.stop))
       settings.endless(*tree);
 
@@ -92,25 +92,25 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   std::mutex results_mutex;
   std::map<std::thread::id, double> busy;
   Reporter reporter(settings, trace_start);
-  constexpr double almost = 0.9999;  // that all is done is said once, when no thread is at work any more
+  constexpr double almost = 0.9999;  // completion is reported once, when no thread is working any more
   Adaptive<T> adaptive(size, settings.sampling.per_pixel, settings.tolerance);
-  // A tile's pixels are written by nobody else, its statistics are whole numbers: neither the order of the tiles nor
-  // the thread that takes one can show in what comes out.
+  // Each tile's pixels are written by one thread only, and statistics are integers: neither the order of the tiles nor
+  // their threads can change the result.
   const auto trace_tile = [&](int position) {
     const auto tile_start = Clock::now();
     Statistics statistics;
     const PixelBlock tile = tiles.block(order[static_cast<std::size_t>(position)]);
-    std::uint64_t put_here = 0;  // what a row has put when it is stopped in between counts too
+    std::uint64_t put_here = 0;  // pixels of a row that is cancelled half-way count too
     const PutPixel<T> put = [&](const Pixel& p, const Rgb<T>& shade) {
       adaptive.add(film, p.column, p.row, p.sample, shade);
-      constexpr std::uint64_t unasked = 8;  // a ray through a long list may take long by itself
+      constexpr std::uint64_t unasked = 8;  // a single ray through a long list may take long
       if (++put_here % unasked == 0) settings.stop.check();
     };
     PixelBlock run = tile;
     run.stop = settings.stop;
-    constexpr int most_samples = 16;
+    constexpr int max_samples = 16;
     const auto trace_rows = [&] {
-      run.samples = std::min(most_samples, adaptive.to() - run.sample);
+      run.samples = std::min(max_samples, adaptive.to() - run.sample);
       for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end; ++run.row_begin) {
         settings.stop.check();
         run.row_end = run.row_begin + 1;
@@ -132,7 +132,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     rendering.statistics += statistics;
     busy[std::this_thread::get_id()] += seconds_since(tile_start);
   };
-  const std::size_t stack = std::max(usual_stack, stack_for(scene.limits.depth));
+  const std::size_t stack = std::max(default_stack, stack_for(scene.limits.depth));
   do {
     rendering.threads = std::max(rendering.threads, parallel_for(tiles.count(), settings.threads, trace_tile, stack));
   } while (!settings.stop.asked() && adaptive.next(film));
@@ -146,7 +146,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   return rendering;
 }
 
-/// The one that takes more is named first, and is what the hint is about.
+/// The larger one is named first, and the hint is about it.
 tl::unexpected<Error> no_memory(const Scene& scene, ImageSize size) {
   constexpr double of_a_pixel = 24, of_an_entry = 150;  // bytes, roughly
   const double pixels = static_cast<double>(size.width) * size.height, entries = entries_of(scene.objects);

@@ -8,7 +8,7 @@ namespace raywalk {
 
 namespace {
 
-/// Counts the rays that reflect and refract, each of which asks, and stops when they are too many.
+/// Counts reflect and refract rays, each of which checks for cancellation, and cancels when there are too many.
 class RayCounter : public Stopper {
  public:
   RayCounter(int most, const Stop& outer) : most_(most), outer_(outer) { raised = true; }
@@ -40,12 +40,12 @@ std::optional<int> rays_of(const SceneKernel<T>& kernel, const RayGenerator<T>& 
 template <class T>
 std::optional<TreeSize> endless_tree(World<T>& world, const SceneKernel<T>& kernel, const RayGenerator<T>& camera,
                                      ImageSize size, int samples, const Stop& stop) {
-  constexpr int probes = 5, most = 20'000;  // to a side; rays of one
+  constexpr int probes = 5, most = 20'000;  // per side; rays of one probe
   constexpr double patience = 1e6;
   const int depth = world.depth;
   if (depth < 3) return std::nullopt;
   TreeSize found{0, 1, depth, samples, 0};
-  for (const auto& lamp : world.lamps) found.shadow_rays += lamp.samples();
+  for (const auto& light : world.lights) found.shadow_rays += light.samples();
   for (int i = 0; i < probes * probes; ++i) {
     const int column = (2 * (i % probes) + 1) * size.width / (2 * probes);
     const int row = (2 * (i / probes) + 1) * size.height / (2 * probes);
@@ -53,7 +53,7 @@ std::optional<TreeSize> endless_tree(World<T>& world, const SceneKernel<T>& kern
     if (const auto all = rays_of(kernel, camera, column, row, most, stop)) {
       rays = *all, found.growth = std::pow(1.0 + *all, 1.0 / depth);
     } else {
-      // Level by level, as far as that goes, and from there on as it grew last.
+      // Level by level as far as feasible, then extrapolated from the last growth.
       int before = 1, now = 1, level = 2;
       for (; level < depth; ++level) {
         world.depth = level;

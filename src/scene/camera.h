@@ -24,7 +24,7 @@ struct Screen {
   friend bool operator==(const Screen&, const Screen&) = default;
 };
 
-/// Where EYE stands and looks. Exactly one of `screen.width` and `fov` is present.
+/// EYE's position and view. Exactly one of `screen.width` and `fov` is present.
 struct Camera {
   Vec3d eye{0.0};
   Vec3d look_at{1.0, 0.0, 0.0};  ///< differs from eye
@@ -32,7 +32,7 @@ struct Camera {
   std::optional<FieldOfView> fov;
   Screen screen{.width = 1.0};
   double aperture = 0;          ///< radius of the lens, in scene units; 0: a pinhole
-  std::optional<double> focus;  ///< distance from the eye, along the view, of the plane that is sharp; absent: look_at
+  std::optional<double> focus;  ///< distance from the eye, along the view, to the plane in focus; absent: look_at
   double shutter_open = 0, shutter_close = 1;  ///< in the time of the objects' motion; open <= close
   friend bool operator==(const Camera&, const Camera&) = default;
 
@@ -43,7 +43,7 @@ struct Camera {
     return fov ? std::tan(fov->degrees * (pi / 360)) : *screen.width / 2 / screen.distance;
   }
   [[nodiscard]] FovAxis extent_axis() const { return fov ? fov->axis : FovAxis::x; }
-  /// Length of SCREEN as drawn on the plan. With an angle along y it takes the strip as one row of a square image.
+  /// Length of SCREEN as drawn on the plan. With an angle along y, the strip is taken as one row of a square image.
   [[nodiscard]] double screen_width() const { return fov ? 2 * screen.distance * half_extent() : *screen.width; }
 };
 

@@ -37,8 +37,8 @@ namespace {
 /// The first object whose material satisfies `calls`, or null.
 template <class Calls>
 const Object* first_object(const Scene& scene, Calls calls) {
-  for (const Dress& dress : dresses_of(scene))
-    if (calls(*dress.material)) return dress.object;
+  for (const MaterialUse& use : material_uses(scene))
+    if (calls(*use.material)) return use.object;
   return nullptr;
 }
 
@@ -48,7 +48,7 @@ EffectUse use_if(const Scene& scene, Calls calls, const std::string& because, co
   return object ? EffectUse{true, object->name + " " + because} : EffectUse{false, "none: " + none};
 }
 
-/// Of the lights that shine, the first one that `calls` accepts, or null.
+/// The first light of non-zero strength that `calls` accepts, or null.
 template <class Calls>
 const Light* first_light(const Scene& scene, Calls calls) {
   const auto found = std::find_if(scene.lights.begin(), scene.lights.end(),
@@ -69,7 +69,7 @@ EffectUse refraction(const Scene& scene, Integrator integrator) {
   return use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
 }
 
-/// Whatever transmits reflects too: a share by Fresnel's equations, or all of it beyond the critical angle.
+/// Every transmitting material also reflects: a part by Fresnel's equations, or everything beyond the critical angle.
 EffectUse reflection(const Scene& scene, Integrator integrator) {
   if (integrator == Integrator::cast) return left_out(integrator, "follows no ray beyond the first hit");
   EffectUse use = use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
@@ -92,11 +92,11 @@ EffectUse translucency(const Scene& scene, Integrator integrator) {
   return use.used && !draws_random(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
 }
 
-/// A room may be lit by an object that emits alone. It has soft shadows then, but they are no effect of a light.
+/// A scene may be lit by emitting objects only. It then has soft shadows, but not from a light.
 EffectUse no_light(const Scene& scene) {
-  const Object* lamp = first_object(scene, emits);
-  if (lamp == nullptr) return {false, "none: no light shines"};
-  return {false, "none: no light shines; what " + lamp->name + " emits is indirect light, which only paths follow"};
+  const Object* emitter = first_object(scene, emits);
+  if (emitter == nullptr) return {false, "none: no light shines"};
+  return {false, "none: no light shines; what " + emitter->name + " emits is indirect light, which only paths follow"};
 }
 
 EffectUse penumbra(const Scene& scene, Integrator integrator) {
@@ -118,7 +118,7 @@ EffectUse depth_of_field(const Scene& scene, Integrator integrator) {
 }
 
 EffectUse motion_blur(const Scene& scene, Integrator integrator) {
-  const Object* mover = first_mover(scene);
+  const Object* mover = first_moving_object(scene);
   if (mover == nullptr) return {false, "none: nothing moves while the shutter is open"};
   if (!draws_random(integrator)) return left_out(integrator, "sees everything where it is when the shutter opens");
   return {true, mover->name + " moves while the shutter is open"};
@@ -149,12 +149,12 @@ EffectUse indirect_light(const Scene& scene, Integrator integrator) {
   return {false, "none: Whitted's algorithm follows mirrors and glass only"};
 }
 EffectUse shadows(const Scene& scene, Integrator integrator) {
-  const Light* lamp = first_light(scene, [](const Light&) { return true; });
-  if (lamp == nullptr && indirect_light(scene, integrator).used)
+  const Light* light = first_light(scene, [](const Light&) { return true; });
+  if (light == nullptr && indirect_light(scene, integrator).used)
     return use_if(scene, emits, "emits, and paths look for it from all surfaces", "no light shines");
-  if (lamp == nullptr) return {false, "none: no light shines"};
+  if (light == nullptr) return {false, "none: no light shines"};
   if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
-  return {true, lamp->name + " shines on objects"};
+  return {true, light->name + " shines on objects"};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace raywalk {
 
-/// Everything that a scene may or may not call for. The tracer simulates only what is used.
+/// The effects that a scene may or may not call for. The tracer simulates only those that are used.
 enum class Effect {
   shadows,
   reflection,
@@ -26,8 +26,8 @@ inline constexpr int effect_count = 11;
 
 [[nodiscard]] std::string_view effect_name(Effect effect);
 
-/// Whether an effect's code is compiled: always, but in the programs with which tests/benchmark/effects.sh measures
-/// what an effect costs that a scene does not call for. They define RAYWALK_WITHOUT as the effect's name.
+/// Whether an effect's code is compiled: always, except in the programs with which tests/benchmark/effects.sh measures
+/// the cost of effects that a scene does not call for. They define RAYWALK_WITHOUT as the effect's name.
 [[nodiscard]] constexpr bool compiled([[maybe_unused]] Effect effect) {
 #ifdef RAYWALK_WITHOUT
   return effect != Effect::RAYWALK_WITHOUT;
@@ -41,8 +41,8 @@ struct EffectUse {
   std::string why;  ///< one clause, for people: "the material of Mirror Sphere reflects"
 };
 
-/// Which effects a scene calls for and why. Enabled but inert counts as not used, and so does what the integrator
-/// leaves out.
+/// Which effects a scene calls for and why. Effects that are enabled but inert, or that the integrator leaves out,
+/// count as not used.
 class Effects {
  public:
   [[nodiscard]] const EffectUse& operator[](Effect effect) const { return uses_[static_cast<std::size_t>(effect)]; }
@@ -58,12 +58,12 @@ class Effects {
 
 /// The scene's integrator, `automatic` resolved: distributed where an effect of it is called for, else whitted.
 [[nodiscard]] Integrator integrator_of(const Scene& scene, int samples_per_pixel = 1);
-/// Whether it may draw random numbers: cast and whitted take their samples in fixed places.
+/// Whether it may draw random numbers: cast and whitted take their samples at fixed positions.
 [[nodiscard]] constexpr bool draws_random(Integrator integrator) {
   return integrator == Integrator::distributed || integrator == Integrator::path;
 }
 
-/// Points of a light that are tried from one hit, along each of its two sides; 1 for a light without an extent.
+/// The number of points on a light that are sampled at a hit, along each of its two sides; 1 except for area lights.
 [[nodiscard]] int light_grid_of(const Scene& scene, const Light& light);
 
 }  // namespace raywalk

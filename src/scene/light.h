@@ -27,19 +27,19 @@ struct DirectionalLight {
   friend bool operator==(const DirectionalLight&, const DirectionalLight&) = default;
 };
 
-/// A point light that shines into a cone only: in full up to half of `inner_angle` from its axis, then ever less (a
-/// smooth step in the cosine) down to nothing at half of `angle`.
+/// A point light that shines only into a cone: at full strength up to half of `inner_angle` from its axis, then falling
+/// off (a smooth step in the cosine) to zero at half of `angle`.
 struct SpotLight {
   Vec3d position{0.0};
-  Vec3d look_at{1.0, 0.0, 0.0};  ///< a point on the cone's axis, not `position`
+  Vec3d look_at{1.0, 0.0, 0.0};  ///< a point on the cone's axis, other than `position`
   double angle = 60;             ///< full angle of the cone in degrees, 0 < angle <= 180
   double inner_angle = 40;       ///< full angle in degrees, 0 <= inner_angle <= angle
   Attenuation attenuation;
   friend bool operator==(const SpotLight&, const SpotLight&) = default;
 };
 
-/// Area lights. Each is the mean of point lights spread evenly over it: it has no back, is never hit and hides nothing.
-/// At every hit it is tried at samples x samples of its points.
+/// Area lights. Each is the mean of point lights spread uniformly over it: it has no back, is never hit and occludes
+/// nothing. At every hit, samples x samples of its points are tested.
 struct SphereLight {
   Vec3d position{0.0};  ///< its centre
   double radius = 1;    ///< >= 0; 0 is a point light
@@ -70,11 +70,11 @@ constexpr std::string_view light_name(const SpotLight& /*light*/) { return "spot
 constexpr std::string_view light_name(const SphereLight& /*light*/) { return "sphere"; }
 constexpr std::string_view light_name(const RectangleLight& /*light*/) { return "rectangle"; }
 
-/// The middle of a light, or nothing for one that is infinitely far away.
+/// The centre of a light, or nothing for one at infinity.
 [[nodiscard]] std::optional<Vec3d> middle_of(const Light& light);
-/// Moves the light with all that belongs to it; a directional one stays.
-void move_by(Light& light, const Vec3d& way);
-/// Whether the light has an extent, so that it has penumbras.
+/// Moves the whole light; a directional one stays.
+void move_by(Light& light, const Vec3d& offset);
+/// Whether the light has an extent, and so casts penumbras.
 [[nodiscard]] bool is_area(const Light& light);
 
 }  // namespace raywalk

@@ -1,5 +1,5 @@
 #pragma once
-// What an object of a scene may be: one shape, a mesh, or a group of objects used once more.
+// What an object of a scene may be: a shape, a mesh, or an instance of a group of objects.
 
 #include "scene/material.h"
 #include "shape/mesh.h"
@@ -10,14 +10,14 @@
 
 namespace raywalk {
 
-/// A mesh from a file of its own, or one whose vertices stand in the scene.
+/// A mesh from a file of its own, or with its vertices in the scene.
 struct MeshShape {
-  std::string file;            ///< as the scene names it; empty when the vertices stand in the scene itself
-  bool smooth = true;          ///< whether normals between the vertices are interpolated, where vertices have them
-  bool file_materials = true;  ///< whether triangles have the materials that the file gives them, if it does
-  std::shared_ptr<const Mesh> mesh;                          ///< null until the file is read
+  std::string file;                  ///< as the scene names it; empty when the vertices are in the scene itself
+  bool smooth = true;                ///< whether vertex normals are interpolated, where there are any
+  bool file_materials = true;        ///< whether triangles use the materials of the file, if it has any
+  std::shared_ptr<const Mesh> mesh;  ///< null until the file is read
   std::shared_ptr<const std::vector<Material>> materials{};  ///< those of the file
-  /// The same mesh, but not what its file holds now.
+  /// Meshes from files are compared by name, not by content.
   friend bool operator==(const MeshShape& a, const MeshShape& b) {
     const bool same_mesh = !a.file.empty() || a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh);
     return a.file == b.file && a.smooth == b.smooth && a.file_materials == b.file_materials && same_mesh;
@@ -26,10 +26,10 @@ struct MeshShape {
 
 struct GroupContent;
 
-/// A group of objects, put once more into the scene.
+/// A group of objects, placed into the scene again.
 struct Instance {
   std::string group;                            ///< the group's name
-  std::shared_ptr<const GroupContent> content;  ///< null until it is looked up
+  std::shared_ptr<const GroupContent> content;  ///< null until resolved
   friend bool operator==(const Instance& a, const Instance& b) { return a.group == b.group; }
 };
 
@@ -56,7 +56,7 @@ struct ObjectShape : detail::Extended<Shape<double>, MeshShape, Instance>::type 
 
 [[nodiscard]] std::string_view shape_name(const ObjectShape& shape);
 
-/// In the object's own space. Empty for what has not been read or looked up.
+/// In object space. Empty for what has not been read or resolved.
 [[nodiscard]] Bounds<double> bounds(const MeshShape& shape);
 [[nodiscard]] Bounds<double> bounds(const Instance& shape);
 [[nodiscard]] Bounds<double> bounds(const ObjectShape& shape);

@@ -8,13 +8,13 @@ namespace raywalk {
 
 namespace {
 
-/// A sphere meets the plan with level normals only if its centre lies there.
+/// A sphere crosses the plan with horizontal normals only if its centre lies in it.
 std::string why_not_planar(const Sphere<double>& sphere) {
   const bool off_centre = sphere.centre.z != 0 && std::abs(sphere.centre.z) <= sphere.radius;
   return off_centre ? "is cut by z = 0, but not through its centre" : "";
 }
 
-/// A plane must stand upright, or lie level and off the plan.
+/// A plane must be vertical, or horizontal and off the plan.
 std::string why_not_planar(const Plane<double>& plane) {
   if (plane.normal.z == 0) return "";
   const bool level = plane.normal.x == 0 && plane.normal.y == 0;
@@ -22,20 +22,20 @@ std::string why_not_planar(const Plane<double>& plane) {
   return plane.point.z == 0 ? "lies in z = 0" : "";
 }
 
-/// All other shapes are told by their box when they stay away from the plan.
+/// Other shapes are planar when their box stays clear of the plan.
 template <class S>
 bool meets_plan(const S& shape) {
   const Bounds<double> box = bounds(shape);
   return box.min.z <= 0 && 0 <= box.max.z;
 }
 
-/// A box that the plan cuts between its faces shows it upright sides.
+/// A box that the plan cuts between its faces has vertical sides there.
 std::string why_not_planar(const Box<double>& box) {
   return box.min.z == 0 || box.max.z == 0 ? "has a face in z = 0" : "";
 }
 
-/// A quadric that is its own mirror image in z = 0 meets it at a right angle, unless cut off there. A cone meets it in
-/// its apex, which has no normal.
+/// A quadric that is its own mirror image in z = 0 crosses it at a right angle, unless clipped there. A cone meets it
+/// in its apex, which has no normal.
 template <QuadricKind Kind>
 std::string why_not_planar(const Quadric<double, Kind>& quadric) {
   if (!meets_plan(quadric)) return "";
@@ -45,7 +45,7 @@ std::string why_not_planar(const Quadric<double, Kind>& quadric) {
   return "";
 }
 
-/// Flat shapes: rounding may tip even an upright one, so only those that stay away count.
+/// Flat shapes: rounding may tilt even a vertical one, so only those clear of the plan count.
 template <class Flat>
 std::string why_not_planar_flat(const Flat& flat) {
   return meets_plan(flat) ? "is flat and meets z = 0" : "";
@@ -54,7 +54,7 @@ std::string why_not_planar(const Disk<double>& disk) { return why_not_planar_fla
 std::string why_not_planar(const Polygon<double>& polygon) { return why_not_planar_flat(polygon); }
 std::string why_not_planar(const Triangle<double>& triangle) { return why_not_planar_flat(triangle); }
 
-/// A prism is centred on the plan and its sides are upright; its caps lie off it.
+/// A prism is centred on the plan with vertical sides; its caps are off the plan.
 std::string why_not_planar(const Prism<double>& prism) { return prism.height > 0 ? "" : "is flat and lies in z = 0"; }
 
 /// A mesh's triangles are flat shapes.
@@ -73,8 +73,8 @@ std::string why_not_planar(const Instance& instance, const Affine<double>& map) 
   return "";
 }
 
-/// A map that keeps z = 0 where it is, and upright what is upright, keeps a planar shape planar. Under any other one
-/// the shape has to stay away from the plan.
+/// A map that preserves z = 0 and vertical directions keeps a planar shape planar. Under any other map the shape has to
+/// stay clear of the plan.
 std::string why_not_planar(const Object& object, const Affine<double>& outer) {
   const Affine<double> map = outer * affine_of(object.transform);
   const auto along_plan = [](const MotionKey& key) { return key.offset.z == 0; };

@@ -42,17 +42,18 @@ GroupContent::GroupContent(Group from) : group(std::move(from)), entries(entries
 
 namespace {
 
-void collect(const std::vector<Object>& objects, std::set<const GroupContent*>& groups, std::vector<Dress>& dresses) {
+void collect(const std::vector<Object>& objects, std::set<const GroupContent*>& groups,
+             std::vector<MaterialUse>& uses) {
   for (const Object& object : objects) {
     if (const auto* instance = std::get_if<Instance>(&object.shape)) {
       if (instance->content && groups.insert(instance->content.get()).second)
-        collect(instance->content->group.objects, groups, dresses);
+        collect(instance->content->group.objects, groups, uses);
       continue;
     }
-    dresses.push_back({&object, &object.material});
+    uses.push_back({&object, &object.material});
     const auto* mesh = std::get_if<MeshShape>(&object.shape);
     if (mesh != nullptr && mesh->file_materials && mesh->materials)
-      for (const Material& material : *mesh->materials) dresses.push_back({&object, &material});
+      for (const Material& material : *mesh->materials) uses.push_back({&object, &material});
   }
 }
 
@@ -60,29 +61,29 @@ void collect(const std::vector<Object>& objects, std::set<const GroupContent*>& 
 
 namespace {
 
-const Object* first_mover(const std::vector<Object>& objects, double open, double close,
-                          std::set<const GroupContent*>& groups) {
+const Object* first_moving_object(const std::vector<Object>& objects, double open, double close,
+                                  std::set<const GroupContent*>& groups) {
   for (const Object& object : objects) {
     if (moves_between(object.motion, open, close)) return &object;
     const auto* instance = std::get_if<Instance>(&object.shape);
     if (!instance || !instance->content || !groups.insert(instance->content.get()).second) continue;
-    if (const Object* inner = first_mover(instance->content->group.objects, open, close, groups)) return inner;
+    if (const Object* inner = first_moving_object(instance->content->group.objects, open, close, groups)) return inner;
   }
   return nullptr;
 }
 
 }  // namespace
 
-const Object* first_mover(const Scene& scene) {
+const Object* first_moving_object(const Scene& scene) {
   std::set<const GroupContent*> groups;
-  return first_mover(scene.objects, scene.camera.shutter_open, scene.camera.shutter_close, groups);
+  return first_moving_object(scene.objects, scene.camera.shutter_open, scene.camera.shutter_close, groups);
 }
 
-std::vector<Dress> dresses_of(const Scene& scene) {
-  std::vector<Dress> dresses;
+std::vector<MaterialUse> material_uses(const Scene& scene) {
+  std::vector<MaterialUse> uses;
   std::set<const GroupContent*> groups;
-  collect(scene.objects, groups, dresses);
-  return dresses;
+  collect(scene.objects, groups, uses);
+  return uses;
 }
 
 }  // namespace raywalk

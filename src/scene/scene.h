@@ -16,35 +16,35 @@ namespace raywalk {
 struct Object {
   std::string name;  ///< unique among the objects and lights of a scene, not empty
   ObjectShape shape;
-  Material material;                       ///< an instance has those of its group's objects instead
-  std::vector<TransformStep> transform{};  ///< done to the shape in this order; together not singular
+  Material material;                       ///< an instance uses those of its group's objects instead
+  std::vector<TransformStep> transform{};  ///< applied to the shape in this order; together not singular
   Motion motion{};                         ///< of the transformed shape
   friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// Objects that a scene may use many times, by instances. It is not to be seen by itself.
+/// Objects that a scene may use many times, by instances. Not visible by itself.
 struct Group {
   std::string name;             ///< unique in the scene
-  std::vector<Object> objects;  ///< among them instances of groups that stand before this one
+  std::vector<Object> objects;  ///< possibly instances of groups defined before this one
   friend bool operator==(const Group&, const Group&) = default;
 };
 
-/// What instances of a group share. Computed once, so that groups of groups of groups cost no more than they hold.
+/// What instances of a group share. Computed once, so that nested groups cost no more than their content.
 struct GroupContent {
   explicit GroupContent(Group from);
   Group group;
-  double entries;      ///< objects and triangles when all instances are spelt out
+  double entries;      ///< objects and triangles when all instances are expanded
   int nesting;         ///< 1 where no object is an instance
   Bounds<double> box;  ///< of all objects at rest
 };
 
-/// Objects and triangles of a list when all instances are spelt out.
+/// Objects and triangles of a list when all instances are expanded.
 [[nodiscard]] double entries_of(const std::vector<Object>& objects);
 
 /// How far a render of this scene goes, unless the command line says otherwise.
 struct TraceLimits {
   int depth = 5;         ///< the deepest SHADE; the primary ray's has depth 1. >= 1
-  double threshold = 0;  ///< a ray whose share of the pixel (largest channel) is below this is not formed; >= 0
+  double threshold = 0;  ///< a ray whose throughput (largest channel) is below this is not formed; >= 0
   friend bool operator==(const TraceLimits&, const TraceLimits&) = default;
 };
 
@@ -77,16 +77,15 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// Every material that some surface of the scene has, with the name of the object that has it: also those of groups
-/// that are used and of meshes' files.
-struct Dress {
+/// Every material used by some surface of the scene, with its object: also those of instanced groups and of mesh files.
+struct MaterialUse {
   const Object* object;
   const Material* material;
 };
-[[nodiscard]] std::vector<Dress> dresses_of(const Scene& scene);
+[[nodiscard]] std::vector<MaterialUse> material_uses(const Scene& scene);
 
-/// The first object, in the scene or in a group that is used, that moves while the shutter is open; null for none.
-[[nodiscard]] const Object* first_mover(const Scene& scene);
+/// The first object, in the scene or in an instanced group, that moves while the shutter is open; null for none.
+[[nodiscard]] const Object* first_moving_object(const Scene& scene);
 
 /// Whether the strip of `scene` is exactly the middle row of its image: eye, look-at and the middle of lights in z = 0,
 /// directional lights without z, up along z, and every surface that meets z = 0 with a normal whose z is exactly 0.

@@ -7,9 +7,9 @@
 namespace raywalk::schema {
 
 std::optional<Refusal> Number::refusal(double value) const {
-  const double least = 1 / most_magnitude;
-  if (!(std::abs(value) <= most_magnitude))
-    return Refusal{fmt::format("at most {:g}", most_magnitude), "choose another unit of length"};
+  const double least = 1 / max_magnitude;
+  if (!(std::abs(value) <= max_magnitude))
+    return Refusal{fmt::format("at most {:g}", max_magnitude), "choose another unit of length"};
   if (value < low || (above_low && value == low) || value > high || (below_high && value == high))
     return Refusal{expected(), std::string(hint)};
   if (low == 0 && above_low && value < least)

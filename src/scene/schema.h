@@ -1,9 +1,9 @@
 #pragma once
-// The schema of a scene: every key of its file once, in the order in which they are written, with the kind of its value
-// and one sentence for people. What a key holds when it is left out is what a new struct holds.
+// The schema of a scene: every key of its file once, in the order of writing, with the kind of its value and a
+// description. The default of a key is that of its struct member.
 //
-// `Fields` is told of each table: one kind of Fields reads it from TOML (io/scene_reader.h), one makes the tree that is
-// written (io/scene_values.cpp), one the reference of the format (io/key_reference.cpp). Of a table it is told
+// `Fields` visits each table: one kind of Fields reads it from TOML (io/scene_reader.h), one makes the tree for writing
+// (io/scene_values.cpp), one the reference of the format (io/key_reference.cpp). It is called with
 //   about(sentence)                         what it is; first of all
 //   key(name, member, kind, sentence)       a key that may be left out; tables bring their sentence with them
 //   required(name, member, kind, sentence)  one that may not
@@ -12,7 +12,7 @@
 //   check(name, holds, message, hint)       a rule over several members, told at this key when it is broken
 //   check(name, why, hint)                  the same; `why()` takes its time, and is "" or the message
 //   complete(value)                         all keys of a value are told that needs more than its keys
-// A new key of a scene is a member of its struct and a line here.
+// A new key needs a member of its struct and a line here.
 
 #include "scene/schema_kinds.h"
 
@@ -59,7 +59,7 @@ void describe(Fields& f, Screen& screen) {
   f.key("cells", screen.cells, cell_count, "Pixels of SCREEN.");
 }
 
-/// The members of a scene that [image] holds.
+/// The members of a scene in [image].
 struct ImageTable {
   ImageSize size;
   Encoding encoding = Scene{}.encoding;
@@ -138,7 +138,7 @@ void describe(Fields& f, SpotLight& light) {
   f.about("A point that shines into a cone only.");
   f.required("position", light.position, point, "The tip of the cone.");
   f.required("look_at", light.look_at, point, "A point in the middle of its light.");
-  f.check("look_at", length(light.look_at - light.position) >= 1 / most_magnitude,
+  f.check("look_at", length(light.look_at - light.position) >= 1 / max_magnitude,
           "the spot looks at its own position (expected another point)",
           "look_at is a point in the middle of its light");
   f.key("angle", light.angle, cone_angle, "Across the whole cone.");

@@ -1,7 +1,7 @@
 #pragma once
-// What the keys of a scene hold: the kinds of their values, and which numbers, lists and words each kind takes. The
-// keys themselves: scene/schema.h. A kind's `expected()` completes "expected ..." in messages and stands in the
-// reference of the format.
+// The kinds of values of a scene's keys, with the numbers, lists and words that each accepts. The keys themselves:
+// scene/schema.h. A kind's `expected()` completes "expected ..." in messages and is part of the reference of the
+// format.
 
 #include "scene/scene.h"
 
@@ -15,8 +15,8 @@
 namespace raywalk::schema {
 
 /// Every number is finite and at most this, so that squares and products of a few of them do not overflow; a number
-/// that must be above 0 is at least 1 / most_magnitude.
-inline constexpr double most_magnitude = 1e15;
+/// that must be above 0 is at least 1 / max_magnitude.
+inline constexpr double max_magnitude = 1e15;
 
 /// Why a value is refused.
 struct Refusal {
@@ -25,7 +25,7 @@ struct Refusal {
 
 struct Number {
   std::string_view words;
-  double low = 0, high = most_magnitude;
+  double low = 0, high = max_magnitude;
   bool above_low = false;   ///< low itself is refused
   bool below_high = false;  ///< high itself is refused
   std::string_view hint{};
@@ -41,18 +41,18 @@ struct Number {
 };
 
 inline constexpr std::string_view scene_units = "scene units", degrees = "degrees", pixels = "pixels";
-inline constexpr Number any_number{.words = "a number", .low = -most_magnitude, .hint = "such as 1 or -0.5"};
+inline constexpr Number any_number{.words = "a number", .low = -max_magnitude, .hint = "such as 1 or -0.5"};
 inline constexpr Number coordinate{
     .words = "a number",
-    .low = -most_magnitude,
+    .low = -max_magnitude,
     .hint = "in scene units: x to the right, y up, z towards the reader",
     .unit = scene_units,
 };
 inline constexpr Number above_zero{.words = "a number above 0", .above_low = true, .hint = "such as 1 or 0.5"};
 inline constexpr Number not_negative{.words = "a number that is 0 or more", .hint = "such as 0 or 0.5"};
 inline constexpr Number extent = above_zero.in(scene_units), extent_or_zero = not_negative.in(scene_units);
-/// Light that is given off, and the share of it that a surface sends on. Both are far above what any scene needs, and
-/// so low that a few surfaces in turn do not make more of them than the float of a picture's file holds, 3e38.
+/// Emitted light, and the fraction that a surface scatters. Both limits are far above what any scene needs, and low
+/// enough that a few bounces do not exceed the float range of an image file, 3e38.
 inline constexpr Number light_amount{
     .words = "a number from 0 to 1e12",
     .high = 1e12,
@@ -137,16 +137,16 @@ inline constexpr Choice<Numerics> numerics{static_cast<int>(all_numerics.size())
 struct Text {
   [[nodiscard]] static std::string expected() { return "text in quotes"; }
 };
-/// What only one object, light or group of the scene is called.
+/// The unique name of an object, light or group.
 struct Name {
   std::size_t longest;  ///< in bytes
   [[nodiscard]] std::string expected() const;
 };
-/// The name of a group that stands above.
+/// The name of a group defined before.
 struct GroupName {
   [[nodiscard]] static std::string expected() { return "the name of a group in quotes"; }
 };
-/// The name of a file, relative to the scene's own folder.
+/// A file name, relative to the scene's folder.
 struct FileName {
   std::string_view words, hint;
   [[nodiscard]] std::string expected() const { return std::string(words); }
@@ -155,11 +155,11 @@ inline constexpr Name own_name{100};
 inline constexpr FileName file_name{"the name of a file in quotes", "it is looked for from the scene's own folder"},
     mesh_file_name{"the name of a mesh file in quotes", "such as file = \"bunny.ply\""};
 
-/// How a list of numbers may also be written.
+/// How a list of numbers may be abbreviated.
 enum class Shorthand {
   none,
   grey,  ///< three equal numbers as one number
-  flat,  ///< three numbers without the last one when that is 0
+  flat,  ///< three numbers without the last one if that is 0
 };
 
 /// A few numbers in brackets.
@@ -167,10 +167,10 @@ struct Tuple {
   std::string_view words;
   Number number;
   Shorthand shorthand = Shorthand::none;
-  bool is_direction = false;  ///< not of length 0; may be read without the last number, but is written whole
+  bool is_direction = false;  ///< not of length 0; the last number may be omitted in input, but is always written
   [[nodiscard]] std::string expected() const { return std::string(words); }
 };
-/// Linear RGB, each number from 0 on.
+/// Linear RGB, each number at least 0.
 struct Colour : Tuple {};
 inline constexpr std::string_view point_words = "[x, y] in the plan or [x, y, z]",
                                   colour_words = "one number for a grey, or [red, green, blue]",
@@ -192,7 +192,7 @@ struct Rows {
   std::string_view hint;
   [[nodiscard]] std::string expected() const;
 };
-inline constexpr std::size_t most_vertices = 1'000'000;
+inline constexpr std::size_t max_vertices = 1'000'000;
 inline constexpr Rows plan_corners{"corners [x, y]",
                                    {"a corner [x, y]", coordinate},
                                    3,
@@ -215,31 +215,31 @@ struct Lists {
 };
 inline constexpr Lists holes{corners};
 
-/// One of a mesh's lists, of which there is one row a vertex or triangle.
+/// One of a mesh's lists, with one row per vertex or triangle.
 struct MeshRows {
   enum class Part { positions, triangles, normals, uv } part;
   Rows rows;
   [[nodiscard]] std::string expected() const { return rows.expected(); }
 };
 inline constexpr MeshRows vertex_rows{MeshRows::Part::positions,
-                                      {"vertices [x, y, z]", {"[x, y, z]", coordinate}, 0, most_vertices, {}}},
+                                      {"vertices [x, y, z]", {"[x, y, z]", coordinate}, 0, max_vertices, {}}},
     triangle_rows{MeshRows::Part::triangles,
                   {"triangles [a, b, c]",
                    {"[a, b, c], which count the vertices from 0", coordinate.in("")},
                    0,
-                   most_vertices,
+                   max_vertices,
                    {}}},
-    normal_rows{MeshRows::Part::normals, {"normals [x, y, z]", {"[x, y, z]", coordinate.in("")}, 0, most_vertices, {}}},
-    uv_rows{MeshRows::Part::uv, {"points [u, v]", {"[u, v]", coordinate}, 0, most_vertices, {}}};
+    normal_rows{MeshRows::Part::normals, {"normals [x, y, z]", {"[x, y, z]", coordinate.in("")}, 0, max_vertices, {}}},
+    uv_rows{MeshRows::Part::uv, {"points [u, v]", {"[u, v]", coordinate}, 0, max_vertices, {}}};
 
-/// The steps of a transform, in the order in which they are done.
+/// The steps of a transform, in order of application.
 struct Steps {
   std::size_t most;
   [[nodiscard]] std::string expected() const;
 };
 inline constexpr Steps transform_steps{1'000};
 
-/// A table of keys of its own, and a list of such tables.
+/// A table with its own keys, and a list of such tables.
 struct Table {
   [[nodiscard]] static std::string expected() { return "a table"; }
 };
@@ -301,7 +301,7 @@ void each_number(Matrix& matrix, const Visit& visit) {
 
 // --- What the alternatives of a variant are called
 
-/// A step's first word, the numbers that follow it as a person writes them, and what it does.
+/// A step's word, its arguments, and a description.
 struct StepWords {
   std::string_view word, arguments, meaning;
 };
@@ -330,7 +330,7 @@ void each_number(TransformStep& step, const Visit& visit) {
   std::visit([&](auto& kind) { each_number(kind, visit); }, step.kind);
 }
 
-/// The word that stands under `type`.
+/// The value of `type`.
 template <class S>
 constexpr auto type_name(const S& shape) -> decltype(shape_name(shape)) {
   return shape_name(shape);

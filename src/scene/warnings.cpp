@@ -9,7 +9,7 @@ namespace raywalk {
 
 namespace {
 
-/// Where the text in quotes that begins at `at` ends, after its closing quote; a quote in a name has a \ before it.
+/// The position after the closing quote of the quoted text that begins at `at`; a quote in a name is escaped with \.
 std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   for (std::size_t i = at + 1; i < text.size(); ++i) {
     if (text[i] == '"') return i + 1;
@@ -18,7 +18,7 @@ std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-/// The warning without what is of one object only: its place, its name and its numbers.
+/// The warning without what is specific to one object: its position, its name and its numbers.
 std::string kind_of(std::string_view warning) {
   constexpr std::string_view digits = "0123456789", number = "0123456789.e+-";
   std::string kind;

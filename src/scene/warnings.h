@@ -1,13 +1,13 @@
 #pragma once
-// What readers of scenes warn about, made short enough to be read.
+// Warnings of scene readers, made short enough to read.
 
 #include <string>
 #include <vector>
 
 namespace raywalk {
 
-/// One line a kind: of warnings that differ in nothing but numbers and quoted names, the first, with how many more
-/// there are ("...; and 999 more like it"). They stay in their order. Collecting once more changes nothing.
+/// One line per kind: of warnings that differ only in numbers and quoted names, the first, with the number of others
+/// ("...; and 999 more like it"). The order is kept. Collecting again changes nothing.
 [[nodiscard]] std::vector<std::string> collected(const std::vector<std::string>& warnings);
 
 }  // namespace raywalk

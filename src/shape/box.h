@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/exact.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <cmath>
 #include <utility>
@@ -17,18 +17,18 @@ struct Box {
 
 namespace detail {
 
-/// The line's way through the closed box: the faces by which it enters and leaves.
-struct BoxStretch {
+/// The interval of a line inside the closed box, and the faces by which it enters and leaves.
+struct BoxInterval {
   double in = -infinity<double>, out = infinity<double>;
   int in_part = 0, out_part = 0;
 };
 
-/// The same in exact arithmetic: the line runs through the box when it meets no entry after an exit.
+/// The same in exact arithmetic: the line hits the box when no entry comes after an exit.
 template <class T>
-[[nodiscard]] std::optional<BoxStretch> exact_stretch(const Box<T>& box, const Ray<T>& ray, int departed_part) {
+[[nodiscard]] std::optional<BoxInterval> exact_interval(const Box<T>& box, const Ray<T>& ray, int departed_part) {
   struct Face {
-    Expansion distance;  ///< along the axis, times the sense of the direction
-    double slope = 0;    ///< > 0; 0: the line never meets the face
+    Expansion distance;  ///< along the axis, times the sign of the direction
+    double slope = 0;    ///< > 0; 0: the line is parallel to the face
     int part = 0;
     [[nodiscard]] DoubleDouble t() const { return distance.rounded() / DoubleDouble(slope); }
   };
@@ -44,23 +44,23 @@ template <class T>
     entry[axis] = face(d < 0 ? high : low);
     exit[axis] = face(d < 0 ? low : high);
   }
-  BoxStretch stretch;
-  DoubleDouble in(stretch.in), out(stretch.out);
+  BoxInterval interval;
+  DoubleDouble in(interval.in), out(interval.out);
   for (const Face& enters : entry) {
     if (enters.slope == 0) continue;
     for (const Face& leaves : exit)
       if (leaves.slope != 0 && (enters.distance * leaves.slope - leaves.distance * enters.slope).sign() > 0)
         return std::nullopt;
     if (const DoubleDouble t = enters.t(); t.hi > in.hi || (t.hi == in.hi && t.lo > in.lo))
-      in = t, stretch.in_part = enters.part;
+      in = t, interval.in_part = enters.part;
   }
   for (const Face& leaves : exit) {
     if (leaves.slope == 0) continue;
     if (const DoubleDouble t = leaves.t(); t.hi < out.hi || (t.hi == out.hi && t.lo < out.lo))
-      out = t, stretch.out_part = leaves.part;
+      out = t, interval.out_part = leaves.part;
   }
-  stretch.in = in.hi, stretch.out = out.hi;
-  return stretch;
+  interval.in = in.hi, interval.out = out.hi;
+  return interval;
 }
 
 }  // namespace detail
@@ -69,11 +69,12 @@ template <class T>
 ///
 /// Slabs (T. Kay and J. Kajiya 1986), chosen by the sign of the direction and compared so that the NaN of an origin in
 /// a face's plane without slope passes (T. Ize 2013). All slabs are in double; whether the ray enters one before it
-/// leaves another is decided exactly where the two nearly agree, at an edge. The face departed from lies at t = 0.
+/// leaves another is decided exactly where the two are nearly equal, at an edge. The face that the ray departs from is
+/// at t = 0.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Box<T>& box, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
-  detail::BoxStretch way;
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Box<T>& box, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {}) {
+  detail::BoxInterval interval;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin[axis], d = ray.direction[axis];
     const double low = box.min[axis], high = box.max[axis];
@@ -85,34 +86,34 @@ template <class T, class Explain = NoExplanation>
     double t_out = departed_part == 2 * axis + 1 ? 0 : (high - o) / d;
     int first = 2 * axis, second = first + 1;
     if (d < 0) std::swap(t_in, t_out), std::swap(first, second);
-    if (t_in > way.in) way.in = t_in, way.in_part = first;
-    if (t_out < way.out) way.out = t_out, way.out_part = second;
+    if (t_in > interval.in) interval.in = t_in, interval.in_part = first;
+    if (t_out < interval.out) interval.out = t_out, interval.out_part = second;
   }
-  // Each is right to two roundings.
-  if (std::abs(way.in - way.out) <= 8 * detail::half_ulp * std::abs(way.out)) {
+  // Each is correct to two roundings.
+  if (std::abs(interval.in - interval.out) <= 8 * detail::half_ulp * std::abs(interval.out)) {
     note_exact(explain);
-    const auto exact = detail::exact_stretch(box, ray, departed_part);
+    const auto exact = detail::exact_interval(box, ray, departed_part);
     if (!exact) return std::nullopt;
-    way = *exact;
-  } else if (!(way.in <= way.out)) {
+    interval = *exact;
+  } else if (!(interval.in <= interval.out)) {
     return std::nullopt;
   }
-  const bool entering = way.in > 0;
-  const T t = static_cast<T>(entering ? way.in : way.out);
-  const int part = entering ? way.in_part : way.out_part;
+  const bool entering = interval.in > 0;
+  const T t = static_cast<T>(entering ? interval.in : interval.out);
+  const int part = entering ? interval.in_part : interval.out_part;
   if constexpr (std::decay_t<Explain>::wanted) {
     const double slope = static_cast<double>(ray.direction[part / 2]);
     explain.plane(static_cast<double>(t) * slope, slope);
   }
   if (!(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t, part};
+  return Intersection<T>{t, part};
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Box<T>& box, const Ray<T>& ray, Crossing<T> crossing) {
-  const int axis = crossing.part / 2;
-  const bool high = crossing.part % 2 != 0;
-  SurfacePoint<T> point{ray.at(crossing.t), Vec3<T>(0)};
+[[nodiscard]] SurfacePoint<T> surface_at(const Box<T>& box, const Ray<T>& ray, Intersection<T> intersection) {
+  const int axis = intersection.part / 2;
+  const bool high = intersection.part % 2 != 0;
+  SurfacePoint<T> point{ray.at(intersection.t), Vec3<T>(0)};
   point.position[axis] = high ? box.max[axis] : box.min[axis];
   point.normal[axis] = high ? T(1) : T(-1);
   return point;

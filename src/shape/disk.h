@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/exact.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ struct Disk {
 
 namespace detail {
 
-/// Whether the line meets the disk's plane inside the rim or on it.
+/// Whether the line intersects the disk's plane inside the rim or on it.
 template <class T>
 [[nodiscard]] bool exactly_inside(const Disk<T>& disk, const Ray<T>& ray) {
   const Vec3d normal = wide(disk.normal), o = wide(ray.origin), d = wide(ray.direction), centre = wide(disk.centre);
@@ -34,16 +34,15 @@ template <class T>
 
 }  // namespace detail
 
-/// t in (0, t_max) at which the ray crosses the disk; one that runs in its plane crosses it nowhere. Certain, as the
-/// plane's crossings are: where an error bound does not settle on which side of the rim the ray passes, exact
-/// arithmetic does.
+/// t in (0, t_max) at which the ray crosses the disk; a ray in its plane does not. As reliable as for the plane: where
+/// an error bound does not settle on which side of the rim the ray passes, exact arithmetic does.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Disk<T>& disk, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
-  // Before it costs anything: a ray that leaves is as near to the plane as can be.
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Disk<T>& disk, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {}) {
+  // Early out: a ray that departs from the plane cannot hit it again.
   if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
   const Vec3d normal = wide(disk.normal), o = wide(ray.origin), d = wide(ray.direction), centre = wide(disk.centre);
-  PlaneMeeting met = meet_plane(normal, centre, o, d);
+  PlaneIntersection met = intersect_plane(normal, centre, o, d);
   if (met.exact) note_exact(explain);
   if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
   if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
@@ -57,16 +56,16 @@ template <class T, class Explain = NoExplanation>
   if (!(std::abs(square - radius * radius) > doubt)) {
     note_exact(explain);
     inside = detail::exactly_inside(disk, ray);
-    met = meet_plane_exactly(normal, centre, o, d);
+    met = intersect_plane_exactly(normal, centre, o, d);
   }
   if (!inside) return std::nullopt;
-  return detail::crossing_ahead(met.t, t_max);
+  return detail::intersection_ahead(met.t, t_max);
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Disk<T>& disk, const Ray<T>& ray, Crossing<T> crossing) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Disk<T>& disk, const Ray<T>& ray, Intersection<T> intersection) {
   const Vec3<T> normal = normalize(disk.normal);
-  const Vec3<T> position = ray.at(crossing.t);
+  const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - disk.centre, normal) * normal, normal};
 }
 

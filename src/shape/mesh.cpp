@@ -24,7 +24,7 @@ std::vector<Vec3d> vertex_normals(const Mesh& mesh) {
   const auto place = [&](std::int32_t vertex) -> const Vec3d& {
     return mesh.positions[static_cast<std::size_t>(vertex)];
   };
-  // The first vertex of each place stands for all of them.
+  // The first vertex at each position represents all of them.
   std::vector<std::int32_t> order(mesh.positions.size()), first(mesh.positions.size());
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](std::int32_t v) { return std::tuple(place(v).x, place(v).y, place(v).z); };

@@ -8,12 +8,12 @@
 
 namespace raywalk {
 
-/// Triangles that share corners, counter-clockwise seen from outside. Lists of what is not given are empty.
+/// Triangles that share corners, counter-clockwise seen from outside. Lists of data that is not given are empty.
 struct Mesh {
   using Corners = std::array<std::int32_t, 3>;  ///< indices of vertices
 
   std::vector<Vec3d> positions;  ///< by vertex
-  std::vector<Vec3d> normals;    ///< by vertex: of any length, outwards; 0 where the surface is flat
+  std::vector<Vec3d> normals;    ///< by vertex: of any length, outward; 0 where the surface is flat
   std::vector<Vec2d> uv;         ///< by vertex
   std::vector<Corners> triangles;
   std::vector<std::int32_t> materials;  ///< by triangle: index of a material of the mesh's own, -1 for none
@@ -22,9 +22,9 @@ struct Mesh {
 
 [[nodiscard]] Bounds<double> bounds(const Mesh& mesh);
 
-/// A normal at each vertex: the sum of those of the triangles around its place, each weighted with its angle there
-/// (G. Thuermer and C. Wuethrich, "Computing vertex normals from polygonal facets", 1998). Vertices of one place share
-/// it, so that the edges of a picture on the surface do not show.
+/// A normal at each vertex: the sum of the normals of the triangles around its position, each weighted by its angle
+/// there (G. Thuermer and C. Wuethrich, "Computing vertex normals from polygonal facets", 1998). Vertices at the same
+/// position share it, so that texture seams do not show.
 [[nodiscard]] std::vector<Vec3d> vertex_normals(const Mesh& mesh);
 
 }  // namespace raywalk

@@ -1,19 +1,19 @@
 #pragma once
-// Crossings as books print them, in the scalar type and without a word about rounding: to be studied, and to measure
-// what the robust ones cost and spare. Which of them is computed the ray's type tells. A ray that departs is not told
-// from any other: who forms it has to move its start off the surface.
+// Intersections as textbooks give them, in the scalar type and without regard to rounding: for study, and to measure
+// what the robust ones cost and save. The ray's type selects them. They ignore a ray's departure: who spawns a ray has
+// to move its origin off the surface.
 
-#include "shape/placed.h"
+#include "shape/object_transform.h"
 
 #include <cmath>
 #include <utility>
 
 namespace raywalk {
 
-/// A crossing in (0, t_max), if it is nearer than the one known so far.
+/// Keeps an intersection in (0, t_max) that is nearer than the one found so far.
 template <class T>
-void keep_nearer(std::optional<Crossing<T>>& nearest, T t, int part, T t_max) {
-  if (t > 0 && t < t_max && (!nearest || t < nearest->t)) nearest = Crossing<T>{t, part};
+void keep_nearer(std::optional<Intersection<T>>& nearest, T t, int part, T t_max) {
+  if (t > 0 && t < t_max && (!nearest || t < nearest->t)) nearest = Intersection<T>{t, part};
 }
 
 /// The quadratic formula, as taught in school.
@@ -35,46 +35,47 @@ template <class T, class Explain>
 }
 
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Sphere<T>& sphere, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
   const Vec3<T> o = ray.origin - sphere.centre;
   const T a = dot(ray.direction, ray.direction), b = 2 * dot(ray.direction, o);
   const auto roots = textbook_roots(a, b, dot(o, o) - sphere.radius * sphere.radius, explain);
   const T t = roots.near > 0 || ray.near_root_only ? roots.near : roots.far;
   if (!(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t};
+  return Intersection<T>{t};
 }
 
 /// t at which the ray meets the plane through `point`; infinite or NaN when it runs along it.
 template <class T, class Explain>
-[[nodiscard]] T meet_plane_naively(const Vec3<T>& normal, const Vec3<T>& point, const Ray<T>& ray, Explain& explain) {
+[[nodiscard]] T intersect_plane_naively(const Vec3<T>& normal, const Vec3<T>& point, const Ray<T>& ray,
+                                        Explain& explain) {
   const T numerator = dot(normal, point - ray.origin), denominator = dot(normal, ray.direction);
   explain.plane(static_cast<double>(numerator), static_cast<double>(denominator));
   return numerator / denominator;
 }
 
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Plane<T>& plane, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
-  const T t = meet_plane_naively(plane.normal, plane.point, ray, explain);
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Plane<T>& plane, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
+  const T t = intersect_plane_naively(plane.normal, plane.point, ray, explain);
   if (!(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t};
+  return Intersection<T>{t};
 }
 
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Disk<T>& disk, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
-  const T t = meet_plane_naively(disk.normal, disk.centre, ray, explain);
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Disk<T>& disk, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
+  const T t = intersect_plane_naively(disk.normal, disk.centre, ray, explain);
   if (!(t > 0 && t < t_max)) return std::nullopt;
   const Vec3<T> off = ray.at(t) - disk.centre;
   if (dot(off, off) > disk.radius * disk.radius) return std::nullopt;
-  return Crossing<T>{t};
+  return Intersection<T>{t};
 }
 
 /// T. Moeller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, with their epsilon.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
   constexpr T epsilon = T(0.000001);
   const Vec3<T> edge1 = triangle.b - triangle.a, edge2 = triangle.c - triangle.a;
   const Vec3<T> p = cross(ray.direction, edge2);
@@ -90,13 +91,13 @@ template <class T, class Explain = NoExplanation>
   const T numerator = dot(edge2, q), t = numerator * inverse;
   explain.plane(static_cast<double>(numerator), static_cast<double>(determinant));
   if (!(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t};
+  return Intersection<T>{t};
 }
 
-/// Plain slabs (T. Kay and J. Kajiya 1986): each axis by its two quotients, whatever they are.
+/// Plain slabs (T. Kay and J. Kajiya 1986): each axis by its two quotients, even if NaN.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Box<T>& box, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Box<T>& box, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
   T in = -infinity<T>, out = infinity<T>;
   int in_part = 0, out_part = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -113,12 +114,12 @@ template <class T, class Explain = NoExplanation>
   const double slope = static_cast<double>(ray.direction[part / 2]);
   explain.plane(static_cast<double>(t) * slope, slope);
   if (!(t > 0 && t < t_max)) return std::nullopt;
-  return Crossing<T>{t, part};
+  return Intersection<T>{t, part};
 }
 
 template <class T, QuadricKind Kind, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Quadric<T, Kind>& quadric, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
   using Part = Quadric<T, Kind>;
   const detail::QuadricEquation e = detail::equation_of(quadric);
   const T xx = static_cast<T>(e.xx), yy = static_cast<T>(e.yy), zz = static_cast<T>(e.zz);
@@ -127,7 +128,7 @@ template <class T, QuadricKind Kind, class Explain = NoExplanation>
   const T a = xx * d.x * d.x + yy * d.y * d.y + zz * d.z * d.z;
   const T b = 2 * (xx * o.x * d.x + yy * o.y * d.y + zz * o.z * d.z) + linear * d.z;
   const T c = xx * o.x * o.x + yy * o.y * o.y + zz * o.z * o.z + linear * o.z + constant;
-  std::optional<Crossing<T>> nearest;
+  std::optional<Intersection<T>> nearest;
   const auto meet_wall = [&](T t) {
     const T z = o.z + t * d.z;
     if (quadric.z_min < z && z < quadric.z_max) keep_nearer(nearest, t, Part::wall, t_max);
@@ -148,17 +149,17 @@ template <class T, QuadricKind Kind, class Explain = NoExplanation>
   return nearest;
 }
 
-/// Whether the edge from p to q is to the right of the point, by the rule of even and odd.
+/// Whether the edge from p to q crosses the point's ray to the right: for the even-odd rule.
 template <class T>
 [[nodiscard]] bool is_right_of(const Vec2<T>& p, const Vec2<T>& q, const Vec2<T>& point) {
   return (p.y > point.y) != (q.y > point.y) && point.x < (q.x - p.x) * (point.y - p.y) / (q.y - p.y) + p.x;
 }
 
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Polygon<T>& polygon, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
   const Vec3<T> normal = polygon.area_vector();
-  const T t = meet_plane_naively(normal, polygon.outline.front(), ray, explain);
+  const T t = intersect_plane_naively(normal, polygon.outline.front(), ray, explain);
   if (!(t > 0 && t < t_max)) return std::nullopt;
   const int kz = detail::plan_axis(normal);
   const auto flat = [&](const Vec3<T>& p) { return Vec2<T>(p[(kz + 1) % 3], p[(kz + 2) % 3]); };
@@ -171,16 +172,16 @@ template <class T, class Explain = NoExplanation>
   count(polygon.outline);
   for (const auto& hole : polygon.holes) count(hole);
   if (!inside) return std::nullopt;
-  return Crossing<T>{t};
+  return Intersection<T>{t};
 }
 
 /// Each face by itself.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Prism<T>& prism, const NaiveRay<T>& ray, T t_max,
-                                                   int /*departed_part*/ = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Prism<T>& prism, const NaiveRay<T>& ray, T t_max,
+                                                       int /*departed_part*/ = no_part, Explain&& explain = {}) {
   const Vec2<T> o = plan(ray.origin), d = plan(ray.direction);
   const T half = prism.height / 2;
-  std::optional<Crossing<T>> nearest;
+  std::optional<Intersection<T>> nearest;
   for (int i = 0; i < prism.sides(); ++i) {
     const Vec2<T> corner = prism.corner(i) - o, edge = prism.edge(i);
     const T rate = cross(d, edge), t = cross(corner, edge) / rate, along = cross(corner, d) / rate;
@@ -204,14 +205,14 @@ template <class T, class Explain = NoExplanation>
 }
 
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Shape<T>& shape, const NaiveRay<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Shape<T>& shape, const NaiveRay<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {}) {
   return std::visit([&](const auto& s) { return intersect(s, ray, t_max, departed_part, explain); }, shape);
 }
 
 template <class T>
-[[nodiscard]] NaiveRay<T> into_shape(const Placement<T>& place, const NaiveRay<T>& ray) {
-  return {into_shape(place, static_cast<const Ray<T>&>(ray)), ray.near_root_only};
+[[nodiscard]] NaiveRay<T> into_object_space(const ObjectTransform<T>& place, const NaiveRay<T>& ray) {
+  return {into_object_space(place, static_cast<const Ray<T>&>(ray)), ray.near_root_only};
 }
 
 }  // namespace raywalk

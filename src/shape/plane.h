@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/exact.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <cmath>
 
@@ -17,8 +17,8 @@ struct Plane {
 namespace detail {
 
 template <class T>
-[[nodiscard, gnu::noinline, gnu::cold]] PlaneMeeting meet_exactly(const Plane<T>& plane, const Ray<T>& ray) {
-  return meet_plane_exactly(wide(plane.normal), wide(plane.point), wide(ray.origin), wide(ray.direction));
+[[nodiscard, gnu::noinline, gnu::cold]] PlaneIntersection exact_intersection(const Plane<T>& plane, const Ray<T>& ray) {
+  return intersect_plane_exactly(wide(plane.normal), wide(plane.point), wide(ray.origin), wide(ray.direction));
 }
 
 }  // namespace detail
@@ -29,11 +29,11 @@ template <class T>
   return plane.normal.x == 0 && plane.normal.y == 0;
 }
 
-/// `intersect` for a level plane, the floor of most scenes: how far it lies above over how fast the ray climbs, both of
-/// which have the right sign.
+/// `intersect` for a level plane, the floor of most scenes: its height above the origin over the ray's rate of climb,
+/// both of correct sign.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect_level(const Plane<T>& plane, const Ray<T>& ray, T t_max,
-                                                         int departed_part = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect_level(const Plane<T>& plane, const Ray<T>& ray, T t_max,
+                                                             int departed_part = no_part, Explain&& explain = {}) {
   constexpr bool explained = std::decay_t<Explain>::wanted;
   if (!explained && departed_part != no_part) return std::nullopt;
   const double above = static_cast<double>(plane.point.z) - static_cast<double>(ray.origin.z);
@@ -43,52 +43,53 @@ template <class T, class Explain = NoExplanation>
     explain.plane(up * above, up * climb);
     if (departed_part != no_part) return std::nullopt;
   }
-  if ((above > 0) != (climb > 0)) return std::nullopt;  // one behind is told without the division
-  return detail::crossing_ahead(above / climb, t_max);
+  if ((above > 0) != (climb > 0)) return std::nullopt;  // a plane behind is rejected without the division
+  return detail::intersection_ahead(above / climb, t_max);
 }
 
-/// t in (0, t_max) at which the ray crosses the plane, in double even for float rays. A ray in or along the plane
-/// crosses it nowhere, and one that departs from it never meets it again. Which side the origin is on and where the ray
-/// goes are certain: where rounding could have decided, exact arithmetic does.
+/// t in (0, t_max) at which the ray crosses the plane, in double even for float rays. A ray in the plane or parallel to
+/// it does not hit it, and one that departs from it never hits it again. The side of the origin and the sense of the
+/// ray are certain: where rounding could decide, exact arithmetic does.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Plane<T>& plane, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Plane<T>& plane, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {}) {
   if (is_level(plane)) return intersect_level(plane, ray, t_max, departed_part, explain);
-  // Before it costs anything: a ray that leaves is as near to the plane as can be.
+  // Early out: a ray that departs from the plane cannot hit it again.
   constexpr bool explained = std::decay_t<Explain>::wanted;
   if (!explained && departed_part != no_part) return std::nullopt;
   const Vec3d normal = wide(plane.normal), point = wide(plane.point), o = wide(ray.origin), d = wide(ray.direction);
   RoundedSum numerator = estimate_dot_of_difference(normal, point, o), denominator = estimate_dot(normal, d);
   double quotient = 0;
   if (numerator.certain() && denominator.certain()) {
-    // One behind is told without the division.
+    // A plane behind is rejected without the division.
     if ((numerator.value > 0) == (denominator.value > 0)) quotient = numerator.value / denominator.value;
   } else {
     note_exact(explain);
-    const PlaneMeeting met = detail::meet_exactly(plane, ray);
+    const PlaneIntersection met = detail::exact_intersection(plane, ray);
     numerator.value = met.numerator.value, denominator.value = met.denominator.value, quotient = met.t;
   }
   if constexpr (explained) explain.plane(numerator.value, denominator.value);
   if (explained && departed_part != no_part) return std::nullopt;
-  return detail::crossing_ahead(quotient, t_max);
+  return detail::intersection_ahead(quotient, t_max);
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at_level(const Plane<T>& plane, const Ray<T>& ray, Crossing<T> crossing) {
-  const Vec3<T> computed = ray.at(crossing.t);
+[[nodiscard]] SurfacePoint<T> surface_at_level(const Plane<T>& plane, const Ray<T>& ray, Intersection<T> intersection) {
+  const Vec3<T> computed = ray.at(intersection.t);
   return {{computed.x, computed.y, plane.point.z}, {0, 0, std::copysign(T(1), plane.normal.z)}};
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray, Crossing<T> crossing) {
-  if (is_level(plane)) return surface_at_level(plane, ray, crossing);
+[[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray, Intersection<T> intersection) {
+  if (is_level(plane)) return surface_at_level(plane, ray, intersection);
   const T square = dot(plane.normal, plane.normal);
-  const Vec3<T> normal = square == 1 ? plane.normal : plane.normal / std::sqrt(square);  // most are given as units
-  const Vec3<T> position = ray.at(crossing.t);
+  const Vec3<T> normal = square == 1 ? plane.normal : plane.normal / std::sqrt(square);  // most have unit length
+                                                                                         // already
+  const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - plane.point, normal) * normal, normal};
 }
 
-/// The plane's own two directions, from its `point`; for a level plane they are x and y.
+/// Along the plane's own two axes, from its `point`; for a level plane these are x and y.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point, int /*part*/) {
   return in_plane(point.position - plane.point, point.normal);

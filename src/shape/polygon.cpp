@@ -33,7 +33,7 @@ bool segments_meet(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& 
 
 std::string why_not_polygon(const std::vector<Vec2d>& given) {
   const std::size_t n = given.size();
-  // Scaled by a power of two, which changes no bit, to coordinates whose products neither over- nor underflow.
+  // Scaled by a power of two, which is exact, to coordinates whose products neither over- nor underflow.
   double largest = 0;
   for (const Vec2d& corner : given) largest = std::fmax(largest, std::fmax(std::abs(corner.x), std::abs(corner.y)));
   const int exponent = std::isfinite(largest) && largest > 0 ? std::ilogb(largest) : 0;
@@ -51,7 +51,7 @@ std::string why_not_polygon(const std::vector<Vec2d>& given) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n, after = (i + 2) % n;
-    // Neighbouring edges share a corner and may not fold back onto each other.
+    // Adjacent edges share a corner and must not fold back onto each other.
     if (turn(corners[i], corners[next], corners[after]) == 0 &&
         dot(corners[next] - corners[i], corners[after] - corners[next]) < 0)
       return "the edges at corner " + std::to_string(next + 1) + " fold back onto each other";

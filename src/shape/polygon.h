@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/exact.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <cmath>
 #include <string>
@@ -26,21 +26,21 @@ struct Polygon {
   }
 };
 
-/// Why this is no flat polygon, in words; empty when it is: three corners or more a loop, an area, and no corner
-/// farther from the plane than a millionth of the polygon's size.
+/// Why this is not a flat polygon, in words; empty when it is one: three corners or more a loop, an area, and no corner
+/// further from the plane than a millionth of the polygon's size.
 [[nodiscard]] std::string why_not_flat(const Polygon<double>& polygon);
 
 namespace detail {
 
-/// Along which the plan of a polygon is largest: inside and outside are told there.
+/// The axis along which a polygon's projection is largest: inside and outside are decided in that projection.
 template <class T>
 [[nodiscard]] int plan_axis(const Vec3<T>& normal) {
   const int axis = std::abs(normal.x) > std::abs(normal.y) ? 0 : 1;
   return std::abs(normal.z) > std::abs(normal[axis]) ? 2 : axis;
 }
 
-/// Even-odd in the plan along `kz`. `above(p)` tells whether corner p is above the point, `left(p, q)` whether the
-/// point is to the left of the edge (1), on it (0) or to its right (-1).
+/// The even-odd rule in the projection along `kz`. `above(p)`: whether corner p is above the point; `left(p, q)`:
+/// whether the point is to the left of the edge (1), on it (0) or to its right (-1).
 template <class T, class Above, class Left>
 [[nodiscard]] bool even_odd(const Polygon<T>& polygon, Above above, Left left) {
   bool inside = false;
@@ -58,7 +58,7 @@ template <class T, class Above, class Left>
   return inside;
 }
 
-/// The same with the crossing itself exact: everything is multiplied by the denominator of t.
+/// The same with the intersection itself exact: everything is multiplied by the denominator of t.
 template <class T>
 [[nodiscard]] bool exactly_inside(const Polygon<T>& polygon, const Ray<T>& ray, const Vec3d& normal, int kx, int ky) {
   const Vec3d o = wide(ray.origin), d = wide(ray.direction);
@@ -76,23 +76,24 @@ template <class T>
 
 }  // namespace detail
 
-/// t in (0, t_max) at which the ray crosses the polygon; one that runs in its plane crosses it nowhere.
+/// t in (0, t_max) at which the ray crosses the polygon; a ray in its plane does not.
 ///
-/// Whether the crossing lies inside is decided in the plan along the normal's largest component, by half-open edges:
-/// each corner counts for one of its edges. Where the error of the computed crossing leaves a side in doubt, exact
+/// Whether the point lies inside is decided in the projection along the normal's largest component, by half-open edges:
+/// each corner counts for one of its edges. Where the error of the computed point leaves a side in doubt, exact
 /// arithmetic decides.
 ///
-/// `area_vector` is the polygon's own, worked out once for many rays. Never inlined: in the loop of a search it would
-/// crowd out what is tested more often.
+/// `area_vector` is the polygon's own, computed once for many rays. Never inlined: in the traversal loop it would
+/// displace the code of more frequent shapes.
 template <class T, class Explain = NoExplanation>
-[[nodiscard, gnu::noinline]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const Vec3<T>& area_vector,
-                                                                  const Ray<T>& ray, T t_max,
-                                                                  int departed_part = no_part, Explain&& explain = {}) {
-  // Before it costs anything: a ray that leaves is as near to the plane as can be.
+[[nodiscard, gnu::noinline]] std::optional<Intersection<T>> intersect(const Polygon<T>& polygon,
+                                                                      const Vec3<T>& area_vector, const Ray<T>& ray,
+                                                                      T t_max, int departed_part = no_part,
+                                                                      Explain&& explain = {}) {
+  // Early out: a ray that departs from the plane cannot hit it again.
   if (!std::decay_t<Explain>::wanted && departed_part != no_part) return std::nullopt;
   const Vec3d normal = wide(area_vector), corner = wide(polygon.outline.front());
   const Vec3d o = wide(ray.origin), d = wide(ray.direction);
-  PlaneMeeting met = meet_plane(normal, corner, o, d);
+  PlaneIntersection met = intersect_plane(normal, corner, o, d);
   if (met.exact) note_exact(explain);
   if constexpr (std::decay_t<Explain>::wanted) explain.plane(met.numerator.value, met.denominator.value);
   if (departed_part != no_part || met.denominator.value == 0) return std::nullopt;
@@ -124,38 +125,38 @@ template <class T, class Explain = NoExplanation>
   if (!sure) {
     note_exact(explain);
     inside = detail::exactly_inside(polygon, ray, normal, kx, ky);
-    met = meet_plane_exactly(normal, corner, o, d);
+    met = intersect_plane_exactly(normal, corner, o, d);
   }
   if (!inside) return std::nullopt;
-  return detail::crossing_ahead(met.t, t_max);
+  return detail::intersection_ahead(met.t, t_max);
 }
 
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Polygon<T>& polygon, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Polygon<T>& polygon, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {}) {
   return intersect(polygon, polygon.area_vector(), ray, t_max, departed_part, explain);
 }
 
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Vec3<T>& area_vector, const Ray<T>& ray,
-                                         Crossing<T> crossing) {
+                                         Intersection<T> intersection) {
   const Vec3<T> normal = normalize(area_vector);
-  const Vec3<T> position = ray.at(crossing.t);
+  const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - polygon.outline.front(), normal) * normal, normal};
 }
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Ray<T>& ray, Crossing<T> crossing) {
-  return surface_at(polygon, polygon.area_vector(), ray, crossing);
+[[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Ray<T>& ray, Intersection<T> intersection) {
+  return surface_at(polygon, polygon.area_vector(), ray, intersection);
 }
 
-/// Along the plane's own two directions, from the first corner.
+/// Along the plane's own two axes, from the first corner.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Polygon<T>& polygon, const SurfacePoint<T>& point, int /*part*/) {
   return in_plane(point.position - polygon.outline.front(), point.normal);
 }
 
-/// Holds the corners and every crossing: a crossing lies in the plane through the first corner, which the others may
-/// miss by a little. By the even-odd rule a hole that reaches out of the outline fills what lies there.
+/// Contains the corners and every possible intersection: these lie in the plane through the first corner, which the
+/// others may miss slightly. By the even-odd rule a hole that extends beyond the outline is filled there.
 template <class T>
 [[nodiscard]] Bounds<T> bounds(const Polygon<T>& polygon) {
   const Vec3d normal = wide(polygon.area_vector()), first = wide(polygon.outline.front());

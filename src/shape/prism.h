@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/exact.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace raywalk {
 /// and z = +height/2. Parts: side i runs from corner i to the next one; after the sides come the top and the bottom.
 template <class T>
 struct Prism {
-  std::vector<Vec2<T>> corners;  ///< at least 3, either turn, edges that do not cross
+  std::vector<Vec2<T>> corners;  ///< at least 3, either orientation, edges that do not cross
   T height{1};                   ///< > 0
   friend bool operator==(const Prism&, const Prism&) = default;
 
@@ -26,7 +26,7 @@ struct Prism {
   [[nodiscard]] int bottom() const { return sides() + 1; }
   [[nodiscard]] const Vec2<T>& corner(int i) const { return corners[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Vec2<T>& corner_after(int i) const { return corner(i + 1 == sides() ? 0 : i + 1); }
-  /// Along side i, from its first corner to its second.
+  /// The vector along side i, from its first corner to its second.
   [[nodiscard]] Vec2<T> edge(int i) const { return corner_after(i) - corner(i); }
 
   /// Twice the area, positive when the corners turn counter-clockwise.
@@ -35,21 +35,20 @@ struct Prism {
 
 /// The nearest t in (0, t_max) at which the ray crosses the prism's surface.
 ///
-/// The prism is an extrusion: along the ray it is the polygon's intervals cut with the slab's. A corner's side of the
-/// ray is computed once and shared by both of its edges (half-open rule, so an edge's end belongs to one of the two).
-/// The number of edges crossed before the ray enters the slab tells whether it is inside there, and so whether the next
-/// crossing leads out or in; one that leads the other way is rounding's, at a corner, and is passed over. Every
-/// decision is made in t alone, in double even for float rays, so no ray slips between two faces; where error bounds
-/// leave one in doubt, at corners and rims, exact arithmetic makes it. A face that the ray
-/// departs from is crossed at exactly t = 0, and then that face says whether the ray starts inside. From inside there
-/// is always a way out: where rounding put the start of such a ray beyond a corner or a rim, that is at once, at the
-/// smallest positive t.
+/// The prism is an extrusion: along the ray it is the intersection of the polygon's intervals with the slab's. On which
+/// side of the ray a corner lies is computed once and shared by both of its edges (half-open rule: an edge's end
+/// belongs to one of the two). The number of edges crossed before the ray enters the slab tells whether it is inside
+/// there, and so whether the next crossing leads out or in; one that leads the other way is a rounding artefact at a
+/// corner and is skipped. Every decision is made in t alone, in double even for float rays, so no ray slips between two
+/// faces; where error bounds leave a doubt, at corners and rims, exact arithmetic decides. The face that a ray departs
+/// from is crossed at exactly t = 0 and tells whether the ray starts inside. A ray that starts inside always exits:
+/// where rounding put its origin beyond a corner or a rim, at the smallest positive t.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {});
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {});
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Crossing<T> crossing);
+[[nodiscard]] SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Intersection<T> intersection);
 
 /// Sides: u runs along the edge from its first corner, v up. Caps: x and y.
 template <class T>
@@ -83,7 +82,7 @@ T Prism<T>::twice_signed_area() const {
 
 namespace detail {
 
-/// The stretch of a ray between the planes of a prism's caps, and the caps that bound it.
+/// The interval of a ray between the planes of a prism's caps, and the caps that bound it.
 struct Slab {
   double in = -infinity<double>, out = infinity<double>;
   int in_part, out_part;
@@ -107,7 +106,7 @@ Slab slab_along(const Prism<T>& prism, const Ray<T>& ray, int departed_part) {
   return slab;
 }
 
-/// A face crossed at t = numerator / denominator; at infinity when there is none.
+/// A face crossed at t = numerator / denominator; infinite when there is none.
 struct FaceCrossing {
   double t = infinity<double>;
   int part = no_part;
@@ -119,17 +118,18 @@ struct FaceCrossing {
 struct SideCrossings {
   bool inside = false;
   FaceCrossing in, out, out_before{-infinity<double>, no_part, 0, 0};
-  double in_error = 0, out_error = 0;  ///< bounds of those of in.t and out.t
-  bool sure = true;  ///< no rounding can have decided on which side of the line a corner is, or of `start` an edge
+  double in_error = 0, out_error = 0;  ///< bounds on the errors of in.t and out.t
+  bool sure = true;  ///< rounding cannot have decided on which side of the line a corner is, or on which side of
+                     ///< `start` an edge
 };
 
 template <class T>
 SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d, double start, int departed_part) {
   SideCrossings crossings;
-  // The nearest that run to the line's right (0) and to its left (1).
+  // The nearest edges that lead to the line's right (0) and to its left (1).
   FaceCrossing after[2], before[2] = {crossings.out_before, crossings.out_before};
   double after_error[2] = {0, 0};
-  const double steps = 1 / dot(d, d);  // t of a point is its place along d, times this
+  const double steps = 1 / dot(d, d);  // t of a point is its position along d, times this
   Vec2d corner = Vec2d(prism.corner(0)) - o;
   const auto size_of_cross = [](const Vec2d& a, const Vec2d& b) { return std::abs(a.x * b.y) + std::abs(a.y * b.x); };
   const auto side_of = [&](const Vec2d& to) {
@@ -142,9 +142,9 @@ SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d,
     const Vec2d next = Vec2d(prism.corner_after(i)) - o;
     const double next_side = side_of(next);
     if ((side >= 0) != (next_side >= 0)) {
-      // The rate at which the line nears the edge's is computed from the edge itself: the difference of its ends' sides
-      // loses digits when the edge is short and far. Its sign, though, is that of the difference. However much of the
-      // quotient is rounding, where the two are nearly parallel, the crossing lies between the ends.
+      // The rate at which the line approaches the edge's is computed from the edge itself: the difference of its ends'
+      // sides loses digits when the edge is short and far. Its sign, though, is that of the difference. However
+      // inaccurate the quotient, where the two are nearly parallel, the crossing lies between the ends.
       const Vec2d edge = Vec2d(prism.corner_after(i)) - Vec2d(prism.corner(i));
       const double rate = cross(d, edge), difference = next_side - side;
       const bool agree = rate != 0 && (rate > 0) == (difference > 0);
@@ -165,7 +165,7 @@ SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d,
     corner = next;
     side = next_side;
   }
-  // Around a counter-clockwise polygon the edges run to the left where the line leaves it.
+  // Around a counter-clockwise polygon the edges lead to the left where the line exits.
   const bool none =
       after[0].part == no_part && after[1].part == no_part && before[0].part == no_part && before[1].part == no_part;
   const int out = none || prism.twice_signed_area() > 0 ? 1 : 0;
@@ -206,10 +206,10 @@ struct ExactTime {
   }
 };
 
-/// What `intersect` answers for a ray that does not depart from the prism, by exact signs alone.
+/// The result of `intersect` for a ray that does not depart from the prism, by exact signs alone.
 template <class T>
-[[gnu::noinline, gnu::cold]] std::optional<Crossing<T>> intersect_exactly(const Prism<T>& prism, const Ray<T>& ray,
-                                                                          T t_max) {
+[[gnu::noinline, gnu::cold]] std::optional<Intersection<T>> intersect_exactly(const Prism<T>& prism, const Ray<T>& ray,
+                                                                              T t_max) {
   const Vec3d o(ray.origin), d(ray.direction);
   const double half = static_cast<double>(prism.height) / 2;
   const bool level = d.z == 0, upright = d.x == 0 && d.y == 0, rising = d.z > 0;
@@ -224,8 +224,8 @@ template <class T>
   const ExactTime start = enters && !upright ? in : ExactTime();
   const Vec2d along = upright ? Vec2d(1, 0) : Vec2d(d.x, d.y);
   bool inside = false;
-  // The nearest sides that run to the line's right (0) and to its left (1): where two meet at a corner that is touched,
-  // the one that leads in comes first.
+  // The nearest sides that lead to the line's right (0) and to its left (1): at a corner that is touched, the one that
+  // leads in comes first.
   std::optional<ExactTime> nearest[2];
   int nearest_part[2] = {no_part, no_part};
   for (int i = 0; i < prism.sides(); ++i) {
@@ -245,25 +245,25 @@ template <class T>
   const int leads_out = prism.twice_signed_area() > 0 ? 1 : 0, turn = inside ? leads_out : 1 - leads_out;
   const std::optional<ExactTime>& first = nearest[turn];
   const int first_part = nearest_part[turn];
-  const auto crossing = [&](const ExactTime& t, int part) -> std::optional<Crossing<T>> {
+  const auto intersection = [&](const ExactTime& t, int part) -> std::optional<Intersection<T>> {
     const double wide = static_cast<double>(t.numerator.rounded() / t.denominator.rounded());
     const T rounded = std::max(static_cast<T>(wide), std::numeric_limits<T>::min());
     if (!(rounded < t_max)) return std::nullopt;
-    return Crossing<T>{rounded, part};
+    return Intersection<T>{rounded, part};
   };
-  if (inside && enters) return crossing(in, rising ? prism.bottom() : prism.top());
+  if (inside && enters) return intersection(in, rising ? prism.bottom() : prism.top());
   const int out_part = rising ? prism.top() : prism.bottom();
-  if (upright) return inside ? crossing(out, out_part) : std::nullopt;
+  if (upright) return inside ? intersection(out, out_part) : std::nullopt;
   const bool side_first = first && (level || first->compared_to(out) < 0);
-  if (side_first) return crossing(*first, first_part);
-  return inside && !level ? crossing(out, out_part) : std::nullopt;
+  if (side_first) return intersection(*first, first_part);
+  return inside && !level ? intersection(out, out_part) : std::nullopt;
 }
 
 }  // namespace detail
 
 template <class T, class Explain>
-std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max, int departed_part,
-                                     Explain&& explain) {
+std::optional<Intersection<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T t_max, int departed_part,
+                                         Explain&& explain) {
   constexpr T at_once = std::numeric_limits<T>::min();
   const bool departs = departed_part != no_part;
   const bool departs_in = departs && detail::departs_inwards(prism, ray.direction, departed_part);
@@ -271,13 +271,13 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
   if (departs_in && slab.out <= 0) slab.out = static_cast<double>(at_once);
   if (!(slab.in <= slab.out && slab.out > 0)) return std::nullopt;
 
-  // An upright ray stays where it is on the plan: any line through that point tells whether it is inside.
+  // A vertical ray is a point in the plan: any line through that point tells whether it is inside.
   const bool upright = ray.direction.x == 0 && ray.direction.y == 0;
   const double start = upright ? 0 : std::max(slab.in, 0.0);
   const auto sides = detail::cross_sides(prism, Vec2d(plan(ray.origin)),
                                          upright ? Vec2d(1, 0) : Vec2d(plan(ray.direction)), start, departed_part);
   const bool inside = departs ? departs_in : sides.inside;
-  // Which comes first where the ray goes out, or might come in: a side or the far cap?
+  // Which comes first where the ray exits, or might enter: a side or the far cap?
   const auto told_from_cap = [&](const detail::FaceCrossing& side, double error) {
     return slab.out == infinity<double> || std::abs(side.t - slab.out) > error + 4 * detail::half_ulp * slab.out;
   };
@@ -301,7 +301,7 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
     meet_cap(slab.out, slab.out_part);
   } else if (inside) {
     next = sides.out.part != no_part || departs ? sides.out : sides.in;
-    // A departing ray that is outside has either left already, at a corner, or is about to enter there: the nearer of
+    // A departing ray that is outside has either exited already, at a corner, or is about to enter there: the nearer of
     // the two crossings is the one at the corner.
     const bool left_already = departs && !sides.inside && -sides.out_before.t < sides.in.t;
     if (left_already || next.part == no_part) {
@@ -316,23 +316,23 @@ std::optional<Crossing<T>> intersect(const Prism<T>& prism, const Ray<T>& ray, T
   if constexpr (std::decay_t<Explain>::wanted) explain.plane(next.numerator, next.denominator);
   const T t = std::max(static_cast<T>(next.t), at_once);
   if (!(t < t_max)) return std::nullopt;
-  return Crossing<T>{t, next.part};
+  return Intersection<T>{t, next.part};
 }
 
 template <class T>
-SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Crossing<T> crossing) {
+SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Intersection<T> intersection) {
   const T half = prism.height / 2;
-  const Vec3<T> reached = ray.at(crossing.t);
-  if (crossing.part >= prism.sides()) {
-    const T up = crossing.part == prism.top() ? T(1) : T(-1);
+  const Vec3<T> reached = ray.at(intersection.t);
+  if (intersection.part >= prism.sides()) {
+    const T up = intersection.part == prism.top() ? T(1) : T(-1);
     return {{plan(reached), up * half}, {0, 0, up}};
   }
-  // The computed point is pulled back onto the face, also where rounding took it past an edge.
-  const Vec2<T> first = prism.corner(crossing.part), edge = prism.edge(crossing.part);
+  // The computed point is projected back onto the face, even where rounding took it past an edge.
+  const Vec2<T> first = prism.corner(intersection.part), edge = prism.edge(intersection.part);
   const T size = length(edge);
   const Vec2<T> along = edge / size;
   const T turn = prism.twice_signed_area() < 0 ? T(-1) : T(1);
-  const Vec2<T> offset = (plan(ray.origin) - first) + crossing.t * plan(ray.direction);
+  const Vec2<T> offset = (plan(ray.origin) - first) + intersection.t * plan(ray.direction);
   const Vec2<T> onto = first + std::clamp(dot(offset, along), T(0), size) * along;
   return {{onto, std::clamp(reached.z, -half, half)}, {turn * along.y, turn * -along.x, 0}};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Quadratics along a ray: their roots in double with bounds of their errors, and by exact arithmetic.
+// Quadratics along a ray: their roots in double with error bounds, and by exact arithmetic.
 
 #include "math/exact.h"
 
@@ -13,13 +13,13 @@ struct QuadricEquation {
   double xx, yy, zz, linear, constant;
 };
 
-/// The same times the squares of the radii, so that nothing is divided, and without any rounding.
+/// The same times the squares of the radii: without division and without any rounding.
 struct ExactEquation {
   Expansion xx, yy, zz, linear, constant;
 };
 
-/// Where a t^2 + 2 b t + c vanishes, near <= far, and whether it is negative between (else outside of them). A root at
-/// infinity is infinite. Without roots near and far are NaN and `inside_everywhere` tells the sign.
+/// The roots of a t^2 + 2 b t + c, near <= far, and whether it is negative between them (else outside). A root at
+/// infinity is infinite. Without roots, near and far are NaN and `inside_everywhere` tells the sign.
 struct QuadraticRoots {
   double near = NAN, far = NAN;
   bool inside_between = true, inside_everywhere = false;
@@ -47,15 +47,15 @@ template <class Real>
   return {std::min(t0, t1), std::max(t0, t1), !std::signbit(a_hi), false};
 }
 
-/// The equation along the ray and its roots; `error` bounds the roots' relative error, and `sure` is whether the signs
-/// of a, of c and of the discriminant are settled.
+/// The equation along the ray and its roots; `error` bounds the roots' relative error, and `sure` tells whether the
+/// signs of a, c and the discriminant are certain.
 struct QuadricRoots {
   double a, b, c, discriminant;
   QuadraticRoots roots;
   double error = 0;
   bool sure = false;
 
-  /// Whether the roots and their error leave no doubt on which side of t they lie.
+  /// Whether it is certain on which side of t the roots lie.
   [[nodiscard, gnu::always_inline]] bool sure_about(double t) const {
     const auto clear = [&](double root) {
       return std::isnan(root) || std::isinf(root) || std::isinf(t) ||
@@ -66,9 +66,9 @@ struct QuadricRoots {
   [[nodiscard]] double refined(const QuadricEquation& e, const Vec3d& o, const Vec3d& d, double t) const;
 };
 
-/// Newton's method from the root t. Where a, b and c each lost digits that the root depends on (far out by the
-/// asymptotes), the equation at the point itself, a small number near the surface, has kept them. One step does,
-/// unless two roots lie so close together that it only doubles the digits that are right.
+/// Newton's method from the root t. Where a, b and c each lost digits that the root depends on (far out near the
+/// asymptotes), the equation evaluated at the point itself, a small number near the surface, has kept them. One step
+/// suffices, unless two roots are so close that it only doubles the correct digits.
 inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, const Vec3d& d, double t) const {
   double best = t;
   for (int step = 0; step < 4; ++step) {
@@ -96,7 +96,7 @@ inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, co
   const double c_error = on_wall ? 0 : 8 * half_ulp * (cxx + cyy + std::abs(czz) + std::abs(cl) + std::abs(e.constant));
   double discriminant = b * b, discriminant_error = 2 * b_error * std::abs(b) + b_error * b_error;
   if (!on_wall) {
-    // b^2 - a c by the moments of the line: what is large in both products is left out of both.
+    // b^2 - a c by the moments of the line: terms that are large in both products cancel out beforehand.
     const Vec3d m = cross(o, d);
     const Vec3d size(std::abs(o.y * d.z) + std::abs(o.z * d.y), std::abs(o.z * d.x) + std::abs(o.x * d.z),
                      std::abs(o.x * d.y) + std::abs(o.y * d.x));
@@ -113,7 +113,7 @@ inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, co
     }
   }
   QuadricRoots found{a, b, c, discriminant, roots_of(a, b, c, discriminant)};
-  // c must keep half of its digits: it is what a short t is made of.
+  // c must keep half of its digits: a short t depends on it.
   constexpr double digits = 1e-8;
   found.sure = std::abs(discriminant) > 2 * discriminant_error && std::abs(a) > 2 * a_error &&
                (on_wall || std::abs(c) * 8 * half_ulp > digits * c_error);
@@ -128,10 +128,10 @@ inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, co
 /// The equation along the ray without rounding; a >= 0.
 struct ExactQuadratic {
   Expansion a, b, c, discriminant;
-  bool flipped;  ///< the sign of all was changed
+  bool flipped;  ///< all signs were flipped
 
-  /// How many roots lie below t = distance / slope, and how many there; slope > 0.
-  struct Place {
+  /// How many roots lie below t = distance / slope, and how many at it; slope > 0.
+  struct RootCounts {
     int below, at;
   };
   [[nodiscard]] int count() const {
@@ -141,10 +141,10 @@ struct ExactQuadratic {
   [[nodiscard]] int value_sign(const Expansion& distance, double slope) const {
     return (a * distance * distance + b * distance * (2 * slope) + c * slope * slope).sign();
   }
-  [[nodiscard]] Place place(const Expansion& distance, double slope) const {
+  [[nodiscard]] RootCounts place(const Expansion& distance, double slope) const {
     if (count() == 0) return {0, 0};
     const int value = value_sign(distance, slope);
-    if (a.sign() == 0) return value == 0 ? Place{0, 1} : Place{value == b.sign() ? 1 : 0, 0};
+    if (a.sign() == 0) return value == 0 ? RootCounts{0, 1} : RootCounts{value == b.sign() ? 1 : 0, 0};
     if (value < 0) return {1, 0};
     const bool beyond_middle = (a * distance + b * slope).sign() > 0;
     if (value == 0) return {beyond_middle && count() == 2 ? 1 : 0, 1};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 #include "shape/quadratic.h"
 
 #include <algorithm>
@@ -18,15 +18,15 @@ enum class QuadricKind {
   hyperboloid_two_sheets,  ///< x^2/rx^2 + y^2/ry^2 - z^2/rz^2 = -1
 };
 
-/// A quadric about the z axis, cut to z_min <= z <= z_max and closed by flat caps on request. Parts: 0 the wall, 1 the
-/// cap at z_min, 2 the cap at z_max. An open wall ends before its limits (they belong to the caps); with caps the rim
-/// is met once. Inside is where the left side is smaller than the right one.
+/// A quadric about the z axis, clipped to z_min <= z <= z_max and optionally closed by flat caps. Parts: 0 the wall, 1
+/// the cap at z_min, 2 the cap at z_max. An open wall ends before its limits (they belong to the caps); with caps the
+/// rim is hit once. Inside is where the left side is smaller than the right one.
 template <class T, QuadricKind Kind>
 struct Quadric {
   static constexpr QuadricKind kind = Kind;
-  Vec3<T> radii{1};                             ///< rx, ry, rz, each > 0; rz only where the equation has it
-  T z_min = -infinity<T>, z_max = infinity<T>;  ///< z_min < z_max; infinite: not cut there
-  bool capped = false;                          ///< caps where the cut is finite and meets the inside
+  Vec3<T> radii{1};                             ///< rx, ry, rz, each > 0; rz only if the equation has it
+  T z_min = -infinity<T>, z_max = infinity<T>;  ///< z_min < z_max; infinite: not clipped there
+  bool capped = false;                          ///< caps where the limit is finite and cuts the inside
   friend bool operator==(const Quadric&, const Quadric&) = default;
 
   static constexpr int wall = 0, low_cap = 1, high_cap = 2;
@@ -49,15 +49,17 @@ using HyperboloidTwoSheets = Quadric<T, QuadricKind::hyperboloid_two_sheets>;
 ///
 /// Along the ray the left side minus the right one is a t^2 + 2 b t + c: negative inside. Its roots are found in
 /// double, without cancellation, from the discriminant's perpendicular form (the sphere's, for any quadric). Caps and
-/// wall are told apart by t alone, as in the prism, so no ray slips through a rim. Where error bounds leave anything in
-/// doubt (the sign of the discriminant, or of a when the ray is parallel to a cone's side; an origin almost on the
-/// wall; a crossing near a rim) all is decided by exact arithmetic. A ray that departs from the wall has c = 0 exactly.
+/// wall are distinguished by t alone, as in the prism, so no ray slips through a rim. Where error bounds leave anything
+/// in doubt (the sign of the discriminant, or of a when the ray is parallel to a cone's side; an origin almost on the
+/// wall; a crossing near a rim) exact arithmetic decides everything. A ray that departs from the wall has c = 0
+/// exactly.
 template <class T, QuadricKind Kind, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {});
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {});
 
 template <class T, QuadricKind Kind>
-[[nodiscard]] SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, Crossing<T> crossing);
+[[nodiscard]] SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray,
+                                         Intersection<T> intersection);
 
 /// The wall: the angle from +x times rx, and z. Caps: x and y.
 template <class T, QuadricKind Kind>
@@ -67,7 +69,7 @@ template <class T, QuadricKind Kind>
   return {quadric.radii.x * angle, point.position.z};
 }
 
-/// Infinite where the quadric is.
+/// Infinite for an unbounded quadric.
 template <class T, QuadricKind Kind>
 [[nodiscard]] Bounds<T> bounds(const Quadric<T, Kind>& quadric);
 
@@ -117,10 +119,10 @@ template <class T, QuadricKind Kind>
   return {};
 }
 
-/// The whole of `intersect` by exact signs.
+/// `intersect` entirely by exact signs.
 template <class T, QuadricKind Kind>
-[[nodiscard]] std::optional<Crossing<T>> intersect_exactly(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max,
-                                                           int departed_part) {
+[[nodiscard]] std::optional<Intersection<T>> intersect_exactly(const Quadric<T, Kind>& quadric, const Ray<T>& ray,
+                                                               T t_max, int departed_part) {
   using Part = Quadric<T, Kind>;
   const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   const ExactQuadratic wall = exact_quadratic(exact_equation_of(quadric), o, d, departed_part == Part::wall);
@@ -144,7 +146,7 @@ template <class T, QuadricKind Kind>
     const int sign = wall.value_sign(c.distance, slope);
     return quadric.capped && c.met && (wall.flipped ? -sign : sign) <= 0 && lies(t_of(c));
   };
-  if (closed(in)) return Crossing<T>{static_cast<T>(t_of(in)), in.part};
+  if (closed(in)) return Intersection<T>{static_cast<T>(t_of(in)), in.part};
   int first = 0, last = wall.count();
   if (in.met && last > 0) {
     const auto place = wall.place(in.distance, slope);
@@ -152,16 +154,16 @@ template <class T, QuadricKind Kind>
   }
   if (out.met && last > 0) last = wall.place(out.distance, slope).below;
   for (int i = first; i < last; ++i)
-    if (const double t = wall.root(i); lies(t)) return Crossing<T>{static_cast<T>(t), Part::wall};
-  if (closed(out)) return Crossing<T>{static_cast<T>(t_of(out)), out.part};
+    if (const double t = wall.root(i); lies(t)) return Intersection<T>{static_cast<T>(t), Part::wall};
+  if (closed(out)) return Intersection<T>{static_cast<T>(t_of(out)), out.part};
   return std::nullopt;
 }
 
 }  // namespace detail
 
 template <class T, QuadricKind Kind, class Explain>
-std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max, int departed_part,
-                                     Explain&& explain) {
+std::optional<Intersection<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max, int departed_part,
+                                         Explain&& explain) {
   using Part = Quadric<T, Kind>;
   const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   const detail::QuadricRoots wall =
@@ -169,7 +171,7 @@ std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<
   if constexpr (std::decay_t<Explain>::wanted)
     explain.quadratic(wall.a, 2 * wall.b, wall.c, 4 * wall.discriminant, wall.roots.near, wall.roots.far);
 
-  // The slab between the cuts, as stretches of t.
+  // The slab between the limits, as an interval of t.
   double slab_in = -infinity<double>, slab_out = infinity<double>;
   int in_part = Part::low_cap, out_part = Part::high_cap;
   const double z_min = static_cast<double>(quadric.z_min), z_max = static_cast<double>(quadric.z_max);
@@ -186,12 +188,12 @@ std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<
     note_exact(explain);
     return detail::intersect_exactly(quadric, ray, t_max, departed_part);
   }
-  std::optional<Crossing<T>> nearest;
+  std::optional<Intersection<T>> nearest;
   const auto consider = [&](double t_wide, int part) {
     const T t = static_cast<T>(t_wide);
-    if (t > 0 && t < t_max && (!nearest || t < nearest->t)) nearest = Crossing<T>{t, part};
+    if (t > 0 && t < t_max && (!nearest || t < nearest->t)) nearest = Intersection<T>{t, part};
   };
-  // On the wall a point must lie strictly between the cuts: their own t belongs to the caps.
+  // On the wall a point must lie strictly between the limits: their own t belongs to the caps.
   for (const double t : {wall.roots.near, wall.roots.far})
     if (slab_in < t && t < slab_out)
       consider(departed_part == Part::wall ? t : wall.refined(detail::equation_of(quadric), o, d, t), Part::wall);
@@ -203,22 +205,23 @@ std::optional<Crossing<T>> intersect(const Quadric<T, Kind>& quadric, const Ray<
 }
 
 template <class T, QuadricKind Kind>
-SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, Crossing<T> crossing) {
-  Vec3<T> position = ray.at(crossing.t);
-  if (crossing.part == Quadric<T, Kind>::low_cap) return {{position.x, position.y, quadric.z_min}, {0, 0, -1}};
-  if (crossing.part == Quadric<T, Kind>::high_cap) return {{position.x, position.y, quadric.z_max}, {0, 0, 1}};
+SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, Intersection<T> intersection) {
+  Vec3<T> position = ray.at(intersection.t);
+  if (intersection.part == Quadric<T, Kind>::low_cap) return {{position.x, position.y, quadric.z_min}, {0, 0, -1}};
+  if (intersection.part == Quadric<T, Kind>::high_cap) return {{position.x, position.y, quadric.z_max}, {0, 0, 1}};
   const detail::QuadricEquation e = detail::equation_of(quadric);
   const auto gradient_at = [&e](const Vec3d& p) {
     return Vec3d(2 * e.xx * p.x, 2 * e.yy * p.y, 2 * e.zz * p.z + e.linear);
   };
-  // One Newton step onto the wall along the gradient: a ray may meet it far away, at a slant.
+  // One Newton step onto the wall along the gradient: a ray may hit it far away, at a grazing angle.
   const Vec3d p(position), slope = gradient_at(p);
   const double off = e.xx * p.x * p.x + e.yy * p.y * p.y + (e.zz * p.z + e.linear) * p.z + e.constant;
   if (const double square = dot(slope, slope); square > 0) position = Vec3<T>(p - off / square * slope);
-  // The gradient anew: beside a narrow apex it turns by more in that step than a unit of rounding.
+  // The gradient again: next to a narrow apex it turns by more than a rounding unit in that step.
   const Vec3d gradient = gradient_at(Vec3d(position));
   const double size = length(gradient);
-  return {position, size > 0 ? Vec3<T>(gradient / size) : Vec3<T>(0, 0, 1)};  // a cone's apex has none: any will do
+  return {position, size > 0 ? Vec3<T>(gradient / size) : Vec3<T>(0, 0, 1)};  // a cone's apex has no normal: any will
+                                                                              // do
 }
 
 template <class T, QuadricKind Kind>

@@ -20,7 +20,7 @@ using Shape =
     std::variant<Sphere<T>, Plane<T>, Prism<T>, Box<T>, Ellipsoid<T>, EllipticParaboloid<T>, Cone<T>, Cylinder<T>,
                  HyperboloidOneSheet<T>, HyperboloidTwoSheets<T>, Disk<T>, Polygon<T>, Triangle<T>>;
 
-/// What each shape is called, in scene files and to people.
+/// The name of each shape, in scene files and for people.
 template <class T>
 constexpr std::string_view shape_name(const Sphere<T>& /*shape*/) {
   return "sphere";
@@ -73,19 +73,19 @@ template <class T>
 }
 
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Shape<T>& shape, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {}) {
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Shape<T>& shape, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {}) {
   return std::visit([&](const auto& s) { return intersect(s, ray, t_max, departed_part, explain); }, shape);
 }
 
-/// The point of `shape` at a crossing that its `intersect` returned for this very ray.
+/// The point of `shape` at an intersection that its `intersect` returned for this very ray.
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Shape<T>& shape, const Ray<T>& ray, Crossing<T> crossing) {
-  return std::visit([&](const auto& s) { return surface_at(s, ray, crossing); }, shape);
+[[nodiscard]] SurfacePoint<T> surface_at(const Shape<T>& shape, const Ray<T>& ray, Intersection<T> intersection) {
+  return std::visit([&](const auto& s) { return surface_at(s, ray, intersection); }, shape);
 }
 
-/// Coordinates of a point of part `part`: lengths along the surface in scene units, from an origin and in directions
-/// fixed to the shape.
+/// Coordinates of a point of part `part`: lengths along the surface in scene units, from an origin and along axes fixed
+/// to the shape.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Shape<T>& shape, const SurfacePoint<T>& point, int part) {
   return std::visit([&](const auto& s) { return uv_at(s, point, part); }, shape);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/expansion.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,23 +18,23 @@ struct Sphere {
 
 /// The nearest t in (0, t_max) at which the ray crosses the sphere; a tangent ray counts as a hit.
 ///
-/// With o the origin seen from the centre, a = d.d, b = d.o, c = o.o - r^2: the roots of a t^2 + 2 b t + c.
-/// Hit or miss is decided by the perpendicular form a r^2 - |o x d|^2 of b^2 - a c (Haines et al., "Precision
-/// Improvements for Ray/Sphere Intersection", Ray Tracing Gems 2019), computed in double even for float rays. Where
-/// its error bound does not settle the sign, or the origin is so near the surface that c has lost its digits, the same
-/// formulas run in double-double, and what cancels even there is computed exactly. A ray that departs from this sphere
-/// has c = 0 exactly: the other root is -2b/a.
+/// With o the origin seen from the centre, a = d.d, b = d.o, c = o.o - r^2: the roots of a t^2 + 2 b t + c. Hit or miss
+/// is decided by the perpendicular form a r^2 - |o x d|^2 of b^2 - a c (Haines et al., "Precision Improvements for
+/// Ray/Sphere Intersection", Ray Tracing Gems 2019), computed in double even for float rays. Where its error bound does
+/// not settle the sign, or the origin is so near the surface that c has lost its digits, the same formulas run in
+/// double-double, and exactly where even those cancel. A ray that departs from this sphere has c = 0 exactly: the other
+/// root is -2b/a.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {});
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {});
 
-/// How often the ray crosses the sphere in (0, t_max): 0, 1 or 2 times. A tangent ray does so once.
+/// The number of intersections with the sphere in (0, t_max): 0, 1 or 2. A tangent ray has one.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] int crossings(const Sphere<T>& sphere, const Ray<T>& ray, T t_max, int departed_part = no_part,
-                            Explain&& explain = {}) {
+[[nodiscard]] int intersection_count(const Sphere<T>& sphere, const Ray<T>& ray, T t_max, int departed_part = no_part,
+                                     Explain&& explain = {}) {
   const auto first = intersect(sphere, ray, t_max, departed_part, explain);
   if (!first) return 0;
-  // Both lie equally far from the point nearest to the centre; the first one found is the nearer, if both lie ahead.
+  // Both are equally far from the point closest to the centre; the first one found is the nearer, if both lie ahead.
   const Vec3d d = wide(ray.direction);
   const double middle = -dot(d, wide(ray.origin) - wide(sphere.centre)) / dot(d, d);
   const T other = static_cast<T>(2 * middle - static_cast<double>(first->t));
@@ -42,7 +42,7 @@ template <class T, class Explain = NoExplanation>
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Crossing<T> crossing);
+[[nodiscard]] SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Intersection<T> intersection);
 
 /// Longitude from +x and latitude from the plan, each times the radius.
 template <class T>
@@ -59,7 +59,7 @@ template <class T>
 
 namespace detail {
 
-/// With size = o.o + r^2: the discriminant is wrong by at most about 20 a size ulp, of which this is more, c by 5 size
+/// With size = o.o + r^2: the discriminant errs by at most about 20 a size ulp, which this exceeds, and c by 5 size
 /// ulp; c must keep half of its digits.
 inline constexpr double sphere_sign_bound = 32 * 1.1102230246251565e-16, sphere_digits_bound = 1e-8;
 
@@ -68,8 +68,8 @@ struct Roots {
   double near, far, discriminant;
 };
 
-/// c and the discriminant without any rounding but the last: for those that cancel beyond double-double's digits, as
-/// at a tangent from afar or right on the surface.
+/// c and the discriminant, rounded only once: for cancellation beyond double-double's digits, as at a tangent from afar
+/// or right on the surface.
 struct SphereTerms {
   DoubleDouble c, discriminant;
 };
@@ -82,7 +82,7 @@ struct SphereTerms {
   return {(x * x + y * y + z * z - r2).rounded(), (a * r2 - (cx * cx + cy * cy + cz * cz)).rounded()};
 }
 
-/// The sphere's roots in double-double arithmetic on the ray as stored, exactly where that is not enough.
+/// The sphere's roots in double-double arithmetic on the ray as stored; exactly where that is not enough.
 template <class T>
 [[nodiscard, gnu::noinline, gnu::cold]] Roots roots_exactly(const Sphere<T>& sphere, const Ray<T>& ray) {
   const Vec3d origin = wide(ray.origin), direction = wide(ray.direction), centre = wide(sphere.centre);
@@ -95,7 +95,7 @@ template <class T>
   const DoubleDouble oo = ox * ox + oy * oy + oz * oz, r2 = two_product(radius, radius);
   const DoubleDouble cx = oy * dz - oz * dy, cy = oz * dx - ox * dz, cz = ox * dy - oy * dx;
   DoubleDouble c = oo - r2, discriminant = a * r2 - (cx * cx + cy * cy + cz * cz);
-  // Each errs by less than 2^-96 of `size`; 43 bits may cancel until the last digit of a double is in doubt.
+  // Each errs by less than 2^-96 of `size`; 43 bits may cancel before the last digit of a double is in doubt.
   constexpr double cancelled = 1e-13;
   const double size = oo.hi + r2.hi;
   if (!(std::abs(c.hi) > cancelled * size && std::abs(discriminant.hi) > cancelled * a.hi * size)) {
@@ -104,7 +104,7 @@ template <class T>
   }
   if (discriminant.hi < 0) return {NAN, NAN, discriminant.hi};
   const DoubleDouble root = sqrt(discriminant);
-  // Add quantities of one sign only, so that neither root cancels.
+  // Only quantities of one sign are added, so that neither root cancels.
   const DoubleDouble q = b.hi > 0 ? -(b + root) : root - b;
   if (q.hi == 0) return {0, 0, discriminant.hi};
   const double t0 = static_cast<double>(q / a), t1 = static_cast<double>(c / q);
@@ -114,16 +114,16 @@ template <class T>
 }  // namespace detail
 
 template <class T, class Explain>
-std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray, T t_max, int departed_part,
-                                     Explain&& explain) {
+std::optional<Intersection<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray, T t_max, int departed_part,
+                                         Explain&& explain) {
   constexpr bool explained = std::decay_t<Explain>::wanted;
   const Vec3d o = wide(ray.origin) - wide(sphere.centre), d = wide(ray.direction);
-  // Rounded before they are compared: what is positive in double may be 0 in float, and is then no crossing.
-  const auto nearest = [&](double near, double far) -> std::optional<Crossing<T>> {
+  // Rounded before comparison: a t that is positive in double may be 0 in float, and is then no intersection.
+  const auto nearest = [&](double near, double far) -> std::optional<Intersection<T>> {
     T t = static_cast<T>(near);
     if (!(t > 0)) t = static_cast<T>(far);
     if (!(t > 0 && t < t_max)) return std::nullopt;  // NaN: no roots
-    return Crossing<T>{t};
+    return Intersection<T>{t};
   };
   if (departed_part != no_part) {
     const double b = dot(d, o);
@@ -134,10 +134,10 @@ std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray,
   }
   const double radius = static_cast<double>(sphere.radius), r2 = radius * radius;
   const double a = dot(d, d), b = dot(d, o), oo = dot(o, o), c = oo - r2, size = oo + r2;
-  if constexpr (!explained) {  // who wants an explanation is told all
-    // From outside and away: both roots, if any, lie behind.
+  if constexpr (!explained) {  // an explainer is told everything
+    // Outside and pointing away: both roots, if any, lie behind.
     if (b > 0 && c > detail::sphere_digits_bound * size) return std::nullopt;
-    // Most others pass by, so far that b^2 - a c can tell, which errs by about 21 a size ulp.
+    // Most other rays miss by so much that b^2 - a c can tell, which errs by about 21 a size ulp.
     if (b * b < a * (c - detail::sphere_sign_bound * size)) return std::nullopt;
   }
   const Vec3d oxd = cross(o, d);
@@ -154,19 +154,19 @@ std::optional<Crossing<T>> intersect(const Sphere<T>& sphere, const Ray<T>& ray,
   }
   if (discriminant < 0) return std::nullopt;
   const double root = std::sqrt(discriminant);
-  // Quantities of one sign only are added: no root cancels. From outside and towards, c / q is the nearer one.
-  if (b > 0) return nearest(c / -(b + root), NAN);  // from inside: the other root lies behind
+  // Only quantities of one sign are added: no root cancels. From outside and approaching, c / q is the nearer one.
+  if (b > 0) return nearest(c / -(b + root), NAN);  // from inside: the other root is behind
   const double q = root - b;
   return c > 0 ? nearest(c / q, q / a) : nearest(q / a, NAN);
 }
 
 template <class T>
-SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Crossing<T> crossing) {
-  // The computed point is pulled back onto the sphere along the normal; on the plan it stays on the plan. It is formed
-  // as seen from the centre: far from the origin of the scene, the point itself has too few digits for a normal.
-  const Vec3<T> offset = (ray.origin - sphere.centre) + crossing.t * ray.direction;
-  // Its length is the radius but for rounding: mostly by so little that one step of Newton's method brings it to 1, and
-  // nothing waits for a root.
+SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Intersection<T> intersection) {
+  // The computed point is projected onto the sphere along the normal; a point in the plan stays in the plan. It is
+  // formed relative to the centre: far from the scene's origin, the point itself has too few digits for a normal.
+  const Vec3<T> offset = (ray.origin - sphere.centre) + intersection.t * ray.direction;
+  // Its length is the radius up to rounding, usually so closely that one step of Newton's method normalises it without
+  // a square root.
   constexpr T little = T(1) / (1 << (std::numeric_limits<T>::digits / 2 + 1));
   const Vec3<T> nearly_unit = offset * (1 / sphere.radius);
   if (std::abs(dot(nearly_unit, nearly_unit) - 1) < little) {
@@ -174,7 +174,7 @@ SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Crossing<
     return {sphere.centre + sphere.radius * normal, normal};
   }
   const T distance = length(offset);
-  // A sphere smaller than the last digit of t is met in its centre: the side that faces the ray is as good as any.
+  // A sphere smaller than the last digit of t is hit in its centre: use the normal that faces the ray.
   const Vec3<T> normal = distance > 0 ? offset / distance : -normalize(ray.direction);
   return {sphere.centre + sphere.radius * normal, normal};
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/exact.h"
-#include "shape/crossing.h"
+#include "shape/intersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +16,18 @@ struct Triangle {
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
-/// t in (0, t_max) at which the ray crosses the triangle; one that runs in its plane crosses it nowhere.
+/// t in (0, t_max) at which the ray crosses the triangle; a ray in its plane does not.
 ///
 /// S. Woop, C. Benthin and I. Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013: the corners are sheared
 /// into the ray's own frame, where the ray is the z axis, and the signs of three edge functions decide. Where an error
 /// bound does not settle a sign, exact arithmetic does, so that hit and miss are right for each triangle, and a closed
-/// mesh has no gaps. A ray exactly through an edge or corner is decided as if it started a hair beside it, by the same
-/// rule for all triangles (H. Edelsbrunner and E. Muecke, "Simulation of simplicity", 1990): it crosses a shared edge
-/// once.
+/// mesh has no gaps. A ray exactly through an edge or corner is treated as if slightly displaced, by the same rule for
+/// all triangles (H. Edelsbrunner and E. Muecke, "Simulation of simplicity", 1990): it crosses a shared edge once.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {});
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {});
 
-/// What all triangles need of a ray, computed once a ray.
+/// The terms of a ray that all triangle tests share, computed once per ray.
 template <class T>
 struct ShearedRay {
   ShearedRay() = default;
@@ -40,17 +39,17 @@ struct ShearedRay {
 
 /// The same, bit for bit.
 template <class T, class Explain = NoExplanation>
-[[nodiscard]] std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
-                                                   int departed_part = no_part, Explain&& explain = {});
+[[nodiscard]] std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
+                                                       int departed_part = no_part, Explain&& explain = {});
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Triangle<T>& triangle, const Ray<T>& ray, Crossing<T> crossing) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Triangle<T>& triangle, const Ray<T>& ray, Intersection<T> intersection) {
   const Vec3<T> normal = normalize(cross(triangle.b - triangle.a, triangle.c - triangle.a));
-  const Vec3<T> position = ray.at(crossing.t);
+  const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - triangle.a, normal) * normal, normal};
 }
 
-/// The weights of b and c; a has 1 - u - v.
+/// Barycentric weights of b and c; a has 1 - u - v.
 template <class T>
 [[nodiscard]] Vec2<T> barycentric(const Triangle<T>& triangle, const Vec3<T>& point) {
   const Vec3<T> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, ap = point - triangle.a;
@@ -59,7 +58,7 @@ template <class T>
   return {dot(cross(ap, ac), normal) / area2, dot(cross(ab, ap), normal) / area2};
 }
 
-/// Lengths along a's edge to b, and across it.
+/// Lengths along the edge from a to b, and perpendicular to it.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Triangle<T>& triangle, const SurfacePoint<T>& point, int /*part*/) {
   const Vec3<T> along = normalize(triangle.b - triangle.a), offset = point.position - triangle.a;
@@ -79,8 +78,8 @@ template <class T>
 
 namespace detail {
 
-/// On which side of the edge from p to q the ray passes, 1 or -1: the sign of d . (p - o) x (q - o). One that meets the
-/// edge is moved by (e, e^2, e^3); 0 when it is parallel to the edge, and so is decided by the others.
+/// On which side of the edge from p to q the ray passes, 1 or -1: the sign of d . (p - o) x (q - o). One that hits the
+/// edge is displaced by (e, e^2, e^3); 0 when it is parallel to the edge, and the other edges decide.
 [[nodiscard]] inline int exact_side(const Vec3d& o, const Vec3d& d, const Vec3d& p, const Vec3d& q) {
   const Expansion px = Expansion(p.x) - o.x, py = Expansion(p.y) - o.y, pz = Expansion(p.z) - o.z;
   const Expansion qx = Expansion(q.x) - o.x, qy = Expansion(q.y) - o.y, qz = Expansion(q.z) - o.z;
@@ -93,9 +92,9 @@ namespace detail {
 }
 
 template <class T>
-[[nodiscard, gnu::noinline, gnu::cold]] std::optional<Crossing<T>> intersect_exactly(const Triangle<T>& triangle,
-                                                                                     const Vec3d& o, const Vec3d& d,
-                                                                                     T t_max) {
+[[nodiscard, gnu::noinline, gnu::cold]] std::optional<Intersection<T>> intersect_exactly(const Triangle<T>& triangle,
+                                                                                         const Vec3d& o, const Vec3d& d,
+                                                                                         T t_max) {
   const Vec3d a(triangle.a), b(triangle.b), c(triangle.c);
   const int side = exact_side(o, d, a, b);
   if (side == 0 || exact_side(o, d, b, c) != side || exact_side(o, d, c, a) != side) return std::nullopt;
@@ -108,7 +107,7 @@ template <class T>
     denominator = denominator + normal * d[axis];
   }
   if (denominator.sign() == 0) return std::nullopt;
-  return crossing_ahead(static_cast<double>(numerator.rounded() / denominator.rounded()), t_max);
+  return intersection_ahead(static_cast<double>(numerator.rounded() / denominator.rounded()), t_max);
 }
 
 }  // namespace detail
@@ -118,27 +117,28 @@ ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(wide(ray.origin)), directi
   const Vec3d& d = direction;
   kz = std::abs(d.x) > std::abs(d.y) ? 0 : 1;
   if (std::abs(d.z) > std::abs(d[kz])) kz = 2;
-  kx = (kz + 1) % 3, ky = (kz + 2) % 3;  // x and y keep their turn
+  kx = (kz + 1) % 3, ky = (kz + 2) % 3;  // x and y keep their orientation
   inverse = 1 / d[kz], x = d[kx] * inverse, y = d[ky] * inverse;
 }
 
 template <class T, class Explain>
-std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max, int departed_part,
-                                     Explain&& explain) {
+std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
+                                         int departed_part, Explain&& explain) {
   constexpr bool explained = std::decay_t<Explain>::wanted;
-  if (!explained && departed_part != no_part) return std::nullopt;  // a plane is met once
+  if (!explained && departed_part != no_part) return std::nullopt;  // a plane is crossed once
   const auto sheared = [&](const Vec3<T>& corner) {
     const Vec3d p = wide(corner) - ray.origin;
     return Vec3d(p[ray.kx] - ray.x * p[ray.kz], p[ray.ky] - ray.y * p[ray.kz], p[ray.kz]);
   };
   const Vec3d a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
-  // A sheared x or y errs by 5 half ulps of itself and of twice its z, an edge function by what that makes of it.
+  // A sheared x or y errs by 5 half ulps of itself and of twice its z; the error of the edge functions follows from
+  // that.
   const double across =
       std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
   const double depth = std::max({std::abs(a.z), std::abs(b.z), std::abs(c.z)});
   const double corner_error = 8 * detail::half_ulp * (across + 2 * depth), error = 4 * across * corner_error;
   if (!explained) {
-    // Wholly on one side of the ray, or behind it: told without a product.
+    // Entirely on one side of the ray, or behind it: rejected without a product.
     const auto beside = [&](double p, double q, double r) {
       return std::min({p, q, r}) > corner_error || std::max({p, q, r}) < -corner_error;
     };
@@ -156,17 +156,17 @@ std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const ShearedR
     note_exact(explain);
     return detail::intersect_exactly(triangle, ray.origin, ray.direction, t_max);
   }
-  // Where the weights u, v, w put the point, which should be (0, 0): what they are off is made good along the plane. In
-  // slivers they have few digits right, while the point inside is as sure as the corners are.
+  // The weights u, v, w should give the point (0, 0): the offset is corrected along the plane. In slivers they have few
+  // correct digits, while the plane is as accurate as the corners are.
   const Vec3d off = (u * a + v * b + w * c) / determinant, ab = b - a, ac = c - a;
   const double slope =
       ((off.x * ac.y - off.y * ac.x) * ab.z + (ab.x * off.y - ab.y * off.x) * ac.z) / (ab.x * ac.y - ab.y * ac.x);
-  return detail::crossing_ahead((off.z - slope) * ray.inverse, t_max);
+  return detail::intersection_ahead((off.z - slope) * ray.inverse, t_max);
 }
 
 template <class T, class Explain>
-std::optional<Crossing<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max, int departed_part,
-                                     Explain&& explain) {
+std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const Ray<T>& ray, T t_max, int departed_part,
+                                         Explain&& explain) {
   return intersect(triangle, ShearedRay<T>(ray), t_max, departed_part, std::forward<Explain>(explain));
 }
 

@@ -35,8 +35,8 @@ Report conclude(const std::vector<Trial>& trials) {
     const std::string name(sampler_name(sampler));
     for (const Subject& subject : subjects()) {
       const std::string method = name + " " + subject.name;
-      const Curve curve(trials, method, error_of, Pool::mean);
-      // The worst of the tolerances, found in each choice of rounds anew.
+      const ErrorCurve curve(trials, method, error_of, Pool::mean);
+      // The worst tolerance, determined anew in each resample.
       const Estimate worst = bootstrap(curve.rounds(), [&](const std::vector<int>& rounds) {
         double most = 0;
         for (std::size_t i = 0; i < curve.knobs().size(); ++i) most = std::max(most, curve.at(i, rounds));
@@ -50,7 +50,7 @@ Report conclude(const std::vector<Trial>& trials) {
            "met."});
       if (sampler == Sampler::random || subject.name == "edge")
         share.series.push_back(curve.series(name + ", " + subject.name));
-      if (subject.name == "edge") price.series.push_back(Curve(trials, method, other_of, Pool::mean).series(name));
+      if (subject.name == "edge") price.series.push_back(ErrorCurve(trials, method, other_of, Pool::mean).series(name));
     }
   }
   report.figures.push_back(

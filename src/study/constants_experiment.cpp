@@ -1,4 +1,4 @@
-// E7b: terms that stay the same for all tests of a ray, or for all rays of an image: computed once, or each time.
+// E7b: terms that are constant over all tests of a ray, or over all rays of an image: computed once, or each time.
 #include "accel/query.h"
 #include "study/curve.h"
 #include "study/shot.h"
@@ -13,7 +13,7 @@ namespace {
 // Each test is a call that is not inlined, or the compiler would itself compute such terms once. It returns t, or -1
 // for a miss.
 
-double t_of(const std::optional<Crossing<double>>& crossing) { return crossing ? crossing->t : -1; }
+double t_of(const std::optional<Intersection<double>>& crossing) { return crossing ? crossing->t : -1; }
 
 [[gnu::noinline]] double test(const Triangle<double>& triangle, const ShearedRay<double>& ray) {
   return t_of(intersect(triangle, ray, infinity<double>));
@@ -22,16 +22,16 @@ double t_of(const std::optional<Crossing<double>>& crossing) { return crossing ?
   return t_of(intersect(triangle, ShearedRay<double>(ray), infinity<double>));
 }
 
-double t_of(const Stretch<double>& inside) { return inside.empty() ? -1 : inside.in; }
+double t_of(const RayInterval<double>& inside) { return inside.empty() ? -1 : inside.in; }
 
 [[gnu::noinline]] double test(const Bounds<double>& box, const SlabRay<double>& ray) {
-  return t_of(clip(ray, box, Stretch<double>{0, infinity<double>}));
+  return t_of(clip(ray, box, RayInterval<double>{0, infinity<double>}));
 }
 [[gnu::noinline]] double test(const Bounds<double>& box, const Ray<double>& ray) {
-  return t_of(clip(SlabRay<double>(ray), box, Stretch<double>{0, infinity<double>}));
+  return t_of(clip(SlabRay<double>(ray), box, RayInterval<double>{0, infinity<double>}));
 }
 
-/// A sphere as all rays that start at `eye` meet it.
+/// A sphere with the terms shared by all rays that start at `eye`.
 struct SeenSphere {
   SeenSphere(const Sphere<double>& sphere, const Vec3d& eye)
       : from_centre(eye - sphere.centre), constant(dot(from_centre, from_centre) - sphere.radius * sphere.radius) {}
@@ -59,7 +59,7 @@ constexpr std::array<Pair, 3> pairs{
      {"1/d once a ray", "1/d each test", "the reciprocals of a box test belong to the ray"},
      {"c once an image", "c each ray", "a sphere's |o - c|^2 - r^2 belongs to the eye"}}};
 
-/// What rays from one eye may meet: as many triangles, boxes and spheres.
+/// Targets for rays from one eye: equally many triangles, boxes and spheres.
 struct Things {
   std::vector<Triangle<double>> triangles;
   std::vector<Bounds<double>> boxes;
@@ -106,10 +106,10 @@ Report conclude(const std::vector<Trial>& trials) {
   time.y_label = "nanoseconds a test, median";
   std::size_t look = 0;
   double different = 0;
-  for (const Trial& t : trials) different += t.other;  // of the second of a pair
+  for (const Trial& t : trials) different += t.other;  // of the second method of a pair
   for (const Pair& pair : pairs) {
-    const Curve once(trials, pair.once, error_of, Pool::median), each(trials, pair.each, error_of, Pool::median);
-    for (const Curve* curve : {&once, &each}) {
+    const ErrorCurve once(trials, pair.once, error_of, Pool::median), each(trials, pair.each, error_of, Pool::median);
+    for (const ErrorCurve* curve : {&once, &each}) {
       PlotSeries series = curve->series(curve == &once ? pair.once : pair.each);
       series.look = look++;
       time.series.push_back(std::move(series));
@@ -167,7 +167,7 @@ Experiment constants_experiment(Effort effort) {
                           {rays.size(), 0, tested, 0, seconds}});
         return answers;
       };
-      // Each ray, made ready by `ready`, against all of `tested`.
+      // Each ray, prepared by `ready`, against all of `tested`.
       const auto each_ray = [&rays](const auto& tested, auto ready) {
         return [&rays, &tested, ready](std::uint64_t& answers) {
           for (const Ray<double>& ray : rays) {

@@ -7,7 +7,7 @@
 
 namespace raywalk::study {
 
-Curve::Curve(const std::vector<Trial>& trials, const std::string& method, const Value& value, Pool pool)
+ErrorCurve::ErrorCurve(const std::vector<Trial>& trials, const std::string& method, const TrialValue& value, Pool pool)
     : method_(method), pool_(pool) {
   std::map<double, std::vector<Trial>> by_knob;
   for (const Trial& trial : trials)
@@ -23,7 +23,7 @@ Curve::Curve(const std::vector<Trial>& trials, const std::string& method, const 
   }
 }
 
-double Curve::at(std::size_t knob, const std::vector<int>& rounds) const {
+double ErrorCurve::at(std::size_t knob, const std::vector<int>& rounds) const {
   const std::vector<double>& values = values_[knob];
   double sum = 0;
   switch (pool_) {
@@ -42,17 +42,17 @@ double Curve::at(std::size_t knob, const std::vector<int>& rounds) const {
   return median(std::move(chosen));
 }
 
-double Curve::at(std::size_t knob) const {
+double ErrorCurve::at(std::size_t knob) const {
   std::vector<int> all(static_cast<std::size_t>(rounds_));
   std::iota(all.begin(), all.end(), 0);
   return at(knob, all);
 }
 
-Estimate Curve::estimate(std::size_t knob) const {
+Estimate ErrorCurve::estimate(std::size_t knob) const {
   return bootstrap(rounds_, [&](const std::vector<int>& rounds) { return at(knob, rounds); });
 }
 
-Estimate Curve::exponent(double low, double high) const {
+Estimate ErrorCurve::exponent(double low, double high) const {
   return bootstrap(rounds_, [&](const std::vector<int>& rounds) {
     std::vector<double> x, y;
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
@@ -64,7 +64,7 @@ Estimate Curve::exponent(double low, double high) const {
   });
 }
 
-PlotSeries Curve::series(const std::string& name, const Value& x) const {
+PlotSeries ErrorCurve::series(const std::string& name, const TrialValue& x) const {
   PlotSeries series{name, {}};
   for (std::size_t i = 0; i < knobs_.size(); ++i) {
     const double at_x = x ? x(trials_[i].front()) : knobs_[i];
@@ -75,7 +75,7 @@ PlotSeries Curve::series(const std::string& name, const Value& x) const {
     }
     const Estimate all = estimate(i);
     const Interval reach = interval(all, 0.95);
-    // What cannot be negative is not drawn so either: an interval of the logarithm, of the same relative width.
+    // The value cannot be negative: an interval of the logarithm, of the same relative width.
     const double low = all.value > 0 ? all.value * std::exp(-(reach.high - all.value) / all.value) : reach.low;
     series.points.push_back({at_x, all.value, low, reach.high});
   }

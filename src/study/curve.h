@@ -1,5 +1,5 @@
 #pragma once
-// From trials to curves: one method's error over the knob, each point with its interval, and the law that it follows.
+// From trials to curves: one method's error over the knob, each point with its interval, and the fitted exponent.
 
 #include "study/experiment.h"
 
@@ -8,38 +8,38 @@
 
 namespace raywalk::study {
 
-/// How the errors of the rounds become one number.
+/// How the errors of the rounds are combined.
 enum class Pool {
-  root_mean_square,  ///< of errors that are root mean squares themselves
+  root_mean_square,  ///< for errors that are root mean squares themselves
   mean,
   median,
 };
 
-/// What of a trial is looked at.
-using Value = std::function<double(const Trial&)>;
+/// Which value of a trial is studied.
+using TrialValue = std::function<double(const Trial&)>;
 [[nodiscard]] inline double error_of(const Trial& trial) { return trial.error; }
 [[nodiscard]] inline double other_of(const Trial& trial) { return trial.other; }
 
-/// The trials of one method, ordered by knob, then round; every knob has every round once.
-class Curve {
+/// The trials of one method, by knob, then round; each knob has each round once.
+class ErrorCurve {
  public:
-  Curve(const std::vector<Trial>& trials, const std::string& method, const Value& value = error_of,
-        Pool pool = Pool::root_mean_square);
+  ErrorCurve(const std::vector<Trial>& trials, const std::string& method, const TrialValue& value = error_of,
+             Pool pool = Pool::root_mean_square);
 
   [[nodiscard]] const std::vector<double>& knobs() const { return knobs_; }
   [[nodiscard]] int rounds() const { return rounds_; }
-  /// At the knob with this index, of these rounds.
+  /// The value at the knob with this index, over these rounds.
   [[nodiscard]] double at(std::size_t knob, const std::vector<int>& rounds) const;
   [[nodiscard]] Estimate estimate(std::size_t knob) const;
-  /// Of all rounds.
+  /// Over all rounds.
   [[nodiscard]] double at(std::size_t knob) const;
 
-  /// The exponent of the power of the knob that the curve follows where low <= knob <= high, by least squares over the
-  /// logarithms. At least two knobs lie there, and no value is 0.
+  /// The exponent of the power law that fits the curve where low <= knob <= high, by least squares of the logarithms.
+  /// Requires at least two knobs there, and no value 0.
   [[nodiscard]] Estimate exponent(double low, double high) const;
 
-  /// With 95% intervals for each by itself. `x` of a knob, from its first round; left out: the knob.
-  [[nodiscard]] PlotSeries series(const std::string& name, const Value& x = {}) const;
+  /// With a 95% interval for each point by itself. `x`: of a knob, from its first round; default: the knob.
+  [[nodiscard]] PlotSeries series(const std::string& name, const TrialValue& x = {}) const;
 
  private:
   std::string method_;

@@ -1,4 +1,4 @@
-// E4: what the depth of recursion leaves out, in a room where it is known.
+// E4: what the recursion depth cuts off, in a room where it is known.
 #include "study/curve.h"
 #include "study/reference.h"
 #include "study/shot.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr std::array albedos{0.3, 0.5, 0.7, 0.9};
 constexpr double least = 1e-7;  ///< relative error below which rounding begins to show
 
-/// Inside a ball whose wall glows and sends light on: as a mirror does, or evenly.
+/// Inside a glowing ball that reflects: as a mirror, or diffusely.
 Scene room(double albedo, bool mirror, int depth, int round) {
   Scene scene;
   Material wall;
@@ -43,7 +43,7 @@ Report conclude(const std::vector<Trial>& trials) {
   plot.floor = least, plot.floor_name = "fitted above this";
   for (const bool mirror : {true, false})
     for (const double albedo : albedos) {
-      const Curve curve(trials, method_of(albedo, mirror));
+      const ErrorCurve curve(trials, method_of(albedo, mirror));
       std::vector<double> n, logs;
       for (std::size_t i = 0; i < curve.knobs().size(); ++i) {
         const double missing = curve.at(i);

@@ -12,7 +12,7 @@ namespace raywalk::study {
 
 namespace {
 
-/// Calls `change` for every material that the scene's objects, groups and files have.
+/// Calls `change` for every material of the scene's objects, groups and files.
 void change_materials(Scene& scene, const std::function<void(Material&)>& change) {
   std::map<std::string, std::shared_ptr<const GroupContent>> changed;
   const auto change_objects = [&](std::vector<Object>& objects) {
@@ -34,7 +34,7 @@ void change_materials(Scene& scene, const std::function<void(Material&)>& change
   change_objects(scene.objects);
 }
 
-/// An area light shrunk to its middle.
+/// Shrinks an area light to its centre.
 void shrink(Light& light) {
   if (auto* sphere = std::get_if<SphereLight>(&light.kind)) sphere->radius = 0;
   if (auto* panel = std::get_if<RectangleLight>(&light.kind)) {
@@ -43,7 +43,7 @@ void shrink(Light& light) {
   }
 }
 
-/// A point light grown to a tiny panel of many points.
+/// Grows a point light to a tiny panel of many points.
 void grow(Light& light, int grid) {
   static constexpr double tiny = 1e-9;
   if (auto* sphere = std::get_if<SphereLight>(&light.kind)) {
@@ -124,7 +124,7 @@ Scene with_everything(const Scene& scene, int grid) {
   Camera& camera = changed.camera;
   camera.aperture = std::max(camera.aperture, faint * camera.focus_distance());
   if (camera.shutter_close == camera.shutter_open) camera.shutter_close += faint;
-  if (first_mover(changed) == nullptr && !changed.objects.empty())
+  if (first_moving_object(changed) == nullptr && !changed.objects.empty())
     changed.objects.front().motion = {{camera.shutter_open, Vec3d(0.0)}, {camera.shutter_close, Vec3d(faint)}};
   return changed;
 }
@@ -184,7 +184,7 @@ std::optional<SceneCost> CostSurvey::result() const {
                     saved(whole.draws, rest.draws), whole.seconds - rest.seconds};
     effect.rays_share =
         static_cast<double>(effect.saved.rays) / static_cast<double>(std::max<std::uint64_t>(whole.rays, 1));
-    std::vector<double> shares;  // of pairs that ran one after the other
+    std::vector<double> shares;  // of pairs of consecutive runs
     for (std::size_t k = 0; k < repetitions; ++k) shares.push_back(1 - rests[k].seconds / wholes[k].seconds);
     effect.seconds_share = median(shares);
     const Interval reach = median_interval(shares);

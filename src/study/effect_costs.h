@@ -1,5 +1,5 @@
 #pragma once
-// Where the time of a scene goes: what each effect that it calls for adds, and what all effects would cost.
+// Where a scene's render time goes: what each effect that it uses adds, and what all effects would cost.
 
 #include "math/stop.h"
 #include "scene/effects.h"
@@ -11,19 +11,18 @@
 
 namespace raywalk::study {
 
-/// The scene as if it did not call for an effect: no mirror, no lens, one sample a pixel ... Nothing for what a tracer
-/// cannot leave out by itself: shadows.
+/// The scene without an effect: no mirror, no lens, one sample per pixel ... None for shadows, which a tracer cannot
+/// leave out alone.
 [[nodiscard]] std::optional<Scene> without(const Scene& scene, Effect effect);
 
-/// The scene as a tracer sees it that does not ask what a scene calls for: a reflect and a refract ray at every hit,
-/// both drawn from a lobe, `grid` x `grid` shadow rays to every lamp, and a drawn point of the lens and of the
-/// shutter's time for every primary ray. Each weighs so little, or lies so near to where it was, that the picture stays
-/// what it is.
+/// The scene for a tracer that always computes every effect: a reflect and a refract ray at every hit, both drawn from
+/// a lobe, `grid` x `grid` shadow rays to every light, and a lens and a time sample for every primary ray. Each has so
+/// small a weight or offset that the picture stays the same.
 [[nodiscard]] Scene with_everything(const Scene& scene, int grid);
 
 struct EffectCost {
   Effect effect;
-  Cost saved;  ///< of the whole, what is not there without the effect; seconds may be negative by chance
+  Cost saved;  ///< what the scene without the effect saves; seconds may be negative by chance
   double rays_share = 0, seconds_share = 0;  ///< of the whole
   double seconds_low = 0, seconds_high = 0;  ///< share; the interval of the median of the repetitions, 95%
 };
@@ -32,25 +31,25 @@ struct SceneCost {
   ImageSize size;                   ///< of the pictures that were measured
   int repetitions = 0;              ///< of each
   Cost whole;                       ///< seconds: the median
-  std::vector<EffectCost> effects;  ///< those that the scene calls for and that can be left out, dearest first
+  std::vector<EffectCost> effects;  ///< those that the scene uses and that can be left out, costliest first
   std::uint64_t shadow_rays = 0;    ///< of the whole
   Cost everything;                  ///< of with_everything at `everything_grid`
   int everything_grid = 4;
 };
 
-/// Measures picture by picture, so that a person can look on: each repetition renders a small picture of the scene, of
-/// it with everything, and of it without each effect, in turns.
+/// Measures picture by picture, so that its progress can be shown: each repetition renders a small picture of the
+/// scene, of the scene with everything, and without each effect, in turn.
 class CostSurvey {
  public:
-  /// Pictures of about `samples` samples; every pixel takes all its samples. repetitions >= 1, the one that warms up
-  /// not counted.
+  /// Pictures of about `samples` samples; every pixel takes all its samples. repetitions >= 1, not counting the
+  /// warm-up.
   CostSurvey(const Scene& scene, int samples, int repetitions);
 
-  /// Renders the next picture. Whether any is left.
+  /// Renders the next picture; returns whether any is left.
   bool work();
-  /// Share of the pictures that are rendered, 0..1.
+  /// Fraction of the pictures that are rendered, 0..1.
   [[nodiscard]] double done() const;
-  /// What the repetitions so far tell; empty before the first one is complete.
+  /// The result of the repetitions so far; empty before the first is complete.
   [[nodiscard]] std::optional<SceneCost> result() const;
 
  private:
@@ -60,7 +59,7 @@ class CostSurvey {
   std::size_t next_ = 0;  ///< picture, counted over all repetitions
 };
 
-/// A survey to its end. Empty when stopped.
+/// Runs a whole survey. Empty when stopped.
 [[nodiscard]] std::optional<SceneCost> scene_cost(const Scene& scene, int samples = 8000, int repetitions = 7,
                                                   const std::function<void(double done)>& progress = {},
                                                   const Stop& stop = {});

@@ -57,7 +57,7 @@ Scene balls(int round) {
 
 double rays_of(const Trial& trial) { return static_cast<double>(trial.cost.rays) / trial.other; }
 
-Report conclude(const std::vector<Trial>& trials, double most_samples) {
+Report conclude(const std::vector<Trial>& trials, double max_samples) {
   Report report;
   // In the mirror room, every number is known.
   int off = 0, miscounted = 0;
@@ -85,7 +85,7 @@ Report conclude(const std::vector<Trial>& trials, double most_samples) {
   known.title = "A threshold in a room of albedo 0.8";
   known.x_label = "threshold X";
   known.y_label = "missing light, share of all";
-  PlotSeries series = Curve(trials, threshold_room).series("missing");
+  PlotSeries series = ErrorCurve(trials, threshold_room).series("missing");
   series.law = 1, series.law_name = "X";
   known.series = {series};
   report.figures.push_back(
@@ -101,7 +101,7 @@ Report conclude(const std::vector<Trial>& trials, double most_samples) {
   bargain.y_label = "root mean square error against depth 30";
   for (const std::string& method : {by_depth, by_threshold})
     bargain.series.push_back(
-        Curve(trials, method).series(method == by_depth ? "depth 1 to 12" : "threshold 1/2 to 1/4096", rays_of));
+        ErrorCurve(trials, method).series(method == by_depth ? "depth 1 to 12" : "threshold 1/2 to 1/4096", rays_of));
   report.figures.push_back(
       {bargain,
        "The same two knobs where trees have two branches. Both errors are a bias: always the same, always too dark. "
@@ -112,18 +112,18 @@ Report conclude(const std::vector<Trial>& trials, double most_samples) {
   chance.title = "Roulette or a cut: error against rays";
   chance.x_label = "rays a pixel";
   chance.y_label = "root mean square error, share of all light";
-  const Curve played(trials, roulette, [](const Trial& t) { return t.error; });
+  const ErrorCurve played(trials, roulette, [](const Trial& t) { return t.error; });
   PlotSeries of_roulette =
       played.series(roulette, [](const Trial& t) { return static_cast<double>(t.cost.rays) / (36); });
   of_roulette.law = -0.5, of_roulette.law_name = "N^-1/2";
   chance.series.push_back(of_roulette);
   report.laws.push_back({"roulette, noise", "error falls as N^-1/2 and never stops", LawKind::equals, -0.5,
-                         played.exponent(4, most_samples), 0, "Roulette would be biased, or its variance not finite."});
-  const Curve mean(trials, roulette, [](const Trial& t) { return t.other; }, Pool::mean);
+                         played.exponent(4, max_samples), 0, "Roulette would be biased, or its variance not finite."});
+  const ErrorCurve mean(trials, roulette, [](const Trial& t) { return t.other; }, Pool::mean);
   report.laws.push_back({"roulette, bias", "on the average nothing is missing", LawKind::equals, 0,
                          mean.estimate(mean.knobs().size() - 1), 0, "A survivor must count for those that died."});
   for (const int cut : cuts) {
-    const Curve curve(trials, fmt::format("cut {}", cut));
+    const ErrorCurve curve(trials, fmt::format("cut {}", cut));
     chance.series.push_back(curve.series(fmt::format("cut after {} rays", cut),
                                          [](const Trial& t) { return static_cast<double>(t.cost.rays) / 36; }));
     report.laws.push_back(

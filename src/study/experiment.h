@@ -12,25 +12,25 @@
 
 namespace raywalk::study {
 
-/// How much is computed: in a test, in minutes, or as long as it takes to be sharp.
+/// How much is computed: for a test, for minutes, or until the results are sharp.
 enum class Effort { glance, quick, full };
 
-/// Mistakes made on purpose, so that tests see a study find them.
+/// Deliberate faults, for tests that a study finds them.
 struct Faults {
-  double shifted = 0;          ///< every sample of a pixel lies this much of a pixel aside: a biased sampler
-  double reference = 1;        ///< what is taken for the truth is this many times the truth
+  double shifted = 0;          ///< every sample is shifted by this fraction of a pixel: a biased sampler
+  double reference = 1;        ///< factor on the reference values
   bool shuffled_seed = false;  ///< each sample draws with another seed
 };
 
 struct Experiment {
   std::string number, name, title;  ///< "E3", "samples", "Samples and samplers"
-  std::string question;             ///< what it asks, in a sentence or two
+  std::string question;             ///< in a sentence or two
   Columns columns;
   int rounds = 24;
-  double weight = 1;  ///< how long all rounds take beside those of other experiments
-  /// All trials of one round, interleaved. Stops early when asked to; such a round counts for nothing.
+  double weight = 1;  ///< relative duration of all rounds
+  /// All trials of one round, interleaved. Ends early when stopped; such a round is discarded.
   std::function<std::vector<Trial>(int round, const Stop& stop)> run;
-  /// Of all rounds.
+  /// From all rounds.
   std::function<Report(const std::vector<Trial>&)> conclude;
 };
 

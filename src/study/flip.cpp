@@ -33,7 +33,7 @@ Rgbd rgb_of_opponent(const Vec3d& c) {
   return rgb_of(Vec3d(y + c.y / 500, y, y - c.z / 200) * white);
 }
 
-/// L*a*b*, its colours weakened where it is dark (R. Hunt).
+/// L*a*b*, with less chroma where it is dark (R. Hunt).
 Vec3d adjusted_lab_of(const Rgbd& rgb) {
   const Vec3d c = xyz_of(rgb) / white;
   const auto f = [](double t) {
@@ -47,7 +47,7 @@ Vec3d adjusted_lab_of(const Rgbd& rgb) {
 double hyab(const Vec3d& a, const Vec3d& b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
 
 /// One number for each pixel.
-struct Plane {
+struct Channel {
   int width, height;
   std::vector<double> values;
 
@@ -61,13 +61,13 @@ struct Plane {
 };
 
 /// Weights for -r..r.
-using Kernel = std::vector<double>;
+using FilterKernel = std::vector<double>;
 
-/// `across` along rows, `down` along columns; beyond the border lies what lies at it.
-Plane filtered(const Plane& in, const Kernel& across, const Kernel& down) {
-  const auto pass = [](const Plane& from, const Kernel& kernel, int dx, int dy) {
+/// `across` along rows, `down` along columns; border pixels are repeated beyond the border.
+Channel filtered(const Channel& in, const FilterKernel& across, const FilterKernel& down) {
+  const auto pass = [](const Channel& from, const FilterKernel& kernel, int dx, int dy) {
     const int radius = static_cast<int>(kernel.size() / 2);
-    Plane to{from.width, from.height, std::vector<double>(from.values.size())};
+    Channel to{from.width, from.height, std::vector<double>(from.values.size())};
     for (int y = 0; y < from.height; ++y)
       for (int x = 0; x < from.width; ++x) {
         double sum = 0;
@@ -80,53 +80,53 @@ Plane filtered(const Plane& in, const Kernel& across, const Kernel& down) {
   return pass(pass(in, across, 1, 0), down, 0, 1);
 }
 
-Kernel scaled_to_one(Kernel kernel) {
+FilterKernel scaled_to_one(FilterKernel kernel) {
   double sum = 0;
   for (const double weight : kernel) sum += weight;
   for (double& weight : kernel) weight /= sum;
   return kernel;
 }
 
-/// What the eye leaves of a contrast of this fineness: a sum of Gaussians, each with an amplitude and a width.
+/// The contrast sensitivity function: a sum of Gaussians, each with an amplitude and a width.
 struct Sensitivity {
   double a1, b1, a2, b2;
 };
 constexpr std::array<Sensitivity, 3> sensitivities{
     {{1, 0.0047, 0, 1e-5}, {1, 0.0053, 0, 1e-5}, {34.1, 0.04, 13.5, 0.025}}};
 
-Plane seen(const Plane& in, const Sensitivity& s, double pixels_per_degree) {
+Channel seen(const Channel& in, const Sensitivity& s, double pixels_per_degree) {
   constexpr double pi = std::numbers::pi, widest = 0.04;
   const int radius = static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
   const auto gaussian = [&](double b) {
-    Kernel kernel;
+    FilterKernel kernel;
     for (int i = -radius; i <= radius; ++i) {
       const double x = i / pixels_per_degree;
       kernel.push_back(std::exp(-pi * pi * x * x / b));
     }
     return kernel;
   };
-  const auto volume = [](const Kernel& kernel, double amplitude, double b) {
+  const auto volume = [](const FilterKernel& kernel, double amplitude, double b) {
     double sum = 0;
     for (const double weight : kernel) sum += weight;
     return amplitude * std::sqrt(pi / b) * sum * sum;
   };
-  const Kernel wide = gaussian(s.b1), narrow = gaussian(s.b2);
+  const FilterKernel wide = gaussian(s.b1), narrow = gaussian(s.b2);
   const double of_wide = volume(wide, s.a1, s.b1), of_narrow = volume(narrow, s.a2, s.b2);
-  Plane out = filtered(in, scaled_to_one(wide), scaled_to_one(wide));
+  Channel out = filtered(in, scaled_to_one(wide), scaled_to_one(wide));
   if (of_narrow == 0) return out;
-  const Plane second = filtered(in, scaled_to_one(narrow), scaled_to_one(narrow));
+  const Channel second = filtered(in, scaled_to_one(narrow), scaled_to_one(narrow));
   const double share = of_narrow / (of_wide + of_narrow);
   for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] += share * (second.values[i] - out.values[i]);
   return out;
 }
 
-/// How strong an edge or a point each pixel is part of: first or second derivatives of a Gaussian as wide as the eye's
-/// own detectors.
-std::vector<double> features(const Plane& y, bool points, double pixels_per_degree) {
+/// The strength of an edge or a point at each pixel: first or second derivatives of a Gaussian as wide as the eye's
+/// detectors.
+std::vector<double> features(const Channel& y, bool points, double pixels_per_degree) {
   constexpr double width = 0.082;  // degrees, from peak to trough
   const double sd = 0.5 * width * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * sd));
-  Kernel along, beside;
+  FilterKernel along, beside;
   double positive = 0, negative = 0;
   for (int i = -radius; i <= radius; ++i) {
     const double g = std::exp(-i * i / (2 * sd * sd)), weight = points ? (i * i / (sd * sd) - 1) * g : -i * g;
@@ -135,7 +135,7 @@ std::vector<double> features(const Plane& y, bool points, double pixels_per_degr
   }
   for (double& weight : along) weight /= weight > 0 ? positive : negative;
   beside = scaled_to_one(beside);
-  const Plane dx = filtered(y, along, beside), dy = filtered(y, beside, along);
+  const Channel dx = filtered(y, along, beside), dy = filtered(y, beside, along);
   std::vector<double> strength(y.values.size());
   for (std::size_t i = 0; i < strength.size(); ++i) strength[i] = std::hypot(dx.values[i], dy.values[i]);
   return strength;
@@ -147,9 +147,9 @@ struct Prepared {
 };
 
 Prepared prepared(const Image& image, double pixels_per_degree) {
-  std::array<Plane, 3> planes;
-  for (Plane& plane : planes) plane = {image.width, image.height, {}};
-  Plane light{image.width, image.height, {}};
+  std::array<Channel, 3> planes;
+  for (Channel& plane : planes) plane = {image.width, image.height, {}};
+  Channel light{image.width, image.height, {}};
   for (const Rgb<float>& pixel : image.pixels) {
     Rgbd c(pixel);
     for (int i = 0; i < 3; ++i) c[i] = std::clamp(c[i], 0.0, 1.0);

@@ -13,8 +13,8 @@ struct ImageMetrics {
   double rel_mse = 0;  ///< the same, each over the reference's square + 0.01 (F. Rousselle et al., TOG 30(6), 2011)
   double psnr = 0;     ///< decibels, of what a screen shows (sRGB, 0..1); infinite for equal pictures
   double flip = 0;     ///< mean of flip_map (study/flip.h)
-  double percentile99 = 0;  ///< of the pixels' largest channel differences, linear light: 99% of them are no larger
-  double worst = 0;         ///< the largest of them
+  double percentile99 = 0;              ///< of the pixels' largest channel differences, linear light
+  double worst = 0;                     ///< the largest of them
   int worst_column = 0, worst_row = 0;  ///< where that is
 };
 

@@ -1,4 +1,4 @@
-// E6: an area light by n x n points: in rows and columns, jittered, at random, by Sobol's sequence.
+// E6: an area light sampled at n x n points: on a grid, jittered, random, by the Sobol sequence.
 #include "study/curve.h"
 #include "study/reference.h"
 #include "study/shot.h"
@@ -30,10 +30,10 @@ std::string name_of(Placing placing) {
   return "";
 }
 
-/// A floor below a square light; with `blocked`, what stands at x < edge half way up hides the light from there.
+/// A floor below a square light; with `blocked`, an occluder at x < edge, half way up.
 struct Setting {
   bool blocked;
-  double edge;    ///< each round moves it a little, so that no method is lucky
+  double edge;    ///< varied per round, so that no method is lucky
   double across;  ///< and the light
   [[nodiscard]] Rectangle light() const { return {across - half_light, across + half_light, -half_light, half_light}; }
 };
@@ -120,7 +120,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
     plot.y_label = "root mean square error, light of 0 to 0.25";
     for (const Placing placing : placings) {
       const std::string name = name_of(placing), where = blocked ? "penumbra" : "open";
-      const Curve curve(trials, name + " " + where);
+      const ErrorCurve curve(trials, name + " " + where);
       const Expected law = expected_of(placing);
       PlotSeries series = curve.series(name);
       series.law = blocked ? law.blocked : law.smooth;
@@ -133,7 +133,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
                  0,
                  "The fit is over the largest N tried; a law of the limit may need larger ones."};
       if (placing == Placing::regular) {
-        // No chance in where these points lie: what is left is that n is finite.
+        // These points are not random: the only error is that n is finite.
         judged.kind = LawKind::exact;
         judged.tolerance = 0.02;
       }

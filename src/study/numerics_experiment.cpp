@@ -18,14 +18,13 @@ struct Aimed {
   Ray<T> ray;
 };
 
-/// Past a sphere at a distance of many radii, nearer to its tangent than to anything: by 2^-3 of a radius down to the
-/// last digits of T.
+/// Past a sphere many radii away, almost tangent: off by 2^-3 of a radius down to the last digits of T.
 template <class T>
 Aimed<T> aimed(int round, int which, double distance) {
   int dimension = 0;
   const auto draw = [&] { return drawn_for(round, 16 * which + dimension++); };
   const Vec3d centre(2 * draw() - 1, 2 * draw() - 1, 2 * draw() - 1);
-  const Vec3d way = uniform_sphere(Vec2d(draw(), draw()));
+  const Vec3d way = sample_uniform_sphere(Vec2d(draw(), draw()));
   const Basis<double> across(way);
   const double turn = 2 * std::numbers::pi * draw();
   constexpr int digits = std::numeric_limits<T>::digits;
@@ -36,8 +35,8 @@ Aimed<T> aimed(int round, int which, double distance) {
   return {{Vec3<T>(centre), static_cast<T>(radius)}, {Vec3<T>(origin), Vec3<T>(way)}};
 }
 
-/// Where the ray meets the sphere, from the numbers as stored: the sign of b^2 - a c decided without rounding, t
-/// rounded at the end. NaN: nowhere.
+/// The ray's intersection with the sphere, from the numbers as stored: the sign of b^2 - a c decided exactly, t rounded
+/// once. NaN: a miss.
 template <class T>
 double truth(const Aimed<T>& at) {
   Expansion a, b, c = -(Expansion(static_cast<double>(at.sphere.radius)) * static_cast<double>(at.sphere.radius));
@@ -53,7 +52,7 @@ double truth(const Aimed<T>& at) {
   return static_cast<double>(c.rounded() / (sqrt(discriminant.rounded()) - b.rounded()));
 }
 
-/// The formula of every course, b^2 - 4ac, as the naive tracer computes it, on numbers of type N. NaN: no hit.
+/// The textbook formula, b^2 - 4ac, as the naive tracer computes it, with numbers of type N. NaN: a miss.
 template <class N, class T>
 double textbook(const Aimed<T>& at) {
   const Sphere<N> sphere{Vec3<N>(at.sphere.centre), static_cast<N>(at.sphere.radius)};
@@ -90,7 +89,7 @@ double exact(const Aimed<double>& at) {
                                    DoubleDouble(dot(at.ray.direction, at.ray.direction)));
 }
 
-/// Raywalk's own: the perpendicular form with a bound of its error, and exact arithmetic where the bound demands it.
+/// Raywalk's own: the perpendicular form with an error bound, and exact arithmetic where the bound requires it.
 template <class T>
 double filtered(const Aimed<T>& at) {
   const auto crossing = intersect(at.sphere, at.ray, infinity<T>);
@@ -123,8 +122,8 @@ Report conclude(const std::vector<Trial>& trials) {
   bargain.y_label = "share of rays decided wrongly";
   bargain.log_y = false;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    const Curve curve(trials, methods[i].name, error_of, Pool::mean);
-    const Curve time(trials, methods[i].name, nanoseconds, Pool::median);
+    const ErrorCurve curve(trials, methods[i].name, error_of, Pool::mean);
+    const ErrorCurve time(trials, methods[i].name, nanoseconds, Pool::median);
     PlotSeries series = curve.series(methods[i].name);
     series.look = i;
     PlotSeries one{methods[i].name, {}};
@@ -146,7 +145,7 @@ Report conclude(const std::vector<Trial>& trials) {
                            0,
                            "The largest share of any round: a filter's bound or the exact arithmetic is wrong."});
   }
-  const Curve naive(trials, "double", error_of, Pool::mean), better(trials, "perpendicular", error_of, Pool::mean);
+  const ErrorCurve naive(trials, "double", error_of, Pool::mean), better(trials, "perpendicular", error_of, Pool::mean);
   const Estimate saved = bootstrap(naive.rounds(), [&](const std::vector<int>& rounds) {
     double sum = 0;
     for (std::size_t i = 0; i < naive.knobs().size(); ++i) sum += naive.at(i, rounds) - better.at(i, rounds);

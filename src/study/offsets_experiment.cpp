@@ -1,4 +1,4 @@
-// E2: where a ray that leaves a surface starts: an epsilon away, some ulps, an error bound, or the surface itself.
+// E2: the origin of a spawned ray: offset by an epsilon, by ulps, by an error bound, or not at all.
 #include "shape/naive.h"
 #include "study/curve.h"
 #include "study/shot.h"
@@ -14,29 +14,29 @@ namespace {
 
 using Vec3f = Vec3<float>;
 
-/// A ball, a point of it as a float tracer finds it, a way outwards, and a sheet that runs close by.
-struct Leaving {
+/// A ball, a point on it as a float tracer finds it, an outward direction, and a sheet close by.
+struct SpawnCase {
   Sphere<float> ball;
   Vec3f point, normal, way;
   Plane<float> sheet;
 };
 
-/// Balls of 1/100 to 100 units, about as far from the origin; sheets at 1e-5 to 1e-1 radii, wide more than a float's
-/// steps there.
-Leaving leaving(int round, int which) {
+/// Balls of 1/100 to 100 units, about as far from the origin; sheets at 1e-5 to 1e-1 radii, farther than a float's
+/// spacing there.
+SpawnCase spawn_case(int round, int which) {
   int dimension = 0;
   const auto draw = [&] { return drawn_for(round, 16 * which + dimension++); };
   const double radius = std::pow(10.0, 4 * draw() - 2);
   const Vec3d centre = radius * Vec3d(2 * draw() - 1, 2 * draw() - 1, 2 * draw() - 1);
-  Leaving l;
+  SpawnCase l;
   l.ball = {Vec3f(centre), static_cast<float>(radius)};
-  // From outside, at the middle of the side that is seen.
-  const Vec3d out = uniform_sphere(Vec2d(draw(), draw()));
+  // From outside, at the middle of the visible side.
+  const Vec3d out = sample_uniform_sphere(Vec2d(draw(), draw()));
   const Ray<float> ray{Vec3f(centre + 3 * radius * out), Vec3f(-out)};
   const auto crossing = intersect(l.ball, ray, infinity<float>);
   l.point = ray.at(crossing->t);
   l.normal = normalize(l.point - l.ball.centre);
-  l.way = Vec3f(Basis<double>(Vec3d(l.normal)).to_world(uniform_cone(Vec2d(draw(), draw()), 0.9)));
+  l.way = Vec3f(Basis<double>(Vec3d(l.normal)).to_world(sample_uniform_cone(Vec2d(draw(), draw()), 0.9)));
   const double gap = radius * std::pow(10.0, 4 * draw() - 5);
   l.sheet = {Vec3f(Vec3d(l.point) + gap * Vec3d(l.normal)), l.normal};
   return l;
@@ -44,13 +44,13 @@ Leaving leaving(int round, int which) {
 
 /// The naive tracer's tests: anything at t > 0 counts.
 template <class S>
-bool meets(const S& shape, const Leaving& l, const Vec3f& origin) {
+bool meets(const S& shape, const SpawnCase& l, const Vec3f& origin) {
   return intersect(shape, NaiveRay<float>{{origin, l.way}}, infinity<float>).has_value();
 }
 
-/// 256 steps of the floats along the normal; near 0, where steps are tiny, a fixed length (C. Waechter and N. Binder,
-/// Ray Tracing Gems, ch. 6, 2019).
-Vec3f by_ulps(const Leaving& l) {
+/// 256 float steps along the normal; near 0, where they are tiny, a fixed length (C. Waechter and N. Binder, Ray
+/// Tracing Gems, ch. 6, 2019).
+Vec3f by_ulps(const SpawnCase& l) {
   Vec3f moved = l.point;
   for (int axis = 0; axis < 3; ++axis) {
     const float p = l.point[axis], n = l.normal[axis];
@@ -63,9 +63,9 @@ Vec3f by_ulps(const Leaving& l) {
   return moved;
 }
 
-/// As far along the normal as the point may be wrong (M. Pharr, W. Jakob and G. Humphreys, Physically Based Rendering,
-/// 3rd ed. 2016, 3.9), then a step outwards.
-Vec3f by_bound(const Leaving& l) {
+/// Along the normal by the bound of the point's error (M. Pharr, W. Jakob and G. Humphreys, Physically Based Rendering,
+/// 3rd ed. 2016, 3.9), then to the next float outwards.
+Vec3f by_bound(const SpawnCase& l) {
   // o + t d, from three radii away: the product, the sum, and t itself err by a few halves of an ulp.
   constexpr float gamma = 8 * 0x1p-24F;
   const Vec3f from = l.point - l.ball.centre;
@@ -84,9 +84,9 @@ struct Wrong {
 };
 
 template <class Start>
-Wrong tried(const std::vector<Leaving>& all, Start start) {
+Wrong tried(const std::vector<SpawnCase>& all, Start start) {
   Wrong wrong;
-  for (const Leaving& l : all) {
+  for (const SpawnCase& l : all) {
     const Vec3f origin = start(l);
     wrong.self_hits += meets(l.ball, l, origin) ? 1 : 0;
     wrong.sheets_missed += meets(l.sheet, l, origin) ? 0 : 1;
@@ -94,10 +94,10 @@ Wrong tried(const std::vector<Leaving>& all, Start start) {
   return wrong;
 }
 
-/// Raywalk's: the ray starts at the point itself and knows which surface that is of.
-Wrong tried_aware(const std::vector<Leaving>& all) {
+/// Raywalk's: the ray starts at the point itself and knows its source primitive.
+Wrong tried_aware(const std::vector<SpawnCase>& all) {
   Wrong wrong;
-  for (const Leaving& l : all) {
+  for (const SpawnCase& l : all) {
     const Ray<float> ray{l.point, l.way};
     wrong.self_hits += intersect(l.ball, ray, infinity<float>, 0) ? 1 : 0;
     wrong.sheets_missed += intersect(l.sheet, ray, infinity<float>) ? 0 : 1;
@@ -114,10 +114,10 @@ Report conclude(const std::vector<Trial>& trials) {
   both.log_y = apart.log_y = false;
   apart.title = "The two sides of the U";
   for (const char* method : {"absolute", "ulps", "error bound", "surface-aware"})
-    both.series.push_back(Curve(trials, method, error_of, Pool::mean).series(method));
-  const Curve absolute(trials, "absolute", error_of, Pool::mean);
-  apart.series = {Curve(trials, "absolute", other_of, Pool::mean).series("hits itself"),
-                  Curve(
+    both.series.push_back(ErrorCurve(trials, method, error_of, Pool::mean).series(method));
+  const ErrorCurve absolute(trials, "absolute", error_of, Pool::mean);
+  apart.series = {ErrorCurve(trials, "absolute", other_of, Pool::mean).series("hits itself"),
+                  ErrorCurve(
                       trials, "absolute", [](const Trial& t) { return t.error - t.other; }, Pool::mean)
                       .series("jumps over the sheet")};
   const auto arm = [&](std::size_t end) {
@@ -170,8 +170,8 @@ Experiment offsets_experiment(Effort effort) {
   e.weight = 2;
   e.columns = {"epsilon", "share_wrong", "share_self_hits"};
   e.run = [=](int round, const Stop& stop) {
-    std::vector<Leaving> all;
-    for (int i = 0; i < rays; ++i) all.push_back(leaving(round, i));
+    std::vector<SpawnCase> all;
+    for (int i = 0; i < rays; ++i) all.push_back(spawn_case(round, i));
     std::vector<Trial> trials;
     for (int power = -12; power <= -1 && !stop.asked(); ++power) {
       const double epsilon = std::pow(10.0, power);
@@ -180,13 +180,13 @@ Experiment offsets_experiment(Effort effort) {
         const Wrong wrong = run();
         const Cost cost{2 * static_cast<std::uint64_t>(rays), 0, 2 * static_cast<std::uint64_t>(rays), 0,
                         thread_seconds() - start};
-        // One ray is wrong at most once: what hits itself would not come to the sheet.
+        // A ray is wrong at most once: after a self-intersection it does not reach the sheet.
         trials.push_back({round, method, epsilon, static_cast<double>(wrong.self_hits + wrong.sheets_missed) / rays,
                           static_cast<double>(wrong.self_hits) / rays, cost});
       };
-      const auto absolute = [epsilon](const Leaving& l) { return l.point + static_cast<float>(epsilon) * l.normal; };
+      const auto absolute = [epsilon](const SpawnCase& l) { return l.point + static_cast<float>(epsilon) * l.normal; };
       judge("absolute", [&] { return tried(all, absolute); });
-      // These have no epsilon; they are tried beside each for their time.
+      // These have no epsilon; they are run beside each for timing.
       judge("ulps", [&] { return tried(all, by_ulps); });
       judge("error bound", [&] { return tried(all, by_bound); });
       judge("surface-aware", [&] { return tried_aware(all); });

@@ -94,7 +94,7 @@ std::string section(const Concluded& c) {
     html += fmt::format("<figure>\n{}</figure>\n<p>{}</p>\n", svg_of(figure.plot), prose(figure.text));
   if (!c.report.pictures.empty()) {
     html += "<div class='strips'>\n";
-    for (const Picture& picture : c.report.pictures) {
+    for (const CaptionedImage& picture : c.report.pictures) {
       const auto png = encode_png(picture.image);
       if (!png) continue;
       html +=

@@ -15,18 +15,18 @@ namespace {
 
 constexpr double width = 860, height = 470, left = 86, right = 232, top = 46, bottom = 64;
 
-/// Told apart by every eye (M. Okabe and K. Ito, 2008), and by mark and dash without colours.
-struct Look {
+/// Distinguishable with every colour vision (M. Okabe and K. Ito, 2008), and by mark and dash without colours.
+struct SeriesStyle {
   const char *colour, *dash;
 };
-constexpr std::array<Look, 8> looks{{{"s0", ""},
-                                     {"s1", "9 4"},
-                                     {"s2", "3 3"},
-                                     {"s3", "12 3 3 3"},
-                                     {"s4", "6 2"},
-                                     {"s5", "2 5"},
-                                     {"s6", "14 5"},
-                                     {"s7", "8 3 2 3 2 3"}}};
+constexpr std::array<SeriesStyle, 8> looks{{{"s0", ""},
+                                            {"s1", "9 4"},
+                                            {"s2", "3 3"},
+                                            {"s3", "12 3 3 3"},
+                                            {"s4", "6 2"},
+                                            {"s5", "2 5"},
+                                            {"s6", "14 5"},
+                                            {"s7", "8 3 2 3 2 3"}}};
 
 std::string mark(std::size_t look, double x, double y) {
   const auto path = [&](const char* d) {
@@ -53,12 +53,12 @@ std::string mark(std::size_t look, double x, double y) {
   }
 }
 
-/// A power stands higher and smaller; what follows is back on the line.
+/// Sets exponents as superscripts.
 std::string prose(const std::string& text) {
   return escaped_with_powers(text, "<tspan dy='-4' font-size='75%'>", "</tspan><tspan dy='4'> </tspan>");
 }
 
-/// Numbers along one side.
+/// One axis with its numbers.
 class Axis {
  public:
   Axis(bool logarithmic, double low, double high, double from, double to)
@@ -73,7 +73,7 @@ class Axis {
   [[nodiscard]] double low() const { return low_; }
   [[nodiscard]] double high() const { return high_; }
 
-  /// Round numbers: powers of ten, and 2 and 5 times these where there are few of them; or steps of 1, 2 or 5.
+  /// Round numbers: powers of ten, and 2 and 5 times these if they are few; or steps of 1, 2 or 5.
   [[nodiscard]] std::vector<double> ticks() const {
     std::vector<double> ticks;
     if (logarithmic_) {
@@ -128,7 +128,7 @@ struct Reach {
   }
 };
 
-/// Where the labels beside the plot go: near to where their lines end, and none over another.
+/// Positions of the labels beside the plot: near the ends of their lines, without overlap.
 std::vector<double> spread(std::vector<double> wanted, double gap, double low, double high) {
   std::vector<std::size_t> order(wanted.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -143,12 +143,12 @@ std::vector<double> spread(std::vector<double> wanted, double gap, double low, d
   return wanted;
 }
 
-/// The line that the law says, through the middle of the points.
+/// The line of the law, through the middle of the points.
 std::string law_line(const PlotSeries& series, const Plot& plot, const Axis& x, const Axis& y) {
   double middle_x = 0, middle_y = 0, least = INFINITY, most = -INFINITY;
   int count = 0;
   const auto along = [&](double value) { return plot.log_x ? std::log(value) : value; };
-  // The law is one of the limit: the later half of the points places it.
+  // The law is asymptotic: the later half of the points places it.
   for (std::size_t i = series.points.size() / 2; i < series.points.size(); ++i) {
     const PlotPoint& p = series.points[i];
     if (p.y <= 0 || (plot.floor && p.y < *plot.floor)) continue;
@@ -233,7 +233,7 @@ std::string svg_of(const Plot& plot) {
   if (plot.floor) svg += level_line(*plot.floor, plot.floor_name, x, y);
   if (plot.ceiling) svg += level_line(*plot.ceiling, plot.ceiling_name, x, y);
 
-  std::vector<double> ends, sides;  // where each series comes nearest to the labels
+  std::vector<double> ends, sides;  // the end of each series nearest to the labels
   for (const PlotSeries& series : plot.series) {
     const auto last = std::max_element(series.points.begin(), series.points.end(),
                                        [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
@@ -245,7 +245,7 @@ std::string svg_of(const Plot& plot) {
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const PlotSeries& series = plot.series[i];
     const std::size_t mark_of = series.look.value_or(i);
-    const Look& look = looks[mark_of % looks.size()];
+    const SeriesStyle& look = looks[mark_of % looks.size()];
     if (series.law && plot.log_y) svg += law_line(series, plot, x, y);
     std::string d, marks;
     for (const PlotPoint& p : series.points) {

@@ -1,6 +1,6 @@
 #pragma once
-// Diagrams as SVG: what was measured with its intervals, and the laws as dotted lines. Read without colours too: each
-// series has a mark and a dash of its own. Light and dark pages both.
+// Diagrams as SVG: measurements with their intervals, and the laws as dotted lines. Legible without colours: each
+// series has its own mark and dash. For light and dark pages.
 
 #include <cstddef>
 #include <optional>
@@ -17,11 +17,11 @@ struct PlotPoint {
 struct PlotSeries {
   std::string name;
   std::vector<PlotPoint> points;
-  /// What the law says: a line of this slope through the middle of the points from `law_from` on. With both axes
-  /// logarithmic the exponent; with only y, the change of the natural logarithm.
+  /// The slope of the law, drawn through the middle of the points from `law_from` on: with both axes logarithmic the
+  /// exponent; with only y, the change of the natural logarithm.
   std::optional<double> law{};
   std::string law_name{};             ///< "N^-1/2"
-  std::optional<std::size_t> look{};  ///< the same in several diagrams; absent: its place among the series
+  std::optional<std::size_t> look{};  ///< shared by several diagrams; absent: its index among the series
 };
 
 struct Plot {

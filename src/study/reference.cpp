@@ -24,7 +24,7 @@ double disk_area_in(const Rectangle& rectangle, double radius) {
   const auto half_area = [&](double x) {
     return (x * half_height(x) + r2 * std::asin(std::clamp(x / radius, -1.0, 1.0))) / 2;
   };
-  // Where the circle meets the sides y0 and y1; between two such places the column's ends are of one kind each.
+  // Where the circle crosses the sides y0 and y1; in between, each end of a column is on one of them throughout.
   const double at_y0 = half_height(rectangle.y0), at_y1 = half_height(rectangle.y1);
   std::array<double, 6> cuts{from, to, -at_y0, at_y0, -at_y1, at_y1};
   for (double& cut : cuts) cut = std::clamp(cut, from, to);

@@ -44,7 +44,7 @@ std::vector<Verdict> judged(const std::vector<Law>& laws) {
     verdict.p = p[tested];
     verdict.level = levels[tested++];
     verdict.holds = verdict.p > verdict.level;
-    // A law with one side has all of its doubt on that side.
+    // A one-sided law has all of its uncertainty on that side.
     const double sides = law.kind == LawKind::equals ? 1 : 2;
     verdict.interval = interval(law.measured, 1 - sides * verdict.level);
   }

@@ -14,10 +14,10 @@ enum class LawKind {
   equals,    ///< the number is `expected`
   at_most,   ///< or less
   at_least,  ///< or more
-  exact,     ///< no chance in it: the number is `expected` up to `tolerance`
+  exact,     ///< not random: the number is `expected` up to `tolerance`
 };
 
-/// A statement that theory makes, and what was measured.
+/// A prediction of theory, and what was measured.
 struct Law {
   std::string name;  ///< "random, edge"
   std::string says;  ///< "error falls as N^-1/2: each sample by itself"
@@ -25,10 +25,10 @@ struct Law {
   double expected = 0;
   Estimate measured{};
   double tolerance = 0;
-  std::string otherwise{};  ///< an explanation for the case that it does not hold
+  std::string otherwise{};  ///< the explanation if it does not hold
 };
 
-/// A law after all laws of the study are known.
+/// The verdict on a law, given all laws of the study.
 struct Verdict {
   bool holds = true;
   double p = 1, level = 0.05;
@@ -41,7 +41,7 @@ struct Figure {
   std::string text;  ///< a paragraph that explains it
 };
 
-struct Picture {
+struct CaptionedImage {
   std::string caption;
   Image image;
 };
@@ -49,7 +49,7 @@ struct Picture {
 struct Report {
   std::vector<Figure> figures;
   std::vector<Law> laws;
-  std::vector<Picture> pictures{};
+  std::vector<CaptionedImage> pictures{};
 };
 
 }  // namespace raywalk::study

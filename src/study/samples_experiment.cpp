@@ -1,4 +1,4 @@
-// E3: how the error of a pixel falls with its samples, by where these lie.
+// E3: how the error of a pixel falls with its samples, by sampler.
 #include "study/curve.h"
 #include "study/subjects.h"
 
@@ -38,8 +38,8 @@ Expected expected_of(Sampler sampler) {
   return {};
 }
 
-/// Owen's bound for what is smooth in two dimensions is N^-3/2 sqrt(log N): over the numbers of samples of the fit,
-/// that is this exponent.
+/// Owen's bound for smooth integrands in two dimensions is N^-3/2 sqrt(log N): over the fitted range of N, that is this
+/// exponent.
 double owen_bound(double least, double most) {
   std::vector<double> x, y;
   for (double n = least; n <= most; n *= 4)
@@ -60,14 +60,14 @@ Report conclude(const std::vector<Trial>& trials, double most) {
     cost.x_label = "processor seconds a picture, median";
     for (const Sampler sampler : samplers) {
       const std::string name(sampler_name(sampler)), method = name + " " + subject;
-      const Curve curve(trials, method);
+      const ErrorCurve curve(trials, method);
       const Expected law = expected_of(sampler);
       PlotSeries series = curve.series(name);
       series.law = smooth ? law.smooth : law.edge;
       const std::string series_law = smooth ? law.smooth_name : law.edge_name;
       series.law_name = series_law;
       plot.series.push_back(series);
-      const Curve seconds(trials, method, [](const Trial& t) { return t.cost.seconds; }, Pool::median);
+      const ErrorCurve seconds(trials, method, [](const Trial& t) { return t.cost.seconds; }, Pool::median);
       const PlotSeries times = seconds.series(name);
       for (std::size_t i = 0; i < series.points.size(); ++i) series.points[i].x = times.points[i].y;
       series.law.reset();

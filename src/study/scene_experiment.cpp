@@ -1,4 +1,4 @@
-// E10: a scene that no formula knows, with gloss, penumbras, a lens and motion at once, against two references.
+// E10: a scene without a closed form, with gloss, penumbras, a lens and motion at once, against two references.
 #include "study/curve.h"
 #include "study/shot.h"
 
@@ -37,7 +37,7 @@ Scene everything_at_once() {
   return scene;
 }
 
-/// Two pictures that share no random number, and how far they are apart.
+/// Two pictures with independent random numbers, and their difference.
 struct References {
   Film<double> first, second;
   double apart = 0;
@@ -69,10 +69,10 @@ Report conclude(const std::vector<Trial>& trials, double most) {
   plot.floor_name = time.floor_name = "difference of the two references";
   for (const Sampler sampler : samplers) {
     const std::string name(sampler_name(sampler));
-    const Curve curve(trials, name);
+    const ErrorCurve curve(trials, name);
     PlotSeries series = curve.series(name);
     PlotSeries timed = series;
-    const Curve seconds(trials, name, [](const Trial& t) { return t.cost.seconds; }, Pool::median);
+    const ErrorCurve seconds(trials, name, [](const Trial& t) { return t.cost.seconds; }, Pool::median);
     for (std::size_t i = 0; i < timed.points.size(); ++i) timed.points[i].x = seconds.at(i);
     time.series.push_back(std::move(timed));
     const bool random = sampler == Sampler::random;

@@ -12,10 +12,10 @@ Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled,
            const std::optional<PathSettings>& paths) {
   const World<double> world(scene);
   const SceneKernel<double> kernel(scene, world);
-  std::optional<PathLights<double>> lights;
-  if (paths) lights.emplace(world);
+  std::optional<Emitters<double>> emitters;
+  if (paths) emitters.emplace(world);
   const auto run = [&](const RayGenerator<double>& camera, const PixelBlock& block, const PutPixel<double>& put) {
-    return paths ? trace_paths(world, *lights, *paths, camera, block, put) : kernel(camera, block, put);
+    return paths ? trace_paths(world, *emitters, *paths, camera, block, put) : kernel(camera, block, put);
   };
   RayGenerator<double> camera(scene, size, size, sampling);
   Shot shot{Film<double>(size), {}, 0};

@@ -11,20 +11,20 @@ namespace raywalk::study {
 
 struct Shot {
   Film<double> film;
-  Cost cost;  ///< of tracing, without what is made ready before
+  Cost cost;  ///< of tracing, without the preparation
   std::uint64_t shadow_rays = 0;
 };
 
-/// `shuffled`: each sample draws with a seed of its own, which a renderer must not do. `paths`: how far paths go, for
-/// the path integrator only.
+/// `shuffled`: each sample has its own seed, which a renderer must not do. `paths`: path length, for the path
+/// integrator only.
 [[nodiscard]] Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled = false,
                          const std::optional<PathSettings>& paths = std::nullopt);
 
-/// The size of a picture of the same shape with about so many pixels, or its own where it has fewer.
+/// The size of a picture of the same aspect ratio with at most about `pixels` pixels.
 [[nodiscard]] ImageSize shrunk(ImageSize size, double pixels);
 
-/// A camera that looks straight down from (x, y, height) at z = 0, x to the right and y up. `half`: half the width of
-/// what it sees there.
+/// A camera that looks straight down from (x, y, height) at z = 0, x to the right and y up. `half`: half the visible
+/// width there.
 [[nodiscard]] Camera looking_down(double x, double y, double height, double half);
 
 /// Root of the mean squared difference of the pixels' red from `truth`, over those for which `counts` is true.

@@ -51,7 +51,7 @@ Estimate bootstrap(int count, const Statistic& statistic, int resamples) {
   return {value, std::sqrt(squares / (resamples - 1) * narrow), count - 1};
 }
 
-Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
   const double n = static_cast<double>(x.size());
   const double middle_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
   const double middle_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
@@ -72,7 +72,7 @@ std::vector<double> holm_levels(const std::vector<double>& p, double alpha) {
   double level = 0;
   bool rejecting = true;
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    // The first one that stands keeps all after it standing.
+    // After the first one that is not rejected, none is.
     if (rejecting) level = alpha / static_cast<double>(p.size() - rank);
     rejecting = rejecting && p[order[rank]] <= level;
     levels[order[rank]] = level;
@@ -89,7 +89,7 @@ double median(std::vector<double> values) {
 Interval median_interval(std::vector<double> values, double confidence) {
   std::sort(values.begin(), values.end());
   const int n = static_cast<int>(values.size());
-  // How many of n values lie below the median is binomial with 1/2: leave out as many at each end as may be.
+  // The number of n values below the median is binomial with 1/2: leaves out as many at each end as allowed.
   double below = std::pow(0.5, n), all_below = below;
   int left_out = 0;
   for (int k = 0; 2 * (k + 1) < n && 2 * all_below <= 1 - confidence; ++k) {

@@ -1,4 +1,4 @@
-// E7: what each structure costs to build and to search, by the number of things in the scene.
+// E7: what each structure costs to build and to search, by the number of objects.
 #include "accel/accelerator.h"
 #include "study/curve.h"
 #include "study/shot.h"
@@ -15,7 +15,7 @@ namespace {
 using Kind = AcceleratorKind;
 constexpr std::array kinds{Kind::none, Kind::spheres, Kind::ellipsoids, Kind::boxes,
                            Kind::bvh,  Kind::grid,    Kind::octree,     Kind::kdtree};
-/// Without a hierarchy every ray meets every object or its volume.
+/// Without a hierarchy, every ray is tested against every object or its volume.
 constexpr bool is_flat(Kind kind) { return kind <= Kind::boxes; }
 
 /// Points of the cube from -size to size.
@@ -32,7 +32,7 @@ class Points {
   int round_, next_;
 };
 
-/// Spheres strewn over a cube; as dense for any number, so that a ray has about as many of them around it.
+/// Spheres scattered over a cube; equally dense for any number, so that a ray has about equally many around it.
 Primitives<double> field(int count, int round) {
   Points random(round, 1 << 20);
   const double spacing = 2 * std::cbrt(1.0 / count);
@@ -51,14 +51,14 @@ std::vector<Ray<double>> rays_into(int count, int round) {
   return rays;
 }
 
-/// Of all answers, bit by bit.
+/// A digest of all answers, bit by bit.
 std::uint64_t digest(std::uint64_t so_far, const std::optional<Hit<double>>& hit) {
   const std::uint64_t bits =
       hit ? std::bit_cast<std::uint64_t>(hit->t) ^ static_cast<std::uint64_t>(hit->primitive) << 1 : 0x6d697373;
   return (so_far ^ bits) * 0x9e3779b97f4a7c15u + (so_far >> 29);
 }
 
-Value microseconds() {
+TrialValue microseconds() {
   return [](const Trial& t) { return 1e6 * t.cost.seconds / static_cast<double>(t.cost.rays); };
 }
 
@@ -74,10 +74,10 @@ Report conclude(const std::vector<Trial>& trials) {
   build.y_label = "seconds, median";
   even.title = "From how many rays on building pays";
   even.y_label = "rays until it is cheaper than no structure";
-  const Curve none(trials, std::string(accelerator_name(Kind::none)), microseconds(), Pool::median);
+  const ErrorCurve none(trials, std::string(accelerator_name(Kind::none)), microseconds(), Pool::median);
   for (const Kind kind : kinds) {
     const std::string name(accelerator_name(kind));
-    const Curve curve(trials, name, error_of, Pool::mean);
+    const ErrorCurve curve(trials, name, error_of, Pool::mean);
     const auto look = static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
     const auto add = [&](Plot& plot, PlotSeries more) {
       more.look = look;
@@ -86,9 +86,9 @@ Report conclude(const std::vector<Trial>& trials) {
     PlotSeries series = curve.series(name);
     if (kind == Kind::none) series.law = 1, series.law_name = "N";
     add(work, series);
-    const Curve seconds(trials, name, microseconds(), Pool::median);
+    const ErrorCurve seconds(trials, name, microseconds(), Pool::median);
     add(time, seconds.series(name));
-    const Curve built(trials, name, other_of, Pool::median);
+    const ErrorCurve built(trials, name, other_of, Pool::median);
     if (kind != Kind::none) add(build, built.series(name));
     PlotSeries pays{name, {}};
     for (std::size_t i = 0; i < curve.knobs().size() && i < none.knobs().size() && kind != Kind::none; ++i) {
@@ -102,7 +102,7 @@ Report conclude(const std::vector<Trial>& trials) {
                              "Without a structure nothing can be left out, nor tested twice."});
     const std::size_t n = curve.knobs().size();
     if (is_flat(kind) || n < 3) continue;
-    // a + b log N: each factor in N costs the same again. Less is better.
+    // a + b log N: each factor in N adds the same cost. Less is better.
     const Estimate bend = bootstrap(curve.rounds(), [&](const std::vector<int>& rounds) {
       const double last = curve.at(n - 1, rounds) - curve.at(n - 2, rounds);
       const double before = curve.at(n - 2, rounds) - curve.at(n - 3, rounds);
@@ -160,13 +160,13 @@ Experiment structures_experiment(Effort effort) {
     std::vector<Trial> trials;
     for (int count = least; count <= most; count *= 10) {
       const Primitives<double> spheres = field(count, round);
-      constexpr int few = 100;  // of what every ray meets all of
+      constexpr int few = 100;  // rays, for structures that test everything
       const std::vector<Ray<double>> all = rays_into(rays, round);
       std::optional<std::uint64_t> right;
       int different = 0;
       for (const Kind kind : kinds) {
         if (stop.asked()) return trials;
-        if (is_flat(kind) && count > 10000) continue;  // they have shown how they grow
+        if (is_flat(kind) && count > 10000) continue;  // their growth is known by then
         const double before = thread_seconds();
         const Accelerator<double> accelerator(spheres, kind);
         const double start = thread_seconds();

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// What a folder's table must begin with to be gone on from.
+/// The heading that a folder's table must have to be continued.
 std::string heading_of(const Experiment& experiment, const StudyOptions& options) {
   return fmt::format("# raywalk study {}: {}\n# effort {}, {} rounds\n# {}\n", experiment.name, experiment.title,
                      effort_name(options.effort), experiment.rounds, options.machine);
@@ -29,8 +29,8 @@ std::string table_path(const Experiment& experiment, const StudyOptions& options
 }
 
 std::vector<Trial> kept_trials(const Experiment& experiment, const StudyOptions& options) {
-  constexpr std::size_t most_bytes = std::size_t{256} << 20;
-  const auto csv = read_file(table_path(experiment, options), most_bytes);
+  constexpr std::size_t max_bytes = std::size_t{256} << 20;
+  const auto csv = read_file(table_path(experiment, options), max_bytes);
   if (!csv) return {};
   return trials_of(*csv, experiment.columns, heading_of(experiment, options));
 }
@@ -41,10 +41,10 @@ Result<void> keep(const Experiment& experiment, const StudyOptions& options, std
                                csv_of(trials, experiment.columns, heading_of(experiment, options)));
 }
 
-/// Tells how far all experiments are, each weighted by how long it takes beside the others.
-class Clockwork {
+/// Reports the progress of all experiments, each weighted by its relative duration.
+class StudyProgress {
  public:
-  Clockwork(const std::vector<Experiment>& experiments, const StudyOptions& options) : options_(options) {
+  StudyProgress(const std::vector<Experiment>& experiments, const StudyOptions& options) : options_(options) {
     for (const Experiment& e : experiments) all_ += e.weight;
   }
   void skip(double weight) { done_ += weight, skipped_ += weight; }
@@ -61,7 +61,7 @@ class Clockwork {
 };
 
 /// All trials, or fewer when stopped.
-Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOptions& options, Clockwork& clock) {
+Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOptions& options, StudyProgress& clock) {
   const Stop& stop = options.stop;
   std::vector<Trial> trials = kept_trials(experiment, options);
   std::set<int> done;
@@ -72,8 +72,7 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
   const double weight = experiment.weight / experiment.rounds;
   clock.skip(weight * static_cast<double>(done.size()));
   if (left.empty()) return trials;
-  if (done.empty() && !stop.asked())
-    static_cast<void>(experiment.run(0, stop));  // a round to warm up that counts for nothing
+  if (done.empty() && !stop.asked()) static_cast<void>(experiment.run(0, stop));  // a warm-up round, discarded
   const std::size_t at_a_time = static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads());
   for (std::size_t from = 0; from < left.size() && !stop.asked(); from += at_a_time) {
     const std::size_t count = std::min(at_a_time, left.size() - from);
@@ -82,7 +81,7 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
       const auto i = static_cast<std::size_t>(index);
       found[i] = experiment.run(left[from + i], stop);
     });
-    if (stop.asked()) break;  // what was under way counts for nothing
+    if (stop.asked()) break;  // the unfinished round is discarded
     for (const std::vector<Trial>& round : found) trials.insert(trials.end(), round.begin(), round.end());
     if (const auto kept = keep(experiment, options, trials); !kept) return tl::unexpected(kept.error());
     clock.add(experiment.name, weight * static_cast<double>(count));
@@ -112,8 +111,8 @@ std::string_view effort_name(Effort effort) {
 
 std::string machine_text() {
   std::string processor = "processor unknown";
-  constexpr std::size_t most_bytes = std::size_t{16} << 20;
-  if (const auto info = read_file("/proc/cpuinfo", most_bytes)) {
+  constexpr std::size_t max_bytes = std::size_t{16} << 20;
+  if (const auto info = read_file("/proc/cpuinfo", max_bytes)) {
     const std::size_t name = info->find("model name"), colon = info->find(": ", name), end = info->find('\n', name);
     if (name != std::string::npos && colon < end) processor = info->substr(colon + 2, end - colon - 2);
   }
@@ -147,7 +146,7 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
     if (const auto claimed = claim_output(table_path(experiment, options), OutputUse::kept); !claimed)
       return tl::unexpected(claimed.error());
   StudyResult result;
-  Clockwork clock(experiments, options);
+  StudyProgress clock(experiments, options);
   std::vector<Law> laws;
   for (const Experiment& experiment : experiments) {
     const auto trials = measured(experiment, options, clock);

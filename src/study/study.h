@@ -14,8 +14,8 @@ namespace raywalk::study {
 struct StudyOptions {
   std::string folder;  ///< made when it does not exist
   Effort effort = Effort::full;
-  int threads = 0;      ///< rounds at a time; 0: as many as the machine runs at once
-  std::string machine;  ///< in words; what was measured on another one is measured again
+  int threads = 0;      ///< rounds in parallel; 0: one per hardware thread
+  std::string machine;  ///< in words; measurements of another machine are repeated
   std::string command;  ///< that repeats the study, for the page
   std::function<void(const std::string& experiment, double done, double seconds_left)> progress{};
   Stop stop{};
@@ -28,22 +28,22 @@ struct Concluded {
 };
 
 struct StudyResult {
-  bool finished = true;  ///< else it was stopped, and goes on from the folder
+  bool finished = true;  ///< false: it was stopped, and can be continued from the folder
   std::vector<Concluded> concluded;
   [[nodiscard]] int laws() const;
-  [[nodiscard]] std::vector<std::string> broken() const;  ///< "samples: random, edge", of laws that do not hold
+  [[nodiscard]] std::vector<std::string> broken() const;  ///< "samples: random, edge", the laws that do not hold
 };
 
-/// Goes on from the rounds that the folder already holds, of the same effort and machine. All files are written anew or
-/// stay as they are, whole.
+/// Continues from the rounds already in the folder, of the same effort and machine. Each file is replaced as a whole or
+/// stays as it is.
 [[nodiscard]] Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const StudyOptions& options);
 
 [[nodiscard]] std::string_view effort_name(Effort effort);
 
-/// The processor's name where the system tells it, and how many threads it runs; the compiler.
+/// The processor's name if known, its number of hardware threads, and the compiler.
 [[nodiscard]] std::string machine_text();
 
-/// The page: complete in itself, without scripts.
+/// The page: self-contained, without scripts.
 [[nodiscard]] std::string page_of(const StudyResult& result, const StudyOptions& options);
 
 }  // namespace raywalk::study

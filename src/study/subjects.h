@@ -1,6 +1,6 @@
 #pragma once
-// Pictures whose every pixel is known in closed form. All are looked down upon from (0, 0, 2), and show the floor's
-// square from -1 to 1, a pixel a smaller one.
+// Pictures whose every pixel is known in closed form. All are seen from (0, 0, 2) looking down, and show the floor's
+// square from -1 to 1.
 
 #include "study/reference.h"
 #include "study/shot.h"
@@ -13,17 +13,17 @@ struct Subject {
   std::string name;
   Scene scene;
   std::function<double(const Rectangle& pixel)> truth;  ///< mean over a pixel's square of the floor z = 0
-  bool only_edges = false;                              ///< of the pixels, those count that are neither 0 nor 1
+  bool only_edges = false;                              ///< only pixels that are neither 0 nor 1 count
 };
 
 /// A floor under a point light: over a pixel, light and cosine change smoothly.
 [[nodiscard]] Subject smooth_subject();
 /// A glowing disk: its edge crosses pixels at all slopes.
 [[nodiscard]] Subject edge_subject();
-/// The straight edge of something that glows, nearer than what the lens is focused on.
+/// The straight edge of an emitter, nearer than the plane of focus.
 [[nodiscard]] Subject lens_subject();
 
-/// Of a square picture that many pixels wide.
+/// A pixel's square in a picture `edge` pixels wide.
 [[nodiscard]] Rectangle pixel_at(int column, int row, int edge);
 
 /// Calls visit(shown, truth) for each pixel that counts.

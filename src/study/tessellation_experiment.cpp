@@ -12,7 +12,7 @@ namespace raywalk::study {
 
 namespace {
 
-/// n bands of 2n squares of two triangles each, every vertex on the unit sphere, turned as the round says.
+/// n bands of 2n quadrilaterals of two triangles each, every vertex on the unit sphere, rotated per round.
 Mesh ball(int n, int round) {
   const auto turned = [round](const Vec3d& p) {
     const double a = 2 * std::numbers::pi * drawn_for(round, 0), b = 2 * std::numbers::pi * drawn_for(round, 1);
@@ -38,7 +38,7 @@ Mesh ball(int n, int round) {
   return mesh;
 }
 
-struct Met {
+struct BallHit {
   double t;
   Vec3d normal, smooth;
 };
@@ -59,7 +59,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
                {"flat", "normal, flat", "n^-1", "a triangle's normal is right in its middle only", -1},
                {"smooth", "normal, interpolated", "n^-2", "interpolation leaves what is of second order", -2}};
   for (const auto& kind : kinds) {
-    const Curve curve(trials, kind.method);
+    const ErrorCurve curve(trials, kind.method);
     PlotSeries series = curve.series(kind.name);
     series.law = kind.law, series.law_name = kind.law_name;
     error.series.push_back(series);
@@ -67,7 +67,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
                            kind.law, curve.exponent(16, most), 0.05,
                            "Few bands are not yet in the limit; exact means within 0.05 of the exponent here."});
   }
-  price.series.push_back(Curve(trials, "place").series("triangles", other_of));
+  price.series.push_back(ErrorCurve(trials, "place").series("triangles", other_of));
   report.figures.push_back(
       {error,
        "Twice the bands, four times the triangles: the surface then lies four times nearer to the ball. The normals of "
@@ -93,8 +93,8 @@ Experiment tessellation_experiment(Effort effort) {
   e.run = [=](int round, const Stop& stop) {
     std::vector<Ray<double>> aimed;
     for (int i = 0; i < rays; ++i) {
-      // From far, at the inside of the outline: near it a ray may miss the triangles.
-      const Vec2d at = 0.8 * concentric_disk(Vec2d(drawn_for(round, 10 + 2 * i), drawn_for(round, 11 + 2 * i)));
+      // From afar, well inside the silhouette: near it a ray may miss the triangles.
+      const Vec2d at = 0.8 * sample_concentric_disk(Vec2d(drawn_for(round, 10 + 2 * i), drawn_for(round, 11 + 2 * i)));
       aimed.push_back({{at.x, at.y, 5}, {0, 0, -1}});
     }
     std::vector<Trial> trials;
@@ -115,7 +115,7 @@ Experiment tessellation_experiment(Effort effort) {
         const Sphere<double> whole{{0, 0, 0}, 1};
         const auto crossing = intersect(whole, aimed[i], infinity<double>);
         const SurfacePoint<double> point =
-            accelerator.primitives().surface_at(hit.primitive, aimed[i], Crossing<double>{hit.t, hit.part});
+            accelerator.primitives().surface_at(hit.primitive, aimed[i], Intersection<double>{hit.t, hit.part});
         const Vec3d normal = surface_at(whole, aimed[i], *crossing).normal;
         const auto angle = [&](const Vec3d& other) { return std::asin(std::min(length(cross(normal, other)), 1.0)); };
         const Vec3d between = accelerator.primitives().smooth_normal(hit.primitive, point).value_or(point.normal);

@@ -23,7 +23,7 @@ std::string next_word(std::string_view& line) {
   return word;
 }
 
-/// strtod is the same for all locales but the decimal point, and nobody here sets one.
+/// strtod depends on the locale only for the decimal point, and no locale is set.
 bool read(std::string_view& line, double& value) {
   const std::string word = next_word(line);
   char* end = nullptr;

@@ -23,11 +23,11 @@ double rms(const std::vector<Rgbd>& differences) {
 
 }  // namespace
 
-/// A picture under way, row by row.
+/// A picture in progress, row by row.
 class Workbench::Development {
  public:
   virtual ~Development() = default;
-  /// Traces what is left of one row at one sample. Whether anything is left.
+  /// Traces the rest of one row at one sample. Returns whether anything is left.
   virtual bool step() = 0;
   [[nodiscard]] virtual double done() const = 0;
   [[nodiscard]] virtual Image image() const = 0;
@@ -100,7 +100,7 @@ Setup setup_of(const Scene& scene) {
           .threshold = scene.limits.threshold,
           .tolerance = scene.render.tolerance,
           .numerics = scene.render.numerics,
-          .epsilon = scene.render.numerics == Numerics::naive ? scene.render.epsilon : usual_epsilon};
+          .epsilon = scene.render.numerics == Numerics::naive ? scene.render.epsilon : default_epsilon};
 }
 
 Scene under(const Scene& scene, const Setup& setup) {
@@ -163,7 +163,7 @@ void Workbench::try_out(const Setup& setup) {
   if (known) return;
   attempts_.push_back({.setup = setup});
   ++revision_;
-  // A person waits for this one, and nobody for the reference.
+  // The user waits for this one, but not for the reference.
   if (attempt_ < 0) under_way_.reset();
   if (setup.depth + deeper > depth_) forget_reference(setup.depth + deeper);
 }
@@ -180,7 +180,7 @@ void Workbench::forget_reference(int depth) {
 bool Workbench::finished() const {
   if (attempts_.empty()) return true;
   const bool waiting = std::any_of(attempts_.begin(), attempts_.end(), [](const Attempt& a) { return a.done < 1; });
-  return !waiting && passes_ >= most_passes;
+  return !waiting && passes_ >= max_passes;
 }
 
 bool Workbench::work(double milliseconds) {
@@ -236,7 +236,7 @@ void Workbench::end() {
 }
 
 /// The mean of the halves, each with the weight of its passes. The halves' difference d is that of two independent
-/// pictures: as large as their errors together, so that of their mean is d / 2.
+/// pictures: as large as their errors combined, so the error of their mean is d / 2.
 void Workbench::take_reference() {
   if (passes_ < 2) return;
   const double first = (passes_ + 1) / 2, second = passes_ / 2;

@@ -1,6 +1,6 @@
 #pragma once
-// One scene under several settings: what each costs, and how far its picture is from the right one. In slices of time,
-// so that a person can look on.
+// One scene under several settings: the cost of each, and the error of its picture. In time slices, so that progress
+// can be shown.
 
 #include "accel/accelerator.h"
 #include "io/image.h"
@@ -14,37 +14,37 @@
 
 namespace raywalk::study {
 
-/// A position for each knob.
+/// A value for each knob.
 struct Setup {
   int samples = 16;  ///< of each pixel, >= 1; with a tolerance, at most
   Sampler sampler = Sampler::jittered;
-  int light_grid = 0;    ///< n x n rays to an area light; 0: as many as each light says
+  int light_grid = 0;    ///< n x n rays to an area light; 0: each light's own
   int depth = 5;         ///< >= 1
   double threshold = 0;  ///< of contribution, 0..1
   bool single_precision = false;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
   double tolerance = 0;  ///< of adaptive sampling; 0: every pixel takes all samples
   Numerics numerics = Numerics::robust;
-  double epsilon = usual_epsilon;  ///< of naive numerics, in scene units; with robust ones the usual
+  double epsilon = default_epsilon;  ///< of naive numerics, in scene units; the default with robust ones
   friend bool operator==(const Setup&, const Setup&) = default;
 };
 
-/// As the scene's file has it.
+/// The scene's own setup.
 [[nodiscard]] Setup setup_of(const Scene& scene);
-/// The scene under a setup; precision and accelerator are not the scene's.
+/// The scene under a setup; precision and accelerator are not part of a scene.
 [[nodiscard]] Scene under(const Scene& scene, const Setup& setup);
 
 /// A setup that was tried.
 struct Attempt {
   Setup setup;
-  double done = 0;  ///< 0..1; below 1 nothing of the following is there
+  double done = 0;  ///< 0..1; below 1 the rest is not available
   Image image{};
   Cost cost{};       ///< seconds: of one thread
   double error = 0;  ///< 0 before there is a reference; root of the mean squared difference of its channels from the
                      ///< reference, linear light
 };
 
-/// Which cost a picture is weighed against.
+/// Which cost is compared with the error.
 enum class CostAxis {
   seconds,
   rays,
@@ -52,40 +52,39 @@ enum class CostAxis {
 };
 [[nodiscard]] double cost_on(CostAxis axis, const Cost& cost);
 
-/// The finished attempts that no other one beats, cheapest first: whatever costs no more errs more.
+/// The Pareto front of the finished attempts, cheapest first: whatever costs no more has a larger error.
 [[nodiscard]] std::vector<int> frontier(const std::vector<Attempt>& attempts, CostAxis axis);
 
-/// Traces attempts one after the other and, when none waits, the reference: in double precision, deeper by
-/// `deeper` than any attempt, without a threshold, with robust
-/// numerics, as the mean of pictures that draw independently of each other.
-/// What is still to come off the reference is known from its two halves: floor().
+/// Traces attempts in order and, if none is waiting, the reference: in double precision, deeper by `deeper` than any
+/// attempt, without a threshold, with robust numerics, as the mean of independent pictures. The error of the reference
+/// is estimated from its two halves: floor().
 class Workbench {
  public:
   static constexpr int deeper = 3;
-  static constexpr int samples_a_pass = 16, most_passes = 64;
+  static constexpr int samples_a_pass = 16, max_passes = 64;
 
   Workbench();
   ~Workbench();
   Workbench(Workbench&&) noexcept;
   Workbench& operator=(Workbench&&) noexcept;
 
-  /// Starts afresh with this scene, in pictures of this size, and these setups.
+  /// Restarts with this scene, this picture size, and these setups.
   void reset(const Scene& scene, ImageSize size, const std::vector<Setup>& setups);
-  /// Also this one; one that is there already is not traced again.
+  /// Adds a setup; an existing one is not traced again.
   void try_out(const Setup& setup);
 
-  /// Works for about `milliseconds`, and one row at least. Whether anything is left to do.
+  /// Works for about `milliseconds`, at least one row. Returns whether anything is left to do.
   bool work(double milliseconds);
   [[nodiscard]] bool finished() const;
 
   [[nodiscard]] const std::vector<Attempt>& attempts() const { return attempts_; }
   /// The mean of the passes so far; empty before the second one is done.
   [[nodiscard]] const Image& reference() const { return reference_; }
-  /// Samples of each pixel in it.
+  /// Its samples per pixel.
   [[nodiscard]] int reference_samples() const { return passes_ * samples_a_pass; }
-  /// The root of the mean squared error that the reference itself still has, estimated; no smaller error can be told.
+  /// The estimated root mean squared error of the reference itself; smaller errors are not measurable.
   [[nodiscard]] double floor() const { return floor_; }
-  /// Another number whenever any of the above has changed.
+  /// Changes whenever any of the above does.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
   class Development;
@@ -101,7 +100,7 @@ class Workbench {
   ImageSize size_{};
   std::vector<Attempt> attempts_;
   std::unique_ptr<Development> under_way_;
-  int attempt_ = -1;  ///< that is under way; -1: a pass of the reference
+  int attempt_ = -1;  ///< in progress; -1: a pass of the reference
   int depth_ = 0;     ///< of the reference
   std::vector<Rgbd> halves_[2];
   Image reference_;

@@ -22,7 +22,7 @@ using std::string_view_literals::operator""sv;
 /// Every form that a language may have.
 constexpr std::array all_forms{"zero"sv, "one"sv, "two"sv, "few"sv, "many"sv, "other"sv};
 
-/// "structure.shapes" of "structure.shapes.one"; of an id that names no form, itself.
+/// "structure.shapes" for "structure.shapes.one"; other ids are returned unchanged.
 std::string_view without_form(std::string_view id) {
   const std::size_t dot = id.rfind('.');
   if (dot == std::string_view::npos) return id;
@@ -116,7 +116,7 @@ void Catalogue::complete(const Catalogue& english) {
   unknown_.clear();
   for (const auto& [id, words] : texts_)
     if (!english.has(id) && !english.has(without_form(id))) unknown_.push_back(id);
-  // Of a text that it has in its own forms it lacks those that its rule asks for; English's are of another rule.
+  // For texts with plural forms, checks the forms of its own rule; English has another rule.
   for (const auto& [id, words] : english.texts_) {
     const std::string_view whole = without_form(id);
     if (find(id) != nullptr) continue;

@@ -6,7 +6,7 @@ namespace raywalk {
 
 namespace {
 
-/// English alone, for who was given no other set.
+/// English alone, the default set.
 const Languages& only_english() {
   static const Languages alone;
   return alone;
@@ -78,7 +78,7 @@ std::string fill(std::string_view id, Language language, const TextArguments& ar
         close == std::string_view::npos ? std::string_view() : pattern.substr(open + 1, close - open - 1);
     const auto stands =
         std::find_if(arguments.begin(), arguments.end(), [&](const TextArgument& each) { return each.name == name; });
-    // A brace that names no argument is one.
+    // A brace without a matching argument is literal.
     result += stands == arguments.end() ? std::string_view("{") : std::string_view(stands->words);
     at = stands == arguments.end() ? open + 1 : close + 1;
   }

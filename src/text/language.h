@@ -1,7 +1,7 @@
 #pragma once
-// The languages that Raywalk speaks, and what it says in them. A language is a data file, `src/text/en.toml`: every
-// text by a dotted id, such as "walk.found_hit", with names in braces for what is filled in. What a file lacks is said
-// in English, which the program itself holds too. Code names the id where it speaks: text("image.waiting", language).
+// The languages of Raywalk, and its texts in them. A language is a data file, `src/text/en.toml`: every text by a
+// dotted id, such as "walk.found_hit", with arguments in braces. Texts missing in a file appear in English, which is
+// built in. Code uses the id: text("image.waiting", language).
 
 #include "text/catalogue.h"
 
@@ -17,19 +17,18 @@ namespace raywalk {
 
 class Languages;
 
-/// One of the languages of a set, which outlives it. As cheap as a pointer.
+/// A language of a set, which must outlive it. As cheap as a pointer.
 class Language {
  public:
-  Language();  ///< English, as the program holds it: of a set of its own
+  Language();  ///< built-in English, in a set of its own
 
-  /// Two letters, as ISO 639-1 has them: the name of its file, of a lesson's file of words, and of options and
-  /// settings.
+  /// Its ISO 639-1 code: the name of its file and of a lesson's file of words, and its name in options and settings.
   [[nodiscard]] std::string_view code() const { return catalogue_->code(); }
   [[nodiscard]] std::string_view sign() const { return catalogue_->sign(); }  ///< as a button shows it: "EN"
-  [[nodiscard]] std::string_view name() const;                                ///< what its speakers call it
-  /// What stands between the whole part of a number and its decimals.
+  [[nodiscard]] std::string_view name() const;                                ///< in the language itself
+  /// The decimal separator.
   [[nodiscard]] char decimal_mark() const;
-  /// What stands between numbers in a row: no comma where that is in the numbers.
+  /// The separator of numbers in a list: no comma if numbers contain one.
   [[nodiscard]] std::string_view separator() const;
 
   [[nodiscard]] const Catalogue& catalogue() const { return *catalogue_; }
@@ -48,13 +47,13 @@ class Language {
 /// A set of languages, English first.
 class Languages {
  public:
-  Languages();  ///< English alone, as the program holds it
+  Languages();  ///< built-in English alone
   ~Languages() = default;
   Languages(const Languages&) = delete;
   Languages& operator=(const Languages&) = delete;
 
-  /// Adds a language, after those whose code comes before its own. What it lacks is said in English as it is by then.
-  /// English takes the place of that which is there.
+  /// Adds a language, in order of the codes. Missing texts are taken from the current English. English replaces the one
+  /// that is there.
   void add(Catalogue catalogue);
 
   [[nodiscard]] std::vector<Language> all() const;
@@ -65,13 +64,13 @@ class Languages {
   std::vector<std::unique_ptr<Catalogue>> catalogues_;
 };
 
-/// Whether this can be the code of a language: two or three small letters.
+/// Whether this can be a language code: two or three lower-case letters.
 [[nodiscard]] bool is_language_code(std::string_view word);
 
-/// What stands for a {name} in a text.
+/// The value of a {name} in a text.
 struct TextArgument {
   TextArgument(std::string_view of, std::string_view stands) : name(of), words(stands) {}
-  /// A whole number. That for {count} also chooses the form of a text that has several.
+  /// An integer. For {count}, it also selects the plural form.
   template <std::integral Number>
   TextArgument(std::string_view of, Number number) : name(of), words(std::to_string(number)), count(number) {}
 
@@ -81,14 +80,14 @@ struct TextArgument {
 };
 using TextArguments = std::vector<TextArgument>;
 
-/// The text of an id; the id itself where no file has it. It lives as long as the set.
+/// The text of an id; the id itself if no file has it. Valid as long as the set.
 [[nodiscard]] std::string_view text(std::string_view id, Language language);
 
-/// A text with its arguments filled in, in the form that goes with {count} where it has forms.
+/// A text with its arguments filled in, in the plural form for {count} if it has several.
 [[nodiscard]] std::string fill(std::string_view id, Language language, const TextArguments& arguments = {});
 
-/// A word of a family, by the name that files and options give it: family_text("effect", "depth of field", language) is
-/// the text of "effect.depth_of_field".
+/// A text of a family, by the name used in files and options: family_text("effect", "depth of field", language) is the
+/// text of "effect.depth_of_field".
 [[nodiscard]] std::string_view family_text(std::string_view family, std::string_view name, Language language);
 
 }  // namespace raywalk

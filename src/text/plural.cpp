@@ -10,7 +10,7 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-/// Languages of one rule: the forms that it knows, and which of them a count takes (an index; `count` >= 0).
+/// Languages with the same rule: its forms, and which of them a count takes (an index; `count` >= 0).
 struct PluralRule {
   std::span<const std::string_view> codes, forms;
   std::size_t (*form)(long long count);
@@ -31,7 +31,7 @@ constexpr std::array arabic{"ar"sv};
 
 bool within(long long value, long long least, long long most) { return value >= least && value <= most; }
 
-/// The last rule is that of all others.
+/// The last rule is for all others.
 constexpr std::array rules{
     PluralRule{without, only_other, [](long long) -> std::size_t { return 0; }},
     PluralRule{zero_as_one, one_other, [](long long n) -> std::size_t { return n <= 1 ? 0 : 1; }},

@@ -12,10 +12,10 @@ using Json = nlohmann::ordered_json;
 
 Json triple(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-/// Adds the members of one event's detail. One overload a kind: a kind without one does not compile.
-class Writer {
+/// Adds the members of one event's detail. One overload per kind: a kind without one does not compile.
+class EventWriter {
  public:
-  Writer(const Scene& scene, Json& to) : scene_(scene), to_(to) {}
+  EventWriter(const Scene& scene, Json& to) : scene_(scene), to_(to) {}
 
   void operator()(const PixelBegun& begun) const {
     to_["what"] = "pixel_begun";
@@ -25,7 +25,7 @@ class Writer {
   void operator()(const RayFormed& formed) const {
     to_["what"] = "ray_formed";
     to_["ray"] = formed.ray;
-    spawned(formed.kind, formed.parent, formed.origin, formed.direction, formed.share);
+    spawned(formed.kind, formed.parent, formed.origin, formed.direction, formed.throughput);
     light(formed.light);
     if (formed.light_sample > 0) to_["light_sample"] = formed.light_sample;
     if (formed.snell) snell(*formed.snell);
@@ -34,7 +34,7 @@ class Writer {
   void operator()(const RayNotFormed& stub) const {
     to_["what"] = "ray_not_formed";
     to_["why"] = ending_name(stub.why);
-    spawned(stub.kind, stub.parent, stub.origin, stub.direction, stub.share);
+    spawned(stub.kind, stub.parent, stub.origin, stub.direction, stub.throughput);
     light(stub.light);
     if (stub.light_sample > 0) to_["light_sample"] = stub.light_sample;
   }
@@ -52,7 +52,7 @@ class Writer {
       to_["point"] = triple(found.point);
       to_["normal"] = triple(found.normal);
     }
-    if (found.passed != Rgbd(1.0)) to_["passed"] = triple(found.passed);
+    if (found.transmittance != Rgbd(1.0)) to_["passed"] = triple(found.transmittance);
     std::visit([this](const auto& numbers) { add(numbers); }, found.numbers);
   }
 
@@ -83,7 +83,7 @@ class Writer {
     }
     to_["reflect"] = triple(computed.reflect);
     to_["refract"] = triple(computed.refract);
-    if (computed.passed != Rgbd(1.0)) to_["passed"] = triple(computed.passed);
+    if (computed.transmittance != Rgbd(1.0)) to_["passed"] = triple(computed.transmittance);
     to_["total"] = triple(computed.total);
   }
 
@@ -119,8 +119,8 @@ class Writer {
     if (chosen.absorbed) return;
     to_["lobe"] = lobe_name(chosen.lobe);
     to_["direction"] = triple(chosen.direction);
-    to_["density"] = chosen.density;
-    to_["share"] = triple(chosen.share);
+    to_["density"] = chosen.pdf;
+    to_["share"] = triple(chosen.throughput);
   }
 
   void operator()(const SurvivalDecided& decided) const {
@@ -133,8 +133,8 @@ class Writer {
  private:
   template <class Added>
   void weighted(const Added& added) const {
-    to_["direction_density"] = added.direction_density;
-    to_["light_density"] = added.light_density;
+    to_["direction_density"] = added.direction_pdf;
+    to_["light_density"] = added.light_pdf;
     to_["weight"] = added.weight;
     to_["added"] = triple(added.added);
   }
@@ -146,12 +146,12 @@ class Writer {
     to_["row"] = row;
     to_["sample"] = sample;
   }
-  void spawned(RayKind kind, int parent, const Vec3d& origin, const Vec3d& direction, const Rgbd& share) const {
+  void spawned(RayKind kind, int parent, const Vec3d& origin, const Vec3d& direction, const Rgbd& throughput) const {
     to_["kind"] = ray_kind_name(kind);
     if (parent >= 0) to_["parent"] = parent;
     to_["origin"] = triple(origin);
     to_["direction"] = triple(direction);
-    to_["share"] = triple(share);
+    to_["share"] = triple(throughput);
   }
   void object(int index) const {
     to_["object"] = index;
@@ -178,12 +178,12 @@ class Writer {
 Json event_json(const Scene& scene, const Event& event) {
   const PseudocodeLine& line = pseudocode_of(event.line);
   Json json{{"line", line.text}, {"procedure", procedure_title(line.procedure)}, {"depth", event.depth}};
-  std::visit(Writer(scene, json), event.detail);
+  std::visit(EventWriter(scene, json), event.detail);
   return json;
 }
 
 std::optional<int> first_difference(const Scene& scene, const Timeline& one, const Timeline& other) {
-  // As text, in which numbers are told to the last bit and one NaN is like another.
+  // As text, which tells numbers to the last bit and all NaNs alike.
   const auto told = [&](const Timeline& of, int i) {
     return event_json(scene, of.event(i)).dump(-1, ' ', false, Json::error_handler_t::replace);
   };

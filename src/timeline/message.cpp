@@ -12,7 +12,7 @@ namespace {
 
 double degrees_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
-/// Looks things up for the line that leads to one position.
+/// Describes the line that leads to one position.
 class Describer {
  public:
   Describer(const Scene& scene, const Timeline& timeline, int position)
@@ -38,7 +38,7 @@ class Describer {
   }
   /// The ray whose hit the executing SHADE shades: not the one that came back last.
   [[nodiscard]] const RayRecord& shaded_ray() const { return ray(frame(timeline_.current_frame(position_)).ray); }
-  /// Whether it came from outside when it met the surface: against its outward normal.
+  /// Whether it hit the surface from outside: against its outward normal.
   [[nodiscard]] bool came_from_outside() const { return dot(shaded_ray().normal, shaded_ray().direction) < 0; }
   /// The object whose surface the executing SHADE shades, or at which FOLLOW PATH stands.
   [[nodiscard]] std::string shaded() const {
@@ -57,7 +57,7 @@ class Describer {
   [[nodiscard]] Message describe(const Event& event, const RayFormed& formed) const {
     if (event.line == Line::form_next_ray)
       return {"walk.next_formed",
-              {{"object", shaded()}, {"ray", formed.kind}, {"share", Share{max_component(formed.share)}}}};
+              {{"object", shaded()}, {"ray", formed.kind}, {"share", Fraction{max_component(formed.throughput)}}}};
     switch (formed.kind) {
       case RayKind::primary: {
         const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
@@ -68,7 +68,7 @@ class Describer {
         if (formed.light < 0) return {"walk.object_aimed_at", {{"object", shaded()}}};
         return {"walk.shadow_formed", {{"object", shaded()}, {"light", light(formed.light)}}};
       case RayKind::reflect:
-        return {"walk.reflect_formed", {{"object", shaded()}, {"share", Share{max_component(formed.share)}}}};
+        return {"walk.reflect_formed", {{"object", shaded()}, {"share", Fraction{max_component(formed.throughput)}}}};
       case RayKind::refract: {
         const SnellNumbers snell = formed.snell.value_or(SnellNumbers{1, 1, 1, 1, 0});
         const bool goes_in = came_from_outside();
@@ -100,8 +100,9 @@ class Describer {
         return {reflect ? "walk.reflect_depth" : "walk.refract_depth", {{"depth", deepest}}};
       }
       case Ending::threshold:
-        return {reflect ? "walk.reflect_threshold" : "walk.refract_threshold",
-                {{"share", Share{max_component(stub.share)}}, {"threshold", Share{scene_.limits.threshold}}}};
+        return {
+            reflect ? "walk.reflect_threshold" : "walk.refract_threshold",
+            {{"share", Fraction{max_component(stub.throughput)}}, {"threshold", Fraction{scene_.limits.threshold}}}};
       case Ending::path_length:
         return {"walk.path_length", {{"ray", stub.kind}}};
       case Ending::total_internal_reflection:
@@ -117,7 +118,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& /*event*/, const Found& found) const {
     const RayRecord& record = current();
-    const Met met{object(found.object), found.member, found.triangle};
+    const HitObject met{object(found.object), found.member, found.triangle};
     switch (found.ending) {
       case Ending::hit: {
         const bool from_inside =
@@ -135,8 +136,9 @@ class Describer {
       }
       case Ending::reached_light:
         if (record.light < 0) return {"walk.object_seen", {{"object", met}}};
-        if (found.passed == Rgbd(1.0)) return {"walk.light_reached", {{"light", light(record.light)}}};
-        return {"walk.light_filtered", {{"light", light(record.light)}, {"share", Share{max_component(found.passed)}}}};
+        if (found.transmittance == Rgbd(1.0)) return {"walk.light_reached", {{"light", light(record.light)}}};
+        return {"walk.light_filtered",
+                {{"light", light(record.light)}, {"share", Fraction{max_component(found.transmittance)}}}};
       case Ending::depth:
       case Ending::threshold:
       case Ending::total_internal_reflection:
@@ -204,7 +206,7 @@ class Describer {
       case Line::choose_direction:
       case Line::if_path_survives:
       case Line::form_next_ray:
-        break;  // these decide nothing, or in words of their own
+        break;  // these decide nothing, or have messages of their own
     }
     return {};
   }
@@ -212,7 +214,7 @@ class Describer {
   [[nodiscard]] Message describe(const Event& /*event*/, const ShadeCalled& called) const {
     const RayRecord& record = current();
     if (called.missed) return {"walk.shade_missed", {{"ray", record.kind}, {"colour", called.background}}};
-    // The lines of shadow rays run once for each light: without any, the walk passes over them.
+    // The lines of shadow rays run once per light: without lights, the walk skips them.
     const std::string_view id = scene_.lights.empty() ? "walk.shade_called_unlit" : "walk.shade_called";
     return {id, {{"depth", called.depth}, {"object", object(record.object)}, {"ray", record.kind}}};
   }
@@ -246,19 +248,20 @@ class Describer {
     if (emission.weight > nearly_all)
       return {"walk.emission_added", {{"object", shaded()}, {"colour", emission.added}}};
     return {"walk.emission_weighted",
-            {{"object", shaded()}, {"weight", Share{emission.weight}}, {"colour", emission.added}}};
+            {{"object", shaded()}, {"weight", Fraction{emission.weight}}, {"colour", emission.added}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const LightAdded& added) const {
     const std::string name = added.light >= 0 ? light(added.light) : object(added.object);
     if (is_black(added.added)) return {"walk.light_adds_nothing", {}};
     if (added.weight > nearly_all) return {"walk.light_added", {{"light", name}, {"colour", added.added}}};
-    return {"walk.light_added_weighted", {{"light", name}, {"weight", Share{added.weight}}, {"colour", added.added}}};
+    return {"walk.light_added_weighted",
+            {{"light", name}, {"weight", Fraction{added.weight}}, {"colour", added.added}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const DirectionChosen& chosen) const {
     if (chosen.absorbed) return {"walk.direction_none", {{"object", shaded()}}};
-    return {by_lobe(chosen.lobe), {{"object", shaded()}, {"share", Share{max_component(chosen.share)}}}};
+    return {by_lobe(chosen.lobe), {{"object", shaded()}, {"share", Fraction{max_component(chosen.throughput)}}}};
   }
   static std::string_view by_lobe(Lobe lobe) {
     switch (lobe) {
@@ -278,10 +281,10 @@ class Describer {
     if (decided.why == Ending::path_length)
       return {"walk.path_too_long", {{"count", scene_.render.path_length.value_or(0)}}};
     if (decided.why == Ending::threshold)
-      return {"walk.path_lost_roulette", {{"share", Share{max_component(current().share)}}}};
+      return {"walk.path_lost_roulette", {{"share", Fraction{max_component(current().throughput)}}}};
     if (!decided.survives) return {"walk.path_absorbed", {{"object", shaded()}}};
     if (decided.survival == 1) return {"walk.path_survives", {}};
-    return {"walk.path_survives_roulette", {{"probability", Share{decided.survival}}}};
+    return {"walk.path_survives_roulette", {{"probability", Fraction{decided.survival}}}};
   }
 
   static constexpr double nearly_all = 0.995;  ///< a weight that reads as 100%

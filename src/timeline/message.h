@@ -1,5 +1,5 @@
 #pragma once
-// What a step did, without language: an id and its arguments. `view` puts it into words.
+// What a step did, independent of language: an id and its arguments. `view` puts it into words.
 
 #include "scene/scene.h"
 #include "timeline/timeline.h"
@@ -11,26 +11,26 @@
 
 namespace raywalk {
 
-/// A part of the whole, 0..1.
-struct Share {
+/// A fraction, 0..1.
+struct Fraction {
   double value;
-  friend bool operator==(const Share&, const Share&) = default;
+  friend bool operator==(const Fraction&, const Fraction&) = default;
 };
 
-/// What a ray met: an object, or more exactly a member of the group or a triangle of the mesh that it is.
-struct Met {
+/// What a ray met: an object, with the group member or the triangle if it is a group or a mesh.
+struct HitObject {
   std::string object, member{};  ///< names; no member: empty
   int triangle = -1;             ///< from 0; none: -1
-  friend bool operator==(const Met&, const Met&) = default;
+  friend bool operator==(const HitObject&, const HitObject&) = default;
 };
 
-/// What stands in the text for {name}. The name of a thing is a string as it stands in the scene.
+/// The value of {name} in the text. A string is a name from the scene.
 struct Argument {
   std::string_view name;
-  std::variant<int, double, Rgbd, Share, RayKind, std::string, Met> value;
+  std::variant<int, double, Rgbd, Fraction, RayKind, std::string, HitObject> value;
 };
 
-/// The id of a text, "walk.found_hit", with what is to be filled in.
+/// The id of a text, "walk.found_hit", with its arguments.
 struct Message {
   std::string_view id;
   std::vector<Argument> arguments;

@@ -1,7 +1,7 @@
 #include "timeline/microscope.h"
 
-#include "timeline/formed_again.h"
-#include "trace/passage.h"
+#include "timeline/retraced_ray.h"
+#include "trace/shadow_transmittance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ Ray<double> wide_ray(const Ray<T>& ray) {
   return {wide(ray.origin), wide(ray.direction), ray.departure, static_cast<double>(ray.time)};
 }
 
-/// The axis to look along: the one that surface and ray run least along, of equals the last.
+/// Views along the axis that is least aligned with surface and ray; the last one if equal.
 DrawnAxes axes_for(const Vec3d& normal, const Vec3d& direction) {
   constexpr double ray_counts = 0.3;
   int hidden = 2;
@@ -85,10 +85,10 @@ std::vector<double> numbers_about(double x, double reach, Precision precision, s
   return {};
 }
 
-/// A recording's scene, ready to be traced once more.
+/// A recording's scene, prepared for tracing again.
 template <class T>
-struct Microscope::Bench {
-  Bench(const Scene& walked, const Timeline& recorded)
+struct Microscope::PreparedScene {
+  PreparedScene(const Scene& walked, const Timeline& recorded)
       : scene(walked),
         timeline(recorded),
         world(std::make_shared<const World<T>>(scene)),
@@ -101,14 +101,14 @@ struct Microscope::Bench {
   std::shared_ptr<const TrueSurfaces> surfaces;  ///< as they stand at `time`
   T time = 0;
 
-  using Found = SurfaceFound<T>;
+  using HitSurface = SurfaceHit<T>;
 
   [[nodiscard]] const Primitives<T>& primitives() const { return world->accelerator.primitives(); }
   [[nodiscard]] bool is_naive() const { return world->numerics == Numerics::naive; }
   [[nodiscard]] const RayRecord& record(int ray) const { return timeline.rays()[static_cast<std::size_t>(ray)]; }
 
   template <class AnyRay>
-  [[nodiscard]] std::optional<Found> find(const AnyRay& ray) const {
+  [[nodiscard]] std::optional<HitSurface> find(const AnyRay& ray) const {
     return find_surface(*world, ray);
   }
 
@@ -117,16 +117,16 @@ struct Microscope::Bench {
  private:
   void survey(T now);
   template <class AnyRay>
-  [[nodiscard]] Reading read(const AnyRay& ray, const Found& found) const;
+  [[nodiscard]] Reading read(const AnyRay& ray, const HitSurface& found) const;
   template <class AnyRay>
-  void follow(Reading& reading, const AnyRay& ray, const Found& found, const Found& robust, const Found& recorded,
-              int number) const;
+  void follow(Reading& reading, const AnyRay& ray, const HitSurface& found, const HitSurface& robust,
+              const HitSurface& recorded, int number) const;
   [[nodiscard]] std::optional<Hit<T>> truly_met(RayKind kind, const Ray<T>& ray, T t_max) const;
 };
 
 template <class T>
 template <class AnyRay>
-Reading Microscope::Bench<T>::read(const AnyRay& ray, const Found& found) const {
+Reading Microscope::PreparedScene<T>::read(const AnyRay& ray, const HitSurface& found) const {
   const double spacing = largest_spacing(found.point.position);
   Reading reading;
   reading.t = static_cast<double>(found.hit.t);
@@ -138,26 +138,26 @@ Reading Microscope::Bench<T>::read(const AnyRay& ray, const Found& found) const 
   return reading;
 }
 
-/// Filtering objects, which let shadow rays through, the robust search itself leaves out.
+/// The robust search itself skips filtering objects, which let shadow rays through.
 template <class T>
-std::optional<Hit<T>> Microscope::Bench<T>::truly_met(RayKind kind, const Ray<T>& ray, T t_max) const {
+std::optional<Hit<T>> Microscope::PreparedScene<T>::truly_met(RayKind kind, const Ray<T>& ray, T t_max) const {
   if (kind == RayKind::shadow && !world->shadow_roles.empty()) return first_blocker(*world, ray, t_max);
   const auto hit = surfaces->closest(wide_ray(ray), static_cast<double>(t_max));
   if (!hit) return std::nullopt;
   return Hit<T>{static_cast<T>(hit->t), hit->primitive, hit->part};
 }
 
-/// Sends the rays that the recording has, from where this reading has them start. `robust`: what the truth is asked of;
-/// `recorded`: where the recording has them start.
+/// Traces the recorded rays from this reading's spawn points. `robust`: the reading that the truth is computed from;
+/// `recorded`: the recorded origins.
 template <class T>
 template <class AnyRay>
-void Microscope::Bench<T>::follow(Reading& reading, const AnyRay& ray, const Found& found, const Found& robust,
-                                  const Found& recorded, int number) const {
+void Microscope::PreparedScene<T>::follow(Reading& reading, const AnyRay& ray, const HitSurface& found,
+                                          const HitSurface& robust, const HitSurface& recorded, int number) const {
   const double spacing = largest_spacing(found.point.position);
   const auto surface_of = [&](int primitive) { return primitives().first_equal(primitive); };
-  const auto leave = [&]<class Any>(const Found& from, const Vec3<T>& direction) {
-    return leaving<Any>(*world, from.point.position, from.point.normal, {from.hit.primitive, from.hit.part}, direction,
-                        ray.time);
+  const auto leave = [&]<class Any>(const HitSurface& from, const Vec3<T>& direction) {
+    return spawn_ray<Any>(*world, from.point.position, from.point.normal, {from.hit.primitive, from.hit.part},
+                          direction, ray.time);
   };
   const auto add_start = [&](const Vec3<T>& direction) {
     const Vec3d place = wide(leave.template operator()<AnyRay>(found, direction).origin);
@@ -169,7 +169,7 @@ void Microscope::Bench<T>::follow(Reading& reading, const AnyRay& ray, const Fou
     if (next.parent != number || !next.formed) continue;
     const auto& formed = std::get<RayFormed>(timeline.event(next.formed_at - 1).detail);
     const Vec3d light = wide(recorded.point.position) + next.direction;
-    const auto direction_from = [&](const Found& from) {
+    const auto direction_from = [&](const HitSurface& from) {
       const bool own = from.point.position == recorded.point.position || !formed.light_at_end;
       return own ? Vec3<T>(next.direction) : Vec3<T>(light) - from.point.position;
     };
@@ -182,13 +182,13 @@ void Microscope::Bench<T>::follow(Reading& reading, const AnyRay& ray, const Fou
     const bool same =
         met.has_value() == truth.has_value() && (!met || surface_of(met->primitive) == surface_of(truth->primitive));
     const bool own = met && surface_of(met->primitive) == surface_of(found.hit.primitive);
-    // Across a body its own surface is rightly met again, only not at once.
+    // Across a body, a ray rightly meets its own surface again, but not at once.
     const bool at_once = own && !(same && met->t > truth->t / 2);
 
-    auto of_kind = std::find_if(reading.leaving.begin(), reading.leaving.end(),
-                                [&](const LeavingRays& rays) { return rays.kind == next.kind; });
-    if (of_kind == reading.leaving.end())
-      of_kind = reading.leaving.insert(of_kind, {next.kind, 0, 0, 0, wide(leaves.origin), wide(leaves.direction)});
+    auto of_kind = std::find_if(reading.spawned.begin(), reading.spawned.end(),
+                                [&](const SpawnedRays& rays) { return rays.kind == next.kind; });
+    if (of_kind == reading.spawned.end())
+      of_kind = reading.spawned.insert(of_kind, {next.kind, 0, 0, 0, wide(leaves.origin), wide(leaves.direction)});
     ++of_kind->count;
     of_kind->hit_own += at_once;
     of_kind->astray += !at_once && !same;
@@ -197,10 +197,10 @@ void Microscope::Bench<T>::follow(Reading& reading, const AnyRay& ray, const Fou
   }
 }
 
-/// What moves is taken with the numbers of the scene itself, for it stands in no place that a float's world would have;
-/// so are large meshes, for their room.
+/// Moving objects use the scene's own numbers, because a float world does not hold their position at one time; so do
+/// large meshes, to save memory.
 template <class T>
-void Microscope::Bench<T>::survey(T now) {
+void Microscope::PreparedScene<T>::survey(T now) {
   time = now;
   constexpr int many = 50000;
   bool as_given = primitives().size() > many;
@@ -213,15 +213,15 @@ void Microscope::Bench<T>::survey(T now) {
 }
 
 template <class T>
-std::shared_ptr<const Specimen> Microscope::Bench<T>::examine(int number) {
-  const auto twins = formed_again(*world, camera, timeline, number);
+std::shared_ptr<const Specimen> Microscope::PreparedScene<T>::examine(int number) {
+  const auto twins = retraced_ray(*world, camera, timeline, number);
   if (!twins) return nullptr;
   const auto robust = find(twins->robust), naive = find(twins->naive);
   if (!robust && !naive) return nullptr;
   if (!surfaces || twins->robust.time != time) survey(twins->robust.time);
-  const Found& best = robust ? *robust : *naive;
-  const std::optional<Found>& recorded = is_naive() ? naive : robust;
-  const auto reading = [&](const auto& ray, const std::optional<Found>& found) -> std::optional<Reading> {
+  const HitSurface& best = robust ? *robust : *naive;
+  const std::optional<HitSurface>& recorded = is_naive() ? naive : robust;
+  const auto reading = [&](const auto& ray, const std::optional<HitSurface>& found) -> std::optional<Reading> {
     if (!found) return std::nullopt;
     Reading made = read(ray, *found);
     follow(made, ray, *found, best, recorded.value_or(best), number);
@@ -268,10 +268,10 @@ std::shared_ptr<const Specimen> Microscope::look(const std::shared_ptr<const Tim
     looked_at_.assign(timeline->rays().size(), false);
     switch (precision) {
       case Precision::float_:
-        bench_ = std::make_shared<Bench<float>>(scene, *timeline);
+        prepared_ = std::make_shared<PreparedScene<float>>(scene, *timeline);
         break;
       case Precision::double_:
-        bench_ = std::make_shared<Bench<double>>(scene, *timeline);
+        prepared_ = std::make_shared<PreparedScene<double>>(scene, *timeline);
         break;
     }
   }
@@ -280,7 +280,7 @@ std::shared_ptr<const Specimen> Microscope::look(const std::shared_ptr<const Tim
     const auto index = static_cast<std::size_t>(ray);
     if (record.formed && record.kind != RayKind::shadow && record.found_at <= position) {
       if (!looked_at_[index]) {
-        specimens_[index] = std::visit([&](const auto& bench) { return bench->examine(ray); }, bench_);
+        specimens_[index] = std::visit([&](const auto& prepared) { return prepared->examine(ray); }, prepared_);
         looked_at_[index] = true;
       }
       if (specimens_[index]) return specimens_[index];

@@ -8,13 +8,13 @@ namespace {
 
 template <class T>
 Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
-  Worlds own;
+  WorldCache own;
   const auto world =
       (how.worlds != nullptr ? *how.worlds : own).of<T>(scene, AcceleratorKind::automatic, how.fault, how.stop);
   const RayGenerator<T> camera(scene, size, whole, how.sampling);
   Recorder recorder;
   const SceneKernel<T> kernel(scene, *world);
-  // Pixel by pixel, and there sample by sample: so a person watches them come together.
+  // Pixel by pixel, each with all its samples, so that one can watch them accumulate.
   for (int row = block.row_begin; row < block.row_end; ++row)
     for (int column = block.column_begin; column < block.column_end; ++column)
       for (int sample = 0; sample < how.sampling.per_pixel; ++sample)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/worlds.h"
+#include "render/world_cache.h"
 #include "timeline/timeline.h"
 #include "trace/kernel.h"
 
@@ -10,7 +10,7 @@ namespace raywalk {
 class Recorder : public Observer {
  public:
   void record(Event&& event) override { events_.push_back(std::move(event)); }
-  /// The timeline of what was recorded; `image`: what the pixels are of, one row high for the strip.
+  /// The timeline of the recorded events; `image`: the size of the image, one row high for the strip.
   [[nodiscard]] Timeline take(ImageSize image) { return Timeline(std::move(events_), image); }
 
  private:
@@ -21,13 +21,12 @@ class Recorder : public Observer {
 struct Recording {
   Precision precision = Precision::double_;
   Sampling sampling{};
-  std::optional<Fault> fault{};  ///< breaks the tracer on purpose
-  Worlds* worlds = nullptr;      ///< of the scene; null: a world is made for this recording alone
-  Stop stop{};                   ///< may end it: what records throws Stopped then
+  std::optional<Fault> fault{};  ///< injected into the tracer
+  WorldCache* worlds = nullptr;  ///< of the scene; null: a world is built for this recording alone
+  Stop stop{};                   ///< cancels it: the record functions then throw Stopped
 };
 
-/// The whole strip, from its first cell to its last: row 0 of an image cells x 1, which is the middle row of every
-/// image an odd multiple as wide.
+/// The whole strip: row 0 of a cells x 1 image, which is the middle row of every image an odd multiple as large.
 [[nodiscard]] Timeline record_strip(const Scene& scene, const Recording& how = {});
 /// One cell of it; 0 <= cell < the screen's cells.
 [[nodiscard]] Timeline record_cell(const Scene& scene, int cell, const Recording& how = {});

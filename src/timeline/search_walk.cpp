@@ -1,6 +1,6 @@
 #include "timeline/search_walk.h"
 
-#include "timeline/formed_again.h"
+#include "timeline/retraced_ray.h"
 
 #include <algorithm>
 
@@ -12,22 +12,22 @@ std::size_t watched_index(AcceleratorKind kind) {
 }
 
 template <class T>
-struct SearchWalks::Bench {
-  Bench(const Scene& scene, const Timeline& recorded) : world(scene), camera(camera_of<T>(scene, recorded)) {}
+struct SearchWalks::PreparedScene {
+  PreparedScene(const Scene& scene, const Timeline& recorded) : world(scene), camera(camera_of<T>(scene, recorded)) {}
 
   World<T> world;
   RayGenerator<T> camera;
   std::vector<WatchedAccelerator<T>> accelerators;  ///< by place in watched_accelerators
 
   template <class AnyRay>
-  [[nodiscard]] WatchedSearch search(std::size_t index, const AnyRay& ray, bool shadow, T reach) const {
+  [[nodiscard]] WatchedSearch search(std::size_t index, const AnyRay& ray, bool shadow, T t_far) const {
     const WatchedAccelerator<T>& accelerator = accelerators[index];
-    SearchRecord record(wide(ray.origin), wide(ray.direction), static_cast<double>(reach));
+    SearchRecord record(wide(ray.origin), wide(ray.direction), static_cast<double>(t_far));
     WatchedSearch search;
     if (shadow)
-      static_cast<void>(accelerator.any(ray, reach, search.counts, world.shadow_roles, record));
+      static_cast<void>(accelerator.occluded(ray, t_far, search.counts, world.shadow_roles, record));
     else
-      static_cast<void>(accelerator.closest(ray, reach, search.counts, record));
+      static_cast<void>(accelerator.closest(ray, t_far, search.counts, record));
     search.events = record.events();
     search.complete = record.complete();
     if (const auto& found = record.nearest()) search.primitive = found->primitive, search.t = found->t;
@@ -50,61 +50,61 @@ SearchWalks::SearchWalks(const Scene& scene, std::shared_ptr<const Timeline> tim
 
 template <class T>
 void SearchWalks::fill(const Scene& scene) {
-  const auto bench = std::make_shared<Bench<T>>(scene, *timeline_);
-  bench_ = bench;
-  const Primitives<T>& primitives = bench->world.accelerator.primitives();
+  const auto prepared = std::make_shared<PreparedScene<T>>(scene, *timeline_);
+  prepared_ = prepared;
+  const Primitives<T>& primitives = prepared->world.accelerator.primitives();
   primitives_ = primitives.size();
   if (too_large()) return;
-  const Boxes<T> boxes(primitives);
+  const PrimitiveBounds<T> boxes(primitives);
   bounded_ = static_cast<int>(boxes.bounded.size());
   unbounded_ = static_cast<int>(boxes.unbounded.size());
   for (std::size_t i = 0; i < watched_count; ++i) {
     const WatchedAccelerator<T>& built =
-        bench->accelerators.emplace_back(primitives, watched_accelerators[i], most_steps);
+        prepared->accelerators.emplace_back(primitives, watched_accelerators[i], max_steps);
     const BuildRecord& record = built.build();
-    builds_[i] = {record.steps, record.steps_made == record.steps.size(), built.nodes(most_nodes), built.statistics()};
+    builds_[i] = {record.steps, record.steps_made == record.steps.size(), built.nodes(max_nodes), built.statistics()};
   }
 }
 
 std::string SearchWalks::name(int primitive) const {
   return std::visit(
-      [&](const auto& bench) {
-        std::string name = object_names_[static_cast<std::size_t>(bench->world.object(primitive))];
-        const auto piece = bench->world.piece(primitive);
+      [&](const auto& prepared) {
+        std::string name = object_names_[static_cast<std::size_t>(prepared->world.object(primitive))];
+        const auto piece = prepared->world.piece(primitive);
         if (!piece.member.empty()) name += " / " + piece.member;
         if (piece.triangle >= 0) name += " #" + std::to_string(piece.triangle);
         return name;
       },
-      bench_);
+      prepared_);
 }
 
 Bounds<double> SearchWalks::box(int primitive) const {
-  return std::visit([&](const auto& bench) { return wide(bench->world.accelerator.primitives().box(primitive)); },
-                    bench_);
+  return std::visit([&](const auto& prepared) { return wide(prepared->world.accelerator.primitives().box(primitive)); },
+                    prepared_);
 }
 
 std::shared_ptr<const RaySearches> SearchWalks::search(int ray) const {
   const RayRecord& record = timeline_->rays()[static_cast<std::size_t>(ray)];
   if (too_large() || !record.formed) return nullptr;
   return std::visit(
-      [&]<class T>(const std::shared_ptr<const Bench<T>>& bench) -> std::shared_ptr<const RaySearches> {
-        const auto twins = formed_again(bench->world, bench->camera, *timeline_, ray);
+      [&]<class T>(const std::shared_ptr<const PreparedScene<T>>& prepared) -> std::shared_ptr<const RaySearches> {
+        const auto twins = retraced_ray(prepared->world, prepared->camera, *timeline_, ray);
         if (!twins) return nullptr;
         const bool shadow = record.kind == RayKind::shadow;
         const auto& formed = std::get<RayFormed>(timeline_->event(record.formed_at - 1).detail);
-        const T reach = shadow && formed.light_at_end ? T(1) : infinity<T>;
+        const T t_far = shadow && formed.light_at_end ? T(1) : infinity<T>;
         auto searches = std::make_shared<RaySearches>();
         searches->ray = ray;
         searches->kind = record.kind;
-        const bool naive = bench->world.numerics == Numerics::naive;
+        const bool naive = prepared->world.numerics == Numerics::naive;
         const Ray<T>& line = naive ? twins->naive : twins->robust;
         searches->origin = wide(line.origin), searches->direction = wide(line.direction);
         for (std::size_t i = 0; i < watched_count; ++i)
-          searches->in[i] =
-              naive ? bench->search(i, twins->naive, shadow, reach) : bench->search(i, twins->robust, shadow, reach);
+          searches->in[i] = naive ? prepared->search(i, twins->naive, shadow, t_far)
+                                  : prepared->search(i, twins->robust, shadow, t_far);
         return searches;
       },
-      bench_);
+      prepared_);
 }
 
 }  // namespace raywalk

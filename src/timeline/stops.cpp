@@ -10,13 +10,13 @@ const FrameRecord& frame_of(const Timeline& timeline, int frame) {
   return timeline.frames()[static_cast<std::size_t>(frame)];
 }
 
-/// The call that has begun last and not returned; null in MAIN ALGORITHM.
+/// The innermost call that has not returned; null in MAIN ALGORITHM.
 const FrameRecord* innermost(const Timeline& timeline, int position) {
   const std::vector<int> calls = timeline.stack(position);
   return calls.empty() ? nullptr : &frame_of(timeline, calls.front());
 }
 
-/// DEPTH of the SHADE that has been called, or else executes; of a path, its rays.
+/// DEPTH of the SHADE that has just been called or else executes; for a path, its number of rays.
 int reached(const Timeline& timeline, int position) {
   const Event* event = timeline.just_run(position);
   if (event == nullptr) return 0;

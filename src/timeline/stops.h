@@ -1,5 +1,5 @@
 #pragma once
-// Walking by calls, and breakpoints: positions of a timeline, like its grains.
+// Stepping by calls, and breakpoints: positions of a timeline.
 
 #include "scene/scene.h"
 #include "timeline/timeline.h"
@@ -10,22 +10,22 @@
 
 namespace raywalk {
 
-// By calls. Each returns a position; at the ends it stays.
+// Stepping by calls. Each returns a position; at the ends it stays.
 
-/// After the next line, with all of the SHADE that it calls.
+/// After the next line and any SHADE that it calls.
 [[nodiscard]] int step_over(const Timeline& timeline, int position);
-/// Before the line that has just run; where that was the last one of a SHADE, before the call.
+/// Before the line that has just run; if that was the last line of a SHADE, before its call.
 [[nodiscard]] int step_back_over(const Timeline& timeline, int position);
-/// After the SHADE under way has returned; in MAIN ALGORITHM, after the pixel has been put.
+/// After the current SHADE has returned; in MAIN ALGORITHM, after the pixel has been put.
 [[nodiscard]] int step_out(const Timeline& timeline, int position);
-/// Before the call of the SHADE under way; in MAIN ALGORITHM, after the pixel before.
+/// Before the call of the current SHADE; in MAIN ALGORITHM, after the previous pixel.
 [[nodiscard]] int step_back_out(const Timeline& timeline, int position);
 
-/// Where a walk comes to rest by itself.
+/// Where a walk pauses by itself.
 struct Breakpoints {
   std::array<bool, line_count + path_line_count> before{};  ///< before this line runs
-  std::optional<int> depth;                ///< where SHADE is called with this DEPTH, or a path has as many rays
-  bool total_internal_reflection = false;  ///< where nothing gets out
+  std::optional<int> depth;                ///< where SHADE is called with this DEPTH, or a path has this many rays
+  bool total_internal_reflection = false;  ///< where nothing is transmitted
   std::string object;                      ///< where a ray hits the object of this name; empty: none
   std::optional<int> pixel;                ///< where the pixel of this column begins, from 0
 
@@ -34,13 +34,13 @@ struct Breakpoints {
   [[nodiscard]] bool is_before(Line line) const { return before[static_cast<std::size_t>(line)]; }
 };
 
-/// Whether a walk comes to rest at `position`: the line that runs next has a breakpoint, or the line that has just run
-/// has brought about one of the other things. `timeline` was recorded from `scene`.
+/// Whether a walk pauses at `position`: the next line has a breakpoint, or the line that has just run meets one of the
+/// other conditions. `timeline` was recorded from `scene`.
 [[nodiscard]] bool stops_at(const Breakpoints& breakpoints, const Scene& scene, const Timeline& timeline, int position);
-/// The first such position beyond `position`, no farther than `last`; that when there is none before.
+/// The first such position after `position` and before `last`, or else `last`.
 [[nodiscard]] int next_stop(const Breakpoints& breakpoints, const Scene& scene, const Timeline& timeline, int position,
                             int last);
-/// The last such position before `position`; 0 when there is none.
+/// The last such position before `position`, or else 0.
 [[nodiscard]] int previous_stop(const Breakpoints& breakpoints, const Scene& scene, const Timeline& timeline,
                                 int position);
 

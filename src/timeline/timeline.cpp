@@ -6,15 +6,15 @@
 
 namespace raywalk {
 
-/// Reads the events once, in order, keeping what is under way.
+/// Reads the events once, in order, and tracks the current state.
 Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), events_(std::move(events)) {
   moments_.reserve(events_.size() + 1);
   std::vector<int> record_of_ray;  // the recording's ray number -> index in rays_, which also holds stubs
-  int innermost = -1;              // SHADE under way
+  int innermost = -1;              // the current SHADE
   int pixel = -1;
-  int on_path = -1;           // the present ray of FOLLOW PATH
+  int on_path = -1;           // the current ray of FOLLOW PATH
   Vec3d next_direction{0.0};  // the one that FOLLOW PATH has chosen
-  Rgbd next_share{0.0};
+  Rgbd next_throughput{0.0};
 
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const Event& event = events_[i];
@@ -55,7 +55,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               record.endless = !formed.light_at_end;
               record.end = formed.origin + (record.endless ? normalize(formed.direction) : formed.direction);
               record.light = formed.light;
-              record.share = formed.share;
+              record.throughput = formed.throughput;
               record.found_at = static_cast<int>(events_.size()) + 1;
               add_ray(record);
               record_of_ray.resize(std::max(record_of_ray.size(), static_cast<std::size_t>(formed.ray) + 1), -1);
@@ -73,7 +73,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               const double size = length(stub.direction);
               record.end = size > 0 ? stub.origin + stub.direction / size : stub.origin;
               record.light = stub.light;
-              record.share = stub.share;
+              record.throughput = stub.throughput;
               record.found_at = after;
               add_ray(record);
             },
@@ -82,7 +82,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               RayRecord& record = rays_[static_cast<std::size_t>(ray)];
               record.ending = found.ending;
               record.found_at = after;
-              record.passed = found.passed;
+              record.transmittance = found.transmittance;
               record.object = found.object;
               record.part = found.part;
               if (found.object >= 0) {
@@ -101,7 +101,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               }
               if (event.line == Line::while_ray && !decided.holds) end_path();
               if (decided.why != Ending::total_internal_reflection) return;
-              // The refract ray that does not exist would graze the surface, at best: a stub along it says so.
+              // The nonexistent refract ray would at best graze the surface: shown as a stub along it.
               const RayRecord shaded = rays_[static_cast<std::size_t>(ray)];
               RayRecord record;
               record.formed = false;
@@ -113,7 +113,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               const double size = length(along);
               record.direction = size > 0 ? along / size : shaded.direction;
               record.end = record.origin + record.direction;
-              record.share = Rgbd(0.0);
+              record.throughput = Rgbd(0.0);
               record.found_at = after;
               add_ray(record);
             },
@@ -141,11 +141,11 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
             [&](const LightAdded& light) { frames_[static_cast<std::size_t>(innermost)].returned += light.added; },
             [&](const DirectionChosen& chosen) {
               next_direction = chosen.direction;
-              next_share = chosen.share;
+              next_throughput = chosen.throughput;
             },
             [&](const SurvivalDecided& decided) {
               if (decided.why != Ending::threshold) return;
-              // Where Russian roulette ended the path: a stub of the ray that would have gone on.
+              // Where Russian roulette ended the path: a stub of the ray that would have followed.
               RayRecord record;
               record.formed = false;
               record.kind = RayKind::reflect;
@@ -154,14 +154,14 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               record.origin = rays_[static_cast<std::size_t>(on_path)].end;
               record.direction = next_direction;
               record.end = record.origin + record.direction;
-              record.share = next_share;
+              record.throughput = next_throughput;
               record.found_at = after;
               add_ray(record);
             },
             [&](const PixelPut& put) {
               pixels_.back().shade = put.shade;
               pixels_.back().mean = put.shade;
-              // As the film takes it in; the samples of a pixel are recorded one after the other.
+              // Accumulated as in the film; the samples of a pixel are recorded one after the other.
               if (pixels_.size() > 1 && put.sample > 0) {
                 const PixelRecord& before = pixels_[pixels_.size() - 2];
                 if (before.column == put.column && before.row == put.row)

@@ -13,10 +13,10 @@
 
 namespace raywalk {
 
-/// A ray of the recording, or the stub of one that a limit forbade. Positions are those of the event's *end*: a ray
-/// formed by event i exists from position i + 1 on.
+/// A ray of the recording, or the stub of one that a limit prevented. Positions are those after the event: a ray formed
+/// by event i exists from position i + 1 on.
 struct RayRecord {
-  bool formed = true;  ///< false: a stub, which never was a ray
+  bool formed = true;  ///< false: a stub
   RayKind kind = RayKind::primary;
   Ending ending = Ending::missed;
   int parent = -1;                    ///< index in rays(); -1 for primary rays
@@ -26,15 +26,15 @@ struct RayRecord {
   int shade = -1;                     ///< index in frames() of the SHADE of its hit; -1 when there is none
   Vec3d origin{0.0}, direction{0.0};  ///< direction as formed: see RayFormed
   Vec3d end{0.0};  ///< where it ended: hit, blocker or light. For `endless` rays and stubs: origin + unit direction
-  bool endless = false;  ///< met nothing and has no light at its end: it goes on for ever
+  bool endless = false;  ///< hit nothing and has no light at its end: infinite
   Vec3d normal{0.0};     ///< outward normal where it hit something
   int object = -1;       ///< index in Scene::objects of what it hit, or of its blocker
   int part = 0;
-  int light = -1;     ///< shadow rays: index in Scene::lights
-  Rgbd share{1.0};    ///< the largest part of the pixel it can bring
-  Rgbd passed{1.0};   ///< shadow rays: the share of the light that filtering objects let through
-  int formed_at = 0;  ///< position from which on it is drawn
-  int found_at = 0;   ///< position from which on its end is known
+  int light = -1;           ///< shadow rays: index in Scene::lights
+  Rgbd throughput{1.0};     ///< at most this fraction of its radiance reaches the pixel
+  Rgbd transmittance{1.0};  ///< shadow rays: of filtering objects
+  int formed_at = 0;        ///< position from which it is drawn
+  int found_at = 0;         ///< position from which its end is known
 };
 
 /// One execution of SHADE, or of FOLLOW PATH.
@@ -51,19 +51,19 @@ struct PixelRecord {
   int column = 0, row = 0, sample = 0;
   int begun_at = 0, done_at = 0;  ///< positions after "For each pixel" and after "Put final shade in pixel"
   Rgbd shade{0.0};
-  Rgbd mean{0.0};  ///< of this and the samples of the pixel before it: what stands in the pixel
+  Rgbd mean{0.0};  ///< of this and the previous samples of the pixel: its displayed value
 };
 
 class Timeline {
  public:
   Timeline() = default;
-  /// Takes the events of whole pixels, as the observed tracer told them, and indexes them. `image`: the size of what
-  /// they are pixels of; one row high for the strip.
+  /// Indexes the events of whole pixels, as the observed tracer reported them. `image`: the image's size; one row high
+  /// for the strip.
   explicit Timeline(std::vector<Event> events, ImageSize image = {0, 1});
 
   [[nodiscard]] ImageSize image() const { return image_; }
   [[nodiscard]] bool of_strip() const { return image_.height == 1; }
-  /// Whether it is a walk through PATH TRACING.
+  /// Whether it is a recording of PATH TRACING.
   [[nodiscard]] bool of_paths() const { return !events_.empty() && events_.front().line == Line::path_for_each_pixel; }
 
   /// Number of events; positions run from 0 to this.
@@ -81,13 +81,13 @@ class Timeline {
 
   /// The rays (and stubs) formed up to `position`: a prefix of rays().
   [[nodiscard]] std::span<const RayRecord> rays_at(int position) const;
-  /// Index of the ray that the line just run speaks of (formed, found, called or returned with), or -1.
+  /// Index of the ray that the line just run is about (formed, found, called or returned with), or -1.
   [[nodiscard]] int current_ray(int position) const;
   /// Index of the SHADE that executes the line just run, or -1 in MAIN ALGORITHM.
   [[nodiscard]] int current_frame(int position) const;
   /// The stack of calls that have begun and not returned at `position`, innermost first.
   [[nodiscard]] std::vector<int> stack(int position) const;
-  /// Index of the pixel under way at `position` (or just put); -1 at 0.
+  /// Index of the current pixel at `position` (or the one just put); -1 at 0.
   [[nodiscard]] int current_pixel(int position) const;
   [[nodiscard]] bool pixel_done(int pixel, int position) const;
 
@@ -98,14 +98,14 @@ class Timeline {
   };
   [[nodiscard]] Range rays_of_pixel(int pixel) const;
 
-  // Grains. Each returns a position; at the ends it stays.
+  // Larger steps. Each returns a position; at the ends it stays.
   [[nodiscard]] int next_ray(int position) const;        ///< after the next ray (or stub) has been formed
-  [[nodiscard]] int previous_ray(int position) const;    ///< as it was when the ray before was formed, or the start
-  [[nodiscard]] int next_pixel(int position) const;      ///< after the pixel under way (or the next one) has been put
-  [[nodiscard]] int previous_pixel(int position) const;  ///< after the pixel before has been put, or the start
+  [[nodiscard]] int previous_ray(int position) const;    ///< after the previous ray was formed, or the start
+  [[nodiscard]] int next_pixel(int position) const;      ///< after the current pixel (or the next one) has been put
+  [[nodiscard]] int previous_pixel(int position) const;  ///< after the previous pixel has been put, or the start
 
  private:
-  /// What holds at a position, besides what the indices say.
+  /// The state at a position, beyond what the records tell.
   struct Moment {
     int rays = 0;  ///< formed so far
     int ray = -1, frame = -1, innermost = -1, pixel = -1;

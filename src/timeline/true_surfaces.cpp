@@ -9,7 +9,7 @@ namespace raywalk {
 
 namespace {
 
-/// The primitives, every number widened.
+/// The primitives, in double.
 Primitives<double> widened(const Primitives<float>& primitives) {
   Primitives<double> all;
   const auto wide_map = [](const Affine<float>& m) {
@@ -17,11 +17,11 @@ Primitives<double> widened(const Primitives<float>& primitives) {
   };
   for (int id = 0; id < primitives.size(); ++id) {
     Shape<double> shape = shape_cast<double>(primitives.shape(id));
-    const Placement<float>* place = primitives.place_of(id);
+    const ObjectTransform<float>* place = primitives.transform_of(id);
     if (place == nullptr)
       all.add(std::move(shape));
     else
-      all.add(std::move(shape), {wide_map(place->to_world), wide_map(place->to_shape)});
+      all.add(std::move(shape), {wide_map(place->to_world), wide_map(place->to_object)});
   }
   return all;
 }
@@ -31,7 +31,7 @@ int largest_axis(const Vec3d& v) {
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 }
 
-/// Draws on what ends beside another end of the same object: at a corner the lines stop short of it by one step.
+/// Joins neighbouring ends of one object: at a corner the lines stop one step short of it.
 void join_ends(std::vector<SurfaceCut>& cuts, double near) {
   const std::vector<SurfaceCut> before = cuts;
   for (std::size_t i = 0; i < cuts.size(); ++i)
@@ -53,10 +53,10 @@ void join_ends(std::vector<SurfaceCut>& cuts, double near) {
 
 }  // namespace
 
-TrueSurfaces::Met* TrueSurfaces::Met::nearest_in(std::vector<Met>& others, double width) const {
+TrueSurfaces::LineHit* TrueSurfaces::LineHit::nearest_in(std::vector<LineHit>& others, double width) const {
   constexpr double steepest = 2.5;
-  Met* nearest = nullptr;
-  for (Met& other : others) {
+  LineHit* nearest = nullptr;
+  for (LineHit& other : others) {
     const bool same = other.cut >= 0 && other.object == object && (other.outwards.y > 0) == (outwards.y > 0);
     const double apart = std::abs(other.at.y - at.y);
     if (same && apart <= steepest * width && (nearest == nullptr || apart < std::abs(nearest->at.y - at.y)))
@@ -78,24 +78,24 @@ TrueSurfaces::TrueSurfaces(const std::shared_ptr<const World<T>>& world, T time)
 template TrueSurfaces::TrueSurfaces(const std::shared_ptr<const World<float>>&, float);
 template TrueSurfaces::TrueSurfaces(const std::shared_ptr<const World<double>>&, double);
 
-std::optional<TrueSurfaces::Beside> TrueSurfaces::beside(int primitive, const Vec3d& place, int axis,
-                                                         double spacing) const {
+std::optional<TrueSurfaces::NearbySurface> TrueSurfaces::beside(int primitive, const Vec3d& place, int axis,
+                                                                double spacing) const {
   const Primitives<double>& primitives = accelerator_->primitives();
-  // From as near as may be: the shorter the way, the more digits of it lie behind the point.
+  // From as close as possible: the shorter the distance, the more fractional digits it has.
   constexpr double first_reach = 64, wider = 64, farthest = 0x1p48;  // spacings
   for (double reach = first_reach * spacing; reach < farthest * spacing; reach *= wider) {
     Ray<double> probe{place, Vec3d(0.0), {}, time_};
     probe.direction[axis] = 1;
     probe.origin[axis] -= reach;
     double from = probe.origin[axis] - place[axis];
-    std::optional<Beside> nearest;
-    constexpr int most_crossings = 16;
-    for (int i = 0; i < most_crossings; ++i) {
+    std::optional<NearbySurface> nearest;
+    constexpr int max_crossings = 16;
+    for (int i = 0; i < max_crossings; ++i) {
       const auto met = primitives.intersect(primitive, probe, reach - from);
       if (!met) break;
       const double way = from + met->t;
       if (!nearest || std::abs(way) < std::abs(nearest->way))
-        nearest = Beside{way, primitives.surface_at(primitive, probe, *met).normal};
+        nearest = NearbySurface{way, primitives.surface_at(primitive, probe, *met).normal};
       from = way;
       probe.origin[axis] += met->t;
       probe.departure = {primitive, met->part};
@@ -129,7 +129,7 @@ std::optional<DoubleDouble> TrueSurfaces::crossing(int primitive, const Ray<doub
   if (!met) return std::nullopt;
   DoubleDouble t(met->t);
   const Vec3d normal = primitives.surface_at(primitive, timed, *met).normal;
-  // Newton's method, the surface taken for its tangent plane at a place that a double holds.
+  // Newton's method: the surface is replaced by its tangent plane at a representable point.
   constexpr int rounds = 3;
   for (int i = 0; i < rounds; ++i) {
     const Vec3d near = timed.at(static_cast<double>(t));
@@ -151,13 +151,13 @@ std::optional<Hit<double>> TrueSurfaces::closest(Ray<double> ray, double t_max) 
   return accelerator_->closest(ray, t_max, uncounted);
 }
 
-std::vector<TrueSurfaces::Met> TrueSurfaces::met_along(Ray<double> line, const Vec3d& middle, int order, int axis,
-                                                       double reach) const {
-  std::vector<Met> all;
+std::vector<TrueSurfaces::LineHit> TrueSurfaces::met_along(Ray<double> line, const Vec3d& middle, int order, int axis,
+                                                           double reach) const {
+  std::vector<LineHit> all;
   const double place = line.origin[order] - middle[order];
   double from = line.origin[axis] - middle[axis];
-  constexpr int most_crossings = 64;
-  for (int crossing = 0; crossing < most_crossings; ++crossing) {
+  constexpr int max_crossings = 64;
+  for (int crossing = 0; crossing < max_crossings; ++crossing) {
     const auto hit = closest(line, reach - from);
     if (!hit) break;
     const Vec3d normal = accelerator_->primitives().surface_at(hit->primitive, line, {hit->t, hit->part}).normal;
@@ -166,7 +166,7 @@ std::vector<TrueSurfaces::Met> TrueSurfaces::met_along(Ray<double> line, const V
     line.departure = {hit->primitive, hit->part};
     const Vec2d flat(normal[order], normal[axis]);
     const double size = length(flat);
-    // What is rather along the line is for the lines across it.
+    // Surfaces nearly parallel to the line are left to the lines across it.
     constexpr double slanted = 0.6;
     if (size > 0 && std::abs(flat.y) >= slanted * size)
       all.push_back({{place, from}, flat / size, objects_[static_cast<std::size_t>(hit->primitive)]});
@@ -177,12 +177,12 @@ std::vector<TrueSurfaces::Met> TrueSurfaces::met_along(Ray<double> line, const V
 std::vector<SurfaceCut> TrueSurfaces::cut(const Vec3d& middle, const DrawnAxes& axes, const Vec2d& reach,
                                           const std::array<int, 2>& lines) const {
   std::vector<SurfaceCut> cuts;
-  // Lines upwards find what is rather level, lines across what is rather upright.
+  // Vertical lines find nearly level surfaces, horizontal lines nearly upright ones.
   for (const int along : {1, 0}) {
     const int order = axes[static_cast<std::size_t>(1 - along)], axis = axes[static_cast<std::size_t>(along)];
     const int count = lines[static_cast<std::size_t>(1 - along)];
     const auto drawn = [&](const Vec2d& v) { return along == 1 ? v : Vec2d(v.y, v.x); };
-    std::vector<Met> last;
+    std::vector<LineHit> last;
     double last_place = -infinity<double>;
     for (int i = 0; i <= count; ++i) {
       Ray<double> line{middle, Vec3d(0.0), {}, time_};
@@ -190,10 +190,10 @@ std::vector<SurfaceCut> TrueSurfaces::cut(const Vec3d& middle, const DrawnAxes& 
       line.origin[order] += reach[1 - along] * (2.0 * i / count - 1);
       line.origin[axis] -= reach[along];
       const double place = line.origin[order] - middle[order];
-      if (place == last_place) continue;  // doubles are wider apart than the lines
-      std::vector<Met> now = met_along(line, middle, order, axis, reach[along]);
-      for (Met& met : now) {
-        Met* before = met.nearest_in(last, place - last_place);
+      if (place == last_place) continue;  // doubles are spaced more widely than the lines
+      std::vector<LineHit> now = met_along(line, middle, order, axis, reach[along]);
+      for (LineHit& met : now) {
+        LineHit* before = met.nearest_in(last, place - last_place);
         met.cut = before != nullptr ? std::exchange(before->cut, -1) : -1;
         if (met.cut < 0) {
           met.cut = static_cast<int>(cuts.size());

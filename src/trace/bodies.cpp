@@ -13,7 +13,7 @@ namespace raywalk {
 
 namespace {
 
-/// Where a body may be: in its box and, that of a plane, behind the plane.
+/// The region of a body: its box and, for a plane, what is behind it.
 template <class T>
 struct Region {
   Bounds<T> box;
@@ -27,7 +27,7 @@ bool overlap(const Bounds<T>& a, const Bounds<T>& b) {
   return true;
 }
 
-/// Whether some of the box lies behind the plane, or on it.
+/// Whether part of the box lies behind the plane, or on it.
 template <class T>
 bool reaches_behind(const Bounds<T>& box, const Plane<T>& plane) {
   T height = 0;  // of the lowest corner
@@ -45,8 +45,8 @@ bool may_touch(const Region<T>& a, const Region<T>& b) {
          (!b.front || reaches_behind(a.box, *b.front));
 }
 
-/// Whether any two may touch. Sorted along x, each is compared with those that begin before it ends. Where that would
-/// be too many, the answer is yes.
+/// Whether any two may touch. Sorted along x, each is compared with those that begin before it ends. If these are too
+/// many, the answer is yes.
 template <class T>
 bool any_touch(const std::vector<Region<T>>& regions) {
   std::vector<std::size_t> order(regions.size());
@@ -99,14 +99,14 @@ class Sorter {
     Region<T>& region = regions_[static_cast<std::size_t>(known)];
     if (const auto* plane = shape ? std::get_if<Plane<T>>(&*shape) : nullptr) {
       region.box = {Vec3<T>(-infinity<T>), Vec3<T>(infinity<T>)};
-      if (primitives_.place_of(id) == nullptr && !primitives_.moves(id)) region.front = *plane;
+      if (primitives_.transform_of(id) == nullptr && !primitives_.moves(id)) region.front = *plane;
     } else {
       region.box.include(primitives_.box(id));
     }
     bodies_.list[static_cast<std::size_t>(known)].endless = !region.box.empty() && !region.box.bounded();
   }
 
-  /// What stands twice in one place, all of it, is there once.
+  /// Bodies that coincide entirely count once.
   void merge_twins() {
     constexpr std::int32_t unknown = -2, none = -1;
     std::vector<std::int32_t> twins(bodies_.list.size(), unknown);
@@ -142,10 +142,10 @@ class Sorter {
   std::map<std::pair<Glass, double>, std::int32_t> of_glass_;  ///< those of flat shapes
 };
 
-/// The shortest way from a place to a body's surface, along the axes. Of two bodies that both hold the place, one of
-/// them inside the other, the inner one has the shorter way.
+/// The shortest distance from a point to a body's surface, along the axes. Of two bodies that contain the point, one
+/// inside the other, the inner one has the shorter distance.
 template <class T>
-T way_out(const World<T>& world, const Bodies& bodies, std::int32_t body, const Vec3<T>& place, T time) {
+T distance_out(const World<T>& world, const Bodies& bodies, std::int32_t body, const Vec3<T>& place, T time) {
   std::vector<std::uint8_t> asked(bodies.list.size(), 0);
   asked[static_cast<std::size_t>(body)] = 1;
   T shortest = infinity<T>;
@@ -175,12 +175,12 @@ Bodies bodies_that_nest(const World<T>& world, const Camera& camera) {
   for (std::size_t body = 0; body < regions.size(); ++body)
     if (may_touch(regions[body], lens)) bodies.around_eye.push_back(static_cast<std::int32_t>(body));
   if (bodies.around_eye.empty() && !any_touch(regions)) return {};
-  std::vector<std::pair<T, std::int32_t>> ways;
+  std::vector<std::pair<T, std::int32_t>> distances;
   for (const std::int32_t body : bodies.around_eye)
-    ways.emplace_back(way_out(world, bodies, body, eye, static_cast<T>(camera.shutter_open)), body);
-  std::sort(ways.begin(), ways.end(),
+    distances.emplace_back(distance_out(world, bodies, body, eye, static_cast<T>(camera.shutter_open)), body);
+  std::sort(distances.begin(), distances.end(),
             [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
-  for (std::size_t i = 0; i < ways.size(); ++i) bodies.around_eye[i] = ways[i].second;
+  for (std::size_t i = 0; i < distances.size(); ++i) bodies.around_eye[i] = distances[i].second;
   return bodies;
 }
 

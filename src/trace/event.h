@@ -1,6 +1,6 @@
 #pragma once
 // What an observer is told: one event for each executed line of pseudocode, with the numbers that the line computed.
-// All numbers are handed over in double, whatever scalar the tracer runs in.
+// All numbers are passed in double, whatever scalar the tracer uses.
 
 #include "math/vec.h"
 #include "trace/optics.h"
@@ -21,14 +21,14 @@ inline constexpr int ray_kind_count = 4;
 enum class Ending {
   hit,                        ///< met a surface, which was shaded
   missed,                     ///< left the scene: background
-  blocked,                    ///< shadow ray: something stands before the light
-  reached_light,              ///< shadow ray: nothing does
+  blocked,                    ///< shadow ray: something occludes the light
+  reached_light,              ///< shadow ray: nothing occludes it
   depth,                      ///< not formed: its SHADE would be deeper than the limit
-  threshold,                  ///< not formed: its share of the pixel would be below the threshold
+  threshold,                  ///< not formed: its throughput would be below the threshold
   total_internal_reflection,  ///< not formed: no refracted direction exists
   path_length,                ///< not formed: the path is as long as the path tracer allows
   facing_away,                ///< not formed: the light is behind the surface
-  outside_cone,               ///< not formed: the spot does not shine this way
+  outside_cone,               ///< not formed: outside the cone of the spot
 };
 inline constexpr int ending_count = 10;
 
@@ -47,7 +47,7 @@ using IntersectionNumbers = std::variant<std::monostate, QuadraticNumbers, Plane
 
 /// Snell's law at a surface: n1 sin(in) = n2 sin(out).
 struct SnellNumbers {
-  double n1, n2;           ///< indices on the ray's side and beyond
+  double n1, n2;           ///< indices of refraction on the ray's side and beyond
   double cos_in, cos_out;  ///< cosines to the normal, >= 0
   double fresnel;          ///< unpolarised reflectance; 1 under total internal reflection
 };
@@ -62,42 +62,42 @@ struct PixelBegun {
   int column, row, sample;
 };
 
-/// form_*_ray. `share`: largest part of the pixel's final shade that this ray can bring, per channel.
+/// form_*_ray. `throughput`: the factor, per channel, by which the light along this ray contributes to the pixel.
 struct RayFormed {
   int ray;     ///< number of the ray in this recording, from 0
   int parent;  ///< ray at whose hit it was formed; -1 for a primary ray
   RayKind kind;
   Vec3d origin, direction;  ///< a shadow ray's direction to a point light reaches it at t = 1; else unit length
-  Rgbd share;
+  Rgbd throughput;
   int light = -1;                       ///< shadow rays: index of the light
   bool light_at_end = false;            ///< shadow rays: origin + direction is the light itself
   std::optional<SnellNumbers> snell{};  ///< refract rays
   int light_sample = 0;                 ///< shadow rays: which of the points of a light with an extent
 };
 
-/// form_*_ray when a limit, or a light behind the surface, forbids it. `direction`: where it would have gone.
+/// form_*_ray when a limit, or a light behind the surface, prevents it. `direction`: where it would have gone.
 struct RayNotFormed {
   int parent;
   RayKind kind;
   Ending why;
   Vec3d origin, direction;
-  Rgbd share;
+  Rgbd throughput;
   int light = -1;
   int light_sample = 0;
 };
 
-/// find_*: how a ray ended. The point and all that follows it are present when something was met.
+/// find_*: how a ray ended. The point and all members after it are set when something was hit.
 struct Found {
   int ray;
   Ending ending;
   double t = 0;
   int object = -1;  ///< index in Scene::objects: what was hit, or the nearest blocker of a shadow ray
   int part = 0;
-  Vec3d point{0.0}, normal{0.0};  ///< normal: unit length, outwards
-  Rgbd passed{1.0};               ///< shadow rays: the share of the light that filtering objects let through
+  Vec3d point{0.0}, normal{0.0};  ///< normal: unit length, outward
+  Rgbd transmittance{1.0};        ///< shadow rays: the transmittance of the filtering objects
   IntersectionNumbers numbers{};
   int triangle = -1;     ///< of a mesh: which one, from 0
-  std::string member{};  ///< of an instance: the name of what was met in its group
+  std::string member{};  ///< of an instance: the name of what was hit in its group
 };
 
 /// if_*.
@@ -105,7 +105,7 @@ struct Decided {
   bool holds;
   Rgbd weight{0.0};                     ///< kr' or kt'; unused in MAIN ALGORITHM
   std::optional<Ending> why{};          ///< total_internal_reflection when that is why nothing is transmitted
-  std::optional<SnellNumbers> snell{};  ///< with `why`: the law that has no answer
+  std::optional<SnellNumbers> snell{};  ///< with `why`: Snell's law, which has no solution
 };
 
 /// shade_*: SHADE is called for `ray`. When the ray missed, it returns `background` at once.
@@ -116,7 +116,7 @@ struct ShadeCalled {
   Rgbd background{0.0};
 };
 
-/// What one light added; of a light with an extent, all its points together.
+/// The contribution of one light; of an area light, all its samples together.
 struct LightTerm {
   int light;
   Rgbd diffuse{0.0}, specular{0.0};  ///< 0 when blocked or behind the surface
@@ -128,7 +128,7 @@ struct ShadeComputed {
   std::vector<LightTerm> lights;
   Rgbd reflect, refract;  ///< kr' I(reflect) and kt' I(refract)
   Rgbd total;
-  Rgbd passed{1.0};  ///< what the way of the ray through an absorbing object leaves
+  Rgbd transmittance{1.0};  ///< the transmittance of the absorbing object that the ray passed through
 };
 
 /// put_final_shade.
@@ -151,31 +151,31 @@ struct BackgroundAdded {
   Rgbd added;
 };
 
-/// add_emission: what the surface met gives off. The densities are those with which this direction was chosen where the
-/// ray left (0: it was the only one possible) and with which a light sample there would have chosen it (0: it could
-/// not).
+/// add_emission: the emission of the surface hit. The pdfs are those with which this direction was sampled at the
+/// previous vertex (0: it was the only one possible) and with which light sampling would have chosen it there (0: it
+/// could not).
 struct EmissionAdded {
   int ray;
   Rgbd emission;
-  double direction_density, light_density, weight;
+  double direction_pdf, light_pdf, weight;
   Rgbd added;  ///< to the pixel
 };
 
-/// add_light: what a light brings. Densities as above; both 0 for a light that no ray can meet.
+/// add_light: the contribution of a light. Pdfs as above; both 0 for a light that no ray can hit.
 struct LightAdded {
   int light;   ///< index in Scene::lights; -1 for an object that emits
   int object;  ///< index in Scene::objects of that; else -1
-  double direction_density, light_density, weight;
+  double direction_pdf, light_pdf, weight;
   Rgbd added;
 };
 
-/// choose_direction. `share`: what is left of the ray's share of the pixel along the direction chosen.
+/// choose_direction. `throughput`: the throughput along the direction chosen.
 struct DirectionChosen {
-  bool absorbed;  ///< none: the surface swallows what comes
+  bool absorbed;  ///< no direction: the surface absorbs everything
   Lobe lobe = Lobe::diffuse;
   Vec3d direction{0.0};
-  double density = 0;  ///< by solid angle; 0 for the one direction of a sharp lobe
-  Rgbd share{0.0};
+  double pdf = 0;  ///< by solid angle; 0 for the one direction of a sharp lobe
+  Rgbd throughput{0.0};
 };
 
 /// if_path_survives. Russian roulette: goes on with probability `survival`, and then counts 1 / survival times.
@@ -191,8 +191,8 @@ using EventDetail =
 
 struct Event {
   Line line;
-  /// DEPTH of the SHADE that executes the line; in FOLLOW PATH the rays of the path so far, the present one included; 0
-  /// in MAIN ALGORITHM and PATH TRACING.
+  /// DEPTH of the SHADE that executes the line; in FOLLOW PATH the number of rays of the path so far, the current one
+  /// included; 0 in MAIN ALGORITHM and PATH TRACING.
   int depth;
   EventDetail detail;
 };

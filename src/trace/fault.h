@@ -1,8 +1,8 @@
 #pragma once
-// Bugs put into the tracer on purpose, for people who learn to find them. Each breaks one line of the pseudocode and
-// nothing else: up to the first time that the line runs, a broken walk has the bits of one that is whole. They are made
-// by the hooks of a kernel of their own (Policy::faulty), over naive numerics, since an epsilon, or a root that is
-// looked for, can only be wrong where there is one.
+// Bugs injected into the tracer on purpose, for people who learn to find them. Each breaks one line of the pseudocode
+// and nothing else: until that line runs for the first time, a faulty walk has the same bits as a correct one. They are
+// injected by hooks in a kernel of their own (Policy::faulty), with naive numerics, since only these have an epsilon
+// and a choice of roots to get wrong.
 
 #include "trace/pseudocode.h"
 
@@ -13,13 +13,13 @@ namespace raywalk {
 
 /// From easy to hard to find.
 enum class Fault {
-  shadow_ray_misaimed,    ///< it goes along the light's position, as if that were the way from the hit to the light
-  reflection_flipped,     ///< the normal of the mirror's formula points into the body
+  shadow_ray_misaimed,    ///< it takes the light's position for the vector from the hit to the light
+  reflection_flipped,     ///< the normal in the reflection formula points inward
   refraction_inverted,    ///< n2 / n1 in place of n1 / n2
-  attenuation_forgotten,  ///< a light is as strong from afar as from near
-  depth_not_counted,      ///< SHADE hands its own DEPTH on to the SHADE of what it mirrors
-  epsilon_wrong_side,     ///< a reflect ray starts epsilon below the surface, and not above it
-  second_root_dropped,    ///< of a quadratic's roots only the nearer is looked at, also from inside
+  attenuation_forgotten,  ///< the light is not attenuated with distance
+  depth_not_counted,      ///< SHADE passes its own DEPTH to the SHADE of the reflect ray
+  epsilon_wrong_side,     ///< a reflect ray starts epsilon below the surface instead of above it
+  second_root_dropped,    ///< of a quadratic's roots only the nearer is considered, even from inside
   epsilon_too_small,      ///< a shadow ray starts on the surface itself
 };
 inline constexpr std::array all_faults{

@@ -1,5 +1,5 @@
 #pragma once
-// The tracer's compiled kernels: one for each scalar and each set of effects inside the hit loop, and a watched one.
+// The tracer's compiled kernels: one for each scalar and each set of effects inside the hit loop, and an observed one.
 
 #include "math/stop.h"
 #include "trace/policy.h"
@@ -14,13 +14,13 @@ namespace raywalk {
 /// The scalar type that a trace runs in: 24 or 53 bits.
 enum class Precision { float_, double_ };
 
-/// The pixels of a rectangle, row by row; with `stride` > 1 only every so manieth column and row, from the first.
+/// The pixels of a rectangle, row by row; with `stride` > 1 only every `stride`-th column and row, from the first.
 struct PixelBlock {
   int column_begin = 0, column_end = 0, row_begin = 0, row_end = 0;
   int sample = 0;
   int stride = 1;
-  int samples = 1;  ///< from `sample` on: all of a pixel before those of the next one
-  Stop stop{};      ///< may end the work inside a pixel, which is not put then: what traces the block throws Stopped
+  int samples = 1;  ///< from `sample` on: all samples of a pixel before those of the next
+  Stop stop{};      ///< may cancel inside a pixel, which is then not put: tracing throws Stopped
 
   class Iterator {
    public:
@@ -53,13 +53,13 @@ struct PixelBlock {
 template <class T>
 using PutPixel = std::function<void(const Pixel&, const Rgb<T>&)>;
 
-/// Runs MAIN ALGORITHM over a block with the kernel that holds the world's effects and no others.
+/// Runs MAIN ALGORITHM over a block with the kernel for exactly the world's effects.
 [[nodiscard]] Statistics trace(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,
                                const PutPixel<float>& put);
 [[nodiscard]] Statistics trace(const World<double>& world, const RayGenerator<double>& camera, const PixelBlock& block,
                                const PutPixel<double>& put);
 
-/// The same with every effect's code in the loop, watched by `observer`: same bits, same statistics.
+/// The same with every effect's code in the loop, observed by `observer`: same bits, same statistics.
 Statistics trace_watched(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,
                          const PutPixel<float>& put, Observer& observer);
 Statistics trace_watched(const World<double>& world, const RayGenerator<double>& camera, const PixelBlock& block,

@@ -7,8 +7,9 @@ namespace raywalk::detail {
 template <class T>
 Statistics run_faulty_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                              const PutPixel<T>& put) {
-  NoObserver nobody;
-  return run_tracer<Policy<T, NoObserver, all_hit_effects, Numerics::naive, true>>(world, camera, block, put, nobody);
+  NoObserver no_observer;
+  return run_tracer<Policy<T, NoObserver, all_hit_effects, Numerics::naive, true>>(world, camera, block, put,
+                                                                                   no_observer);
 }
 
 template <class T>

@@ -6,8 +6,8 @@ template <class T>
 Statistics run_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                             const PutPixel<T>& put) {
   if (world.fault) return run_faulty_kernel(world, camera, block, put);
-  NoObserver nobody;
-  return run_tracer<Policy<T, NoObserver, all_hit_effects, Numerics::naive>>(world, camera, block, put, nobody);
+  NoObserver no_observer;
+  return run_tracer<Policy<T, NoObserver, all_hit_effects, Numerics::naive>>(world, camera, block, put, no_observer);
 }
 
 template <class T>

@@ -1,5 +1,5 @@
 #pragma once
-// Chooses and instantiates the kernels of one scalar type; included by one .cpp a scalar.
+// Selects and instantiates the kernels of one scalar type; included by one .cpp per scalar.
 
 #include "trace/kernel.h"
 #include "trace/tracer.h"
@@ -14,8 +14,8 @@ Statistics run_tracer(const World<T>& world, const RayGenerator<T>& camera, cons
   return tracer.statistics();
 }
 
-/// All effects together: what is studied need not be fast, and gives the same bits. In a .cpp of its own, as is what is
-/// broken on purpose.
+/// With all effects: these are for study, need not be fast, and give the same bits. In a .cpp of their own, as are the
+/// faulty kernels.
 template <class T>
 Statistics run_naive_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                             const PutPixel<T>& put);
@@ -32,12 +32,12 @@ Statistics run_watched_faulty_kernel(const World<T>& world, const RayGenerator<T
 template <class T, HitEffects Set>
 Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put) {
-  NoObserver nobody;
-  return run_tracer<Policy<T, NoObserver, Set>>(world, camera, block, put, nobody);
+  NoObserver no_observer;
+  return run_tracer<Policy<T, NoObserver, Set>>(world, camera, block, put, no_observer);
 }
 
-/// Refraction never comes without reflection (total internal reflection), nor do lobes, nor nesting without refraction:
-/// seven sets.
+/// There is no refraction without reflection (total internal reflection), nor lobes without it, nor nesting without
+/// refraction: seven sets.
 template <class T, bool Textures, bool Penumbra, bool Shadows>
 Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put) {
@@ -56,8 +56,8 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
   return run.template operator()<false, false, false>();
 }
 
-/// Each with or without textures, with shadows, shadows and penumbras or none of these: forty-two sets. The stack of
-/// bodies is a set of its own, for where nothing nests even a question to each hit would cost more than a thousandth.
+/// Each with or without textures, and with shadows, shadows and penumbras, or neither: forty-two sets. Nesting is a set
+/// of its own: where nothing nests, a mere test at each hit would cost more than 0.1%.
 template <class T>
 Statistics run_fitting_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put) {

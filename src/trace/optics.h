@@ -9,13 +9,13 @@
 
 namespace raywalk {
 
-/// Mirrors `incident` (towards the surface) at unit `normal`; the length is kept.
+/// Reflects `incident` (towards the surface) at unit `normal`; keeps the length.
 template <class T>
 [[nodiscard]] Vec3<T> reflect(const Vec3<T>& incident, const Vec3<T>& normal) {
   return incident - 2 * dot(incident, normal) * normal;
 }
 
-/// The exponent (>= 0) as a whole number, where it is one and so small that multiplications are the shorter way.
+/// The exponent (>= 0) as an integer, if it is one and small enough that repeated multiplication is faster.
 template <class T>
 [[nodiscard]] std::optional<std::uint32_t> small_whole(T exponent) {
   if (!(exponent < 4096)) return std::nullopt;
@@ -23,8 +23,8 @@ template <class T>
   return static_cast<T>(whole) == exponent ? std::optional(whole) : std::nullopt;
 }
 
-/// base^exponent by a multiplication or two for each binary digit: the roundings that pile up, less than half an ulp
-/// times the exponent, are no more than what the power makes of the base's own last one.
+/// base^exponent by one or two multiplications per binary digit: the accumulated rounding, less than half an ulp times
+/// the exponent, is no larger than what the power makes of the base's own rounding error.
 template <class T>
 [[nodiscard]] T whole_power(T base, std::uint32_t exponent) {
   T result = (exponent & 1) != 0 ? base : T(1);
@@ -42,7 +42,7 @@ template <class T>
   return whole ? whole_power(base, *whole) : std::pow(base, exponent);
 }
 
-/// The cosine along / sqrt(square) to a power >= 0; what points away has cosine 0. Of an even power no root is taken.
+/// The cosine along / sqrt(square) to a power >= 0; negative cosines count as 0. Even powers need no root.
 template <class T>
 [[nodiscard]] T power_of_cosine(T along, T square, T exponent) {
   if (!(along > 0)) return exponent == 0 ? T(1) : T(0);
@@ -50,17 +50,17 @@ template <class T>
   return power(along / std::sqrt(square), exponent);
 }
 
-/// A unit ray meets a surface between indices n1 (its side) and n2. The normal faces the ray.
+/// A unit ray hits a surface between indices n1 (its side) and n2. The normal faces the ray.
 template <class T>
 struct Refraction {
   T n1, n2;
-  T cos_in;  ///< cosine of the incidence, in 0..1
+  T cos_in;  ///< cosine of the angle of incidence, in 0..1
   T k;       ///< squared cosine beyond; < 0: total internal reflection. Exactly 0 is still refracted, along the surface
   T cos_out;  ///< sqrt(k), or 0
 
   [[nodiscard]] bool total() const { return k < 0; }
-  /// Unpolarised reflectance, in 0..1: Fresnel's equations for a dielectric. At grazing incidence both cosines may
-  /// vanish together: all is reflected. Asked for where it counts: it costs two divisions.
+  /// Unpolarised reflectance, in 0..1: Fresnel's equations for a dielectric. At grazing incidence both cosines may be
+  /// 0: everything is reflected. Computed on demand: it costs two divisions.
   [[nodiscard]] T fresnel() const {
     const T s_sum = n1 * cos_in + n2 * cos_out, p_sum = n2 * cos_in + n1 * cos_out;
     if (total() || s_sum == 0 || p_sum == 0) return 1;
@@ -74,13 +74,13 @@ template <class T>
                                                  T n2) {
   const T cos_in = std::clamp(-dot(unit_incident, facing_normal), T(0), T(1));
   // 1 - eta^2 (1 - cos^2), over n2^2 so that neither equal indices nor the critical angle lose digits: the difference
-  // of near indices is exact, and a rounded eta does not enter.
+  // of similar indices is exact, and no rounded eta is involved.
   const T inwards = n1 * cos_in;
   const T k = ((n2 - n1) * (n2 + n1) + inwards * inwards) / (n2 * n2);
   return {n1, n2, cos_in, k, k < 0 ? T(0) : std::sqrt(k)};
 }
 
-/// Direction beyond the surface by Snell's law, unit length up to rounding; none under total internal reflection.
+/// The refracted direction by Snell's law, unit length up to rounding; none under total internal reflection.
 template <class T>
 [[nodiscard]] std::optional<Vec3<T>> refract(const Vec3<T>& unit_incident, const Vec3<T>& facing_normal,
                                              const Refraction<T>& at) {
@@ -89,16 +89,19 @@ template <class T>
   return eta * unit_incident + (eta * at.cos_in - at.cos_out) * facing_normal;
 }
 
-/// The smoothed normal, turned towards `side` (the flat one, which faces the ray) as far as is needed for it to face
-/// the ray too, and for the reflected ray to stay on that side: in silhouettes interpolation turns normals away.
+/// The interpolated normal `smooth`, turned towards the geometric one (which faces the ray) as far as needed for it to
+/// face the ray too, and for the reflected ray to stay on that side: near silhouettes interpolated normals may point
+/// away.
 template <class T>
-[[nodiscard]] Vec3<T> smooth_normal_towards(const Vec3<T>& unit_incident, const Vec3<T>& side, const Vec3<T>& smooth) {
+[[nodiscard]] Vec3<T> consistent_shading_normal(const Vec3<T>& unit_incident, const Vec3<T>& geometric_normal,
+                                                const Vec3<T>& smooth) {
   constexpr int steps = 8;
   for (int step = 0; step < steps; ++step) {
-    const Vec3<T> normal = step == 0 ? smooth : normalize(smooth + static_cast<T>(step) / steps * (side - smooth));
-    if (dot(normal, unit_incident) < 0 && dot(reflect(unit_incident, normal), side) > 0) return normal;
+    const Vec3<T> normal =
+        step == 0 ? smooth : normalize(smooth + static_cast<T>(step) / steps * (geometric_normal - smooth));
+    if (dot(normal, unit_incident) < 0 && dot(reflect(unit_incident, normal), geometric_normal) > 0) return normal;
   }
-  return side;
+  return geometric_normal;
 }
 
 }  // namespace raywalk

@@ -1,19 +1,19 @@
 #pragma once
-// Path tracing: J. Kajiya, "The Rendering Equation", SIGGRAPH 1986; with the light of every vertex drawn both from the
-// lights and along the path itself, and the two weighted (E. Veach and L. Guibas, "Optimally Combining Sampling
-// Techniques for Monte Carlo Rendering", SIGGRAPH 1995), and paths ended by Russian roulette (J. Arvo and D. Kirk,
-// SIGGRAPH 1990). `main_algorithm` and `follow_path` read like trace/pseudocode.h, and a test holds them together;
-// what a statement does stands in trace/path_steps.h and trace/path_light_steps.h.
+// Path tracing: J. Kajiya, "The Rendering Equation", SIGGRAPH 1986; with the light at every vertex sampled both from
+// the lights and along the path, combined by multiple importance sampling (E. Veach and L. Guibas, "Optimally Combining
+// Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995), and paths ended by Russian roulette (J. Arvo and D.
+// Kirk, SIGGRAPH 1990). `main_algorithm` and `follow_path` read like trace/pseudocode.h, and a test holds them
+// together; what a statement does stands in trace/path_steps.h and trace/path_light_steps.h.
 //
-// Materials are the tracer's: kd / pi scatters evenly, the highlight is a lobe, mirrors and glass are exact. What
-// differs from SHADE: surfaces light each other, so that `ambient`, which stands for that light, is left out. Russian
-// roulette ends paths without bias, so that neither the depth limit nor the threshold, which lose light, is heeded.
-// Every normal faces the ray: a `fixed` one, which course scenes have, would let light through the backs of surfaces.
+// Materials are the tracer's: kd / pi is Lambertian, the highlight is a lobe, mirrors and glass are exact. Differences
+// from SHADE: surfaces light each other, so `ambient`, which approximates that, is left out. Russian roulette ends
+// paths without bias, so the depth limit and the threshold, which lose light, are ignored. Every normal faces the ray:
+// a `fixed` one, as in course scenes, would let light through the backs of surfaces.
 
 #include "math/stop.h"
+#include "trace/bsdf.h"
+#include "trace/emitters.h"
 #include "trace/media.h"
-#include "trace/path_lights.h"
-#include "trace/path_lobes.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
@@ -23,21 +23,22 @@
 
 namespace raywalk {
 
-/// Where the light of objects that emit is looked for. All but `both` are for studies.
+/// How the light of emitters is sampled. All but `both` are for studies.
 enum class PathStrategy {
-  both,        ///< weighted so that together they vary least
-  lights,      ///< at points of lights, wherever these can be drawn
-  directions,  ///< where paths happen to lead
+  both,        ///< combined by multiple importance sampling
+  lights,      ///< light sampling only, wherever emitters can be sampled
+  directions,  ///< BSDF sampling only
 };
 
 struct PathSettings {
-  int max_length = 0;     ///< of a path from the eye to a light, in rays, the one to the light included; 0: no limit
-  int roulette_from = 4;  ///< rays that every path may have before Russian roulette begins; >= 1
+  int max_length = 0;     ///< maximum number of rays of a path from the eye to a light, the last one included; 0: no
+                          ///< limit
+  int roulette_from = 4;  ///< number of rays before Russian roulette begins; >= 1
   PathStrategy strategy = PathStrategy::both;
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Of the policy's effects (trace/policy.h), only nesting is heeded.
+/// Of the policy's effects (trace/policy.h), only nesting matters.
 template <class Policy>
 class PathTracer {
  public:
@@ -45,10 +46,10 @@ class PathTracer {
   using Ray = typename Policy::Ray;
   using Observer = typename Policy::Observer;
 
-  PathTracer(const World<T>& world, const PathLights<T>& lights, const PathSettings& settings,
+  PathTracer(const World<T>& world, const Emitters<T>& emitters, const PathSettings& settings,
              const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {})
       : world_(world),
-        lights_(lights),
+        emitters_(emitters),
         settings_(settings),
         camera_(camera),
         observer_(observer),
@@ -62,7 +63,7 @@ class PathTracer {
     for (const Pixel& pixel : pixels) {
       begin(pixel);
       // Form primary ray
-      const Traced primary = form_primary_ray(pixel);
+      const PathRay primary = form_primary_ray(pixel);
       // Follow path (final)
       const Rgb<T> final = follow_path(call(primary));
       // Put final shade in pixel
@@ -75,25 +76,25 @@ class PathTracer {
  private:
   using Medium = typename World<T>::Medium;
   using Surface = typename World<T>::Surface;
-  /// A ray on its way.
-  struct Traced {
+  /// A ray of the path, with its state.
+  struct PathRay {
     Ray ray;
     RayKind kind;
-    Rgb<T> share;                    ///< of the pixel, that the light along the ray has
+    Rgb<T> throughput;               ///< the factor with which light along the ray contributes to the pixel
     int length;                      ///< rays of the path, this one included
-    T density;                       ///< with which its direction was chosen, by solid angle; 0: it was the only one
-    int number;                      ///< in the recording; 0 when nobody watches
-    const Medium* medium = nullptr;  ///< that it travels in, where that is known
+    T pdf;                           ///< of its direction, per solid angle; 0: it was the only one possible
+    int number;                      ///< in the recording; 0 without an observer
+    const Medium* medium = nullptr;  ///< that it travels in, if known
   };
   using Nearest = std::optional<Hit<T>>;
-  /// The hit, made ready: place and lobes.
+  /// A vertex of the path: the hit, prepared with its BSDF.
   struct Vertex;
-  /// One light as tried from a vertex.
-  struct Way;
-  using Choice = typename Lobes<T>::Choice;
+  /// A light sample as seen from a vertex.
+  struct LightSample;
+  using BsdfSample = typename Bsdf<T>::BsdfSample;
 
-  /// FOLLOW PATH (RTNSHADE): the light that comes along the ray, against its direction.
-  Rgb<T> follow_path(std::optional<Traced> ray) {
+  /// FOLLOW PATH (RTNSHADE): the light that arrives along the ray, against its direction.
+  Rgb<T> follow_path(std::optional<PathRay> ray) {
     Rgb<T> shade{0};
     // While there is a ray
     while (there_is(ray)) {
@@ -107,17 +108,17 @@ class PathTracer {
       const Vertex at = prepare(*ray, *nearest);
       // Add emission, weighted
       add_emission(shade, *ray, at);
-      for (int light = 0; light < lights_at(at); ++light) {
+      for (int light = 0; light < light_count_at(at); ++light) {
         // Form shadow ray
-        const std::optional<Way> way = form_shadow_ray(*ray, at, light);
-        if (!way) continue;
+        const std::optional<LightSample> light_sample = form_shadow_ray(*ray, at, light);
+        if (!light_sample) continue;
         // Find intersection
-        const Rgb<T> visible = find_intersection(*ray, *way);
+        const Rgb<T> visible = find_intersection(*ray, *light_sample);
         // Add light, weighted
-        add_light(shade, *ray, *way, visible);
+        add_light(shade, *ray, *light_sample, visible);
       }
       // Choose direction
-      const std::optional<Choice> choice = choose_direction(*ray, at);
+      const std::optional<BsdfSample> choice = choose_direction(*ray, at);
       // If path survives
       const T survival = decide_survival(*ray, at, choice);
       ray.reset();
@@ -129,29 +130,29 @@ class PathTracer {
     return shade;
   }
 
-  std::optional<Traced> call(const Traced& primary);
+  std::optional<PathRay> call(const PathRay& primary);
   void begin(const Pixel& pixel);
-  Traced form_primary_ray(const Pixel& pixel);
-  bool there_is(const std::optional<Traced>& ray);
-  Nearest find_closest(const Traced& ray);
-  bool decide_missed(const Traced& ray, const Nearest& nearest);
-  Rgb<T> add_background(const Rgb<T>& shade, const Traced& ray);
-  Vertex prepare(const Traced& ray, const Hit<T>& hit);
-  void add_emission(Rgb<T>& shade, const Traced& ray, const Vertex& at);
-  [[nodiscard]] int lights_at(const Vertex& at) const;
-  std::optional<Way> form_shadow_ray(const Traced& ray, const Vertex& at, int light);
-  std::optional<Ending> aim_at_lamp(Way& way, const Vertex& at);
-  std::optional<Ending> aim_at_object(Way& way, const Vertex& at);
-  [[nodiscard]] Rgb<T> left_of(const Way& way, const Hit<T>& hit) const;
-  Rgb<T> find_intersection(const Traced& ray, const Way& way);
-  void add_light(Rgb<T>& shade, const Traced& ray, const Way& way, const Rgb<T>& visible);
-  std::optional<Choice> choose_direction(const Traced& ray, const Vertex& at);
-  T decide_survival(const Traced& ray, const Vertex& at, const std::optional<Choice>& choice);
-  Traced form_next_ray(const Vertex& at, const Choice& choice, T survival);
+  PathRay form_primary_ray(const Pixel& pixel);
+  bool there_is(const std::optional<PathRay>& ray);
+  Nearest find_closest(const PathRay& ray);
+  bool decide_missed(const PathRay& ray, const Nearest& nearest);
+  Rgb<T> add_background(const Rgb<T>& shade, const PathRay& ray);
+  Vertex prepare(const PathRay& ray, const Hit<T>& hit);
+  void add_emission(Rgb<T>& shade, const PathRay& ray, const Vertex& at);
+  [[nodiscard]] int light_count_at(const Vertex& at) const;
+  std::optional<LightSample> form_shadow_ray(const PathRay& ray, const Vertex& at, int light);
+  std::optional<Ending> aim_at_light(LightSample& light_sample, const Vertex& at);
+  std::optional<Ending> aim_at_emitter(LightSample& light_sample, const Vertex& at);
+  [[nodiscard]] Rgb<T> emitter_transmittance(const LightSample& light_sample, const Hit<T>& hit) const;
+  Rgb<T> find_intersection(const PathRay& ray, const LightSample& light_sample);
+  void add_light(Rgb<T>& shade, const PathRay& ray, const LightSample& light_sample, const Rgb<T>& visible);
+  std::optional<BsdfSample> choose_direction(const PathRay& ray, const Vertex& at);
+  T decide_survival(const PathRay& ray, const Vertex& at, const std::optional<BsdfSample>& choice);
+  PathRay form_next_ray(const Vertex& at, const BsdfSample& choice, T survival);
   template <class Put>
   void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
 
-  /// Of a draw at the end of the path's `length`-th ray.
+  /// The key of a draw at the end of the path's `length`-th ray.
   [[nodiscard]] RandomKey key_at(int length, std::uint32_t dimension, Effect effect = Effect::indirect_light) const {
     RandomKey key = key_;
     key.effect = static_cast<std::uint32_t>(effect);
@@ -166,7 +167,7 @@ class PathTracer {
   }
 
   const World<T>& world_;
-  const PathLights<T>& lights_;
+  const Emitters<T>& emitters_;
   const PathSettings& settings_;
   const RayGenerator<T>& camera_;
   Observer& observer_;
@@ -174,9 +175,9 @@ class PathTracer {
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   std::vector<int> filters_met_;  ///< kept so that no shadow ray allocates
-  RandomKey key_;                 ///< of the pixel's present sample
+  RandomKey key_;                 ///< of the pixel's current sample
   int rays_formed_ = 0;           ///< numbers the rays of a recording
-  [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NothingNests<T>> nested_;
+  [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NoNestedMedia<T>> nested_;
 };
 
 }  // namespace raywalk

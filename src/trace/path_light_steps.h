@@ -1,158 +1,168 @@
 #pragma once
 // What the statements of trace/path.h about lights do. Included by it alone.
 
-#include "trace/passage.h"
 #include "trace/path_steps.h"
+#include "trace/shadow_transmittance.h"
 
 namespace raywalk {
 
-/// All lamps of the scene, and one point of all the objects that emit.
+/// All lights of the scene, and one sample of all emitters together.
 template <class Policy>
-int PathTracer<Policy>::lights_at(const Vertex& at) const {
-  const bool objects = !lights_.empty() && settings_.strategy != PathStrategy::directions && !at.lobes.all_sharp();
-  return static_cast<int>(world_.lamps.size()) + (objects ? 1 : 0);
+int PathTracer<Policy>::light_count_at(const Vertex& at) const {
+  const bool objects = !emitters_.empty() && settings_.strategy != PathStrategy::directions && !at.bsdf.all_sharp();
+  return static_cast<int>(world_.lights.size()) + (objects ? 1 : 0);
 }
 
 template <class Policy>
-auto PathTracer<Policy>::form_shadow_ray(const Traced& ray, const Vertex& at, int light) -> std::optional<Way> {
+auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, int index)
+    -> std::optional<LightSample> {
   constexpr unsigned unasked = 64;  // lamps
-  if (static_cast<unsigned>(light) % unasked == unasked - 1) stop_.check();
-  const bool object = light == static_cast<int>(world_.lamps.size());
-  const typename World<T>::Lamp* lamp = object ? nullptr : &world_.lamps[static_cast<std::size_t>(light)];
-  Way way{Ray{}, 0, lamp, {}, Rgb<T>(0), 0, 0, 1};
+  if (static_cast<unsigned>(index) % unasked == unasked - 1) stop_.check();
+  const bool object = index == static_cast<int>(world_.lights.size());
+  const typename World<T>::Light* light = object ? nullptr : &world_.lights[static_cast<std::size_t>(index)];
+  LightSample light_sample{Ray{}, 0, light, {}, Rgb<T>(0), 0, 0, 1};
   const auto not_formed = [&](Ending why) {
     ++statistics_.ends(why);
     note(Line::path_form_shadow_ray, ray.length, [&] {
-      return RayNotFormed{ray.number,     RayKind::shadow,        why, Vec3d(at.position), Vec3d(way.ray.direction),
-                          Rgbd(at.share), lamp ? lamp->index : -1};
+      return RayNotFormed{
+          ray.number,          RayKind::shadow,          why, Vec3d(at.position), Vec3d(light_sample.ray.direction),
+          Rgbd(at.throughput), light ? light->index : -1};
     });
     return std::nullopt;
   };
   if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length) return not_formed(Ending::path_length);
-  const std::optional<Ending> why_not = lamp ? aim_at_lamp(way, at) : aim_at_object(way, at);
+  const std::optional<Ending> why_not = light ? aim_at_light(light_sample, at) : aim_at_emitter(light_sample, at);
   if (why_not) return not_formed(*why_not);
-  way.ray = leaving<Ray>(world_, at.position, at.outwards, at.departure, way.ray.direction, at.time);
-  way.number = rays_formed_++;
+  light_sample.ray =
+      spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, light_sample.ray.direction, at.time);
+  light_sample.number = rays_formed_++;
   ++statistics_.formed(RayKind::shadow);
   note(Line::path_form_shadow_ray, ray.length, [&] {
-    return RayFormed{way.number,
+    return RayFormed{light_sample.number,
                      ray.number,
                      RayKind::shadow,
-                     Vec3d(way.ray.origin),
-                     Vec3d(way.ray.direction),
-                     Rgbd(at.share),
-                     lamp ? lamp->index : -1,
-                     !lamp || !lamp->directional};
+                     Vec3d(light_sample.ray.origin),
+                     Vec3d(light_sample.ray.direction),
+                     Rgbd(at.throughput),
+                     light ? light->index : -1,
+                     !light || !light->directional};
   });
-  return way;
+  return light_sample;
 }
 
-/// A lamp shines as for the tracer: its strength times kd cos and ks (n.h)^s.
+/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s.
 template <class Policy>
-std::optional<Ending> PathTracer<Policy>::aim_at_lamp(Way& way, const Vertex& at) {
-  const typename World<T>::Lamp& lamp = *way.lamp;
-  way.medium = at.medium;  // only lamps before the surface light it
-  Vec3<T>& to_light = way.ray.direction;
-  if (lamp.directional) {
-    to_light = lamp.place;
-  } else if (lamp.extent == World<T>::Extent::none) {
-    to_light = lamp.place - at.position;
+std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample, const Vertex& at) {
+  const typename World<T>::Light& light = *light_sample.light;
+  light_sample.medium = at.medium;  // only lights in front of the surface illuminate it
+  Vec3<T>& to_light = light_sample.ray.direction;
+  if (light.directional) {
+    to_light = light.place;
+  } else if (light.extent == World<T>::Extent::none) {
+    to_light = light.place - at.position;
   } else {
-    const RandomKey key = key_at(at.length, lamp.first_dimension, Effect::penumbra);
+    const RandomKey key = key_at(at.length, light.first_dimension, Effect::penumbra);
     const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
     statistics_.drew(Effect::penumbra, 2);
-    to_light = lamp.point_at(unit) - at.position;
+    to_light = light.point_at(unit) - at.position;
   }
-  const Lobes<T>& lobes = at.lobes;
-  if (!(dot(lobes.normal, to_light) > 0) || !(dot(lobes.side, to_light) > 0)) return Ending::facing_away;
-  if (lamp.spot && !lamp.shines_along(to_light)) return Ending::outside_cone;
-  const T distance = lamp.directional ? T(1) : length(to_light);
-  const T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
+  const Bsdf<T>& bsdf = at.bsdf;
+  if (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0))
+    return Ending::facing_away;
+  if (light.spot && !light.shines_along(to_light)) return Ending::outside_cone;
+  const T distance = light.directional ? T(1) : length(to_light);
+  const T attenuation = light.constant + distance * (light.linear + distance * light.quadratic);
   const Vec3<T> l = to_light * (1 / distance);
-  Rgb<T> light = lamp.strength * (1 / attenuation);
-  if (lamp.spot) light *= spot_falloff(-dot(l, lamp.axis), lamp.cos_inner, lamp.cos_outer);
-  Rgb<T> answers = lobes.diffuse * dot(lobes.normal, l);
+  Rgb<T> radiance = light.strength * (1 / attenuation);
+  if (light.spot) radiance *= spot_falloff(-dot(l, light.axis), light.cos_inner, light.cos_outer);
+  Rgb<T> answers = bsdf.diffuse * dot(bsdf.shading_normal, l);
   if (!is_black(at.specular)) {
-    const Vec3<T> h = l - lobes.incident;
-    const T n_h = std::max(dot(lobes.normal, h) / length(h), T(0));
-    answers += at.specular * power(n_h, lobes.shininess);
+    const Vec3<T> h = l - bsdf.incident;
+    const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
+    answers += at.specular * power(n_h, bsdf.shininess);
   }
-  way.brings = at.share * light * answers;
+  light_sample.contribution = at.throughput * radiance * answers;
   return std::nullopt;
 }
 
 template <class Policy>
-std::optional<Ending> PathTracer<Policy>::aim_at_object(Way& way, const Vertex& at) {
+std::optional<Ending> PathTracer<Policy>::aim_at_emitter(LightSample& light_sample, const Vertex& at) {
   T pick = 0;
-  if (lights_.several()) {
+  if (emitters_.several()) {
     pick = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::pick), camera_.count());
     statistics_.drew(Effect::indirect_light, 1);
   }
   const Vec2<T> unit =
       draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::light), camera_.strata());
   statistics_.drew(Effect::indirect_light, 2);
-  const auto drawn = lights_.draw(at.position, pick, unit);
+  const auto drawn = emitters_.sample(at.position, pick, unit);
   if (!drawn) return Ending::facing_away;
-  way.ray.direction = drawn->way;
-  way.medium = dot(drawn->way, at.lobes.side) < 0 ? at.behind : at.medium;
-  const auto answers = at.lobes.evaluate(normalize(drawn->way));
-  if (!(answers.density > 0)) return Ending::facing_away;
-  way.target = {drawn->primitive, drawn->part};
-  way.direction_density = answers.density;
-  way.light_density = drawn->density;
-  if (settings_.strategy == PathStrategy::both) way.weight = power_heuristic(drawn->density, answers.density);
+  light_sample.ray.direction = drawn->to_light;
+  light_sample.medium = dot(drawn->to_light, at.bsdf.geometric_normal) < 0 ? at.behind : at.medium;
+  const auto answers = at.bsdf.evaluate(normalize(drawn->to_light));
+  if (!(answers.pdf > 0)) return Ending::facing_away;
+  light_sample.target = {drawn->primitive, drawn->part};
+  light_sample.direction_pdf = answers.pdf;
+  light_sample.light_pdf = drawn->pdf;
+  if (settings_.strategy == PathStrategy::both) light_sample.weight = power_heuristic(drawn->pdf, answers.pdf);
   const Rgb<T>& emission = world_.surface(drawn->primitive).emission;
-  way.brings = (way.weight / drawn->density) * at.share * answers.value * emission;
+  light_sample.contribution = (light_sample.weight / drawn->pdf) * at.throughput * answers.value * emission;
   return std::nullopt;
 }
 
-/// What is left of the light of an object on its way from the hit.
+/// The transmittance between the vertex and a sampled emitter.
 template <class Policy>
-auto PathTracer<Policy>::left_of(const Way& way, const Hit<T>& hit) const -> Rgb<T> {
+auto PathTracer<Policy>::emitter_transmittance(const LightSample& light_sample, const Hit<T>& hit) const -> Rgb<T> {
   const Surface& met = world_.surface(hit.primitive);
-  if (!met.absorbs && (way.medium == nullptr || !way.medium->absorbs)) return Rgb<T>(1);
-  const Vec3<T> outwards =
-      world_.accelerator.primitives().surface_at(hit.primitive, way.ray, Crossing<T>{hit.t, hit.part}).normal;
-  const T distance = hit.t * length(way.ray.direction);
-  return left_on_way(way.medium, met, dot(outwards, way.ray.direction) <= 0, distance).value_or(Rgb<T>(1));
+  if (!met.absorbs && (light_sample.medium == nullptr || !light_sample.medium->absorbs)) return Rgb<T>(1);
+  const Vec3<T> outward_normal = world_.accelerator.primitives()
+                                     .surface_at(hit.primitive, light_sample.ray, Intersection<T>{hit.t, hit.part})
+                                     .normal;
+  const T distance = hit.t * length(light_sample.ray.direction);
+  return transmittance_to_hit(light_sample.medium, met, dot(outward_normal, light_sample.ray.direction) <= 0, distance)
+      .value_or(Rgb<T>(1));
 }
 
-/// The share of the light that arrives. A lamp is dimmed as for the tracer. An object is seen where it is the first
-/// thing that the ray meets: exactly where a ray that leads there by chance would find it.
+/// The visibility of the light sample. A light is attenuated as in the tracer. An emitter is visible where it is the
+/// first thing that the ray hits: exactly where BSDF sampling would find it.
 template <class Policy>
-auto PathTracer<Policy>::find_intersection(const Traced& ray, const Way& way) -> Rgb<T> {
+auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample& light_sample) -> Rgb<T> {
   Rgb<T> visible{0};
   Nearest blocker;
-  if (way.lamp) {
-    const T t_max = way.lamp->directional ? infinity<T> : T(1);
+  if (light_sample.light) {
+    const T t_max = light_sample.light->directional ? infinity<T> : T(1);
     visible =
-        light_through(world_, way.ray, t_max, statistics_.tests, filters_met_, {}, way.medium).value_or(Rgb<T>(0));
+        shadow_transmittance(world_, light_sample.ray, t_max, statistics_.tests, filters_met_, {}, light_sample.medium)
+            .value_or(Rgb<T>(0));
   } else {
-    blocker = world_.accelerator.closest(way.ray, infinity<T>, statistics_.tests);
-    if (blocker && Departure{blocker->primitive, blocker->part} == way.target) visible = left_of(way, *blocker);
+    blocker = world_.accelerator.closest(light_sample.ray, infinity<T>, statistics_.tests);
+    if (blocker && Departure{blocker->primitive, blocker->part} == light_sample.target)
+      visible = emitter_transmittance(light_sample, *blocker);
   }
   const Ending ending = is_black(visible) ? Ending::blocked : Ending::reached_light;
   ++statistics_.ends(ending);
   note(Line::path_find_intersection, ray.length, [&] {
-    if (way.lamp && ending == Ending::blocked)
-      blocker = first_blocker(world_, way.ray, way.lamp->directional ? infinity<T> : T(1));
-    Found found = blocker ? detail::describe(way.number, ending, world_, way.ray, *blocker) : Found{way.number, ending};
-    found.passed = Rgbd(visible);
+    if (light_sample.light && ending == Ending::blocked)
+      blocker = first_blocker(world_, light_sample.ray, light_sample.light->directional ? infinity<T> : T(1));
+    Found found = blocker ? detail::describe(light_sample.number, ending, world_, light_sample.ray, *blocker)
+                          : Found{light_sample.number, ending};
+    found.transmittance = Rgbd(visible);
     return found;
   });
   return visible;
 }
 
 template <class Policy>
-void PathTracer<Policy>::add_light(Rgb<T>& shade, const Traced& ray, const Way& way, const Rgb<T>& visible) {
-  const Rgb<T> added = way.brings * visible;
+void PathTracer<Policy>::add_light(Rgb<T>& shade, const PathRay& ray, const LightSample& light_sample,
+                                   const Rgb<T>& visible) {
+  const Rgb<T> added = light_sample.contribution * visible;
   shade += added;
   note(Line::add_light, ray.length, [&] {
-    return LightAdded{way.lamp ? way.lamp->index : -1,
-                      way.lamp ? -1 : world_.object(way.target.primitive),
-                      static_cast<double>(way.direction_density),
-                      static_cast<double>(way.light_density),
-                      static_cast<double>(way.weight),
+    return LightAdded{light_sample.light ? light_sample.light->index : -1,
+                      light_sample.light ? -1 : world_.object(light_sample.target.primitive),
+                      static_cast<double>(light_sample.direction_pdf),
+                      static_cast<double>(light_sample.light_pdf),
+                      static_cast<double>(light_sample.weight),
                       Rgbd(added)};
   });
 }

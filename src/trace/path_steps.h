@@ -1,9 +1,8 @@
 #pragma once
-// What each statement of trace/path.h does, but for those about lights (trace/path_light_steps.h). Included by it
-// alone.
+// What each statement of trace/path.h does, except those about lights (trace/path_light_steps.h). Included by it alone.
 
-#include "trace/leaving.h"
 #include "trace/path.h"
+#include "trace/spawn_ray.h"
 #include "trace/tracer.h"
 
 #include <algorithm>
@@ -13,12 +12,12 @@ namespace raywalk {
 
 namespace detail {
 
-/// The draws at one vertex of a path, by dimension. Pairs take two.
+/// The random dimensions at one vertex of a path. Pairs use two.
 struct PathDimension {
   static constexpr std::uint32_t direction = 0, lobe = 2, roulette = 3, pick = 4, light = 6;
 };
 
-/// What a direction of the lobe is drawn for.
+/// The effect that a lobe's direction is drawn for.
 [[nodiscard]] constexpr Effect effect_of(Lobe lobe) {
   switch (lobe) {
     case Lobe::diffuse:
@@ -36,36 +35,36 @@ struct PathDimension {
 
 template <class Policy>
 struct PathTracer<Policy>::Vertex {
-  Departure departure;  ///< of the rays that leave from here
+  Departure departure;  ///< of the rays spawned here
   Vec3<T> position;
-  Vec3<T> outwards;  ///< unit normal
+  Vec3<T> outward_normal;  ///< unit normal
   bool entering;
   T time;
   const Surface* surface;
   int number;                ///< of the ray that led here
-  int length;                ///< rays of the path up to here
-  const Medium* medium;      ///< on the side the ray came from, where that is known
+  int length;                ///< number of rays of the path up to here
+  const Medium* medium;      ///< on the side the ray came from, if known
   const Medium* behind;      ///< behind it
-  Rgb<T> share;              ///< of the pixel, that light leaving here against the ray has
-  Rgb<T> specular;           ///< ks, as lamps are seen in it
-  Refraction<T> refraction;  ///< where the surface transmits; else not set
-  Lobes<T> lobes;
+  Rgb<T> throughput;         ///< the factor with which light that leaves here against the ray contributes to the pixel
+  Rgb<T> specular;           ///< ks, for the lights' highlights
+  Refraction<T> refraction;  ///< only set where the surface transmits
+  Bsdf<T> bsdf;
 };
 
 template <class Policy>
-struct PathTracer<Policy>::Way {
+struct PathTracer<Policy>::LightSample {
   Ray ray;
   int number;
-  const typename World<T>::Lamp* lamp;  ///< null: an object that emits
-  Departure target;                     ///< of that object, the part to be met
-  Rgb<T> brings;                        ///< to the pixel, if nothing stands before it
-  T direction_density, light_density, weight;
-  const Medium* medium = nullptr;  ///< that it begins in, where that is known
+  const typename World<T>::Light* light;  ///< null: an emitter
+  Departure target;                       ///< the part of the emitter that should be hit
+  Rgb<T> contribution;                    ///< to the pixel, if unoccluded
+  T direction_pdf, light_pdf, weight;
+  const Medium* medium = nullptr;  ///< that it starts in, if known
 };
 
 template <class Policy>
-auto PathTracer<Policy>::call(const Traced& primary) -> std::optional<Traced> {
-  note(Line::follow_path, 0, [&] { return Decided{true, Rgbd(primary.share)}; });
+auto PathTracer<Policy>::call(const PathRay& primary) -> std::optional<PathRay> {
+  note(Line::follow_path, 0, [&] { return Decided{true, Rgbd(primary.throughput)}; });
   return primary;
 }
 
@@ -76,8 +75,8 @@ void PathTracer<Policy>::begin(const Pixel& pixel) {
 }
 
 template <class Policy>
-auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  Traced primary{
+auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> PathRay {
+  PathRay primary{
       Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.medium = nested_.at_eye(primary.ray, statistics_.tests);
@@ -91,14 +90,14 @@ auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
 }
 
 template <class Policy>
-bool PathTracer<Policy>::there_is(const std::optional<Traced>& ray) {
+bool PathTracer<Policy>::there_is(const std::optional<PathRay>& ray) {
   note(Line::while_ray, ray ? ray->length : 0,
-       [&] { return Decided{ray.has_value(), ray ? Rgbd(ray->share) : Rgbd(0.0)}; });
+       [&] { return Decided{ray.has_value(), ray ? Rgbd(ray->throughput) : Rgbd(0.0)}; });
   return ray.has_value();
 }
 
 template <class Policy>
-auto PathTracer<Policy>::find_closest(const Traced& ray) -> Nearest {
+auto PathTracer<Policy>::find_closest(const PathRay& ray) -> Nearest {
   const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(Line::path_find_closest_intersection, ray.length, [&] {
@@ -109,33 +108,33 @@ auto PathTracer<Policy>::find_closest(const Traced& ray) -> Nearest {
 }
 
 template <class Policy>
-bool PathTracer<Policy>::decide_missed(const Traced& ray, const Nearest& nearest) {
+bool PathTracer<Policy>::decide_missed(const PathRay& ray, const Nearest& nearest) {
   note(Line::if_intersect_nothing, ray.length, [&] { return Decided{!nearest}; });
   return !nearest;
 }
 
 template <class Policy>
-auto PathTracer<Policy>::add_background(const Rgb<T>& shade, const Traced& ray) -> Rgb<T> {
-  const Rgb<T> added = ray.share * world_.background;
+auto PathTracer<Policy>::add_background(const Rgb<T>& shade, const PathRay& ray) -> Rgb<T> {
+  const Rgb<T> added = ray.throughput * world_.background;
   note(Line::add_background, ray.length, [&] { return BackgroundAdded{ray.number, Rgbd(added)}; });
   return shade + added;
 }
 
 template <class Policy>
-auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex {
+auto PathTracer<Policy>::prepare(const PathRay& ray, const Hit<T>& hit) -> Vertex {
   const Primitives<T>& primitives = world_.accelerator.primitives();
   const Surface& surface = world_.surface(hit.primitive);
-  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Crossing<T>{hit.t, hit.part});
+  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Intersection<T>{hit.t, hit.part});
   Vertex at;
   at.departure = {hit.primitive, hit.part};
   at.position = point.position;
-  at.outwards = point.normal;
+  at.outward_normal = point.normal;
   at.entering = dot(point.normal, ray.ray.direction) <= 0;
   at.time = ray.ray.time;
   at.surface = &surface;
   at.number = ray.number;
   at.length = ray.length;
-  at.share = ray.share;
+  at.throughput = ray.throughput;
   const Medium* through = ray.medium;
   at.medium = medium_after(surface, at.entering, false, ray.medium);
   at.behind = medium_after(surface, at.entering, true, ray.medium);
@@ -147,118 +146,118 @@ auto PathTracer<Policy>::prepare(const Traced& ray, const Hit<T>& hit) -> Vertex
       at.behind = sides.beyond;
     }
   }
-  if (const auto left = left_on_way(through, surface, at.entering, hit.t)) at.share *= *left;
-  Lobes<T>& lobes = at.lobes;
-  lobes.incident = ray.ray.direction;
-  lobes.normal = lobes.side = at.entering ? point.normal : -point.normal;
+  if (const auto left = transmittance_to_hit(through, surface, at.entering, hit.t)) at.throughput *= *left;
+  Bsdf<T>& bsdf = at.bsdf;
+  bsdf.incident = ray.ray.direction;
+  bsdf.shading_normal = bsdf.geometric_normal = at.entering ? point.normal : -point.normal;
   if (const auto smooth = primitives.smooth_normal(hit.primitive, point, at.time))
-    lobes.normal = smooth_normal_towards(ray.ray.direction, lobes.side, at.entering ? *smooth : -*smooth);
-  lobes.diffuse = surface.diffuse;
+    bsdf.shading_normal =
+        consistent_shading_normal(ray.ray.direction, bsdf.geometric_normal, at.entering ? *smooth : -*smooth);
+  bsdf.diffuse = surface.diffuse;
   if (surface.checker) {
     const bool even = even_square(primitives.uv_at(hit.primitive, point, hit.part, at.time), surface.checker->size);
-    lobes.diffuse *= even ? surface.checker->even : surface.checker->odd;
+    bsdf.diffuse *= even ? surface.checker->even : surface.checker->odd;
   }
-  if (surface.picture) lobes.diffuse *= surface.picture->at(primitives.uv_at(hit.primitive, point, hit.part, at.time));
+  if (surface.texture) bsdf.diffuse *= surface.texture->at(primitives.uv_at(hit.primitive, point, hit.part, at.time));
   at.specular = surface.specular;
   if (!is_black(surface.specular)) {
-    lobes.shininess = surface.shininess;
-    lobes.highlight = highlight_scale(surface.shininess) * surface.specular;
+    bsdf.shininess = surface.shininess;
+    bsdf.highlight = highlight_scale(surface.shininess) * surface.specular;
   }
-  lobes.mirror = surface.reflection;
+  bsdf.mirror = surface.reflection;
   if (surface.transmits) {
     T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
     if constexpr (Policy::effects.nesting) {
       if (surface.nests) n1 = nested_.index(through), n2 = nested_.index(at.behind);
     }
-    at.refraction = refraction_at(ray.ray.direction, lobes.normal, n1, n2);
+    at.refraction = refraction_at(ray.ray.direction, bsdf.shading_normal, n1, n2);
     const Rgb<T> both = surface.reflection + surface.transmission;
     if (at.refraction.total()) {
-      lobes.mirror = both;
+      bsdf.mirror = both;
     } else {
-      lobes.transparent = surface.transmission;
+      bsdf.transparent = surface.transmission;
       if (surface.dielectric) {
         const T reflected = at.refraction.fresnel();
-        lobes.transparent = (1 - reflected) * both;
-        lobes.mirror = reflected * both;
+        bsdf.transparent = (1 - reflected) * both;
+        bsdf.mirror = reflected * both;
       }
-      lobes.transparent_axis = renormalize(*refract(ray.ray.direction, lobes.normal, at.refraction));
-      lobes.transparent_width = surface.translucency;
+      bsdf.transparent_axis = renormalize(*refract(ray.ray.direction, bsdf.shading_normal, at.refraction));
+      bsdf.transparent_width = surface.translucency;
     }
   }
-  if (!is_black(lobes.mirror)) {
-    lobes.mirror_axis = renormalize(reflect(ray.ray.direction, lobes.normal));
-    lobes.mirror_width = surface.gloss;
+  if (!is_black(bsdf.mirror)) {
+    bsdf.mirror_axis = renormalize(reflect(ray.ray.direction, bsdf.shading_normal));
+    bsdf.mirror_width = surface.gloss;
   }
-  lobes.prepare(at.share);
+  bsdf.prepare(at.throughput);
   return at;
 }
 
-/// A light that a sample from the vertex before could have found too counts by its weight against that one.
+/// Emission that light sampling at the previous vertex could have found is weighted against it.
 template <class Policy>
-void PathTracer<Policy>::add_emission(Rgb<T>& shade, const Traced& ray, const Vertex& at) {
+void PathTracer<Policy>::add_emission(Rgb<T>& shade, const PathRay& ray, const Vertex& at) {
   const Rgb<T>& emission = at.surface->emission;
   if (is_black(emission) && !Observer::watches) return;
-  T light_density = 0;
-  if (ray.density > 0 && !is_black(emission) && settings_.strategy != PathStrategy::directions)
-    light_density =
-        lights_.density(ray.ray.origin, at.departure.primitive, at.departure.part, at.position, at.outwards);
+  T light_pdf = 0;
+  if (ray.pdf > 0 && !is_black(emission) && settings_.strategy != PathStrategy::directions)
+    light_pdf =
+        emitters_.pdf(ray.ray.origin, at.departure.primitive, at.departure.part, at.position, at.outward_normal);
   T weight = 1;
-  if (light_density > 0)
-    weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.density, light_density);
-  const Rgb<T> added = weight * at.share * emission;
+  if (light_pdf > 0) weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.pdf, light_pdf);
+  const Rgb<T> added = weight * at.throughput * emission;
   shade += added;
   note(Line::add_emission, ray.length, [&] {
     return EmissionAdded{ray.number,
                          Rgbd(emission),
-                         static_cast<double>(ray.density),
-                         static_cast<double>(light_density),
+                         static_cast<double>(ray.pdf),
+                         static_cast<double>(light_pdf),
                          static_cast<double>(weight),
                          Rgbd(added)};
   });
 }
 
 template <class Policy>
-auto PathTracer<Policy>::choose_direction(const Traced& ray, const Vertex& at) -> std::optional<Choice> {
+auto PathTracer<Policy>::choose_direction(const PathRay& ray, const Vertex& at) -> std::optional<BsdfSample> {
   const bool last = settings_.max_length > 0 && ray.length + 1 > settings_.max_length;
-  std::optional<Choice> choice;
-  if (!at.lobes.absorbs() && !last) {
+  std::optional<BsdfSample> choice;
+  if (!at.bsdf.absorbs() && !last) {
     T u = 0;
-    if (at.lobes.several()) {
+    if (at.bsdf.several()) {
       u = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::lobe), camera_.count());
       statistics_.drew(Effect::indirect_light, 1);
     }
-    const Lobe lobe = at.lobes.choose_lobe(u);
+    const Lobe lobe = at.bsdf.sample_lobe(u);
     Vec2<T> unit(0);
-    if (at.lobes.needs_direction(lobe)) {
+    if (at.bsdf.needs_direction(lobe)) {
       const Effect effect = detail::effect_of(lobe);
       unit = draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect),
                           camera_.strata());
       statistics_.drew(effect, 2);
     }
-    choice = at.lobes.choose(lobe, unit);
+    choice = at.bsdf.sample(lobe, unit);
     if (is_black(choice->weight)) choice.reset();
   }
   note(Line::choose_direction, ray.length, [&] {
     if (!choice) return DirectionChosen{true};
-    return DirectionChosen{false, choice->lobe, Vec3d(choice->direction), static_cast<double>(choice->density),
-                           Rgbd(at.share * choice->weight)};
+    return DirectionChosen{false, choice->lobe, Vec3d(choice->direction), static_cast<double>(choice->pdf),
+                           Rgbd(at.throughput * choice->weight)};
   });
   return choice;
 }
 
-/// The probability with which the path goes on, or 0 when it has ended.
+/// The probability with which the path continues, or 0 when it has ended.
 template <class Policy>
-auto PathTracer<Policy>::decide_survival(const Traced& ray, const Vertex& at, const std::optional<Choice>& choice)
+auto PathTracer<Policy>::decide_survival(const PathRay& ray, const Vertex& at, const std::optional<BsdfSample>& choice)
     -> T {
   T survival = 0;
   std::optional<Ending> why;
-  if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length && !at.lobes.absorbs()) {
+  if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length && !at.bsdf.absorbs()) {
     why = Ending::path_length;
   } else if (choice) {
     survival = 1;
     if (ray.length >= settings_.roulette_from) {
-      constexpr T most = T(0.95);  // so that no path is endless
-      survival = std::min(max_component(at.share * choice->weight), most);
+      constexpr T most = T(0.95);  // so that every path terminates
+      survival = std::min(max_component(at.throughput * choice->weight), most);
       const T u = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::roulette), camera_.count());
       statistics_.drew(Effect::indirect_light, 1);
       if (!(u < survival)) survival = 0, why = Ending::threshold;
@@ -271,19 +270,20 @@ auto PathTracer<Policy>::decide_survival(const Traced& ray, const Vertex& at, co
 }
 
 template <class Policy>
-auto PathTracer<Policy>::form_next_ray(const Vertex& at, const Choice& choice, T survival) -> Traced {
+auto PathTracer<Policy>::form_next_ray(const Vertex& at, const BsdfSample& choice, T survival) -> PathRay {
   stop_.check();
   const RayKind kind = choice.lobe == Lobe::transparent ? RayKind::refract : RayKind::reflect;
-  const Traced next{leaving<Ray>(world_, at.position, at.outwards, at.departure, choice.direction, at.time),
-                    kind,
-                    at.share * choice.weight * (1 / survival),
-                    at.length + 1,
-                    choice.density,
-                    rays_formed_++,
-                    kind == RayKind::refract ? at.behind : at.medium};
+  const PathRay next{spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, choice.direction, at.time),
+                     kind,
+                     at.throughput * choice.weight * (1 / survival),
+                     at.length + 1,
+                     choice.pdf,
+                     rays_formed_++,
+                     kind == RayKind::refract ? at.behind : at.medium};
   ++statistics_.formed(kind);
   note(Line::form_next_ray, at.length, [&] {
-    RayFormed event{next.number, at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction), Rgbd(next.share)};
+    RayFormed event{next.number,          at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction),
+                    Rgbd(next.throughput)};
     if (kind == RayKind::refract) event.snell = snell_numbers(at.refraction);
     return event;
   });

@@ -9,12 +9,12 @@
 
 namespace raywalk {
 
-/// Watches nothing and compiles away.
+/// Observes nothing and compiles away.
 struct NoObserver {
   static constexpr bool watches = false;
 };
 
-/// Is told every event, in order.
+/// Receives every event, in order.
 class Observer {
  public:
   static constexpr bool watches = true;
@@ -22,13 +22,13 @@ class Observer {
   virtual void record(Event&& event) = 0;
 };
 
-/// The effects whose code stands inside the hit loop. A kernel without one holds none of its code.
+/// The effects whose code is inside the hit loop. A kernel without an effect contains none of its code.
 struct HitEffects {
   bool reflection = true, refraction = true, textures = true;
-  bool penumbra = true;  ///< lights with an extent
+  bool penumbra = true;  ///< area lights
   bool lobes = true;     ///< gloss and translucency
-  bool shadows = true;   ///< lights, whether or not anything stands before them
-  bool nesting = true;   ///< bodies that transmit may lie in one another, or hold the eye
+  bool shadows = true;   ///< lights at all, occluded or not
+  bool nesting = true;   ///< transmitting bodies may overlap, or contain the eye
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
@@ -62,10 +62,10 @@ struct Policy {
   using Scalar = ScalarType;
   using Observer = ObserverType;
   static constexpr HitEffects effects = compiled(Set);
-  /// What computes its own crossings, robustly or naively.
+  /// The ray type, which selects robust or naive intersections.
   using Ray = std::conditional_t<Arithmetic == Numerics::naive, NaiveRay<Scalar>, raywalk::Ray<Scalar>>;
-  /// Whether there are hooks by which the fault that a world names breaks the tracer on purpose (trace/fault.h). A
-  /// kernel without them holds none of their code.
+  /// Whether there are hooks for fault injection: the fault that a world names breaks the tracer on purpose
+  /// (trace/fault.h). A kernel without them contains none of their code.
   static constexpr bool faulty = Faulty;
 };
 

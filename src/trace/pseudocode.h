@@ -5,11 +5,11 @@
 
 namespace raywalk {
 
-/// Those of the tracer, and those of path tracing.
+/// The procedures of the tracer, and those of path tracing.
 enum class Procedure { main_algorithm, shade, path_tracing, follow_path };
 
-/// The lines of the procedures, in the order in which they stand on the screen. Each text is also the comment that
-/// heads its statement in trace/tracer.h or trace/path.h; a test holds the two together.
+/// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
+/// statement in trace/tracer.h or trace/path.h; a test holds the two together.
 enum class Line {
   for_each_pixel,
   form_primary_ray,

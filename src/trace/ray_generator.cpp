@@ -16,10 +16,10 @@ Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraw
   Vec3<T> origin = eye_, direction = normalize(ahead);
   T time = shutter_open_;
   if (compiled(Effect::depth_of_field) && lens_radius_ > 0) {
-    // A thin lens: all that leaves it for one pixel meets in one point of the plane in focus.
+    // A thin lens: all rays of one pixel position meet in one point of the plane in focus.
     statistics.drew(Effect::depth_of_field, 2);
     const auto drawn = draws.lens.template draw<T>(static_cast<std::uint32_t>(pixel.sample));
-    const Vec2<T> on_lens = lens_radius_ * concentric_disk(drawn);
+    const Vec2<T> on_lens = lens_radius_ * sample_concentric_disk(drawn);
     const Vec3<T> aside = on_lens.x * lens_right_ + on_lens.y * lens_up_;
     origin = eye_ + aside;
     direction = normalize(focus_ * ahead - aside);
@@ -48,16 +48,17 @@ void RayGenerator<T>::draw_ahead(const Pixel& pixel, PixelDraws& draws) const {
     draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
 }
 
-/// Where sample `sample` falls when nothing is drawn: the first ones in a k x k grid, what is left over in one row. The
-/// grid is filled so that any k that follow each other lie in k columns, and about evenly in the rows: adaptive
-/// sampling may stop after some of them, which have to stand for the pixel.
+/// The position of a sample without random numbers: the first ones in a k x k grid, the rest in one row. The grid is
+/// filled so that any k consecutive samples lie in k columns, and about evenly in the rows: adaptive sampling may stop
+/// after some of them, which then represent the pixel.
 template <class T>
 Vec2<T> RayGenerator<T>::fixed_place(int sample) const {
   int edge = 1;
   while ((edge + 1) * (edge + 1) <= sampling_.per_pixel) ++edge;
   const int square = edge * edge, left_over = sampling_.per_pixel - square;
   if (sample >= square) return {(static_cast<T>(sample - square) + T(0.5)) / static_cast<T>(left_over), T(0.5)};
-  // One back and about 0.618 of the rows on, by the golden section: prime to the number of cells, since prime to k.
+  // One column back and about 0.618 of the rows on, by the golden ratio: coprime to the number of cells, since coprime
+  // to k.
   const int stride = edge * static_cast<int>(std::lround(0.6180339887498949 * edge)) - 1;
   const auto cell = static_cast<int>(static_cast<std::int64_t>(sample) * stride % square);
   return {(static_cast<T>(cell % edge) + T(0.5)) / static_cast<T>(edge),

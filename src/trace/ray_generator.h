@@ -18,29 +18,30 @@ namespace raywalk {
 struct Pixel {
   int column = 0, row = 0;
   int sample = 0;
-  int until = 0;  ///< those before that one are asked for next, in turn, and may be drawn with it; 0: it alone
+  int until = 0;  ///< samples before this one are requested next, in order, and may be drawn together; 0: only this one
 };
 
-/// How many samples a pixel takes, and which.
+/// How many samples a pixel takes, and where.
 struct Sampling {
-  int per_pixel = 1;  ///< 1: the centre. More: spread over the pixel as the scene's sampler does
+  int per_pixel = 1;  ///< 1: the centre. More: distributed over the pixel by the scene's sampler
   std::uint64_t seed = 0;
-  /// Rays through the corners of the pixels instead of their centres: what is formed is one column and one row larger
-  /// than the image, and each pixel is the mean of its four corners. Takes no other samples: per_pixel = 1.
+  /// Rays through the corners of the pixels instead of their centres: the traced image is one column and one row
+  /// larger, and each pixel is the mean of its four corners. No other samples are taken: per_pixel = 1.
   bool corners = false;
   friend bool operator==(const Sampling&, const Sampling&) = default;
 };
 
-/// Forms camera rays for an image, or for a strip of it: where in the pixel, through which point of the lens, and when.
+/// Forms camera rays for an image, or for a strip of it: at a point of the pixel, through a point of the lens, at a
+/// time.
 ///
 /// Coordinates come from centred integers by one division, (2i + 1 - W) / W: the middle row's height is then exactly 0,
 /// and the cells of a strip W / k wide equal every k-th column bit for bit when k is odd (both divide the same number).
-/// What is drawn for a pixel depends on that same fraction, so it is alike for both too.
+/// The random numbers of a pixel depend on that same fraction, so they are equal for both too.
 template <class T>
 class RayGenerator {
  public:
-  /// `size`: what is rendered. `whole`: the image that it is, or is a strip of; only its aspect matters, and only for a
-  /// camera that states its angle along y. With `sampling.corners`, `size` is that of the corners.
+  /// `size`: of what is rendered. `whole`: of the image that it is, or is a strip of; only its aspect ratio matters,
+  /// and only for a camera that states its angle along y. With `sampling.corners`, `size` is that of the corners.
   RayGenerator(const Scene& scene, ImageSize size, ImageSize whole, Sampling sampling = {})
       : RayGenerator(scene.camera, size, whole, sampling) {
     const Effects effects = effects_of(scene, sampling.per_pixel);
@@ -50,7 +51,7 @@ class RayGenerator {
     moves_ = effects.used(Effect::motion_blur);
     is_sampled_ = is_sampled_ || lens_radius_ > 0 || moves_;
   }
-  /// As if it were a pinhole, its shutter open for no time, the samples of a pixel jittered.
+  /// As a pinhole camera without motion blur, with jittered samples.
   RayGenerator(const Camera& camera, ImageSize size, ImageSize whole, Sampling sampling = {})
       : size_(size), sampling_(sampling), strata_(static_cast<std::uint32_t>(sampling.per_pixel)), eye_(camera.eye) {
     const Vec3d forward = normalize(camera.look_at - camera.eye);
@@ -72,8 +73,8 @@ class RayGenerator {
     is_sampled_ = sampling.per_pixel > 1;
   }
 
-  /// What is drawn for the samples of a pixel before they are traced, so that none waits for its numbers: kept by
-  /// whoever asks for one after the other.
+  /// The random numbers for several samples of a pixel, drawn ahead so that no sample waits for them; kept by the
+  /// caller who requests the samples in turn.
   struct PixelDraws {
     static constexpr int most = 16;
     int column = -1, row = -1;
@@ -86,7 +87,7 @@ class RayGenerator {
     }
   };
 
-  /// The ray of a sample, of unit length. Counts what it draws.
+  /// The ray of a sample, of unit length. Counts its draws.
   [[nodiscard]] Ray<T> primary_ray(const Pixel& pixel, PixelDraws& draws, Statistics& statistics) const {
     const Vec2<T> centre{static_cast<T>(2 * pixel.column + 1 - size_.width),
                          static_cast<T>(size_.height - 1 - 2 * pixel.row)};
@@ -101,11 +102,11 @@ class RayGenerator {
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] const Sampling& sampling() const { return sampling_; }
   [[nodiscard]] Sampler sampler() const { return sampler_; }
-  /// The samples of a pixel, as samplers spread them.
+  /// The stratification of the samples of a pixel.
   [[nodiscard]] const Strata& strata() const { return strata_; }
   [[nodiscard]] std::uint32_t count() const { return strata_.count(); }
 
-  /// What every draw for a sample of a pixel begins with: an effect, at the end of the primary ray.
+  /// The key of all draws for a sample of a pixel, for an effect at the primary hit.
   [[nodiscard]] RandomKey key(const Pixel& pixel, Effect effect) const {
     return {sampling_.seed, column_keys_[static_cast<std::size_t>(pixel.column)],
             row_keys_[static_cast<std::size_t>(pixel.row)], static_cast<std::uint32_t>(pixel.sample),
@@ -113,20 +114,20 @@ class RayGenerator {
   }
 
  private:
-  /// A number for the fraction, the same for equal ones: a cell of the strip and the pixel that it equals draw alike.
-  /// Distinct for all pictures up to 32768 x 32768.
+  /// A key for the fraction, the same for equal ones: a cell of the strip and the pixel that it equals draw the same
+  /// numbers. Distinct for all pictures up to 32768 x 32768.
   [[nodiscard]] static std::int32_t fraction_key(int numerator, int denominator) {
     const int divisor = std::max(std::gcd(numerator, denominator), 1);
     const auto above = static_cast<std::uint32_t>(numerator / divisor);
     return static_cast<std::int32_t>(above << 16 ^ static_cast<std::uint32_t>(denominator / divisor));
   }
 
-  /// From the eye to the plane at distance 1; `place`: in half pixels from the middle of the image.
+  /// From the eye to the plane at distance 1; `place`: in half pixels from the centre of the image.
   [[nodiscard]] Vec3<T> through(const Vec2<T>& place) const {
     return forward_ + (place.x / width_) * right_ + (place.y / width_) * up_;
   }
 
-  /// Apart, so that all of it costs one question where the centres of pixels are seen by a pinhole at one time.
+  /// Separate, so that it costs a single test for a pinhole camera at one sample per pixel without motion.
   [[nodiscard]] Ray<T> sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraws& draws, Statistics& statistics) const;
   void draw_ahead(const Pixel& pixel, PixelDraws& draws) const;
   [[nodiscard]] Vec2<T> fixed_place(int sample) const;
@@ -136,10 +137,10 @@ class RayGenerator {
   Strata strata_;
   Sampler sampler_ = Sampler::jittered;
   bool draws_ = true, moves_ = false;
-  bool is_sampled_ = false;  ///< not all rays go from the eye through the pixel's centre when the shutter opens
+  bool is_sampled_ = false;  ///< rays differ from: from the eye, through the pixel's centre, when the shutter opens
   std::vector<std::int32_t> column_keys_, row_keys_;
   T width_;                             ///< pixels across the picture
-  Vec3<T> eye_, forward_, right_, up_;  ///< right and up as long as half the image's width at distance 1
+  Vec3<T> eye_, forward_, right_, up_;  ///< right and up have half the image's width at distance 1 as their length
   T lens_radius_ = 0, focus_;           ///< radius 0: nothing is drawn for the lens
   Vec3<T> lens_right_, lens_up_;        ///< unit length
   T shutter_open_, shutter_close_;

@@ -1,5 +1,5 @@
 #pragma once
-// SHADE calls itself: how much stack that takes.
+// The stack that the recursion of SHADE needs.
 
 #include "io/error.h"
 #include "math/stack.h"
@@ -8,8 +8,8 @@
 
 namespace raywalk {
 
-// Of any kernel, from one SHADE to the next; a test measures it. Sanitizers keep variables apart, and a compiler that
-// does not optimise keeps them all.
+// Of any kernel, from one SHADE to the next; a test measures it. Sanitizers pad variables, and without optimisation all
+// of them are on the stack.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
 inline constexpr std::size_t stack_a_level = 24 << 10;
 #elif defined(__has_feature)
@@ -24,12 +24,12 @@ inline constexpr std::size_t stack_a_level = 3 << 10;
 /// For everything around the recursion.
 inline constexpr std::size_t stack_beside = std::size_t{128} << 10;
 
-/// Stack for a trace that goes `depth` levels deep.
+/// The stack for a trace that is `depth` levels deep.
 [[nodiscard]] constexpr std::size_t stack_for(int depth) {
   return stack_beside + static_cast<std::size_t>(depth) * stack_a_level;
 }
 
-/// Why a trace of that depth does not fit into what is left of the present thread's stack; nothing where it does.
+/// Why a trace of that depth does not fit into the rest of the current thread's stack; nothing where it does.
 [[nodiscard]] std::optional<Error> why_too_deep(int depth);
 
 }  // namespace raywalk

@@ -2,13 +2,13 @@
 
 namespace raywalk {
 
-RectangleSeen::RectangleSeen(const Vec3d& point, const Vec3d& corner, const Vec3d& u, const Vec3d& v)
+SphericalRectangle::SphericalRectangle(const Vec3d& point, const Vec3d& corner, const Vec3d& u, const Vec3d& v)
     : length_x_(length(u)), length_y_(length(v)) {
   const Vec3d x = u / length_x_, y = v / length_y_;
-  const Vec3d way = corner - point;
-  x0_ = dot(way, x);
-  y0_ = dot(way, y);
-  z_ = -std::abs(dot(way, cross(x, y)));  // both sides look alike
+  const Vec3d to_corner = corner - point;
+  x0_ = dot(to_corner, x);
+  y0_ = dot(to_corner, y);
+  z_ = -std::abs(dot(to_corner, cross(x, y)));  // both sides are equivalent
   x1_ = x0_ + length_x_;
   y1_ = y0_ + length_y_;
   // Normals of the planes through the point and each edge have one component along the rectangle's normal, n_z; the
@@ -23,7 +23,7 @@ RectangleSeen::RectangleSeen(const Vec3d& point, const Vec3d& corner, const Vec3
   solid_angle_ = z_ < 0 ? g0 + g1 - k_ : 0;
 }
 
-Vec2d RectangleSeen::point_at(const Vec2d& unit) const {
+Vec2d SphericalRectangle::point_at(const Vec2d& unit) const {
   const double phi = unit.x * solid_angle_ + k_;
   const double f = (std::cos(phi) * b0_ - b1_) / std::sin(phi);
   const double cu = std::clamp(std::copysign(1 / std::sqrt(f * f + b0_ * b0_), f), -1.0, 1.0);

@@ -1,7 +1,7 @@
 #pragma once
-// Where the light comes from, drawn: maps from the unit square, evenly filled, to disks, cones, hemispheres, triangles
-// and what is seen of a light, each with its density. Continuous maps wherever one is known, so that what was
-// stratified stays so. Directions in a local frame have the axis as +z.
+// Sampling: maps from the unit square to disks, cones, hemispheres, triangles and the solid angle of a light, each with
+// its pdf. The maps are continuous where possible, so that stratification is preserved. Directions in a local frame
+// have the axis as +z.
 
 #include "math/vec.h"
 
@@ -30,10 +30,10 @@ struct Basis {
   Vec3<T> s, t, n;
 };
 
-/// A point of the unit disk; density 1 / pi. Squares about the centre become circles (P. Shirley and K. Chiu, "A Low
+/// A point of the unit disk; pdf 1 / pi. Squares about the centre become circles (P. Shirley and K. Chiu, "A Low
 /// Distortion Map Between Disk and Square", JGT 2(3), 1997).
 template <class T>
-[[nodiscard]] Vec2<T> concentric_disk(const Vec2<T>& u) {
+[[nodiscard]] Vec2<T> sample_concentric_disk(const Vec2<T>& u) {
   const T x = 2 * u.x - 1, y = 2 * u.y - 1;
   if (x == 0 && y == 0) return {0, 0};
   const bool wide = std::abs(x) > std::abs(y);
@@ -42,12 +42,12 @@ template <class T>
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// A direction within the cone about +z whose 1 - cos(half angle) is given, in (0, 2]; all directions alike. Exact for
-/// the narrowest cones, where cos(half angle) rounds to 1.
+/// A direction uniform within the cone about +z whose 1 - cos(half angle) is given, in (0, 2]. Accurate for the
+/// narrowest cones, where cos(half angle) rounds to 1.
 template <class T>
-[[nodiscard]] Vec3<T> uniform_cone(const Vec2<T>& u, T one_minus_cos) {
-  const Vec2<T> disk = concentric_disk(u);
-  // Archimedes: equal areas of the disk take equal shares of 1 - cos.
+[[nodiscard]] Vec3<T> sample_uniform_cone(const Vec2<T>& u, T one_minus_cos) {
+  const Vec2<T> disk = sample_concentric_disk(u);
+  // Archimedes: equal areas of the disk map to equal steps of 1 - cos.
   const T share = std::min(dot(disk, disk), T(1));
   const T down = share * one_minus_cos;                     // 1 - cos of the direction itself
   const T stretch = std::sqrt(one_minus_cos * (2 - down));  // sin / radius
@@ -64,16 +64,16 @@ template <class T>
   return 2 * half * half;
 }
 
-/// A direction of the whole sphere, all alike; density 1 / (4 pi).
+/// A direction uniform on the sphere; pdf 1 / (4 pi).
 template <class T>
-[[nodiscard]] Vec3<T> uniform_sphere(const Vec2<T>& u) {
-  return uniform_cone(u, T(2));
+[[nodiscard]] Vec3<T> sample_uniform_sphere(const Vec2<T>& u) {
+  return sample_uniform_cone(u, T(2));
 }
 
-/// A direction above the surface z = 0, by its cosine (N. Malley: a point of the disk, lifted).
+/// A cosine-weighted direction above z = 0 (N. Malley: a point of the disk, projected up).
 template <class T>
-[[nodiscard]] Vec3<T> cosine_hemisphere(const Vec2<T>& u) {
-  const Vec2<T> disk = concentric_disk(u);
+[[nodiscard]] Vec3<T> sample_cosine_hemisphere(const Vec2<T>& u) {
+  const Vec2<T> disk = sample_concentric_disk(u);
   return {disk.x, disk.y, std::sqrt(std::max(1 - dot(disk, disk), T(0)))};
 }
 template <class T>
@@ -81,16 +81,16 @@ template <class T>
   return cos > 0 ? cos / pi_v<T> : T(0);
 }
 
-/// A direction above z = 0 by a power of its cosine, >= 0: the lobe about a mirrored ray (Phong) or of half vectors
-/// (Blinn).
+/// A direction above z = 0 weighted by a power >= 0 of its cosine: the lobe about a mirrored ray (Phong) or of half
+/// vectors (Blinn).
 template <class T>
-[[nodiscard]] Vec3<T> power_cosine(const Vec2<T>& u, T exponent) {
-  const Vec2<T> disk = concentric_disk(u);
-  // Of all directions, those that lie nearer to the axis. The disk's rim would be the horizon, whatever the power: the
-  // last step of the numbers drawn is kept off it.
+[[nodiscard]] Vec3<T> sample_power_cosine(const Vec2<T>& u, T exponent) {
+  const Vec2<T> disk = sample_concentric_disk(u);
+  // The fraction of directions nearer to the axis. The disk's rim would be the horizon, whatever the power: the last
+  // step of the random numbers is kept off it.
   const T share = std::min(dot(disk, disk), 1 - T(0x1p-24));
   const T cos = std::pow(1 - share, 1 / (exponent + 1));
-  // For a sharp lobe 1 - cos is small: found by itself.
+  // For a sharp lobe 1 - cos is small: computed directly.
   const T down = -std::expm1(std::log1p(-share) / (exponent + 1));
   const T stretch = share > 0 ? std::sqrt(down * (1 + cos) / share) : T(0);
   return {disk.x * stretch, disk.y * stretch, cos};
@@ -100,50 +100,50 @@ template <class T>
   return cos > 0 ? (exponent + 1) / (2 * pi_v<T>)*std::pow(cos, exponent) : T(0);
 }
 
-/// Weights of the second and third corner of a triangle for a point of it; density 1 / area (G. Turk 1990).
+/// Barycentric weights of the second and third corner for a point uniform in a triangle; pdf 1 / area (G. Turk 1990).
 template <class T>
-[[nodiscard]] Vec2<T> triangle_weights(const Vec2<T>& u) {
+[[nodiscard]] Vec2<T> sample_uniform_triangle(const Vec2<T>& u) {
   const T root = std::sqrt(u.x);
   return {root * (1 - u.y), root * u.y};
 }
 
-/// From a density by area at a point of a surface to one by solid angle, where the way to it is `way` (not 0) and its
-/// unit normal `normal`; infinite edge on.
+/// Converts a pdf per area at a point of a surface to one per solid angle; `to_point` (not 0) leads there, and `normal`
+/// is its unit normal. Infinite edge-on.
 template <class T>
-[[nodiscard]] T solid_angle_density(T area_density, const Vec3<T>& way, const Vec3<T>& normal) {
-  const T squared = dot(way, way);
-  const T cos = std::abs(dot(way, normal)) / std::sqrt(squared);
-  return cos > 0 ? area_density * squared / cos : std::numeric_limits<T>::infinity();
+[[nodiscard]] T solid_angle_pdf(T area_pdf, const Vec3<T>& to_point, const Vec3<T>& normal) {
+  const T squared = dot(to_point, to_point);
+  const T cos = std::abs(dot(to_point, normal)) / std::sqrt(squared);
+  return cos > 0 ? area_pdf * squared / cos : std::numeric_limits<T>::infinity();
 }
 
-/// What a point sees of a sphere.
+/// The cone that a sphere subtends at a point.
 template <class T>
-struct SphereSeen {
-  bool from_inside;  ///< or on it: the sphere is all around
+struct SubtendedCone {
+  bool from_inside;  ///< or on it: the sphere subtends all directions
   T one_minus_cos;   ///< of the cone's half angle, from outside; 0 for radius 0
 };
 template <class T>
-[[nodiscard]] SphereSeen<T> sphere_seen(const Vec3<T>& point, const Vec3<T>& centre, T radius) {
-  const Vec3<T> way = centre - point;
-  const T squared = dot(way, way);
+[[nodiscard]] SubtendedCone<T> subtended_cone(const Vec3<T>& point, const Vec3<T>& centre, T radius) {
+  const Vec3<T> to_centre = centre - point;
+  const T squared = dot(to_centre, to_centre);
   if (!(radius * radius < squared)) return {true, 0};
   const T sin2 = radius * radius / squared;
-  // sin^2 / (1 + cos): the plain 1 - cos of a far sphere would be 0 or one ulp.
+  // sin^2 / (1 + cos): computed directly, 1 - cos of a distant sphere would be 0 or one ulp.
   return {false, sin2 / (1 + std::sqrt(1 - sin2))};
 }
-/// A unit direction towards the sphere from outside, all that meet it alike (P. Shirley, C. Wang and K. Zimmerman,
-/// "Monte Carlo Techniques for Direct Lighting Calculations", TOG 15(1), 1996). Density: uniform_cone_pdf. To a sphere
-/// of radius 0: the direction of its centre.
+/// A unit direction towards the sphere from outside, uniform over those that hit it (P. Shirley, C. Wang and K.
+/// Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", TOG 15(1), 1996). Its pdf is uniform_cone_pdf.
+/// For radius 0: the direction of the centre.
 template <class T>
-[[nodiscard]] Vec3<T> towards_sphere(const Vec2<T>& u, const Vec3<T>& point, const Vec3<T>& centre,
-                                     const SphereSeen<T>& seen) {
+[[nodiscard]] Vec3<T> sample_subtended_cone(const Vec2<T>& u, const Vec3<T>& point, const Vec3<T>& centre,
+                                            const SubtendedCone<T>& seen) {
   const Basis<T> basis(normalize(centre - point));
   if (seen.one_minus_cos == 0) return basis.n;
-  return basis.to_world(uniform_cone(u, seen.one_minus_cos));
+  return basis.to_world(sample_uniform_cone(u, seen.one_minus_cos));
 }
 
-/// Of a spot's strength, what is left at an angle: 1 within the inner cone, 0 outside the outer one, between them a
-/// smooth step of the cosine. cos_inner >= cos_outer; equal ones make a sharp edge, which is lit.
+/// The falloff of a spot at an angle: 1 within the inner cone, 0 outside the outer one, between them a smooth step of
+/// the cosine. cos_inner >= cos_outer; equal ones make a sharp edge, which is lit.
 template <class T>
 [[nodiscard]] constexpr T spot_falloff(T cos, T cos_inner, T cos_outer) {
   if (cos >= cos_inner) return 1;
@@ -152,17 +152,17 @@ template <class T>
   return x * x * (3 - 2 * x);
 }
 
-/// What a point sees of a rectangle: C. Ureña, M. Fajardo and A. King, "An Area-Preserving Parametrization for
-/// Spherical Rectangles", EGSR 2013. Where its sum of angles would cancel, `usable` is false and the rectangle is small
-/// enough, as seen, to be drawn by area. In double for all scalars.
-class RectangleSeen {
+/// The solid angle that a rectangle subtends at a point: C. Ureña, M. Fajardo and A. King, "An Area-Preserving
+/// Parametrization for Spherical Rectangles", EGSR 2013. Where its sum of angles would cancel, `usable` is false and
+/// the solid angle is small enough to sample by area. In double for all scalars.
+class SphericalRectangle {
  public:
-  /// Edges u and v at right angles to each other, neither 0.
-  RectangleSeen(const Vec3d& point, const Vec3d& corner, const Vec3d& u, const Vec3d& v);
+  /// Edges u and v are perpendicular, neither 0.
+  SphericalRectangle(const Vec3d& point, const Vec3d& corner, const Vec3d& u, const Vec3d& v);
 
   [[nodiscard]] bool usable() const { return solid_angle_ > 1e-5; }
   [[nodiscard]] double solid_angle() const { return solid_angle_; }
-  /// Where on the rectangle, in shares of u and v. All directions that meet it alike: density 1 / solid_angle.
+  /// A point on the rectangle, in fractions of u and v, uniform in solid angle: pdf 1 / solid_angle.
   [[nodiscard]] Vec2d point_at(const Vec2d& unit) const;
 
  private:

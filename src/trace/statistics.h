@@ -9,14 +9,15 @@
 
 namespace raywalk {
 
-/// What a trace did. rays formed = hit + missed + blocked + reached_light; the other endings count rays not formed.
+/// The counters of a trace. Rays formed = hit + missed + blocked + reached_light; the other endings count rays not
+/// formed.
 struct Statistics {
   std::array<std::uint64_t, ray_kind_count> rays{};
   std::array<std::uint64_t, ending_count> ended{};
   TestCounts tests;
-  std::uint64_t random_draws = 0;                   ///< numbers drawn, of all effects together
-  std::array<std::uint64_t, effect_count> draws{};  ///< and of each
-  std::uint64_t not_finite = 0;  ///< final shades that a file's float cannot hold: failures, each one
+  std::uint64_t random_draws = 0;                   ///< random numbers drawn, of all effects together
+  std::array<std::uint64_t, effect_count> draws{};  ///< and per effect
+  std::uint64_t not_finite = 0;  ///< final shades that a file's float cannot represent: each one is a failure
 
   void drew(Effect effect, int numbers) {
     random_draws += static_cast<std::uint64_t>(numbers);

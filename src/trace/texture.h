@@ -8,12 +8,12 @@
 
 namespace raywalk {
 
-/// The colour of a texture, whose copies fill the plane: one spans 0..1 in u (to the right) and in v (upwards).
-/// Bilinear between the centres of the four nearest pixels.
+/// The colour of a texture that repeats: one copy spans 0..1 in u (to the right) and in v (upwards). Bilinear between
+/// the centres of the four nearest pixels.
 template <class T>
 [[nodiscard]] Rgb<T> texture_colour(const TexturePixels& texture, T u, T v) {
-  // In pixels, from the centre of the one that is left in the top row; wrapped while still a share of the copy, so
-  // that places far away keep their digits.
+  // In pixels, from the centre of the top left one; wrapped while still relative to the copy, so that distant positions
+  // keep their digits.
   const T x = (u - std::floor(u)) * static_cast<T>(texture.width) - T(0.5);
   const T y = (1 - (v - std::floor(v))) * static_cast<T>(texture.height) - T(0.5);
   const T left = std::floor(x), top = std::floor(y);
@@ -33,13 +33,13 @@ template <class T>
   return upper + down * (lower - upper);
 }
 
-/// Whether a place lies in an even square of a checker. In whole numbers: neighbours differ at random, and a processor
-/// that has to guess which of two ways to go is wrong every second time.
+/// Whether a position lies in an even square of a checker. In integers, without branches: these would be mispredicted
+/// half of the time.
 template <class T>
 [[nodiscard]] bool even_square(const Vec2<T>& uv, T size) {
   const auto square = [&](T along) -> std::int64_t {
     const T place = along / size;
-    if (!(std::abs(place) < T(0x1p62))) return 0;  // so far out T has only even numbers
+    if (!(std::abs(place) < T(0x1p62))) return 0;  // this far out, T has only even numbers
     const auto cut = static_cast<std::int64_t>(place);
     return cut - static_cast<std::int64_t>(place < static_cast<T>(cut));
   };

@@ -1,10 +1,10 @@
 #pragma once
 // The tracer: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980, with Blinn's highlight
-// (1977); distributed: R. Cook, T. Porter and L. Carpenter, "Distributed ray tracing", SIGGRAPH 1984, which sends each
-// of the same rays to a place that is drawn: on the light, in the lobe, on the lens, in the shutter's time.
-// `main_algorithm` and `shade` are the two procedures that the visualiser shows; every comment of the form of a
-// pseudocode line heads the statement that the line names, and a test holds the texts together. What a statement does
-// stands in the function it calls, below (trace/tracer_steps.h).
+// (1977); distributed: R. Cook, T. Porter and L. Carpenter, "Distributed ray tracing", SIGGRAPH 1984, which samples the
+// target of each of the same rays: on the light, in the lobe, on the lens, in the shutter's time. `main_algorithm` and
+// `shade` are the two procedures that the visualiser shows; every comment that is a line of pseudocode heads the
+// statement that the line names, and a test keeps the texts together. What a statement does is in the function that it
+// calls (trace/tracer_steps.h).
 
 #include "math/stop.h"
 #include "trace/media.h"
@@ -29,13 +29,13 @@ class Tracer {
   using Ray = typename Policy::Ray;
   using Observer = typename Policy::Observer;
 
-  /// `stop` may end the work inside a pixel: `main_algorithm` throws Stopped then.
+  /// `stop` may cancel inside a pixel: `main_algorithm` then throws Stopped.
   Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {})
       : world_(world),
         camera_(camera),
         observer_(observer),
         stop_(stop),
-        last_blockers_(world.lamps.size(), -1),
+        last_blockers_(world.lights.size(), -1),
         nested_(world) {}
 
   /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
@@ -45,7 +45,7 @@ class Tracer {
     for (const Pixel& pixel : pixels) {
       begin(pixel);
       // Form primary ray
-      const Traced primary = form_primary_ray(pixel);
+      const TreeRay primary = form_primary_ray(pixel);
       // Find closest intersection
       const Nearest nearest = find_closest(Line::find_closest_intersection, 0, primary);
       Rgb<T> final = world_.background;
@@ -63,16 +63,16 @@ class Tracer {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
  private:
-  /// Place of a ray in the ray tree, which draws are keyed by; only kernels that draw carry it along.
+  /// The position of a ray in the ray tree, which keys its draws; only in kernels that draw.
   struct Branch {
     std::uint64_t path = 0;
   };
-  /// What a ray travels in, where that is known; only kernels that refract carry it along.
+  /// The medium that a ray travels in, if known; only in kernels that refract.
   using Medium = typename World<T>::Medium;
   struct InMedium {
     const Medium* medium = nullptr;
   };
-  /// How many rays a ray descends from; only kernels that may forget to count DEPTH carry it along.
+  /// The number of ancestors of a ray; only in kernels that may fail to count DEPTH.
   struct Generation {
     int number = 0;
   };
@@ -81,16 +81,17 @@ class Tracer {
   template <bool Has, class Member>
   using Only = std::conditional_t<Has, Member, Without<Member>>;
   static constexpr bool draws = Policy::effects.penumbra || Policy::effects.lobes;
-  /// Whether what may hide a light with an extent is found once for all its samples; naive rays start elsewhere.
+  /// Whether the possible blockers of an area light are found once for all its samples; not with naive rays, whose
+  /// origins differ.
   static constexpr bool culls = Policy::effects.penumbra && std::is_same_v<Ray, raywalk::Ray<T>>;
-  /// A ray on its way: what it is, and the largest part of the pixel it can bring.
-  struct Traced {
-    Traced(const Ray& the_ray, RayKind its_kind, const Rgb<T>& its_share, int its_number)
-        : ray(the_ray), kind(its_kind), share(its_share), number(its_number) {}
+  /// A ray of the ray tree, with its state.
+  struct TreeRay {
+    TreeRay(const Ray& the_ray, RayKind its_kind, const Rgb<T>& its_throughput, int its_number)
+        : ray(the_ray), kind(its_kind), throughput(its_throughput), number(its_number) {}
     Ray ray;
     RayKind kind;
-    Rgb<T> share;
-    int number;  ///< in the recording; 0 when nobody watches
+    Rgb<T> throughput;
+    int number;  ///< in the recording; 0 without an observer
     [[no_unique_address]] Only<draws, Branch> branch{};
     [[no_unique_address]] Only<Policy::effects.refraction, InMedium> in{};
     [[no_unique_address]] Only<Policy::faulty, Generation> generation{};
@@ -102,28 +103,28 @@ class Tracer {
     [[no_unique_address]] Only<Policy::effects.refraction, InMedium> in{};
   };
   using Nearest = std::optional<Hit<T>>;
-  /// The hit, made ready for SHADE: place, normal and the weights that "If reflective" and "If transparent" test.
-  struct Shading;
-  /// What all lights together bring; each one's part only when watched.
-  struct Direct;
+  /// The hit, prepared for SHADE: position, normals and the weights that "If reflective" and "If transparent" test.
+  struct ShadingPoint;
+  /// The sum over all lights; each one's term only when observed.
+  struct DirectLighting;
 
   /// SHADE (DEPTH, RTNSHADE): the light that leaves the hit against the ray's direction.
-  Rgb<T> shade(int depth, const Traced& ray, const Hit<T>& hit) {
-    const Shading at = prepare(ray, hit);
-    Direct direct;
+  Rgb<T> shade(int depth, const TreeRay& ray, const Hit<T>& hit) {
+    const ShadingPoint at = prepare(ray, hit);
+    DirectLighting direct;
     if constexpr (Policy::effects.shadows) {
-      for (const Lamp& lamp : world_.lamps) {
-        look_between(at, lamp);
-        for (int sample = 0; sample < samples_of(lamp); ++sample) {
+      for (const Light& light : world_.lights) {
+        set_shadow_hints(at, light);
+        for (int sample = 0; sample < samples_of(light); ++sample) {
           // Form shadow ray
-          const auto shadow = form_shadow_ray(depth, at, ray, lamp, sample);
+          const auto shadow = form_shadow_ray(depth, at, ray, light, sample);
           if (!shadow) {
-            add_unlit(direct, lamp);
+            add_unlit(direct, light);
             continue;
           }
           // Find intersection
-          const Rgb<T> visible = find_intersection(depth, *shadow, lamp);
-          add_light(direct, at, ray, lamp, shadow->ray, visible);
+          const Rgb<T> visible = find_intersection(depth, *shadow, light);
+          add_light(direct, at, ray, light, shadow->ray, visible);
         }
       }
     }
@@ -158,40 +159,43 @@ class Tracer {
     return compute_rtnshade(depth, at, direct, reflected, refracted);
   }
 
-  using Lamp = typename World<T>::Lamp;
+  using Light = typename World<T>::Light;
   using Surface = typename World<T>::Surface;
 
   void begin(const Pixel& pixel);
-  Traced form_primary_ray(const Pixel& pixel);
-  std::optional<Shadow> form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp, int sample);
-  std::optional<Traced> form_reflect_ray(int depth, const Shading& at, const Traced& ray);
-  std::optional<Traced> form_refract_ray(int depth, const Shading& at, const Traced& ray);
+  TreeRay form_primary_ray(const Pixel& pixel);
+  std::optional<Shadow> form_shadow_ray(int depth, const ShadingPoint& at, const TreeRay& ray, const Light& light,
+                                        int sample);
+  std::optional<TreeRay> form_reflect_ray(int depth, const ShadingPoint& at, const TreeRay& ray);
+  std::optional<TreeRay> form_refract_ray(int depth, const ShadingPoint& at, const TreeRay& ray);
   template <class Draw>
-  std::optional<Traced> form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent, RayKind kind,
-                                           const Vec3<T>& sharp, const Rgb<T>& weight, Draw draw_direction);
-  Nearest find_closest(Line line, int depth, const Traced& ray);
-  Rgb<T> find_intersection(int depth, const Shadow& shadow, const Lamp& lamp);
-  [[nodiscard]] static const Medium* medium_beside(const Shading& at, const Traced& ray, bool refracted);
-  void look_between(const Shading& at, const Lamp& lamp);
-  [[nodiscard]] static int samples_of(const Lamp& lamp);
-  [[nodiscard]] RandomKey light_key(const Traced& ray) const;
-  Vec3<T> light_point(const Shading& at, const Traced& ray, const Lamp& lamp, int sample);
-  Vec3<T> spread(const Traced& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& side, Effect effect);
+  std::optional<TreeRay> form_secondary_ray(Line line, int depth, const ShadingPoint& at, const TreeRay& parent,
+                                            RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
+                                            Draw draw_direction);
+  Nearest find_closest(Line line, int depth, const TreeRay& ray);
+  Rgb<T> find_intersection(int depth, const Shadow& shadow, const Light& light);
+  [[nodiscard]] static const Medium* medium_on_side(const ShadingPoint& at, const TreeRay& ray, bool refracted);
+  void set_shadow_hints(const ShadingPoint& at, const Light& light);
+  [[nodiscard]] static int samples_of(const Light& light);
+  [[nodiscard]] RandomKey light_key(const TreeRay& ray) const;
+  Vec3<T> light_point(const ShadingPoint& at, const TreeRay& ray, const Light& light, int sample);
+  Vec3<T> sample_cone(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& facing_normal,
+                      Effect effect);
   bool decide_intersected(const Nearest& nearest);
-  bool decide_reflective(int depth, const Shading& at);
-  bool decide_transparent(int depth, const Shading& at);
+  bool decide_reflective(int depth, const ShadingPoint& at);
+  bool decide_transparent(int depth, const ShadingPoint& at);
   /// The DEPTH of the SHADE that is called.
-  int call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest);
-  Shading prepare(const Traced& ray, const Hit<T>& hit);
-  void add_unlit(Direct& direct, const Lamp& lamp);
-  void add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp, const Ray& shadow,
-                 const Rgb<T>& visible);
-  Rgb<T> compute_rtnshade(int depth, const Shading& at, const Direct& direct, const Rgb<T>& reflected,
+  int call_shade(Line line, int depth, const TreeRay& ray, const Nearest& nearest);
+  ShadingPoint prepare(const TreeRay& ray, const Hit<T>& hit);
+  void add_unlit(DirectLighting& direct, const Light& light);
+  void add_light(DirectLighting& direct, const ShadingPoint& at, const TreeRay& ray, const Light& light,
+                 const Ray& shadow, const Rgb<T>& visible);
+  Rgb<T> compute_rtnshade(int depth, const ShadingPoint& at, const DirectLighting& direct, const Rgb<T>& reflected,
                           const Rgb<T>& refracted);
   template <class Put>
   void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
 
-  /// Tells the observer what `make` returns; when nobody watches, `make` is not even compiled into the kernel.
+  /// Passes what `make` returns to the observer; without an observer, `make` is not compiled into the kernel.
   template <class Make>
   void note(Line line, int depth, Make&& make) {
 #ifndef RAYWALK_WITHOUT_HOOKS  // set only by the benchmark that measures what the empty observer costs: nothing
@@ -201,18 +205,18 @@ class Tracer {
 #endif
   }
 
-  /// The policy's hook for faults: lets the one that the world names spoil what a statement has computed. Where there
-  /// are no faults, `spoil` is not even compiled into the kernel.
-  template <class Spoil>
-  void break_by(Fault fault, Spoil&& spoil) const {
+  /// The policy's hook for fault injection: lets the fault that the world names change what a statement has computed.
+  /// Without faults, `damage` is not compiled into the kernel.
+  template <class Damage>
+  void inject(Fault fault, Damage&& damage) const {
     if constexpr (Policy::faulty) {
-      if (world_.fault == fault) spoil();
+      if (world_.fault == fault) damage();
     }
   }
-  /// What a fault may spoil: a copy of it; where there are no faults, the thing itself.
+  /// A copy of what a fault may change; without faults, a reference to it.
   template <class Value>
-  using Spoilable = std::conditional_t<Policy::faulty, Value, const Value&>;
-  [[nodiscard]] bool runs_away(const Traced& parent) const;
+  using Faultable = std::conditional_t<Policy::faulty, Value, const Value&>;
+  [[nodiscard]] bool runs_away(const TreeRay& parent) const;
 
   const World<T>& world_;
   const RayGenerator<T>& camera_;
@@ -220,14 +224,14 @@ class Tracer {
   Stop stop_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
-  [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the sample under way
+  [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the current sample
   int rays_formed_ = 0;                                                  ///< numbers the rays of a recording
-  [[no_unique_address]] Only<Policy::faulty, Generation> generation_{};  ///< rays formed before the pixel under way
+  [[no_unique_address]] Only<Policy::faulty, Generation> generation_{};  ///< rays formed before the current pixel
   std::vector<int> filters_met_;                                         ///< kept so that no shadow ray allocates
-  std::vector<int> last_blockers_;                                       ///< by lamp: what the shadow cache holds
-  std::vector<int> between_;  ///< primitives that may hide the light at hand from the hit at hand
-  ShadowHints hints_;         ///< of the rays between those two
-  [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NothingNests<T>> nested_;
+  std::vector<int> last_blockers_;                                       ///< by light: the shadow cache
+  std::vector<int> possible_blockers_;  ///< primitives that may occlude the current light from the current hit
+  ShadowHints hints_;                   ///< for the shadow rays between these two
+  [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NoNestedMedia<T>> nested_;
 };
 
 }  // namespace raywalk

@@ -1,8 +1,8 @@
 #pragma once
-// What each statement of trace/tracer.h does, but for what a hit is made ready with (trace/tracer_shading.h). Included
-// by it alone.
+// What each statement of trace/tracer.h does, except for the preparation of a hit (trace/tracer_shading.h). Included by
+// it alone.
 
-#include "trace/passage.h"
+#include "trace/shadow_transmittance.h"
 #include "trace/tracer.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Explanation {
 template <class T, class AnyRay>
 Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRay& ray, const Hit<T>& hit) {
   const Primitives<T>& primitives = world.accelerator.primitives();
-  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Crossing<T>{hit.t, hit.part});
+  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Intersection<T>{hit.t, hit.part});
   Explanation explanation;
   static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
   const auto smooth = world.surface(hit.primitive).fixed_normal
@@ -58,9 +58,9 @@ void Tracer<Policy>::begin(const Pixel& pixel) {
 }
 
 template <class Policy>
-inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
-  Traced primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
-                 rays_formed_++};
+inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> TreeRay {
+  TreeRay primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
+                  rays_formed_++};
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.in.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
@@ -73,8 +73,8 @@ inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> Traced {
 }
 
 template <class Policy>
-auto Tracer<Policy>::find_closest(Line line, int depth, const Traced& ray) -> Nearest {
-  Spoilable<Ray> sought = ray.ray;
+auto Tracer<Policy>::find_closest(Line line, int depth, const TreeRay& ray) -> Nearest {
+  Faultable<Ray> sought = ray.ray;
   if constexpr (Policy::faulty)
     sought.near_root_only = world_.fault == Fault::second_root_dropped && line == Line::find_refract_intersect;
   const Nearest nearest = world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
@@ -93,30 +93,31 @@ bool Tracer<Policy>::decide_intersected(const Nearest& nearest) {
 }
 
 template <class Policy>
-int Tracer<Policy>::call_shade(Line line, int depth, const Traced& ray, const Nearest& nearest) {
+int Tracer<Policy>::call_shade(Line line, int depth, const TreeRay& ray, const Nearest& nearest) {
   if (line != Line::shade_final) stop_.check();
   int called = depth + 1;
-  break_by(Fault::depth_not_counted, [&] {
+  inject(Fault::depth_not_counted, [&] {
     if (line == Line::shade_reflect) called = depth;
   });
   note(line, depth, [&] { return ShadeCalled{ray.number, !nearest, called, Rgbd(world_.background)}; });
   return called;
 }
 
-/// Whether rays whose DEPTH is not counted have to be stopped for the program's sake.
+/// Whether the recursion has to be stopped although DEPTH is not counted.
 template <class Policy>
-bool Tracer<Policy>::runs_away(const Traced& parent) const {
+bool Tracer<Policy>::runs_away(const TreeRay& parent) const {
   if constexpr (Policy::faulty) {
-    constexpr int most_generations = 40, most_rays = 500;  // of a pixel
+    constexpr int max_generations = 40, max_rays = 500;  // of a pixel
     if (world_.fault == Fault::depth_not_counted)
-      return parent.generation.number >= most_generations || rays_formed_ - generation_.number >= most_rays;
+      return parent.generation.number >= max_generations || rays_formed_ - generation_.number >= max_rays;
   }
   return false;
 }
 
-/// What a ray that leaves the hit travels in.
+/// The medium of a ray spawned at the hit.
 template <class Policy>
-inline auto Tracer<Policy>::medium_beside(const Shading& at, const Traced& ray, bool refracted) -> const Medium* {
+inline auto Tracer<Policy>::medium_on_side(const ShadingPoint& at, const TreeRay& ray, bool refracted)
+    -> const Medium* {
   if constexpr (Policy::effects.nesting) {
     if (at.surface->nests) return refracted ? at.behind.medium : ray.in.medium;
   }
@@ -132,93 +133,96 @@ void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& 
 }
 
 template <class Policy>
-inline auto Tracer<Policy>::form_shadow_ray(int depth, const Shading& at, const Traced& ray, const Lamp& lamp,
+inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, const TreeRay& ray, const Light& light,
                                             int sample) -> std::optional<Shadow> {
-  // Towards a point light the ray is as long as the way to it: the light stands at t = 1.
-  Vec3<T> to_light = lamp.directional ? lamp.place : light_point(at, ray, lamp, sample) - at.position;
-  break_by(Fault::shadow_ray_misaimed, [&] {
-    if (!lamp.directional) to_light += at.position;
+  // Towards a point light the direction is not normalised: the light is at t = 1.
+  Vec3<T> to_light = light.directional ? light.place : light_point(at, ray, light, sample) - at.position;
+  inject(Fault::shadow_ray_misaimed, [&] {
+    if (!light.directional) to_light += at.position;
   });
-  const bool before = dot(at.normal, to_light) > 0 && (!at.smoothed || dot(at.side(), to_light) > 0);
+  const bool before =
+      dot(at.shading_normal, to_light) > 0 && (!at.smoothed || dot(at.geometric_normal(), to_light) > 0);
   const bool faces = before || at.surface->lit_from_behind;
-  if (!faces || (lamp.spot && !lamp.shines_along(to_light))) {
+  if (!faces || (light.spot && !light.shines_along(to_light))) {
     const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
     ++statistics_.ends(why);
     note(Line::form_shadow_ray, depth, [&] {
-      return RayNotFormed{ray.number,      RayKind::shadow, why,        Vec3d(at.position),
-                          Vec3d(to_light), Rgbd(ray.share), lamp.index, sample};
+      return RayNotFormed{ray.number,      RayKind::shadow,      why,         Vec3d(at.position),
+                          Vec3d(to_light), Rgbd(ray.throughput), light.index, sample};
     });
     return std::nullopt;
   }
-  Shadow shadow{leaving<Ray>(world_, at.position, at.side(), at.departure, to_light, ray.ray.time), rays_formed_++};
-  if constexpr (Policy::effects.refraction) shadow.in.medium = medium_beside(at, ray, false);
-  break_by(Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
+  Shadow shadow{spawn_ray<Ray>(world_, at.position, at.geometric_normal(), at.departure, to_light, ray.ray.time),
+                rays_formed_++};
+  if constexpr (Policy::effects.refraction) shadow.in.medium = medium_on_side(at, ray, false);
+  inject(Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
-    RayFormed event{shadow.number,   ray.number,      RayKind::shadow, Vec3d(shadow.ray.origin),
-                    Vec3d(to_light), Rgbd(ray.share), lamp.index,      !lamp.directional};
+    RayFormed event{shadow.number,   ray.number,           RayKind::shadow, Vec3d(shadow.ray.origin),
+                    Vec3d(to_light), Rgbd(ray.throughput), light.index,     !light.directional};
     event.light_sample = sample;
     return event;
   });
   return shadow;
 }
 
-/// The share of the lamp's light that arrives: 0 behind an opaque object.
+/// The visibility of the light: 0 behind an opaque object.
 template <class Policy>
-inline auto Tracer<Policy>::find_intersection(int depth, const Shadow& shadow, const Lamp& lamp) -> Rgb<T> {
-  const T t_max = lamp.directional ? infinity<T> : T(1);
+inline auto Tracer<Policy>::find_intersection(int depth, const Shadow& shadow, const Light& light) -> Rgb<T> {
+  const T t_max = light.directional ? infinity<T> : T(1);
   const Medium* medium = nullptr;
   if constexpr (Policy::effects.refraction) medium = shadow.in.medium;
-  const std::optional<Rgb<T>> passed =
-      light_through(world_, shadow.ray, t_max, statistics_.tests, filters_met_, hints_, medium);
-  ++statistics_.ends(passed ? Ending::reached_light : Ending::blocked);
+  const std::optional<Rgb<T>> transmittance =
+      shadow_transmittance(world_, shadow.ray, t_max, statistics_.tests, filters_met_, hints_, medium);
+  ++statistics_.ends(transmittance ? Ending::reached_light : Ending::blocked);
   note(Line::find_intersection, depth, [&] {
-    // Drawn up to the nearest blocker, whichever one answered first; this search is the observer's own.
-    const Nearest blocker = passed ? std::nullopt : first_blocker(world_, shadow.ray, t_max);
+    // Shown up to the nearest blocker, whichever was found first; this search is only for the observer.
+    const Nearest blocker = transmittance ? std::nullopt : first_blocker(world_, shadow.ray, t_max);
     Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
                           : Found{shadow.number, Ending::reached_light};
-    found.passed = Rgbd(passed.value_or(Rgb<T>(0)));
+    found.transmittance = Rgbd(transmittance.value_or(Rgb<T>(0)));
     return found;
   });
-  return passed.value_or(Rgb<T>(0));
+  return transmittance.value_or(Rgb<T>(0));
 }
 
 template <class Policy>
-void Tracer<Policy>::add_unlit(Direct& direct, const Lamp& lamp) {
-  if constexpr (Observer::watches) direct.add(lamp, Rgb<T>(0), Rgb<T>(0));
+void Tracer<Policy>::add_unlit(DirectLighting& direct, const Light& light) {
+  if constexpr (Observer::watches) direct.add(light, Rgb<T>(0), Rgb<T>(0));
 }
 
 template <class Policy>
-inline void Tracer<Policy>::add_light(Direct& direct, const Shading& at, const Traced& ray, const Lamp& lamp,
-                                      const Ray& shadow, const Rgb<T>& visible) {
-  if (is_black(visible)) return add_unlit(direct, lamp);
-  const T distance = lamp.directional ? T(1) : length(shadow.direction);
-  T attenuation = lamp.constant + distance * (lamp.linear + distance * lamp.quadratic);
-  break_by(Fault::attenuation_forgotten, [&] { attenuation = 1; });
-  Rgb<T> light = visible * lamp.strength;
-  if (attenuation != 1) light *= 1 / attenuation;
+inline void Tracer<Policy>::add_light(DirectLighting& direct, const ShadingPoint& at, const TreeRay& ray,
+                                      const Light& light, const Ray& shadow, const Rgb<T>& visible) {
+  if (is_black(visible)) return add_unlit(direct, light);
+  const T distance = light.directional ? T(1) : length(shadow.direction);
+  T attenuation = light.constant + distance * (light.linear + distance * light.quadratic);
+  inject(Fault::attenuation_forgotten, [&] { attenuation = 1; });
+  Rgb<T> radiance = visible * light.strength;
+  if (attenuation != 1) radiance *= 1 / attenuation;
   const Vec3<T> l = shadow.direction * (1 / distance);
-  if (lamp.spot) light *= spot_falloff(-dot(l, lamp.axis), lamp.cos_inner, lamp.cos_outer);
-  if constexpr (Policy::effects.penumbra) light *= lamp.share;
-  const T n_l = std::max(dot(at.normal, l), T(0));  // below 0 only where a light behind may show
+  if (light.spot) radiance *= spot_falloff(-dot(l, light.axis), light.cos_inner, light.cos_outer);
+  if constexpr (Policy::effects.penumbra) radiance *= light.sample_weight;
+  const T n_l = std::max(dot(at.shading_normal, l), T(0));  // below 0 only where lights behind may show
   Rgb<T> specular{0};
   if (!is_black(at.surface->specular)) {
-    // Blinn's half vector, between the light and the eye of this ray.
+    // Blinn's half vector, between the light and the origin of this ray.
     const Vec3<T> h = l - ray.ray.direction;
-    specular = light * at.surface->specular * power_of_cosine(dot(at.normal, h), dot(h, h), at.surface->shininess);
+    specular =
+        radiance * at.surface->specular * power_of_cosine(dot(at.shading_normal, h), dot(h, h), at.surface->shininess);
   }
-  direct.add(lamp, light * at.diffuse() * n_l, specular);
+  direct.add(light, radiance * at.diffuse() * n_l, specular);
 }
 
 template <class Policy>
-bool Tracer<Policy>::decide_reflective(int depth, const Shading& at) {
+bool Tracer<Policy>::decide_reflective(int depth, const ShadingPoint& at) {
   const bool holds = !is_black(at.reflection());
   note(Line::if_reflective, depth, [&] { return Decided{holds, Rgbd(at.reflection())}; });
   return holds;
 }
 
 template <class Policy>
-bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
+bool Tracer<Policy>::decide_transparent(int depth, const ShadingPoint& at) {
   const bool holds = !is_black(at.transmission());
   const bool total = at.surface->transmits && at.refraction.total();
   if (total) ++statistics_.ends(Ending::total_internal_reflection);
@@ -231,65 +235,69 @@ bool Tracer<Policy>::decide_transparent(int depth, const Shading& at) {
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_reflect_ray(int depth, const Shading& at, const Traced& ray) -> std::optional<Traced> {
-  Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.normal));
-  break_by(Fault::reflection_flipped, [&] {
+auto Tracer<Policy>::form_reflect_ray(int depth, const ShadingPoint& at, const TreeRay& ray) -> std::optional<TreeRay> {
+  Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.shading_normal));
+  inject(Fault::reflection_flipped, [&] {
     const Vec3<T>& incident = ray.ray.direction;
-    direction = normalize(incident + 2 * dot(incident, at.normal) * at.normal);
+    direction = normalize(incident + 2 * dot(incident, at.shading_normal) * at.shading_normal);
   });
-  return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection(),
-                            [&] { return spread(ray, direction, at.surface->gloss, at.side(), Effect::gloss); });
+  return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection(), [&] {
+    return sample_cone(ray, direction, at.surface->gloss, at.geometric_normal(), Effect::gloss);
+  });
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_refract_ray(int depth, const Shading& seen, const Traced& ray) -> std::optional<Traced> {
-  Spoilable<Shading> at = seen;
+auto Tracer<Policy>::form_refract_ray(int depth, const ShadingPoint& seen, const TreeRay& ray)
+    -> std::optional<TreeRay> {
+  Faultable<ShadingPoint> at = seen;
   if constexpr (Policy::faulty) {
     if (world_.fault == Fault::refraction_inverted) {
-      at.refraction = refraction_at(ray.ray.direction, at.normal, at.refraction.n2, at.refraction.n1);
-      // Where the inverted law has no answer, the ray goes straight on.
-      if (at.refraction.total()) at.refraction = refraction_at(ray.ray.direction, at.normal, T(1), T(1));
+      at.refraction = refraction_at(ray.ray.direction, at.shading_normal, at.refraction.n2, at.refraction.n1);
+      // Where the inverted law has no solution, the ray continues straight on.
+      if (at.refraction.total()) at.refraction = refraction_at(ray.ray.direction, at.shading_normal, T(1), T(1));
     }
   }
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
-  Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.normal, at.refraction));
-  if (at.smoothed && !(dot(direction, at.side()) < 0))  // a smoothed normal would send it back out
-    direction = renormalize(refract(ray.ray.direction, at.side(),
-                                    refraction_at(ray.ray.direction, at.side(), at.refraction.n1, at.refraction.n2))
-                                .value_or(ray.ray.direction));
+  Vec3<T> direction = renormalize(*refract(ray.ray.direction, at.shading_normal, at.refraction));
+  if (at.smoothed && !(dot(direction, at.geometric_normal()) < 0))  // the interpolated normal would send it back out
+    direction =
+        renormalize(refract(ray.ray.direction, at.geometric_normal(),
+                            refraction_at(ray.ray.direction, at.geometric_normal(), at.refraction.n1, at.refraction.n2))
+                        .value_or(ray.ray.direction));
   return form_secondary_ray(
-      Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission(),
-      [&] { return spread(ray, direction, at.surface->translucency, -at.side(), Effect::translucency); });
+      Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission(), [&] {
+        return sample_cone(ray, direction, at.surface->translucency, -at.geometric_normal(), Effect::translucency);
+      });
 }
 
-/// Both limits are tested before the ray is formed, and before anything is drawn for it: `sharp` is the middle of its
-/// lobe.
+/// Both limits are tested before the ray is formed, and before random numbers are drawn for it: `sharp` is the axis of
+/// its lobe.
 template <class Policy>
 template <class Draw>
-inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shading& at, const Traced& parent,
+inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const ShadingPoint& at, const TreeRay& parent,
                                                RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
-                                               Draw draw_direction) -> std::optional<Traced> {
-  const Rgb<T> share = (at.passed ? parent.share * *at.passed : parent.share) * weight;
+                                               Draw draw_direction) -> std::optional<TreeRay> {
+  const Rgb<T> throughput = (at.transmittance ? parent.throughput * *at.transmittance : parent.throughput) * weight;
   const bool too_deep = depth + 1 > world_.depth || runs_away(parent);
-  if (too_deep || max_component(share) < world_.threshold) {
+  if (too_deep || max_component(throughput) < world_.threshold) {
     const Ending why = too_deep ? Ending::depth : Ending::threshold;
     ++statistics_.ends(why);
     note(line, depth,
-         [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(sharp), Rgbd(share)}; });
+         [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(sharp), Rgbd(throughput)}; });
     return std::nullopt;
   }
   const Vec3<T> direction = draw_direction();
-  Traced formed(leaving<Ray>(world_, at.position, at.side(), at.departure, direction, parent.ray.time), kind, share,
-                rays_formed_++);
-  break_by(Fault::epsilon_wrong_side, [&] {
+  TreeRay formed(spawn_ray<Ray>(world_, at.position, at.geometric_normal(), at.departure, direction, parent.ray.time),
+                 kind, throughput, rays_formed_++);
+  inject(Fault::epsilon_wrong_side, [&] {
     if (kind == RayKind::reflect) formed.ray.origin = at.position - (formed.ray.origin - at.position);
   });
   if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
   if constexpr (Policy::faulty) formed.generation.number = parent.generation.number + 1;
-  if constexpr (Policy::effects.refraction) formed.in.medium = medium_beside(at, parent, kind == RayKind::refract);
+  if constexpr (Policy::effects.refraction) formed.in.medium = medium_on_side(at, parent, kind == RayKind::refract);
   ++statistics_.formed(kind);
   note(line, depth, [&] {
-    RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(share)};
+    RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(throughput)};
     if (kind == RayKind::refract) event.snell = snell_numbers(at.refraction);
     return event;
   });
@@ -297,16 +305,20 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
 }
 
 template <class Policy>
-auto Tracer<Policy>::compute_rtnshade(int depth, const Shading& at, const Direct& direct, const Rgb<T>& reflected,
-                                      const Rgb<T>& refracted) -> Rgb<T> {
+auto Tracer<Policy>::compute_rtnshade(int depth, const ShadingPoint& at, const DirectLighting& direct,
+                                      const Rgb<T>& reflected, const Rgb<T>& refracted) -> Rgb<T> {
   const Rgb<T> ambient = at.ambient() * world_.ambient;
   Rgb<T> total = ambient + at.surface->emission + direct.sum + reflected + refracted;
-  if (Policy::effects.refraction && at.passed) total *= *at.passed;
+  if (Policy::effects.refraction && at.transmittance) total *= *at.transmittance;
   if constexpr (Observer::watches)
     note(Line::compute_rtnshade, depth, [&] {
-      return ShadeComputed{
-          Rgbd(ambient), Rgbd(at.surface->emission),         direct.terms, Rgbd(reflected), Rgbd(refracted),
-          Rgbd(total),   Rgbd(at.passed.value_or(Rgb<T>(1)))};
+      return ShadeComputed{Rgbd(ambient),
+                           Rgbd(at.surface->emission),
+                           direct.terms,
+                           Rgbd(reflected),
+                           Rgbd(refracted),
+                           Rgbd(total),
+                           Rgbd(at.transmittance.value_or(Rgb<T>(1)))};
     });
   return total;
 }

@@ -39,7 +39,7 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator) 
                                      {},
                                      {}};
   if (m.texture && m.texture->pixels)
-    surface.picture = {m.texture->pixels, static_cast<T>(m.texture->width), static_cast<T>(m.texture->height)};
+    surface.texture = {m.texture->pixels, static_cast<T>(m.texture->width), static_cast<T>(m.texture->height)};
   surface.filter = surface.transmission;
   surface.priority = m.priority;
   if (draws_random(integrator)) {
@@ -55,60 +55,60 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator) 
 }
 
 template <class T>
-void set(typename World<T>::Lamp& lamp, const Attenuation& attenuation) {
-  lamp.constant = static_cast<T>(attenuation.constant);
-  lamp.linear = static_cast<T>(attenuation.linear);
-  lamp.quadratic = static_cast<T>(attenuation.quadratic);
+void set(typename World<T>::Light& light, const Attenuation& attenuation) {
+  light.constant = static_cast<T>(attenuation.constant);
+  light.linear = static_cast<T>(attenuation.linear);
+  light.quadratic = static_cast<T>(attenuation.quadratic);
 }
 
-// One overload a kind: a kind without one does not compile.
+// One overload per kind: a kind without one does not compile.
 template <class T>
-void set(typename World<T>::Lamp& lamp, const PointLight& light) {
-  set<T>(lamp, light.attenuation);
+void set(typename World<T>::Light& light, const PointLight& given) {
+  set<T>(light, given.attenuation);
 }
 template <class T>
-void set(typename World<T>::Lamp& lamp, const DirectionalLight& light) {
-  lamp.directional = true;
-  lamp.place = Vec3<T>(normalize(light.direction));
+void set(typename World<T>::Light& light, const DirectionalLight& given) {
+  light.directional = true;
+  light.place = Vec3<T>(normalize(given.direction));
 }
 template <class T>
-void set(typename World<T>::Lamp& lamp, const SpotLight& light) {
-  lamp.spot = true;
-  lamp.axis = Vec3<T>(normalize(light.look_at - light.position));
-  lamp.cos_inner = static_cast<T>(std::cos(light.inner_angle / 2 * degree));
-  lamp.cos_outer = static_cast<T>(std::cos(light.angle / 2 * degree));
-  set<T>(lamp, light.attenuation);
+void set(typename World<T>::Light& light, const SpotLight& given) {
+  light.spot = true;
+  light.axis = Vec3<T>(normalize(given.look_at - given.position));
+  light.cos_inner = static_cast<T>(std::cos(given.inner_angle / 2 * degree));
+  light.cos_outer = static_cast<T>(std::cos(given.angle / 2 * degree));
+  set<T>(light, given.attenuation);
 }
 template <class T>
-void set(typename World<T>::Lamp& lamp, const SphereLight& light) {
-  lamp.extent = World<T>::Extent::sphere;
-  lamp.reach = lamp.radius = static_cast<T>(light.radius);
-  set<T>(lamp, light.attenuation);
+void set(typename World<T>::Light& light, const SphereLight& given) {
+  light.extent = World<T>::Extent::sphere;
+  light.reach = light.radius = static_cast<T>(given.radius);
+  set<T>(light, given.attenuation);
 }
 template <class T>
-void set(typename World<T>::Lamp& lamp, const RectangleLight& light) {
-  lamp.extent = World<T>::Extent::rectangle;
-  lamp.corner = Vec3<T>(light.corner);
-  lamp.u = Vec3<T>(light.u);
-  lamp.v = Vec3<T>(light.v);
-  lamp.reach = static_cast<T>(std::max(length(light.u + light.v), length(light.u - light.v)) / 2);
-  set<T>(lamp, light.attenuation);
-}
-
-template <class T>
-typename World<T>::Lamp lamp_of(int index, const Scene& scene, bool draws) {
-  const Light& light = scene.lights[static_cast<std::size_t>(index)];
-  typename World<T>::Lamp lamp{index, Rgb<T>(light.strength), false, Vec3<T>(0), 1, 0, 0};
-  if (const auto middle = middle_of(light)) lamp.place = Vec3<T>(*middle);
-  std::visit([&](const auto& kind) { set<T>(lamp, kind); }, light.kind);
-  lamp.grid = light_grid_of(scene, light);
-  lamp.share = T(1) / static_cast<T>(lamp.samples());
-  // Where nothing is drawn, a light of one point is its middle.
-  if (!is_area(light) || (!draws && lamp.grid == 1)) lamp.extent = World<T>::Extent::none;
-  return lamp;
+void set(typename World<T>::Light& light, const RectangleLight& given) {
+  light.extent = World<T>::Extent::rectangle;
+  light.corner = Vec3<T>(given.corner);
+  light.u = Vec3<T>(given.u);
+  light.v = Vec3<T>(given.v);
+  light.reach = static_cast<T>(std::max(length(given.u + given.v), length(given.u - given.v)) / 2);
+  set<T>(light, given.attenuation);
 }
 
-/// A scene's objects, with all instances spelt out.
+template <class T>
+typename World<T>::Light traced_light(int index, const Scene& scene, bool draws) {
+  const Light& given = scene.lights[static_cast<std::size_t>(index)];
+  typename World<T>::Light light{index, Rgb<T>(given.strength), false, Vec3<T>(0), 1, 0, 0};
+  if (const auto middle = middle_of(given)) light.place = Vec3<T>(*middle);
+  std::visit([&](const auto& kind) { set<T>(light, kind); }, given.kind);
+  light.grid = light_grid_of(scene, given);
+  light.sample_weight = T(1) / static_cast<T>(light.samples());
+  // Without random numbers, an area light with one sample is a point light at its centre.
+  if (!is_area(given) || (!draws && light.grid == 1)) light.extent = World<T>::Extent::none;
+  return light;
+}
+
+/// Flattens a scene's objects, with all instances expanded.
 template <class T>
 class Flattener {
  public:
@@ -124,7 +124,7 @@ class Flattener {
       for (top_ = 0; top_ < static_cast<int>(scene.objects.size()); ++top_)
         add(scene.objects[static_cast<std::size_t>(top_)], Affine<double>{}, {});
     }
-    // As most scenes are: each object one shape.
+    // The most common case: each object is one shape.
     bool each_its_own = primitives_.size() == static_cast<int>(scene.objects.size());
     for (int id = 0; each_its_own && id < primitives_.size(); ++id)
       each_its_own = world_.object(id) == id && world_.surface_indices[static_cast<std::size_t>(id)] == id;
@@ -163,8 +163,8 @@ class Flattener {
   template <class S>
   void add_shape(const S& shape, const Affine<double>& map) {
     if constexpr (std::is_constructible_v<Shape<double>, const S&>) {
-      // Readers and editors refuse singular maps; an object under one would be flat and is left where it was.
-      const auto place = map == Affine<double>{} ? std::nullopt : placement<T>(map);
+      // Readers and editors refuse singular maps; an object under one would be flat and is left untransformed.
+      const auto place = map == Affine<double>{} ? std::nullopt : object_transform<T>(map);
       place ? primitives_.add(shape_cast<T>(Shape<double>(shape)), *place)
             : primitives_.add(shape_cast<T>(Shape<double>(shape)));
     }
@@ -189,7 +189,7 @@ class Flattener {
     world_.leaves.push_back({primitives_.size(), name, mesh});
   }
 
-  /// Instances of a group share the surfaces of what is in it.
+  /// Instances of a group share the surfaces of its objects.
   int surface_index(const Material* material) {
     const auto [entry, is_new] = surface_of_.emplace(material, static_cast<int>(world_.surfaces.size()));
     if (is_new) world_.surfaces.push_back(surface_of<T>(*material, integrator_));
@@ -207,7 +207,7 @@ class Flattener {
   Primitives<T> primitives_;
   std::unordered_map<const Material*, int> surface_of_;
   std::unordered_map<const Object*, int> name_of_;
-  int nesting_ = 0;  ///< instances around what is added
+  int nesting_ = 0;  ///< depth of instances around the current object
   bool meshes_ = false;
   int top_ = 0;
 };
@@ -233,16 +233,16 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       continue;
     }
     const int same = accelerator.primitives().first_equal(id);
-    // Of two that filter in the same place, only the first is there.
+    // Of two that filter in the same place, only the first counts.
     shadow_roles.push_back(same == id || !surface(same).filters_shadows ? ShadowRole::filters : ShadowRole::ignored);
   }
   const auto stops = [](ShadowRole role) { return role == ShadowRole::stops; };
   if (std::all_of(shadow_roles.begin(), shadow_roles.end(), stops)) shadow_roles.clear();
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (!is_black(scene.lights[i].strength)) lamps.push_back(lamp_of<T>(static_cast<int>(i), scene, draws));
-  for (std::uint32_t dimension = 0; Lamp & lamp : lamps) {
-    lamp.first_dimension = dimension;
-    dimension += 2 * static_cast<std::uint32_t>(lamp.samples());
+    if (!is_black(scene.lights[i].strength)) lights.push_back(traced_light<T>(static_cast<int>(i), scene, draws));
+  for (std::uint32_t dimension = 0; Light & light : lights) {
+    light.first_dimension = dimension;
+    dimension += 2 * static_cast<std::uint32_t>(light.samples());
   }
   bodies = bodies_that_nest(*this, scene.camera);
   for (Surface& each : surfaces) each.nests = !bodies.empty();

@@ -16,83 +16,81 @@
 
 namespace raywalk {
 
-/// A scene made ready for tracing in scalar type T: every number rounded once, primitives in their accelerator.
-/// What an object of the scene comes to, a shape, the triangles of a mesh or the contents of a group, are primitives
-/// of their own.
+/// A scene prepared for tracing in scalar type T: every number rounded once, primitives in their accelerator. The
+/// nested types are those of the scene in T. An object becomes primitives: a shape, the triangles of a mesh or the
+/// contents of a group.
 template <class T>
 struct World {
-  struct Pattern {
+  struct Checker {
     Rgb<T> even, odd;
     T size;
   };
 
   /// An image on a surface.
-  struct Picture {
-    std::shared_ptr<const TexturePixels> texture;
+  struct ImageTexture {
+    std::shared_ptr<const TexturePixels> pixels;
     T width, height;  ///< of one copy
 
-    /// Its colour at a place of the surface.
-    [[nodiscard]] Rgb<T> at(const Vec2<T>& uv) const {
-      return texture_colour<T>(*texture, uv.x / width, uv.y / height);
-    }
+    /// Its colour at a position on the surface.
+    [[nodiscard]] Rgb<T> at(const Vec2<T>& uv) const { return texture_colour<T>(*pixels, uv.x / width, uv.y / height); }
   };
 
-  /// What light travels in; air is none.
+  /// What light travels in; air has none.
   struct Medium {
     Rgb<T> absorption{0};  ///< per unit of length
     T ior = 1;
     bool absorbs = false;  ///< transmits, and absorption is not black
   };
 
-  /// And the medium behind it.
+  /// A material in T, and the medium behind the surface.
   struct Surface : Medium {
     Rgb<T> ambient, diffuse, specular, reflection, transmission, emission;
     T shininess;
     bool dielectric, transmits, filters_shadows;
     bool fixed_normal;     ///< the shading normal does not turn to face the ray
-    bool lit_from_behind;  ///< and a light behind it may show its highlight
-    std::optional<Pattern> checker;
-    std::optional<Picture> picture;
+    bool lit_from_behind;  ///< highlights of lights behind it show
+    std::optional<Checker> checker;
+    std::optional<ImageTexture> texture;
     bool nests = false;   ///< the world has bodies that can nest
-    double priority = 0;  ///< where bodies overlap, that of the highest counts
+    double priority = 0;  ///< where bodies overlap, the highest wins
     Rgb<T> filter{1};     ///< of shadow rays, at each crossing
-    /// 1 - cos of the half angle of the lobes about the mirrored and the refracted direction; 0 for sharp ones.
+    /// 1 - cos of the half angle of the lobes about the mirrored and the refracted direction; 0: sharp.
     T gloss = 0, translucency = 0;
   };
 
   enum class Extent : std::uint8_t { none, sphere, rectangle };
 
-  struct Lamp {
+  struct Light {
     int index;        ///< in Scene::lights
-    Rgb<T> strength;  ///< not black: those are left out
+    Rgb<T> strength;  ///< not black: black lights are left out
     bool directional;
     Vec3<T> place;  ///< position, or unit direction from any surface to a directional light
     T constant, linear, quadratic;
 
     bool spot = false;
-    Vec3<T> axis{0};  ///< of a spot, unit length, the way it shines
+    Vec3<T> axis{0};  ///< of a spot, unit length, along its beam
     T cos_inner = 0, cos_outer = 0;
-    /// Whether a spot reaches a place; `to_light`: from there to the light.
+    /// Whether a spot illuminates a point; `to_light`: from there to the light.
     [[nodiscard]] bool shines_along(const Vec3<T>& to_light) const {
       return -dot(to_light, axis) > cos_outer * length(to_light);
     }
 
-    Extent extent = Extent::none;       ///< none also where the middle stands for the whole
-    int grid = 1;                       ///< grid * grid points are tried from a hit
-    T share = 1;                        ///< of each: 1 / samples()
-    std::uint32_t first_dimension = 0;  ///< of its draws, two a point
+    Extent extent = Extent::none;       ///< none also where its centre represents the whole light
+    int grid = 1;                       ///< grid * grid points are sampled at a hit
+    T sample_weight = 1;                ///< of each: 1 / samples()
+    std::uint32_t first_dimension = 0;  ///< of its draws, two per sample
     T radius = 0;
     Vec3<T> corner{0}, u{0}, v{0};
-    T reach = 0;  ///< of all of it from `place`, its middle
+    T reach = 0;  ///< radius of a bounding sphere about `place`, its centre
 
     [[nodiscard]] int samples() const { return grid * grid; }
-    /// The point of the light at a place of the unit square, its area evenly spread.
+    /// Maps the unit square to the light, uniformly in area.
     [[nodiscard]] Vec3<T> point_at(const Vec2<T>& unit) const {
       switch (extent) {
         case Extent::none:
           break;
         case Extent::sphere:
-          return place + radius * uniform_sphere(unit);
+          return place + radius * sample_uniform_sphere(unit);
         case Extent::rectangle:
           return corner + unit.x * u + unit.y * v;
       }
@@ -100,23 +98,22 @@ struct World {
     }
   };
 
-  /// `fault`: breaks the tracer on purpose; numerics are naive then, whatever the scene says. `stop` may end the
-  /// making, which throws Stopped then.
+  /// `fault`: breaks the tracer on purpose; numerics are then naive, whatever the scene says. `stop` may cancel the
+  /// construction, which then throws Stopped.
   explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic,
                  std::optional<Fault> fault = std::nullopt, const Stop& stop = {});
 
   std::vector<Surface> surfaces;
-  std::vector<Lamp> lamps;
+  std::vector<Light> lights;
   Rgb<T> background, ambient;
   int depth;
   T threshold;
   Effects effects;
-  bool absorbs = false;                  ///< some surface does
-  bool draws;                            ///< lights and lobes are sampled at random; else lights in fixed places
+  bool absorbs = false;                  ///< whether some surface does
+  bool draws;                            ///< lights and lobes are sampled at random; else lights at fixed points
   std::vector<ShadowRole> shadow_roles;  ///< by primitive; empty when all of them stop shadow rays
 
-  /// By primitive: the index of the object in the scene, and of its surface. Empty when each primitive is the object
-  /// of its own number.
+  /// By primitive: the index of its object in the scene, and of its surface. Empty when primitive i is object i.
   std::vector<std::int32_t> objects, surface_indices;
   /// Where the primitives of one shape or mesh begin, ascending. Empty with `objects`.
   struct Leaf {
@@ -125,24 +122,23 @@ struct World {
   };
   std::vector<Leaf> leaves;
   std::vector<std::string> leaf_names;
-  Accelerator<T> accelerator;  ///< made last: what it is built from fills the lists above
+  Accelerator<T> accelerator;  ///< constructed last: building it fills the lists above
   std::optional<Fault> fault;
   Numerics numerics;
-  T epsilon;  ///< that naive rays start from a surface
-  /// Whether a shadow ray first tries what hid the same light from the point before. Changes what a render costs.
+  T epsilon;  ///< offset of naive rays from a surface
+  /// Whether a shadow ray first tests the previous blocker of the same light. Only changes the cost.
   bool shadow_cache = false;
-  /// Where bodies that transmit can nest: what they are. Where there are none, what a ray goes into it comes to from
-  /// air.
+  /// The transmitting bodies, where they can nest. Where this is empty, rays enter every body from air.
   Bodies bodies;
 
   [[nodiscard]] const Surface& surface(int primitive) const {
     const auto id = static_cast<std::size_t>(primitive);
     return surfaces[surface_indices.empty() ? id : static_cast<std::size_t>(surface_indices[id])];
   }
-  /// What an object's primitives are, for people who point at one: asked by observers only.
+  /// What a primitive is within its object, for display; used by observers only.
   struct Piece {
     int triangle = -1;   ///< of a mesh, in the order of its file, from 0; -1: no mesh
-    std::string member;  ///< name of the object inside the group; empty outside of groups
+    std::string member;  ///< name of the object inside the group; empty outside groups
   };
   [[nodiscard]] Piece piece(int primitive) const;
   /// Index in Scene::objects.

@@ -1,5 +1,5 @@
 #pragma once
-// What a person can do. A window turns clicks and keys into actions; a demo file and the tests hand them over directly.
+// User actions. A window turns clicks and keys into actions; a demo file and tests pass them directly.
 
 #include "view/export.h"
 #include "view/microscope.h"
@@ -33,10 +33,10 @@ struct JumpToCell {
 };  ///< to the first line of that pixel
 struct RunToLine {
   Line line;
-};  ///< until this line has run once more, else to the end
+};  ///< until this line has run again, else to the end
 struct RunOn {
   bool forward = true;
-};  ///< to the next breakpoint or the one before, else to the end or the start
+};  ///< to the next or previous breakpoint, else to the end or the start
 struct ToggleBreakpoint {
   Line line;
 };
@@ -45,7 +45,7 @@ struct SetBreakpoints {
 };
 struct Hold {
   bool forward = true;
-};  ///< STEP or BACK is being held down: time drives it, faster and faster, until Release, a step, or a breakpoint
+};  ///< STEP or BACK is held down: repeats, faster and faster, until Release, a step, or a breakpoint
 struct Release {};
 struct PlayPause {};
 struct SetSpeed {
@@ -54,7 +54,7 @@ struct SetSpeed {
 struct SetGrain {
   Grain grain;
 };
-struct Clear {};  ///< back to step 0: rays and cells are wiped, AUTO stops
+struct Clear {};  ///< back to step 0: rays and cells are cleared, AUTO stops
 struct Tick {
   double seconds;
 };  ///< time has passed: drives AUTO and the autosave
@@ -82,11 +82,11 @@ struct PointerReleased {
   Modifiers modifiers{};
 };
 struct PointerLeft {};
-struct CancelDrag {};  ///< everything as before the press
+struct CancelDrag {};  ///< undoes the drag
 struct Zoom {
   Vec2d at;
   double factor;
-};  ///< the point at `at` stays where it is
+};  ///< the point at `at` stays fixed
 struct Pan {
   Vec2d by;
 };  ///< pixels
@@ -96,7 +96,8 @@ struct FitView {};
 struct WalkPixel {
   int column = 0, row = 0;
   ImageSize size{};  ///< of the picture
-};  ///< walks this pixel of the picture, as it is seen now: to its end, with its tree; one on the strip: goes there
+};  ///< walks this pixel of the picture, as currently seen: to its end, with its tree; if it is on the strip: goes
+    ///< there
 struct WalkStrip {};  ///< back to SCREEN
 struct Orbit {
   SpaceView view;
@@ -113,7 +114,7 @@ struct Approach {
 struct ResetView {
   SpaceView view;
 };
-struct UseImageCamera {};  ///< the picture's camera becomes the scene's; one entry of undo
+struct UseImageCamera {};  ///< the picture's camera becomes the scene's; one undo entry
 struct ShowLines {
   bool shown;
 };
@@ -138,9 +139,8 @@ struct Select {
   Target target;
 };
 
-// Edits. Each is one entry of undo; with `continues` it joins the entry of the edit just before it, when that was the
-// same edit of the same thing (a slider that is being dragged). An edit that would break the scene is refused with a
-// notice that says why.
+// Edits. Each is one undo entry; with `continues` it joins the previous entry, if that was the same edit of the same
+// thing (a dragged slider). An edit that would make the scene invalid is refused with a notice that says why.
 enum class ObjectKind { solid_sphere, transparent_sphere, polygon, light };
 struct AddObject {
   ObjectKind kind;
@@ -186,7 +186,7 @@ struct SetNumerics {
   Numerics numerics;
   double epsilon;
   bool continues = false;
-};  ///< of the scene: walk, picture and file have it
+};  ///< of the scene: affects walk, picture and file
 struct SetSurroundings {
   Rgbd background, ambient;
   bool continues = false;
@@ -203,7 +203,7 @@ struct New {};
 struct Open {
   std::string path;
 };
-struct Save {};  ///< asks for a path when there is none
+struct Save {};  ///< asks for a path if there is none
 struct SaveAs {
   std::string path;
 };
@@ -217,7 +217,7 @@ struct AnswerQuestion {
 struct Quit {};
 struct Wait {
   double seconds;
-};  ///< nothing happens: in a demo, for so long
+};  ///< pauses a demo
 
 // Appearance.
 struct SetTheme {
@@ -225,7 +225,7 @@ struct SetTheme {
 };
 struct SetLanguage {
   std::string code;
-};  ///< of the interface, the lessons and what is said about bugs: "pt"
+};  ///< of interface, lessons and bugs: "pt"
 struct SetUiScale {
   double scale;
 };  ///< clamped
@@ -240,26 +240,26 @@ struct ShowLessons {
 };
 struct OpenLesson {
   std::string name;
-};  ///< at the first step not done yet; asks first where there is unsaved work
-struct LeaveLesson {};  ///< back to the list, and to the scene that was open before
+};  ///< at the first unfinished step; asks first if there is unsaved work
+struct LeaveLesson {};  ///< back to the list, and to the previous scene
 struct GoToLessonStep {
   int step;
-};  ///< from 0; past the last: done, back to the list. Not past a question without an answer
+};  ///< from 0; past the last: finished, back to the list. Not past an unanswered question
 struct GuessChoice {
   int choice;
 };  ///< from 0
 struct GuessNumber {
   double number;
-};  ///< not finite: none any more. Arrows are dragged
+};  ///< not finite: withdrawn. Arrows are dragged
 struct RevealLesson {};  ///< shows the answer to the guess; a line is guessed by MarkLine
 struct ShowHands {
   int choice, hands;
-};  ///< so many more, or fewer, of a class are for a lesson's choice
+};  ///< change of the number of hands for a lesson's choice
 struct SetLessonOptions {
   bool presenter = false, unlocked = false, without_notes = false;
 };
 
-// Spot the bug. What is done to the scene itself (open, save, new, quit, a lesson) leaves the hunt first.
+// Spot the bug. Actions on the scene itself (open, save, new, quit, a lesson) leave the hunt first.
 struct ShowBugs {
   bool shown;
 };  ///< hiding them leaves the hunt
@@ -270,23 +270,23 @@ struct HuntBug {
 struct MarkLine {
   Line line;
 };  ///< as the one at fault
-struct JudgeLine {};  ///< whether the line that is marked is the one
+struct JudgeLine {};  ///< judges the marked line
 struct ShowCure {};   ///< gives up
 struct MendBug {
   bool mended;
 };  ///< once it is known
-struct LeaveHunt {};  ///< everything as it was before it
+struct LeaveHunt {};  ///< restores the previous state
 
 // The accelerators, stepped (view/structure.h).
 struct ChooseStructure {
   AcceleratorKind kind;
-};  ///< one of watched_accelerators; its search and its build begin anew, or end, if the other one had
+};  ///< one of watched_accelerators; its search and its build are at the start, or at the end if the other was
 struct ShowStructurePage {
   StructurePage page;
 };
 struct GoInStructure {
   int step;
-};  ///< of the page that is open; clamped
+};  ///< of the open page; clamped
 
 }  // namespace action
 
@@ -311,12 +311,12 @@ using Action = std::variant<
     action::AskExport, action::Export, action::FinishExport, action::Wait, action::SavePredictions,
     action::ChooseStructure, action::ShowStructurePage, action::GoInStructure>;
 
-/// Applies an action. Total: any action in any state leads to a state that keeps the promises of view/state.h, with a
-/// scene that could be saved. Numbers that are not finite are ignored. While a question or a path prompt is open, only
-/// actions that answer it, appearance, ticks and resizing do anything.
+/// Applies an action. Any action in any state leads to a valid state (view/state.h), with a scene that could be saved.
+/// Numbers that are not finite are ignored. While a question or a path prompt is open, only answers, appearance, ticks
+/// and resizing have an effect.
 void update(State& state, const Action& action);
 
-/// What of the plan can be dragged, edited or pointed at: whether `target` exists in the state's scene and timeline.
+/// Whether `target` exists in the state's scene and timeline.
 [[nodiscard]] bool exists(const State& state, const Target& target);
 
 }  // namespace raywalk

@@ -1,12 +1,11 @@
 #pragma once
-// The arguments of actions as lines of text, each named once for reading and writing. Included by action_text.cpp
-// alone.
+// The arguments of actions in text form, listed once for reading and writing. Included only by action_text.cpp.
 
 #include "view/action_words.h"
 
 namespace raywalk::action_text {
 
-// The arguments of each action, in the order of the line; actions without any need no entry.
+// The arguments of each action, in order; actions without any need no entry.
 template <class F, class A>
 void arguments(F&, A&) {}
 template <class F>

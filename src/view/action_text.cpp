@@ -17,9 +17,9 @@ namespace {
 
 using namespace action_text;
 
-class Writer {
+class ActionWriter {
  public:
-  explicit Writer(std::string_view word) : line_(word) {}
+  explicit ActionWriter(std::string_view word) : line_(word) {}
   [[nodiscard]] std::string take() { return std::move(line_); }
 
   template <class Number>
@@ -46,12 +46,12 @@ class Writer {
   std::string line_;
 };
 
-class Reader {
+class ActionReader {
  public:
-  /// `text`: what follows the word.
-  explicit Reader(std::string_view text) : text_(text) {}
+  /// `text`: the line after the word.
+  explicit ActionReader(std::string_view text) : text_(text) {}
 
-  /// What was wrong; what is left over is wrong too.
+  /// What was wrong; leftover text is an error too.
   [[nodiscard]] std::string error() {
     if (error_.empty() && !peek().empty()) fail("nothing more");
     return error_;
@@ -160,23 +160,23 @@ tl::unexpected<Error> wrong(std::string message, std::string hint) {
 }
 
 template <class A>
-Action read_arguments(Reader& reader) {
+Action read_arguments(ActionReader& reader) {
   A value{};
   arguments(reader, value);
   return value;
 }
 
-/// How an action is read, by its word.
-struct Row {
+/// Reads an action, by its word.
+struct ActionRow {
   std::string_view word;  ///< "": it cannot be written
-  Action (*read)(Reader& reader);
+  Action (*read)(ActionReader& reader);
 };
 template <class Actions = std::make_index_sequence<std::variant_size_v<Action>>>
-struct Table;
+struct ActionTable;
 template <std::size_t... Is>
-struct Table<std::index_sequence<Is...>> {
-  static constexpr std::array rows{
-      Row{word_of<std::variant_alternative_t<Is, Action>>, &read_arguments<std::variant_alternative_t<Is, Action>>}...};
+struct ActionTable<std::index_sequence<Is...>> {
+  static constexpr std::array rows{ActionRow{word_of<std::variant_alternative_t<Is, Action>>,
+                                             &read_arguments<std::variant_alternative_t<Is, Action>>}...};
 };
 
 }  // namespace
@@ -185,7 +185,7 @@ std::string write_action(const Action& action) {
   return std::visit(
       []<class A>(A copy) {
         if (word_of<A>.empty()) return std::string();
-        Writer writer(word_of<A>);
+        ActionWriter writer(word_of<A>);
         arguments(writer, copy);
         return writer.take();
       },
@@ -195,11 +195,11 @@ std::string write_action(const Action& action) {
 Result<Action> parse_action(std::string_view line) {
   const std::string_view whole = trimmed(line);
   const std::string_view word = whole.substr(0, whole.find_first_of(" \t"));
-  const auto& rows = Table<>::rows;
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.word == word; });
+  const auto& rows = ActionTable<>::rows;
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ActionRow& r) { return r.word == word; });
   if (word.empty() || row == rows.end())
     return wrong("'" + std::string(word) + "' is no action", "such as: step forward, press 120 80 left");
-  Reader reader(whole.substr(word.size()));
+  ActionReader reader(whole.substr(word.size()));
   Action action = row->read(reader);
   if (const std::string error = reader.error(); !error.empty()) return wrong(std::string(word) + ": " + error, {});
   return action;

@@ -11,11 +11,11 @@
 
 namespace raywalk {
 
-/// The line that parse_action reads back as the same action; empty for the few that a demo cannot hold (SetShape and
-/// its like carry whole values; a demo drags instead).
+/// The line that parse_action reads back as the same action; empty for the few without text form (SetShape etc. carry
+/// whole values; a demo drags instead).
 [[nodiscard]] std::string write_action(const Action& action);
 
-/// One line; fails with the words that were expected.
+/// Parses one line; an error lists the expected words.
 [[nodiscard]] Result<Action> parse_action(std::string_view line);
 
 /// A whole demo; errors carry `file_name` and the line.

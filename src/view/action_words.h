@@ -1,5 +1,5 @@
 #pragma once
-// The words of actions as lines of text, each named once for reading and writing. Included by action_text.cpp alone.
+// The words of actions in text form, listed once for reading and writing. Included only by action_text.cpp.
 
 #include "view/action.h"
 
@@ -85,7 +85,7 @@ inline constexpr std::pair<StructurePage, std::string_view> structure_page_words
                                                                                       {StructurePage::build, "build"}};
 inline constexpr std::pair<bool, std::string_view> shown_words[] = {{true, "on"}, {false, "off"}};
 
-/// What a demo line of each action begins with; empty for those that no line can hold.
+/// The first word of each action; empty for those without text form.
 template <class A>
 inline constexpr std::string_view word_of = "";
 template <>

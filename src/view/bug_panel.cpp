@@ -66,7 +66,7 @@ std::string_view duty_of(Line line) {
     case Line::choose_direction:
     case Line::if_path_survives:
     case Line::form_next_ray:
-      break;  // paths are never broken
+      break;  // paths have no faults
   }
   return {};
 }

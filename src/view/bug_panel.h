@@ -23,26 +23,26 @@ struct BugPanel {
   std::string tally;             ///< empty before the first is found
   std::vector<BugRow> rows;      ///< the list
   std::vector<BugPassage> said;  ///< what is seen, what to do, hints
-  std::string marked;            ///< which line, or that none is; empty where nothing is asked any more
+  std::string marked;            ///< which line, or that none is; empty when no longer asked
   std::string verdict;
   bool is_right = false;
-  std::vector<BugPassage> learnt;  ///< after the end: what was wrong, the cure
+  std::vector<BugPassage> learnt;  ///< at the end: what was wrong, and the fix
   bool can_judge = false, can_give_up = false, can_mend = false;
 };
 [[nodiscard]] BugPanel bug_panel(const State& state);
 
-/// The id of the clause that says what a line of MAIN ALGORITHM or SHADE is there for: "it aims from the hit at the
-/// light". Of those of FOLLOW PATH, which is never broken, empty.
+/// The id of the clause that states the purpose of a line of MAIN ALGORITHM or SHADE: "it aims from the hit at the
+/// light". Empty for FOLLOW PATH, which has no faults.
 [[nodiscard]] std::string_view duty_of(Line line);
 
-/// The number of a bug for a person who wants to be surprised: one that is not found yet, else any. `draw`: any number.
+/// The number of a surprise bug: one that is not found yet, else any. `draw`: any number.
 [[nodiscard]] int surprising_bug(const BugSitting& bugs, unsigned draw);
 
-/// Once the bug is known: the rays of the pixel under way as they are without it, or with it where it is mended, as far
-/// as they are others than those that are walked.
+/// Once the bug is known: the rays of the current pixel without it (or with it, once fixed) that differ from those
+/// walked.
 [[nodiscard]] std::vector<RayRecord> other_rays(const State& state);
 
-/// What stands over the plan while the tracer has a bug, or has just been mended; empty when it never had one.
+/// The banner over the plan while the tracer has a bug, or has just been fixed; else empty.
 [[nodiscard]] std::string bug_banner(const State& state);
 
 }  // namespace raywalk

@@ -1,4 +1,4 @@
-// What the actions of spot the bug do.
+// Implements the actions of spot the bug.
 
 #include "lesson/staging.h"
 #include "view/plan_view.h"
@@ -47,8 +47,7 @@ namespace detail {
 
 namespace {
 
-/// The first pixel of the strip to which the bug gives a shade that anybody sees is another, as index in the walk's
-/// pixels.
+/// The first pixel of the strip that the bug changes visibly, as index in the walk's pixels.
 int first_spoilt(const Timeline& broken, const Timeline& whole) {
   constexpr double seen = 0.03;
   const auto alike = [](const PixelRecord& a, const PixelRecord& b) {
@@ -99,11 +98,11 @@ void hunt_bug(State& state, const action::HuntBug& wanted) {
   if (state.bugs.hunt) {
     before = state.bugs.hunt->before;
   } else {
-    autosave(state, autosave_every);  // what is unsaved now is not written while the hunt goes on
+    autosave(state, autosave_every);  // the hunt does not autosave
     before = std::make_shared<const State>(state);
   }
   show_bugs(state, true);
-  state.bugs.hunt = BugHunt{};  // before the scene, so that the autosave is let alone
+  state.bugs.hunt = BugHunt{};  // before the scene, so that the autosave is not touched
   state.image.single_precision = false;
   state.image.integrator.reset();
   state.image.walk_samples = 1;
@@ -158,7 +157,7 @@ void mend_bug(State& state, bool mended) {
 void leave_hunt(State& state) {
   if (!state.bugs.hunt) return;
   State back = *state.bugs.hunt->before;
-  // How things look, and what has been learnt, stays.
+  // Appearance and progress are kept.
   back.theme = state.theme;
   back.ui_scale = state.ui_scale;
   back.viewport = state.viewport;
@@ -175,7 +174,7 @@ void leave_hunt(State& state) {
   back.notice.reset();
   if (back.camera.fitted) back.camera = fitted(back);
   state = std::move(back);
-  if (state.bugs.shown && state.lessons.shown) show_lessons(state, false);  // one of them has room
+  if (state.bugs.shown && state.lessons.shown) show_lessons(state, false);  // there is room for one
 }
 
 }  // namespace detail

@@ -1,4 +1,4 @@
-// The rays that a bug has put elsewhere, beside those that are walked.
+// The rays that a bug changed, beside those walked.
 
 #include "view/bug_panel.h"
 #include "view/painter.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The bugs that a person finds: what is broken now, and the hunts of this sitting. Part of the state.
+// Spot the bug: the current fault, and the hunts of this session. Part of the state.
 
 #include "timeline/timeline.h"
 #include "trace/fault.h"
@@ -14,44 +14,44 @@ namespace raywalk {
 
 struct State;
 
-/// A tracer that is broken on purpose: for a hunt, or for a step of a lesson.
+/// A fault injected into the tracer: for a hunt, or for a step of a lesson.
 struct Bug {
   Fault fault{};
-  bool mended = false;  ///< the walk and the picture are traced without it
-  bool known = false;   ///< the person has named it, or given up: the cure may be seen
-  /// The same walk with the fault where it is mended, else without.
+  bool mended = false;  ///< fixed: the walk and the picture are traced without it
+  bool known = false;   ///< the user has found it, or given up: the fix may be shown
+  /// The same walk with the fault if it is fixed, else without.
   std::shared_ptr<const Timeline> other{};
 };
 
 enum class BugEnd { open, found, given_up };
 
-/// One bug on its way to being found. Its scene takes the place of the person's own, which waits.
+/// The hunt for one bug. Its scene replaces the user's own for the time being.
 struct BugHunt {
-  int number = 1;         ///< in all_faults, from 1
-  bool surprise = false;  ///< the number is not told
-  int pixel = 0;          ///< the first of SCREEN in which the bug is seen
-  int first_pixel = 0;    ///< the same as index in the walk's pixels: rays of those before would only be in the way
-  std::optional<Line> marked{};     ///< thought to be at fault, and not judged yet
-  std::optional<Line> acquitted{};  ///< judged last, and not at fault
+  int number = 1;                   ///< in all_faults, from 1
+  bool surprise = false;            ///< the number is not shown
+  int pixel = 0;                    ///< the first of SCREEN in which the bug is visible
+  int first_pixel = 0;              ///< the same as index in the walk's pixels: rays of earlier pixels are hidden
+  std::optional<Line> marked{};     ///< suspected, and not judged yet
+  std::optional<Line> acquitted{};  ///< the last one judged innocent
   BugEnd end = BugEnd::open;
-  std::shared_ptr<const State> before{};  ///< all as it was, for the way back
+  std::shared_ptr<const State> before{};  ///< the previous state, to return to
 };
 
 struct BugSitting {
   bool shown = false;
   std::optional<BugHunt> hunt{};
-  std::array<BugEnd, all_faults.size()> ends{};  ///< of each bug: the best that has been reached
+  std::array<BugEnd, all_faults.size()> ends{};  ///< of each bug: the best result
 };
 
-/// A scene that comes with Raywalk and in whose strip and picture the fault shows.
+/// A shipped scene in whose strip and picture the fault is visible.
 [[nodiscard]] std::string_view bug_scene(Fault fault);
 
-/// The fault that is at work in the walk and in the picture.
+/// The current fault of the walk and the picture.
 [[nodiscard]] std::optional<Fault> fault_at_work(const State& state);
 
-/// Whether a line of code is asked for now, so that a click on one marks it.
+/// Whether a click on a line of code marks it now.
 [[nodiscard]] bool asks_for_line(const State& state);
-/// The line that is marked as the one at fault, of a hunt or in a lesson.
+/// The line marked as faulty, in a hunt or in a lesson.
 [[nodiscard]] std::optional<Line> marked_line(const State& state);
 
 }  // namespace raywalk

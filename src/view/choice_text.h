@@ -1,6 +1,5 @@
 #pragma once
-// What one chooses from, in words. Files and options name the same things in English, however
-// the interface speaks.
+// The names of choices. Files and options use English, whatever the language of the interface.
 
 #include "accel/accelerator.h"
 #include "math/sampler.h"

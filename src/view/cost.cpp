@@ -21,12 +21,12 @@ using study::Attempt;
 using study::Setup;
 
 Setup within_limits(Setup setup) {
-  setup.samples = std::clamp(setup.samples, 1, CostState::most_samples);
-  setup.light_grid = std::clamp(setup.light_grid, 0, CostState::most_grid);
-  setup.depth = std::clamp(setup.depth, 1, CostState::most_depth);
+  setup.samples = std::clamp(setup.samples, 1, CostState::max_samples);
+  setup.light_grid = std::clamp(setup.light_grid, 0, CostState::max_grid);
+  setup.depth = std::clamp(setup.depth, 1, CostState::max_depth);
   setup.threshold = std::clamp(setup.threshold, 0.0, 1.0);
   setup.tolerance = std::clamp(setup.tolerance, 0.0, 1.0);
-  setup.epsilon = setup.numerics == Numerics::naive ? std::clamp(setup.epsilon, 0.0, 1.0) : usual_epsilon;
+  setup.epsilon = setup.numerics == Numerics::naive ? std::clamp(setup.epsilon, 0.0, 1.0) : default_epsilon;
   return setup;
 }
 
@@ -61,8 +61,8 @@ void detail::try_cost(State& state, bool ladder) {
     const auto known = std::find(cost.tried.begin(), cost.tried.end(), setup);
     cost.chosen = static_cast<int>(known - cost.tried.begin());
     if (known != cost.tried.end()) continue;
-    if (cost.tried.size() >= CostState::most_tries) {
-      cost.chosen = CostState::most_tries - 1;
+    if (cost.tried.size() >= CostState::max_tries) {
+      cost.chosen = CostState::max_tries - 1;
       return;
     }
     cost.tried.push_back(setup);

@@ -1,6 +1,6 @@
 #pragma once
-// The Cost panel without a window: the knobs, what was tried, and the drawing of error against cost. What the tries
-// gave is worked out beside the state (study/workbench.h) and handed in.
+// The Cost panel without a window: the knobs, the attempts, and the plot of error against cost. Their results are
+// computed outside the state (study/workbench.h) and passed in.
 
 #include "study/effect_costs.h"
 #include "study/workbench.h"
@@ -15,22 +15,22 @@
 namespace raywalk {
 
 enum class CostPicture {
-  split,       ///< two pictures side by side, parted by a line that can be moved
-  difference,  ///< how far they are apart, from dark to light
+  split,       ///< two pictures side by side, separated by a movable line
+  difference,  ///< their difference, from dark to light
 };
 
 enum class CostPage {
-  tries,    ///< settings tried against each other
-  effects,  ///< what each effect that the scene calls for adds
+  tries,    ///< settings compared with each other
+  effects,  ///< what each effect of the scene adds
 };
 
-/// All of it is of this sitting only; none is in the scene's file.
+/// For this session only; not stored in the scene's file.
 struct CostState {
-  static constexpr int most_tries = 64, most_samples = 4096, most_grid = 16, most_depth = 50;
+  static constexpr int max_tries = 64, max_samples = 4096, max_grid = 16, max_depth = 50;
 
   CostPage page = CostPage::tries;
   std::optional<study::Setup> knobs{};  ///< absent: the scene's own
-  std::vector<study::Setup> tried{};    ///< each once, at most `most_tries`
+  std::vector<study::Setup> tried{};    ///< without duplicates, at most `max_tries`
   int chosen = -1;                      ///< in `tried`: the picture on the left; -1: none yet
   int against = -1;                     ///< in `tried`: the picture on the right; -1: the reference
   CostPicture picture = CostPicture::split;
@@ -44,10 +44,10 @@ struct State;
 namespace action {
 struct SetCostKnobs {
   study::Setup knobs;
-};  ///< brought into their limits
+};  ///< clamped to their limits
 struct TryCost {
   bool ladder = false;
-};  ///< the knobs as they stand; a ladder: also with 1, 4, 16, 64 samples. What was tried already is chosen
+};  ///< the current knobs; a ladder: also with 1, 4, 16, 64 samples. If tried already, it is chosen
 struct ForgetCosts {};
 struct ChooseCost {
   int index;  ///< in CostState::tried
@@ -74,7 +74,7 @@ void show_cost_page(State& state, CostPage page);
 
 /// What TryCost will try.
 [[nodiscard]] study::Setup cost_knobs(const State& state);
-/// The size of the pictures that are tried: small, of the image's shape.
+/// The size of the attempts' pictures: small, with the image's aspect ratio.
 [[nodiscard]] ImageSize cost_size(ImageSize image);
 
 /// What the workbench has found so far.
@@ -84,8 +84,8 @@ struct CostFindings {
   int reference_samples = 0;
 };
 
-/// Error against cost, both logarithmic, one mark an attempt, a line along those that none beats, and the floor below
-/// which nothing can be told. In pixels of an area of this size; `unit`: a pixel at scale 1.
+/// Error against cost, both logarithmic: one mark per attempt, the Pareto front, and the floor below which differences
+/// mean nothing. In pixels of an area of this size; `unit`: a pixel at scale 1.
 struct CostPlot {
   DisplayList list;
   struct Mark {
@@ -98,23 +98,23 @@ struct CostPlot {
                                  double unit);
 
 /// Each effect's share of the rays and of the time as two bars, the interval of the time as a whisker, and below them
-/// what the whole costs and what it would cost if every effect were traced regardless. As cost_plot. `survey`: empty
-/// while the first round is under way.
+/// the total cost and the cost of computing every effect regardless. As cost_plot. `survey`: empty during the first
+/// round.
 [[nodiscard]] DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width,
                                       double height, double unit);
 /// "12.3 k rays in 0.05 s; every effect regardless: 9.1 times the rays, 7.5 times the time".
 [[nodiscard]] std::string survey_text(const std::optional<study::SceneCost>& survey, double done, Language language);
 
-/// "64 samples, sobol, depth 3": what a setup is, by what sets it apart from `usual`.
+/// "64 samples, sobol, depth 3": how a setup differs from `usual`.
 [[nodiscard]] std::string setup_text(const study::Setup& setup, const study::Setup& usual, Language language);
-/// One line on what an attempt cost and how far it is off.
+/// One line on an attempt's cost and error.
 [[nodiscard]] std::string attempt_text(const State& state, const CostFindings& findings, int index);
-/// How good the reference is by now.
+/// How good the reference is so far.
 [[nodiscard]] std::string reference_text(const CostFindings& findings, Language language);
 
-/// The pictures as they are to be shown, width * height pixels of four bytes. `right` of another size (there is none
-/// yet) is left out. `largest`: for a difference, what the last colour stands for; a quarter of it has
-/// the middle one, so that small differences are seen too.
+/// The pictures for display, width * height pixels of four bytes. `right` is left out if its size differs (not yet
+/// available). `largest`: for a difference, the value of the last colour; a quarter of it has the middle one, so that
+/// small differences are visible too.
 [[nodiscard]] std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right,
                                                      Encoding encoding, double& largest);
 

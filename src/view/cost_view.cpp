@@ -1,4 +1,4 @@
-// Error against cost, drawn.
+// Draws error against cost.
 
 #include "view/cost.h"
 #include "view/state.h"
@@ -16,7 +16,7 @@ namespace {
 using study::Attempt;
 using study::CostAxis;
 
-/// A logarithmic scale: the powers of ten around some numbers, no fewer than one decade.
+/// A logarithmic scale around some numbers, at least one decade.
 class LogScale {
  public:
   void hold(double value) {
@@ -24,7 +24,7 @@ class LogScale {
     low_ = std::min(low_, std::log10(value));
     high_ = std::max(high_, std::log10(value));
   }
-  /// Rounds outwards, to a third of a decade (1, 2, 5) and a little air.
+  /// Rounds outwards to a third of a decade (1, 2, 5), with a margin.
   void round() {
     if (low_ > high_) low_ = 0, high_ = 1;
     const double air = 0.1, middle = (low_ + high_) / 2, half = std::max((high_ - low_) / 2 + air, 0.55);
@@ -32,12 +32,12 @@ class LogScale {
     high_ = middle + half;
   }
   [[nodiscard]] double part(double value) const { return (std::log10(value) - low_) / (high_ - low_); }
-  /// 1, 2, 5 of each decade where there are few, else the decades, no more than `most`.
+  /// 1, 2, 5 of each decade if there are few, else the decades, at most `most`.
   [[nodiscard]] std::vector<double> ticks(int most) const {
     const double span = high_ - low_;
     if (span * 3 > most)
       if (std::vector<double> decades = ticks(most, false); decades.size() >= 2) return decades;
-    std::vector<double> all = ticks(most, true);  // one number makes no scale
+    std::vector<double> all = ticks(most, true);  // one tick is not enough
     while (static_cast<int>(all.size()) > std::max(most, 2))
       for (std::size_t i = 1; i < all.size(); ++i) all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
     return all;
@@ -111,7 +111,7 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
       list.push_back({words({x_of(value), bottom + 0.8 * letters}, tick_text(value, state.language), letters,
                             colours.dim_text, TextAnchor::middle)});
   }
-  const bool known = findings.floor > 0;  // before there is a reference, only the costs are
+  const bool known = findings.floor > 0;  // before there is a reference, only the costs are known
   for (const double value : up.ticks(up_most)) {
     if (!known) break;
     list.push_back({LineItem{{left, y_of(value)}, {right, y_of(value)}, grid}});
@@ -154,7 +154,7 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
     const Vec2d at = place(attempt);
     const bool chosen = i == state.cost.chosen, against = i == state.cost.against;
     plot.marks.push_back({i, at});
-    // Float is a square: told apart without colour.
+    // Float is a square: distinguishable without colour.
     if (attempt.setup.single_precision)
       list.push_back({PolygonItem{
           {at + Vec2d(-radius), at + Vec2d(radius, -radius), at + Vec2d(radius), at + Vec2d(-radius, radius)},

@@ -77,7 +77,7 @@ std::vector<Segment> dashes(const LineItem& line, int most) {
   if (line.stroke.dash.count == 0 || !(period > 0) || !(size > 0) || size / period * line.stroke.dash.count > most)
     return {{line.from, line.to}};
   const Vec2d along = (line.to - line.from) / size;
-  // Place in the pattern at which the line starts.
+  // Where in the pattern the line starts.
   double phase = std::fmod(line.stroke.phase, period);
   if (phase < 0) phase += period;
   int part = 0;

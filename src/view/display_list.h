@@ -1,6 +1,6 @@
 #pragma once
 // A drawing as data: vector graphics in pixels of a viewport, origin in its top left corner, x to the right, y down.
-// Drawn in order, first at the bottom. The window, exported slides and tests all read the same list.
+// Later items are on top. The window, exported slides and tests all use the same list.
 
 #include "math/vec.h"
 #include "view/theme.h"
@@ -13,10 +13,10 @@
 
 namespace raywalk {
 
-/// Something of the plan that a person can point at.
+/// Something in the plan that can be pointed at.
 enum class TargetKind {
   nothing,
-  eye,              ///< drag: moves EYE and what it looks at, so the view keeps its direction
+  eye,              ///< drag: moves EYE and its look-at point, so the view keeps its direction
   view_direction,   ///< handle ahead of EYE: turns the view
   screen_height,    ///< part 0: the end of cell 0, 1: the other end
   screen_distance,  ///< the middle of SCREEN
@@ -41,8 +41,8 @@ struct Target {
 struct Stroke {
   Colour colour;
   double width = 1;    ///< pixels
-  DashPattern dash{};  ///< lengths in pixels, scaled already
-  double phase = 0;    ///< how far into the pattern the line starts, in pixels: a clipped ray keeps its dashes in place
+  DashPattern dash{};  ///< lengths in pixels, after scaling
+  double phase = 0;    ///< offset into the pattern, in pixels: keeps the dashes of a clipped ray in place
 };
 
 /// A straight line, with a filled arrowhead if `arrow` is above 0: its length in pixels, its tip at
@@ -57,7 +57,7 @@ struct PolylineItem {
   std::vector<Vec2d> points;
   Stroke stroke;
 };
-/// Any simple polygon, also concave.
+/// A simple polygon, possibly concave.
 struct PolygonItem {
   std::vector<Vec2d> points;
   std::optional<Colour> fill;
@@ -90,22 +90,22 @@ using Shape2d = std::variant<LineItem, PolylineItem, PolygonItem, CircleItem, Ar
 
 struct DisplayItem {
   Shape2d shape;
-  Target target{};  ///< what the item stands for, if it can be pointed at
+  Target target{};  ///< what the item represents, if it can be pointed at
 };
 
 using DisplayList = std::vector<DisplayItem>;
 
-/// The solid pieces of a dashed line, each {from, to}; the line itself when it is solid. Few enough to draw whatever
-/// the line's length: more than `most` pieces are given as one solid line.
+/// The solid pieces of a dashed line, each {from, to}; the line itself if it is solid. More than `most` pieces are
+/// returned as one solid line, so that long lines stay cheap.
 [[nodiscard]] std::vector<std::array<Vec2d, 2>> dashes(const LineItem& line, int most = 4096);
 
-/// Tip, left and right corner of a line's arrowhead; none when the line has none or is shorter than nothing.
+/// Tip, left and right corner of a line's arrowhead; none if the line has none or no length.
 [[nodiscard]] std::optional<std::array<Vec2d, 3>> arrowhead(const LineItem& line);
 
-/// Width in pixels that a text takes at most, by a generous rule of thumb: no font is known here.
+/// Upper bound of the width of a text in pixels, by a generous rule of thumb: the font is not known here.
 [[nodiscard]] double text_width(std::string_view text, double size);
 
-/// Distance in pixels from a point to what the item draws; 0 inside a filled area. Texts are their rectangle.
+/// Distance in pixels from a point to what the item draws; 0 inside a filled area. Texts count as rectangles.
 [[nodiscard]] double distance_to(const DisplayItem& item, const Vec2d& at);
 
 /// True when every number of the list is finite.

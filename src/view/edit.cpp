@@ -36,7 +36,7 @@ Material material_of(action::ObjectKind kind) {
   return material;
 }
 
-/// Circles that the bodies of the plan fit into: what a new object keeps clear of.
+/// Bounding circles of the bodies of the plan, which a new object avoids.
 struct Disc {
   Vec2d centre;
   double radius;
@@ -59,12 +59,12 @@ std::vector<Disc> occupied(const State& state) {
   return discs;
 }
 
-/// A place near the middle of the view where a disc of this radius touches nothing; the middle when there is none.
+/// A place near the middle of the view where a disc of this radius overlaps nothing; the middle if there is none.
 Vec2d free_place(const State& state, double radius) {
   const std::vector<Disc> discs = occupied(state);
   const double reach = 0.5 * std::min(state.viewport.width, state.viewport.height) / state.camera.pixels_per_unit;
   for (int i = 0; i < 200; ++i) {
-    // A sunflower's spiral covers the view evenly from the middle outwards.
+    // A sunflower spiral covers the view evenly from the middle outwards.
     const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
     const Vec2d place = state.camera.centre + std::sqrt(i / 200.0) * reach * Vec2d(std::cos(angle), std::sin(angle));
     const bool is_free = std::none_of(discs.begin(), discs.end(), [&](const Disc& disc) {
@@ -161,7 +161,7 @@ void remove_selected(State& state) {
       return inform(state, std::string(text("notice.select_first", state.language)));
   }
   state.selected = {};
-  state.hovered = {};  // what comes to stand under the pointer is not what stood there
+  state.hovered = {};  // something else is now under the pointer
   commit(state, std::move(next));
 }
 
@@ -169,7 +169,7 @@ void insert_corner(State& state, const action::InsertCorner& insert) {
   Scene next = state.scene();
   Prism<double>* prism = prism_of(next, insert.object);
   if (prism == nullptr || insert.edge < 0 || insert.edge >= prism->sides()) return;
-  // On the edge itself, so that the shape stays as it is; not too near its ends.
+  // On the edge itself, so that the shape is unchanged; not too near its ends.
   const Vec2d first = prism->corner(insert.edge), along = prism->corner_after(insert.edge) - first;
   const double t = dot(insert.at - first, along) / dot(along, along);
   const Vec2d corner = first + std::clamp(std::isfinite(t) ? t : 0.5, 0.05, 0.95) * along;

@@ -1,4 +1,4 @@
-// What each effect of a scene adds, drawn.
+// Draws what each effect of a scene adds.
 
 #include "view/choice_text.h"
 #include "view/cost.h"
@@ -22,14 +22,14 @@ std::string whole_percent(double share, Language language) {
   return typeset_number(fmt::format("{:.0f}%", std::round(100 * share) + 0.0), language);
 }
 
-/// A name to the left; to the right of it, one above the other, what it adds of the rays and of the time.
+/// A name on the left; on the right, one above the other, the bars of rays and time.
 struct BarRow {
   std::string name;
   double rays;                                ///< share, 0..1
-  const study::EffectCost* effect = nullptr;  ///< of which the time is known too
+  const study::EffectCost* effect = nullptr;  ///< if its time is known too
 };
 
-/// Broken between words into lines of at most this width.
+/// Wrapped at words to this width.
 std::vector<std::string> lines_of(const std::string& what, double letters, double width) {
   std::vector<std::string> lines(1);
   std::istringstream words(what);
@@ -56,7 +56,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     list.push_back({TextItem{at, what, letters, colour, anchor}});
   };
 
-  // Rays are a full bar, time an open one: told apart without colour.
+  // Rays are a filled bar, time an open one: distinguishable without colour.
   const auto draw_bar = [&](const Vec2d& low, const Vec2d& high, bool filled, double stroke) {
     list.push_back({PolygonItem{{low, {high.x, low.y}, high, {low.x, high.y}},
                                 filled ? std::optional(colours.selected) : std::nullopt,
@@ -89,7 +89,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
   const auto room_beside = [&](const std::string& words) {
     return width - names_width() - 2.2 * letters - text_width(words, letters);
   };
-  // Where the room does not allow words, the numbers alone stand beside the bars, and a line above says what is what.
+  // Without room for words, only numbers are beside the bars, and a line above explains them.
   const bool in_words = room_beside(longest) > 4 * letters;
   if (!in_words && !rows.empty()) {
     double x = 0;
@@ -104,7 +104,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
   }
   const double row_height =
       std::min(3.0 * letters, (height - y) / std::max<double>(1, static_cast<double>(rows.size())));
-  // Many rows: smaller letters; where even those do not fit one above the other, one number stands for both bars.
+  // Many rows: smaller letters; if even those do not fit one above the other, one number for both bars.
   letters = std::clamp(row_height / 1.2, 0.6 * letters, letters);
   const bool apart = row_height > 2.3 * letters;
   const double name_width = names_width(), left = name_width + letters;

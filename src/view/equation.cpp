@@ -16,7 +16,7 @@ namespace {
 
 using Kind = EquationRow::Kind;
 
-/// A text between signs and letters, which stand in no language.
+/// A text between signs and letters, which are independent of language.
 struct Word {
   std::string_view id;
 };
@@ -29,9 +29,9 @@ double angle_between(const Vec3d& u, const Vec3d& v) {
 }
 
 /// Writes the rows of one event. A row's numbers go through number(), so that what is shown is what is kept.
-class Writer {
+class EquationWriter {
  public:
-  explicit Writer(const State& state) : state_(state), timeline_(*state.timeline) {}
+  explicit EquationWriter(const State& state) : state_(state), timeline_(*state.timeline) {}
 
   [[nodiscard]] EquationPanel panel() {
     const Event* event = timeline_.just_run(state_.position);
@@ -45,7 +45,7 @@ class Writer {
  private:
   // ---- Rows
 
-  /// One row under way: text and numbers in turn.
+  /// The current row: text and numbers in turn.
   class Row {
    public:
     Row(Kind kind, Language language) : language_(language) { row_.kind = kind; }
@@ -59,7 +59,7 @@ class Writer {
       row_.values.push_back(value);
       return *this;
     }
-    /// Of a scene in the plan two components say it all.
+    /// In a planar scene two components suffice.
     Row& operator<<(const Vec3d& v) {
       const std::string_view between = language_.separator();
       *this << "(" << v.x << between << v.y;
@@ -99,7 +99,7 @@ class Writer {
   [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
   [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(state_.position)); }
   [[nodiscard]] const RayRecord* parent() const { return current().parent < 0 ? nullptr : &ray(current().parent); }
-  /// The normal of the surface where `ray` ended, on the side that it came from.
+  /// The normal where `ray` ended, facing the ray.
   static Vec3d facing(const RayRecord& ray) { return dot(ray.normal, ray.direction) > 0 ? -ray.normal : ray.normal; }
   [[nodiscard]] std::string light_name(int light) const {
     return light < 0 ? std::string() : scene().lights[static_cast<std::size_t>(light)].name;
@@ -185,7 +185,7 @@ class Writer {
       }
       case Ending::threshold:
         row(Kind::formula, Word{"equation.share_allowed"});
-        row(Kind::numbers, max_component(stub.share), " < ", scene().limits.threshold);
+        row(Kind::numbers, max_component(stub.throughput), " < ", scene().limits.threshold);
         return row(Kind::note, Word{"equation.no_ray"});
       case Ending::facing_away: {
         row(Kind::formula, "N·L > 0?");
@@ -244,7 +244,7 @@ class Writer {
       return row(Kind::note, decided.holds ? Word{"equation.yes"} : Word{"equation.no"});
     light(Kind::term, decided.weight, transparent ? "kt′ =" : "kr′ =");
     if (!decided.why) return row(Kind::note, decided.holds ? Word{"equation.above_zero"} : Word{"equation.is_zero"});
-    // Nothing gets out: Snell's law asks for a sine above 1.
+    // No transmission: Snell's law requires a sine above 1.
     const RayRecord& shaded =
         ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.position))].ray);
     const double angle = angle_between(facing(shaded), -shaded.direction);
@@ -270,7 +270,7 @@ class Writer {
     }
     if (sum.reflect != Rgbd(0.0)) light(Kind::term, sum.reflect, "+ kr′ · REFLSHADE");
     if (sum.refract != Rgbd(0.0)) light(Kind::term, sum.refract, "+ kt′ · REFRSHADE");
-    if (sum.passed != Rgbd(1.0)) light(Kind::note, sum.passed, Word{"equation.passed"});
+    if (sum.transmittance != Rgbd(1.0)) light(Kind::note, sum.transmittance, Word{"equation.passed"});
     light(Kind::total, sum.total, "= RTNSHADE");
   }
 
@@ -282,12 +282,12 @@ class Writer {
   void write(const EmissionAdded& emission) {
     light(Kind::term, emission.emission, Word{"equation.emission"});
     if (emission.emission == Rgbd(0.0)) return;
-    weighted(emission.direction_density, emission.light_density, emission.weight);
+    weighted(emission.direction_pdf, emission.light_pdf, emission.weight);
     light(Kind::total, emission.added, "+ ", Word{"equation.weight"}, " · ", Word{"equation.share"}, " · ",
           Word{"equation.emission"}, " =");
   }
   void write(const LightAdded& added) {
-    weighted(added.direction_density, added.light_density, added.weight);
+    weighted(added.direction_pdf, added.light_pdf, added.weight);
     light(Kind::total, added.added, "+");
   }
   void weighted(double by_direction, double by_light, double weight) {
@@ -298,8 +298,8 @@ class Writer {
   void write(const DirectionChosen& chosen) {
     if (chosen.absorbed) return row(Kind::note, Word{"equation.absorbed"});
     row(Kind::numbers, "D = ", chosen.direction);
-    if (chosen.density > 0) row(Kind::numbers, "p(D) = ", chosen.density);
-    light(Kind::term, chosen.share, Word{"equation.share_left"}, " =");
+    if (chosen.pdf > 0) row(Kind::numbers, "p(D) = ", chosen.pdf);
+    light(Kind::term, chosen.throughput, Word{"equation.share_left"}, " =");
   }
   void write(const SurvivalDecided& decided) {
     if (decided.survival < 1) row(Kind::numbers, Word{"equation.survival"}, " ", decided.survival);
@@ -318,7 +318,7 @@ std::string equation_number(double value, Language language) {
   return value == 0 ? "0" : typeset_number(fmt::format("{:.4g}", value), language);
 }
 
-EquationPanel equation_panel(const State& state) { return Writer(state).panel(); }
+EquationPanel equation_panel(const State& state) { return EquationWriter(state).panel(); }
 
 HitNotes hit_notes(const State& state) {
   const Timeline& timeline = *state.timeline;

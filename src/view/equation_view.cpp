@@ -1,5 +1,5 @@
-// The numbers of the live equation beside the hit itself: t along the ray, its angle to the normal; where a ray has
-// just been bent or mirrored, the angles of both.
+// The numbers of the live equation beside the hit: t along the ray, its angle to the normal; for a refracted or
+// reflected ray, the angles of both.
 
 #include "view/equation.h"
 #include "view/painter.h"
@@ -11,15 +11,15 @@ namespace raywalk::detail {
 
 namespace {
 
-/// As the plan shows it, of length one; 0 where it is straight up or down.
+/// Its unit direction in the plan; 0 if it is vertical.
 Vec2d on_screen(const Vec3d& direction) {
   const Vec2d flat(direction.x, -direction.y);
   const double size = length(flat);
   return size > 1e-6 ? flat / size : Vec2d(0.0);
 }
 
-/// The arc from one direction to another, and its angle beyond: between the two where there is room; else past the
-/// first, on the side away from the second.
+/// The arc from one direction to another, with its angle as text: between the two if there is room; else past the
+/// first, away from the second.
 void add_angle(Painter& painter, const Vec2d& at, const Vec2d& from, const Vec2d& to, const std::string& words) {
   const double unit = painter.sizes.unit, begin = std::atan2(from.y, from.x);
   const double turn = std::atan2(from.x * to.y - from.y * to.x, dot(from, to));
@@ -36,7 +36,7 @@ void draw_bend(Painter& painter, const BendNotes& notes) {
               out = on_screen(notes.out);
   if (normal == Vec2d(0.0) || back == Vec2d(0.0) || out == Vec2d(0.0)) return;
   const double unit = painter.sizes.unit;
-  // The normal through the surface: all angles are to it, on either side.
+  // The normal on both sides of the surface: all angles are relative to it.
   Stroke thin = painter.stroke(painter.colours.normal, 1.2);
   thin.dash = painter.scaled({{4, 4}, 2});
   painter.add_clipped({at - 62 * unit * normal, at + 62 * unit * normal, thin});
@@ -60,7 +60,7 @@ void draw_hit_notes(Painter& painter) {
   const double facing = dot(ray.normal, ray.direction) > 0 ? -1 : 1;
   const Vec2d normal = on_screen(facing * ray.normal);
   if (!notes.angle.empty() && normal != Vec2d(0.0)) add_angle(painter, hit, back, normal, notes.angle);
-  // Beside the middle of the ray, on the side where there is more room above it; else nearer to an end, or below.
+  // Beside the middle of the ray, preferably above; else nearer to an end, or below.
   const double side = across.y > 0 ? -1 : 1;
   std::vector<Vec2d> places;
   for (const double way : {side, -side})

@@ -22,7 +22,7 @@ namespace raywalk {
 
 namespace {
 
-/// What is written without the window.
+/// Exports that need no window.
 Result<std::string> exported(const State& state, ExportKind kind) {
   const Scene& scene = state.scene();
   switch (kind) {
@@ -30,9 +30,9 @@ Result<std::string> exported(const State& state, ExportKind kind) {
       return svg_file(plan_view(state, state.viewport), state.viewport.width, state.viewport.height,
                       palette(state.theme).plan, scene.title.empty() ? "Raywalk" : scene.title);
     case ExportKind::slides:
-      if (state.timeline->steps() > most_slides)
+      if (state.timeline->steps() > max_slides)
         return tl::unexpected(
-            Error{"", 0, 0, fill("notice.too_many_slides", state.language, {{"most", most_slides}}), ""});
+            Error{"", 0, 0, fill("notice.too_many_slides", state.language, {{"most", max_slides}}), ""});
       return slides_page(scene, state.timeline, state.language, state.theme);
     case ExportKind::transcript:
       return transcript(scene, *state.timeline, state.language);
@@ -61,7 +61,7 @@ Result<std::string> exported(const State& state, ExportKind kind) {
   return std::string();
 }
 
-/// Of a path, the longest that fits; null for others.
+/// The longest matching extension of a path; null if none.
 const ExportEnding* ending_in(std::string_view path) {
   std::string name = std::filesystem::path(path).filename().string();
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -73,9 +73,9 @@ const ExportEnding* ending_in(std::string_view path) {
   return best;
 }
 
-/// How long the ending is that another program's file would have: a few letters and digits. "1. Casting" has none.
+/// The length of a foreign extension: a few letters and digits. "1. Casting" has none.
 std::size_t foreign_ending(const std::string& path) {
-  constexpr std::size_t most = 5;  // with its point
+  constexpr std::size_t most = 5;  // with its dot
   const std::string ending = std::filesystem::path(path).extension().string();
   const auto is = [](int (*what)(int)) { return [what](char c) { return what(static_cast<unsigned char>(c)) != 0; }; };
   const bool fits = ending.size() > 1 && ending.size() <= most && is(std::isalpha)(ending[1]);
@@ -95,7 +95,7 @@ std::string with_ending(const std::string& path, ExportKind kind) {
                            })->ending);
   const ExportEnding* has = ending_in(path);
   std::string stem = path.substr(0, path.size() - (has != nullptr ? has->ending.size() : foreign_ending(path)));
-  // What is left may make a longer ending of a shorter one: notes.script and .html.
+  // The rest may combine to a longer extension: notes.script and .html.
   while (export_kind_of(stem + ending).value_or(kind) != kind) {
     const std::size_t more = std::filesystem::path(stem).extension().string().size();
     if (more == 0) break;  // there is no name yet: a folder is being typed
@@ -113,8 +113,8 @@ std::vector<int> film_positions(const State& state) {
     const int next = std::min(detail::stepped(timeline, positions.back(), state.grain, true), last);
     positions.push_back(next);
   }
-  if (static_cast<int>(positions.size()) > most_frames) {
-    positions.resize(most_frames - 1);
+  if (static_cast<int>(positions.size()) > max_frames) {
+    positions.resize(max_frames - 1);
     positions.push_back(last);
   }
   return positions;
@@ -147,7 +147,7 @@ namespace raywalk::detail {
 void export_over(State& state, const std::string& path) {
   const ExportKind kind = *export_kind_of(path);
   if (kind == ExportKind::picture || kind == ExportKind::film) {
-    // The window is shown as it is meant to be seen, without the dialog and without what the pointer points out.
+    // The window without the dialog and without hover effects.
     state.prompt = PathPrompt::none;
     state.notice.reset();
     state.playing = false;

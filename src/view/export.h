@@ -1,5 +1,5 @@
 #pragma once
-// A walk written down for those who do not have the program: what a file holds, the ending of its name says.
+// Exports of a walk for those without the program; the extension selects the contents.
 
 #include "io/error.h"
 #include "scene/scene.h"
@@ -20,12 +20,12 @@ struct State;
 
 enum class ExportKind {
   picture,     ///< .png: the window
-  film,        ///< .gif: the window, a frame a step
+  film,        ///< .gif: the window, one frame per step
   plan,        ///< .svg: the plan
   slides,      ///< .html: a page that steps offline
   transcript,  ///< .txt
   steps,       ///< .json
-  script,      ///< .script.html: the open lesson as its presenter reads it
+  script,      ///< .script.html: the presenter's script of the open lesson
 };
 struct ExportEnding {
   std::string_view ending;  ///< ".png"
@@ -38,42 +38,42 @@ inline constexpr std::array<ExportEnding, 7> kinds_of_export{{{".html", ExportKi
                                                               {".txt", ExportKind::transcript},
                                                               {".json", ExportKind::steps},
                                                               {".script.html", ExportKind::script}}};
-/// By the ending of a path; none for other endings.
+/// By the extension of a path; none for other extensions.
 [[nodiscard]] std::optional<ExportKind> export_kind_of(std::string_view path);
-/// The path with the ending of this kind in place of the one that it has.
+/// The path with its extension replaced by that of this kind.
 [[nodiscard]] std::string with_ending(const std::string& path, ExportKind kind);
 
-/// What only the window can write, until it has.
+/// A pending export that only the window can write.
 struct WindowExport {
   ExportKind kind;  ///< picture or film
   std::string path;
   friend bool operator==(const WindowExport&, const WindowExport&) = default;
 };
 
-/// The positions that a film shows: from here to the end of the pixel under way, by lines or rays as the grain says;
-/// with the grain of pixels to the end of the walk. At most `most_frames`, the last one always.
-inline constexpr int most_frames = 500;
+/// The positions of a film: from here to the end of the current pixel, by lines or rays according to the grain; with
+/// grain pixel to the end of the walk. At most `max_frames`, always including the last.
+inline constexpr int max_frames = 500;
 [[nodiscard]] std::vector<int> film_positions(const State& state);
 
 namespace action {
 struct AskExport {};
 struct Export {
   std::string path;
-};  ///< its ending says what
+};  ///< its extension selects what
 struct FinishExport {
   std::string why_not;
-};  ///< the window has written what it was asked for, or says why not
+};  ///< the window has written the export, or says why not
 }  // namespace action
 
-/// All steps as one JSON object, `head` first. Handed over in parts as they are put together: a strip's may be hundreds
-/// of megabytes. Stops when `print` fails.
+/// All steps as one JSON object, `head` first. Printed in parts: a strip's may be hundreds of megabytes. Stops when
+/// `print` fails.
 [[nodiscard]] Result<void> write_steps_json(const Scene& scene, const Timeline& timeline,
                                             const nlohmann::ordered_json& head,
                                             const std::function<Result<void>(const std::string&)>& print);
 
 namespace detail {
 void export_walk(State& state, const std::string& path);
-/// Whatever stands at the path is written over.
+/// Overwrites an existing file.
 void export_over(State& state, const std::string& path);
 void finish_export(State& state, const std::string& why_not);
 }  // namespace detail

@@ -15,9 +15,9 @@ namespace {
 void complain(State& state, const Error& error) { detail::complain(state, error.text()); }
 
 void open_file(State& state, const std::string& path) {
-  // No reader can be stopped inside; what it has by then is dropped.
+  // A reader cannot be cancelled; its result is then dropped.
   const auto reading = std::make_shared<Result<SceneDocument>>();
-  run_aside(state.stop, [reading, path] { *reading = read_scene(path); });
+  run_detached(state.stop, [reading, path] { *reading = read_scene(path); });
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
@@ -28,7 +28,7 @@ void open_file(State& state, const std::string& path) {
   inform(state, warnings.empty() ? fill("notice.opened", state.language, {{"file", path}}) : warnings.front());
 }
 
-/// What was asked for, now that nothing unsaved stands in its way.
+/// Performs the intent, once unsaved work is settled.
 void carry_out(State& state, Intent intent, const std::string& path) {
   switch (intent) {
     case Intent::new_scene:
@@ -51,7 +51,7 @@ void carry_out(State& state, Intent intent, const std::string& path) {
   }
 }
 
-/// True when the file was written; goes on with what waited for it.
+/// True if the file was written; continues with the pending intent.
 bool write_to(State& state, const std::string& path) {
   const Result<void> written = write_scene(state.document, path);
   if (!written) {
@@ -92,13 +92,13 @@ bool same_file(const std::string& a, const std::string& b) {
   return a == b || std::filesystem::equivalent(a, b, failed);  // folders too
 }
 
-/// Whether a file is one of the scenes that come with Raywalk: the lessons play in them.
+/// Whether a file is one of the shipped scenes, which the lessons use.
 bool is_shipped(const State& state, const std::string& path) {
   return !state.lessons.scenes_folder.empty() &&
          same_file(std::filesystem::path(path).parent_path().string(), state.lessons.scenes_folder);
 }
 
-/// What must not be replaced. A scene may be saved over itself, also over the file that it once came from.
+/// Files that must not be replaced. A scene may overwrite itself and the file that it was read from.
 std::vector<std::string> files_in_use(const State& state, PathPrompt what) {
   std::vector<std::string> files = state.keeps;
   const auto is_itself = [&](const std::string& file) {
@@ -115,7 +115,7 @@ std::vector<std::string> files_in_use(const State& state, PathPrompt what) {
 
 void show_document(State& state, SceneDocument document, std::string path) {
   state.document = std::move(document);
-  state.worlds = std::make_shared<Worlds>();
+  state.worlds = std::make_shared<WorldCache>();
   state.path = std::move(path);
   state.saved.reset();
   state.dirty = false;
@@ -150,7 +150,7 @@ void ask_path(State& state, PathPrompt prompt) {
 void open(State& state, const std::string& path) {
   const bool asked = std::exchange(state.prompt, PathPrompt::none) == PathPrompt::open;
   ask_or_do(state, Intent::open, path);
-  // What cannot be opened: the dialog stays, and says why.
+  // If it cannot be opened, the dialog stays and says why.
   if (asked && !state.question && state.notice && state.notice->kind == Notice::Kind::error)
     state.prompt = PathPrompt::open;
 }
@@ -174,7 +174,7 @@ bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
 }
 
 void save(State& state) {
-  // A scene of another format is saved as one of ours, under a new name.
+  // A scene of another format is saved in ours, under a new name.
   const bool is_ours = !state.path.empty() && scene_format_of(state.path) == SceneFormat::toml;
   if (!is_ours) return ask_path(state, PathPrompt::save_as);
   if (is_shipped(state, state.path)) {
@@ -186,7 +186,7 @@ void save(State& state) {
 
 void save_as(State& state, const std::string& path) {
   if (path.empty()) return;
-  // A dialog that asked for the path stays until the file is written, and shows what went wrong.
+  // The path dialog stays until the file is written, and shows errors.
   if (state.prompt == PathPrompt::save_as) state.notice.reset();
   const bool has_ending = std::filesystem::path(path).has_extension();
   const std::string whole = has_ending ? path : path + ".toml";
@@ -217,7 +217,7 @@ void answer(State& state, action::Answer answer) {
       state.question.reset();
       if (answer == action::Answer::save) {
         overwrite(state, question);
-      } else if (state.prompt == PathPrompt::none) {  // else the dialog asks for another
+      } else if (state.prompt == PathPrompt::none) {  // else the dialog asks for another path
         state.after_save.reset();
       }
       return;

@@ -1,4 +1,4 @@
-// The rays that depth and threshold cut off, as they would have gone.
+// Draws the rays that depth and threshold cut off.
 
 #include "view/ghosts.h"
 #include "view/painter.h"
@@ -15,7 +15,7 @@ void draw_ghosts(Painter& painter) {
   const auto& rays = state.timeline->rays();
   Rgbd cut_off{0.0};
   for (const GhostRay& ghost : state.ghosts->rays) {
-    // A ghost stands where its stub stands, from then on.
+    // A ghost appears with its stub.
     if (ghost.stub >= static_cast<int>(rays.size()) ||
         rays[static_cast<std::size_t>(ghost.stub)].formed_at > state.position || !ghost.record.formed)
       continue;
@@ -23,17 +23,17 @@ void draw_ghosts(Painter& painter) {
     const std::optional<RayWay> way = ray_way(painter, ray, true);
     if (!way) continue;
     const auto& [from, to, along, open] = *way;
-    // Dots of the kind's colour: no ray that was formed is dotted.
+    // Dotted, in the kind's colour: formed rays are never dotted.
     const bool light = ray.kind == RayKind::shadow;
     const DashPattern dots{{1.5 * unit, 5 * unit}, 2};
     Stroke stroke{ray_style(state.theme, ray.kind).colour.with_alpha(light ? 110 : 235), (light ? 1.2 : 2.2) * unit,
                   dots};
     painter.add_clipped({from, to, stroke, light ? 0 : 8 * unit, 0.55});
     if (ghost.record.parent >= 0 || light) continue;
-    cut_off += ghost.brings;
+    cut_off += ghost.contribution;
     const Vec2d across(-along.y, along.x);
     painter.note(painter.seen_middle(from, to) + 14 * unit * across,
-                 percent_text(share_of(ghost.brings, *state.ghosts), state.language));
+                 percent_text(share_of(ghost.contribution, *state.ghosts), state.language));
   }
   if (state.ghosts->pixel < 0) return;
   const std::string total = fill("ghosts.total", state.language,

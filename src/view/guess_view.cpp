@@ -1,4 +1,4 @@
-// Guesses in the plan, beside what is true: of a lesson's question, and of predictions on any walk.
+// Guesses in the plan, beside the truth: of a lesson's question, and of predictions on any walk.
 
 #include "view/lesson_panel.h"
 #include "view/painter.h"
@@ -11,7 +11,7 @@ namespace raywalk::detail {
 
 namespace {
 
-/// Dotted, as no ray is. Where its tip is, in pixels.
+/// Dotted, unlike rays. Returns its tip, in pixels.
 Vec2d draw_arrow(Painter& painter, const Vec2d& from, const Vec2d& arrow) {
   const Vec2d along = Vec2d(arrow.x, -arrow.y) / length(arrow);
   const Vec2d at = painter.pixels(from), tip = at + 150 * painter.sizes.unit * along;
@@ -29,12 +29,12 @@ void draw_predictions(Painter& painter) {
   const int pixel = state.timeline->current_pixel(state.position);
   for (const Prediction& one : state.predictions.judged) {
     const RayRecord& ray = rays[static_cast<std::size_t>(one.of.ray)];
-    if (one.of.what != Foretold::way || ray.pixel != pixel || ray.formed_at > state.position) continue;
+    if (one.of.what != PredictionKind::way || ray.pixel != pixel || ray.formed_at > state.position) continue;
     const Vec2d tip = draw_arrow(painter, origin(one), one.arrow);
     painter.note(tip + Vec2d(0, -12 * painter.sizes.unit),
                  number_text(std::round(one.degrees), state.language) + "\u00b0");
   }
-  if (state.predictions.open && state.predictions.open->of.what == Foretold::way)
+  if (state.predictions.open && state.predictions.open->of.what == PredictionKind::way)
     draw_arrow(painter, origin(*state.predictions.open), state.predictions.open->arrow);
 }
 
@@ -43,7 +43,7 @@ void draw_predictions(Painter& painter) {
 void draw_guess(Painter& painter) {
   const State& state = painter.state;
   if (const std::optional<Vec2d> asked_from = aim_origin(state)) {
-    // Where to take hold: a ring that breathes room around the hit.
+    // The handle: a ring with some room around the hit.
     const double ring = 11 * painter.sizes.unit;
     painter.add(CircleItem{painter.pixels(*asked_from), ring, {}, painter.stroke(painter.colours.selected, 1.6)});
   }

@@ -7,7 +7,7 @@ namespace raywalk::detail {
 
 namespace {
 
-/// With more objects than this only those selected or pointed at show their handles.
+/// With more objects than this, only those selected or hovered show handles.
 constexpr std::size_t few_handled = 12;
 
 void draw_dot(Painter& painter, const Target& target) {
@@ -20,7 +20,7 @@ void draw_dot(Painter& painter, const Target& target) {
   painter.keep_free(at, painter.sizes.handle);
 }
 
-/// A ring on a stalk: it turns what it stands on.
+/// A ring on a stalk: rotates its object.
 void draw_rotation(Painter& painter, const Target& target, const Prism<double>& prism) {
   const Vec2d centre = painter.pixels(centroid(prism));
   const Vec2d at = painter.pixels(place_of(painter.state, target, painter.viewport));
@@ -36,7 +36,7 @@ void draw_view_direction(Painter& painter) {
   const Vec2d from = painter.pixels(place_of(painter.state, {TargetKind::screen_distance}, painter.viewport));
   const Vec2d to = painter.pixels(place_of(painter.state, target, painter.viewport));
   painter.add(LineItem{from, to, painter.outline(target, painter.colours.handle), 8 * painter.sizes.unit});
-  // No name stands across the arrow.
+  // Keeps names off the arrow.
   constexpr int pieces = 4;
   for (int i = 0; i <= pieces; ++i)
     painter.keep_free(from + static_cast<double>(i) / pieces * (to - from), length(to - from) / pieces / 2);
@@ -52,7 +52,7 @@ void draw_handles(Painter& painter) {
     const auto concerns = [&](const Target& target) { return belongs_to_object(target) && target.index == index; };
     if (scene.objects.size() > few_handled && !concerns(painter.state.selected) && !concerns(painter.state.hovered))
       continue;
-    if (!scene.objects[i].transform.empty()) continue;  // its own handles are not where it is
+    if (!scene.objects[i].transform.empty()) continue;  // its handles would be elsewhere
     std::visit(Overloaded{
                    [&](const Sphere<double>&) { draw_dot(painter, {TargetKind::radius, index}); },
                    [](const auto&) {},

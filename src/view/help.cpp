@@ -14,7 +14,7 @@ struct Section {
   std::vector<Entry> entries;
 };
 
-/// In the order in which they are read.
+/// In reading order.
 const std::vector<Section>& sections() {
   static const std::vector<Section> all{
       {"help.what.title", {{"", "help.what.text"}}},

@@ -12,8 +12,8 @@ std::size_t bytes_of(const Scene& scene) {
   return bytes;
 }
 
-/// Drops the oldest entries beyond the bounds. Both stacks hold neighbouring versions of one scene, so the size of the
-/// present one stands for all.
+/// Drops the oldest entries beyond the bounds. Both stacks hold similar versions of one scene, so the size of the
+/// current one is used for all.
 void trim(State& state) {
   const std::size_t by_bytes = undo_bytes / bytes_of(state.scene());
   const std::size_t most = std::max<std::size_t>(1, std::min(undo_entries, by_bytes));
@@ -35,7 +35,7 @@ void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to
 void replace_scene(State& state, Scene next) {
   if (!state.saved) state.saved = std::move(state.document.scene);
   state.document.scene = std::move(next);
-  state.worlds = std::make_shared<Worlds>();
+  state.worlds = std::make_shared<WorldCache>();
   ++state.revision;
   state.dirty = state.document.scene != *state.saved;
   if (!state.dirty) state.saved.reset();
@@ -59,7 +59,7 @@ void commit(State& state, Scene next, EditMark mark, bool continues) {
 }
 
 std::string why_refused(const Scene& scene, int object, int light) {
-  // The format's own reader and writer know every rule: ask them about a scene of just these parts.
+  // The format's own reader and writer know every rule: checks a scene of just these parts with them.
   Scene part = scene;
   part.objects.clear();
   part.lights.clear();
@@ -80,7 +80,7 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 }
 
 void undo(State& state) {
-  // A hunt is the last thing that was done, once all that was done in it is undone.
+  // Once all edits in a hunt are undone, undo leaves the hunt.
   if (state.undo.empty() && state.bugs.hunt) return leave_hunt(state);
   step_history(state, state.undo, state.redo, "notice.nothing_to_undo");
 }

@@ -1,5 +1,5 @@
-// Each name in the free place nearest to where a reader looks for it: on its body, else beside it, in two lines or at
-// the end of a thin line where one line beside it would cover something or seem to name a neighbour.
+// Places each name where a reader looks for it: on its body, else beside it, in two lines or at the end of a leader
+// line if one line beside it would cover something or seem to name a neighbour.
 
 #include "view/labels_place.h"
 
@@ -12,17 +12,17 @@ namespace raywalk::detail {
 
 namespace {
 
-Box box_of(const Vec2d& middle, const Vec2d& half) { return {middle - half, middle + half}; }
+PixelRect box_of(const Vec2d& middle, const Vec2d& half) { return {middle - half, middle + half}; }
 
-/// How far apart two boxes are, 0 where they touch.
-double apart(const Box& a, const Box& b) {
+/// The distance of two boxes, 0 if they touch.
+double apart(const PixelRect& a, const PixelRect& b) {
   const double dx = std::max({a.min.x - b.max.x, b.min.x - a.max.x, 0.0});
   const double dy = std::max({a.min.y - b.max.y, b.min.y - a.max.y, 0.0});
   return std::hypot(dx, dy);
 }
 
 struct Filled {
-  Box box;
+  PixelRect box;
   Colour fill;
 };
 
@@ -31,14 +31,14 @@ std::optional<Filled> filled(const Shape2d& shape) {
     return Filled{box_of(circle->centre, Vec2d(circle->radius)), *circle->fill};
   const auto* polygon = std::get_if<PolygonItem>(&shape);
   if (polygon == nullptr || !polygon->fill || polygon->points.empty()) return std::nullopt;
-  Box box{polygon->points.front(), polygon->points.front()};
+  PixelRect box{polygon->points.front(), polygon->points.front()};
   for (const Vec2d& p : polygon->points)
     box = {{std::min(box.min.x, p.x), std::min(box.min.y, p.y)}, {std::max(box.max.x, p.x), std::max(box.max.y, p.y)}};
   return Filled{box, *polygon->fill};
 }
 
-/// The width of letters in the window's font, a little more than it is. text_width() is half as much again: room kept
-/// for other fonts, which would keep names off bodies that they fit on.
+/// The width of a text in the window's font, slightly overestimated. text_width() is 50% more, for other fonts, which
+/// would keep names off bodies that they fit on.
 double width_of(const std::string& text, double size) {
   const auto letter = [](char c) {
     switch (c) {
@@ -68,8 +68,8 @@ double width_of(const std::string& text, double size) {
   return std::min(width, text_width(text, size));
 }
 
-/// Share of a label's box that a body covers, by samples.
-double covered(const Body& body, const Box& label) {
+/// Fraction of a label's box that a body covers, by samples.
+double covered(const DrawnBody& body, const PixelRect& label) {
   if (body.box.overlap(label) <= 0) return 0;
   constexpr int columns = 8, rows = 2;
   int inside = 0;
@@ -82,9 +82,9 @@ double covered(const Body& body, const Box& label) {
   return static_cast<double>(inside) / ((columns + 1) * (rows + 1));
 }
 
-/// Distance in pixels from a label's box to what a body draws, 0 where they touch; anything above `most` where it is
-/// more than that.
-double distance_to_box(const Body& body, const Box& label, double most) {
+/// Distance in pixels from a label's box to a body's drawing, 0 if they touch; any value above `most` if it exceeds
+/// that.
+double distance_to_box(const DrawnBody& body, const PixelRect& label, double most) {
   if (const double least = apart(body.box, label); least > most) return least;
   constexpr int columns = 8;
   double least = std::numeric_limits<double>::infinity();
@@ -94,15 +94,15 @@ double distance_to_box(const Body& body, const Box& label, double most) {
   return least;
 }
 
-/// How far a label stands from its own body, and from the nearest other one.
+/// A label's distance from its own body, and from the nearest other one.
 struct Distances {
   double own = 0, other = std::numeric_limits<double>::infinity();
 };
 
-Distances distances(const std::vector<Body>& bodies, const Target& own, const Box& label, double crowded) {
+Distances distances(const std::vector<DrawnBody>& bodies, const Target& own, const PixelRect& label, double crowded) {
   Distances all;
   if (own) all.own = std::numeric_limits<double>::infinity();
-  for (const Body& body : bodies) {
+  for (const DrawnBody& body : bodies) {
     const bool is_own = own && body.item.target == own;
     double& least = is_own ? all.own : all.other;
     least = std::min(least, distance_to_box(body, label, is_own ? least : std::min(least, crowded)));
@@ -111,8 +111,8 @@ Distances distances(const std::vector<Body>& bodies, const Target& own, const Bo
   return all;
 }
 
-/// From the edge of a label into a body as far as its edge cannot be mistaken for its neighbour's.
-std::array<Vec2d, 2> line_to(const Body& body, const Vec2d& middle, const Box& label, double unit) {
+/// From the edge of a label into a body, far enough that the body is unambiguous.
+std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const PixelRect& label, double unit) {
   const Vec2d from(std::clamp(middle.x, label.min.x, label.max.x), std::clamp(middle.y, label.min.y, label.max.y));
   const Vec2d way = middle - from;
   const double whole = length(way);
@@ -127,7 +127,8 @@ std::array<Vec2d, 2> line_to(const Body& body, const Vec2d& middle, const Box& l
 
 class Places {
  public:
-  Places(const Painter& painter, const std::vector<Body>& bodies, const Labelled& thing, std::vector<Box> names)
+  Places(const Painter& painter, const std::vector<DrawnBody>& bodies, const Labelled& thing,
+         std::vector<PixelRect> names)
       : painter_(painter),
         bodies_(bodies),
         thing_(thing),
@@ -136,9 +137,9 @@ class Places {
         letterings_(letterings(thing.text, painter.sizes.text)),
         area_(area(letterings_.front())) {}
 
-  /// Its place on its own body, if there is one.
+  /// Its place on its own body, if it fits.
   [[nodiscard]] LabelPlace on_body() {
-    for (const Lettering& letters : letterings_) {
+    for (const NameLines& letters : letterings_) {
       if (thing_.body && thing_.solid && covers_own(box_of(thing_.at, letters.half + 2 * unit_)) == 1)
         consider({thing_.at, letters, true}, 0);
       if (best_.on_body && good()) break;
@@ -148,32 +149,32 @@ class Places {
 
   [[nodiscard]] LabelPlace best() {
     if (on_body().on_body && good()) return best_;
-    // Names in two lines and far ones only where nothing simpler is good.
+    // Two lines and distant places only if nothing simpler is good.
     constexpr double near = 5;
     for (const double gap : {near, 4 * near, 8 * near, 12 * near})
-      for (const Lettering& letters : letterings_) {
+      for (const NameLines& letters : letterings_) {
         if (good()) return best_;
-        const double dearer = (letters.lines.size() > 1 ? 0.05 : 0) + (gap > near ? 0.1 + 0.006 * gap : 0);
-        beside(letters, gap * unit_, dearer * area_, gap > near);
+        const double extra_cost = (letters.lines.size() > 1 ? 0.05 : 0) + (gap > near ? 0.1 + 0.006 * gap : 0);
+        beside(letters, gap * unit_, extra_cost * area_, gap > near);
         if (!thing_.body) break;
       }
     return best_;
   }
 
  private:
-  static double area(const Lettering& letters) { return 4 * letters.half.x * letters.half.y; }
-  /// Nothing is covered, and nobody else is near.
+  static double area(const NameLines& letters) { return 4 * letters.half.x * letters.half.y; }
+  /// Nothing is covered, and no other body is near.
   [[nodiscard]] bool good() const { return best_.cost < 0.3 * area_; }
 
-  [[nodiscard]] double covers_own(const Box& label) const {
+  [[nodiscard]] double covers_own(const PixelRect& label) const {
     double most = 0;
-    for (const Body& body : bodies_)
+    for (const DrawnBody& body : bodies_)
       if (body.item.target == thing_.body) most = std::max(most, covered(body, label));
     return most;
   }
 
-  /// Whether a name on its own body may stand on this one too: it is that, or lies all around it, like a floor.
-  [[nodiscard]] bool is_ground(const Body& body) const {
+  /// Whether a name on its own body may lie on this one too: it is the same, or surrounds it, like a floor.
+  [[nodiscard]] bool is_ground(const DrawnBody& body) const {
     if (body.item.target == thing_.body) return true;
     const Vec2d low = thing_.at - thing_.half, high = thing_.at + thing_.half;
     const Vec2d size = body.box.max - body.box.min, own = high - low;
@@ -183,24 +184,24 @@ class Places {
   }
 
   [[nodiscard]] double hidden_at(const LabelPlace& place) const {
-    const Box box = place.box();
+    const PixelRect box = place.box();
     const double own_area = area(place.letters);
     double hidden = 4 * (own_area - box.overlap(painter_.pane()));
-    for (const Box& taken : painter_.kept_free) hidden += box.overlap(taken);
-    for (const Box& name : names_) hidden += 4 * box.overlap(name);
-    for (const Body& body : bodies_)
+    for (const PixelRect& taken : painter_.kept_free) hidden += box.overlap(taken);
+    for (const PixelRect& name : names_) hidden += 4 * box.overlap(name);
+    for (const DrawnBody& body : bodies_)
       if (!place.on_body || !is_ground(body)) {
         hidden += 1.5 * own_area * covered(body, box);
-        // A small thing covers little of a name, which may hide all of it.
+        // A small thing covers little of a name, but the name may hide all of it.
         const Vec2d size = body.box.max - body.box.min;
         hidden += own_area * body.box.overlap(box) / std::max(size.x * size.y, 1.0);
       }
     return hidden;
   }
 
-  /// How easily a label is taken for that of another body, 0..1: much where another is nearer than its own, a little
-  /// where another is near at all.
-  [[nodiscard]] double mistakable(const Box& label) const {
+  /// How easily a label is mistaken for that of another body, 0..1: high if another is nearer than its own, low if
+  /// another is near at all.
+  [[nodiscard]] double mistakable(const PixelRect& label) const {
     const double crowded = 60 * unit_;
     const Distances away = distances(bodies_, thing_.body, label, crowded);
     const double enough = 2 * away.own + 4 * unit_;
@@ -208,29 +209,29 @@ class Places {
                     0.3 * std::max(0.0, 1 - away.other / crowded));
   }
 
-  /// The same at the end of a line, which leaves little doubt unless the name all but touches another body.
-  [[nodiscard]] double touching(const Box& label) const {
+  /// The same at the end of a line, which is unambiguous unless the name almost touches another body.
+  [[nodiscard]] double touching(const PixelRect& label) const {
     const double near = 12 * unit_;
     return 0.5 * std::max(0.0, 1 - distances(bodies_, thing_.body, label, near).other / near);
   }
 
-  /// Whether the line from there to its body runs over another one, whose name it would seem to be.
-  [[nodiscard]] bool crosses(const Box& label) const {
+  /// Whether its leader line crosses another body, which it would then seem to name.
+  [[nodiscard]] bool crosses(const PixelRect& label) const {
     const auto own =
-        std::find_if(bodies_.begin(), bodies_.end(), [&](const Body& b) { return b.item.target == thing_.body; });
+        std::find_if(bodies_.begin(), bodies_.end(), [&](const DrawnBody& b) { return b.item.target == thing_.body; });
     if (own == bodies_.end()) return false;
     const auto [from, to] = line_to(*own, thing_.at, label, unit_);
     constexpr int steps = 12;
-    for (const Body& body : bodies_)
+    for (const DrawnBody& body : bodies_)
       for (int i = 0; i < steps && !is_ground(body); ++i)
         if (distance_to(body.item, from + static_cast<double>(i) / steps * (to - from)) == 0) return true;
     return false;
   }
 
-  void consider(LabelPlace place, double dearer, bool led = false) {
+  void consider(LabelPlace place, double extra_cost, bool led = false) {
     const double hidden = hidden_at(place);
     place.hidden = hidden / area(place.letters);
-    place.cost = hidden + dearer;
+    place.cost = hidden + extra_cost;
     if (place.cost >= best_.cost) return;
     if (!place.on_body) place.cost += area_ * (led ? touching(place.box()) : mistakable(place.box()));
     if (led && place.cost < best_.cost && crosses(place.box())) {
@@ -240,9 +241,8 @@ class Places {
     if (place.cost < best_.cost) best_ = std::move(place);
   }
 
-  /// How far from the middle of its thing, in this direction, a label stands clear of it, as part of the way beside the
-  /// box around it. A slanted wall's box is mostly empty, so its label may stand nearer; at a slant the way may be too
-  /// short.
+  /// The distance from the middle of its thing, in this direction, at which a label is clear of it, relative to that
+  /// beside its bounding box. A slanted wall's box is mostly empty, so its label may be nearer.
   [[nodiscard]] double clear_at(const Vec2d& half, const Vec2d& way) const {
     if (!thing_.body) return 1;
     constexpr int steps = 16;
@@ -254,20 +254,19 @@ class Places {
     return most;
   }
 
-  /// Beside the thing, first where a reader looks first: below or above, at the sides, with an edge of the two in line,
-  /// and at the corners.
-  void beside(const Lettering& letters, double gap, double dearer, bool led) {
+  /// Beside the thing, in order of preference: below or above, at the sides, with aligned edges, and at the corners.
+  void beside(const NameLines& letters, double gap, double extra_cost, bool led) {
     const Vec2d half = letters.half;
     const double dx = thing_.half.x + half.x + gap, dy = thing_.half.y + half.y + gap;
     const double first = thing_.above ? -1 : 1;
     const double in_line_x = std::abs(thing_.half.x - half.x), in_line_y = std::abs(thing_.half.y - half.y);
     double order = 0;
-    // At the end of a line one side is as good as another.
+    // At the end of a leader line all sides are nearly equal.
     const double weight = led ? 0.2 : 1;
     const auto try_all = [&](const std::vector<Vec2d>& ways, double more) {
       for (const Vec2d& way : ways)
         consider({thing_.at + clear_at(half + gap, way) * way, letters},
-                 dearer + weight * (0.02 * ++order + more) * area_, led);
+                 extra_cost + weight * (0.02 * ++order + more) * area_, led);
     };
     try_all({{0, first * dy}, {0, -first * dy}, {dx, 0}, {-dx, 0}}, 0);
     try_all({{in_line_x, first * dy},
@@ -285,19 +284,19 @@ class Places {
   }
 
   const Painter& painter_;
-  const std::vector<Body>& bodies_;
+  const std::vector<DrawnBody>& bodies_;
   const Labelled& thing_;
-  std::vector<Box> names_;  ///< of the others
+  std::vector<PixelRect> names_;  ///< of the others
   double unit_;
-  std::vector<Lettering> letterings_;
-  double area_;  ///< of the name in one line, pixels: what costs are measured by
+  std::vector<NameLines> letterings_;
+  double area_;  ///< of the name in one line, in pixels: the unit of costs
   LabelPlace best_;
 };
 
 }  // namespace
 
-std::vector<Lettering> letterings(const std::string& text, double size) {
-  std::vector<Lettering> all{{{text}, {width_of(text, size) / 2, size / 2}}};
+std::vector<NameLines> letterings(const std::string& text, double size) {
+  std::vector<NameLines> all{{{text}, {width_of(text, size) / 2, size / 2}}};
   double narrowest = all.front().half.x;
   for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
     const std::string first = text.substr(0, at), second = text.substr(at + 1);
@@ -310,7 +309,7 @@ std::vector<Lettering> letterings(const std::string& text, double size) {
   return all;
 }
 
-void draw_letters(Painter& painter, const Vec2d& middle, const Lettering& letters, Colour colour) {
+void draw_letters(Painter& painter, const Vec2d& middle, const NameLines& letters, Colour colour) {
   const double size = painter.sizes.text;
   const auto count = static_cast<double>(letters.lines.size());
   double line = 0;
@@ -319,8 +318,8 @@ void draw_letters(Painter& painter, const Vec2d& middle, const Lettering& letter
         TextItem{middle + Vec2d(0, (line++ - (count - 1) / 2) * size), words, size, colour, TextAnchor::middle});
 }
 
-std::vector<Body> drawn_bodies(const DisplayList& list) {
-  std::vector<Body> bodies;
+std::vector<DrawnBody> drawn_bodies(const DisplayList& list) {
+  std::vector<DrawnBody> bodies;
   for (const DisplayItem& item : list)
     if (item.target.kind == TargetKind::object)
       if (const auto drawn = filled(item.shape)) bodies.push_back({item, drawn->box, drawn->fill});
@@ -331,19 +330,19 @@ bool is_shown(const Labelled& thing, const LabelPlace& place) {
   return !place.letters.lines.empty() && (place.on_body || thing.wanted || place.hidden <= 0.6);
 }
 
-std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<Body>& bodies,
+std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<DrawnBody>& bodies,
                                      const std::vector<Labelled>& things) {
   std::vector<LabelPlace> places(things.size());
   const double margin = 2.5 * painter.sizes.unit;
   const auto names_but = [&](std::size_t own) {
-    std::vector<Box> names;
+    std::vector<PixelRect> names;
     for (std::size_t k = 0; k < places.size(); ++k)
       if (k != own && is_shown(things[k], places[k]))
         names.push_back({places[k].box().min - margin, places[k].box().max + margin});
     return names;
   };
-  // What fits onto its body needs no other place, and of the others a long name has the fewest. Twice: the first ones
-  // chose before they knew where the last ones would have to go.
+  // Names that fit onto their bodies first, then long names, which have the fewest places. Two passes: in the first,
+  // the later places are not yet known.
   std::vector<std::size_t> order(things.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<double> turn;
@@ -358,12 +357,12 @@ std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<B
   return places;
 }
 
-std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std::vector<Body>& bodies,
+std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std::vector<DrawnBody>& bodies,
                                               const Labelled& thing, const LabelPlace& place) {
   const double unit = painter.sizes.unit;
   if (!thing.body || place.on_body) return std::nullopt;
   const auto own =
-      std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.item.target == thing.body; });
+      std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == thing.body; });
   if (own == bodies.end()) return std::nullopt;
   const Distances away = distances(bodies, thing.body, place.box(), 60 * unit);
   if (away.own <= 14 * unit && away.other > away.own + 2 * unit) return std::nullopt;

@@ -10,10 +10,10 @@ namespace raywalk::detail {
 
 namespace {
 
-/// With more objects than this only those selected or pointed at are named.
+/// With more objects than this, only those selected or hovered are named.
 constexpr std::size_t few_objects = 40;
 
-/// Relative luminance and contrast as the WCAG 2.1 define them.
+/// Relative luminance and contrast as defined in WCAG 2.1.
 double luminance(Colour c) {
   const auto linear = [](std::uint8_t byte) {
     const double v = byte / 255.0;
@@ -27,16 +27,16 @@ double contrast(Colour a, Colour b) {
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// What is seen there without rays: the plan's ground under the bodies, each of which may let it through.
-Colour ground_at(const Painter& painter, const std::vector<Body>& bodies, const Vec2d& at) {
+/// The colour there without rays: the plan's background under the bodies, which may be translucent.
+Colour ground_at(const Painter& painter, const std::vector<DrawnBody>& bodies, const Vec2d& at) {
   Colour ground = painter.colours.plan;
-  for (const Body& body : bodies)
+  for (const DrawnBody& body : bodies)
     if (distance_to(body.item, at) == 0) ground = mix(ground, body.fill.with_alpha(255), body.fill.a / 255.0);
   return ground;
 }
 
-/// Black or white, whichever is easier to read on all of the ground that a label has.
-Colour readable_on(const Painter& painter, const std::vector<Body>& bodies, const Box& label) {
+/// Black or white, whichever is more legible on the background of a label.
+Colour readable_on(const Painter& painter, const std::vector<DrawnBody>& bodies, const PixelRect& label) {
   constexpr Colour black{0, 0, 0}, white{255, 255, 255};
   double on_black = 1e9, on_white = 1e9;
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -48,7 +48,7 @@ Colour readable_on(const Painter& painter, const std::vector<Body>& bodies, cons
   return on_black > on_white ? black : white;
 }
 
-void add_objects(const Painter& painter, const std::vector<Body>& bodies, std::vector<Labelled>& things) {
+void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, std::vector<Labelled>& things) {
   const State& state = painter.state;
   for (std::size_t i = 0; i < painter.scene().objects.size(); ++i) {
     const Object& object = painter.scene().objects[i];
@@ -60,15 +60,15 @@ void add_objects(const Painter& painter, const std::vector<Body>& bodies, std::v
                    false,
                    target,
                    !object.material.transmits(),
-                   state.selected == target || state.hovered == target};  // pointed at, it still says its name
+                   state.selected == target || state.hovered == target};  // its name is still shown on hover
     const auto body =
-        std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.item.target == target; });
+        std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == target; });
     if (body != bodies.end()) {
       thing.at = painter.pixels(place_of(state, target, painter.viewport));
       thing.half = {std::max(body->box.max.x - thing.at.x, thing.at.x - body->box.min.x),
                     std::max(body->box.max.y - thing.at.y, thing.at.y - body->box.min.y)};
     } else {
-      // A wall; what is neither drawn as a body nor as a wall has no name here.
+      // A wall; objects drawn neither as body nor as wall have no name here.
       const auto* plane = std::get_if<Plane<double>>(&object.shape);
       const auto line = plane != nullptr && object.transform.empty() ? plan_line(*plane) : std::nullopt;
       if (!line) continue;
@@ -80,7 +80,7 @@ void add_objects(const Painter& painter, const std::vector<Body>& bodies, std::v
   }
 }
 
-std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<Body>& bodies) {
+std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<DrawnBody>& bodies) {
   const double unit = painter.sizes.unit;
   const Camera& camera = painter.scene().camera;
   const ScreenPlace screen = screen_place(camera);
@@ -104,17 +104,17 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
 
 void draw_labels(Painter& painter) {
   const double gap = 5 * painter.sizes.unit;
-  const std::vector<Body> bodies = drawn_bodies(painter.list);
+  const std::vector<DrawnBody> bodies = drawn_bodies(painter.list);
   std::vector<Labelled> things = labelled_things(painter, bodies);
   std::erase_if(things, [&](const Labelled& thing) {
-    return thing.text.empty() || Box{thing.at - thing.half, thing.at + thing.half}.overlap(painter.pane()) <= 0;
+    return thing.text.empty() || PixelRect{thing.at - thing.half, thing.at + thing.half}.overlap(painter.pane()) <= 0;
   });
   const std::vector<LabelPlace> places = place_labels(painter, bodies, things);
   for (std::size_t i = 0; i < things.size(); ++i) {
     const Labelled& thing = things[i];
     const LabelPlace& place = places[i];
     if (!is_shown(thing, place)) continue;
-    const Box box = place.box();
+    const PixelRect box = place.box();
     painter.kept_free.push_back({box.min - gap / 2, box.max + gap / 2});
     if (place.on_body) {
       draw_letters(painter, place.at, place.letters, readable_on(painter, bodies, box));

@@ -26,7 +26,7 @@ std::optional<double> number_of(const LessonSitting& sitting, const NumberQuesti
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
-/// The direction that an arrow has to have, as the plan shows it.
+/// The correct direction of an arrow, in the plan.
 std::optional<Vec2d> direction_of(const LessonSitting& sitting) {
   const PlayedStep& step = *sitting.at();
   const EventDetail& detail = step.walk->timeline.event(step.shown - 1).detail;
@@ -48,14 +48,14 @@ bool choice_holds(const LessonSitting& sitting, const Formula& choice) {
   return value && holds(*value);
 }
 
-/// A question that is answered by the walk itself, and not known yet.
+/// A question that the walk itself will answer, not yet answered.
 bool is_open_question(const LessonSitting& sitting) {
   const PlayedStep* step = sitting.at();
   return step != nullptr && step->step->question && !sitting.revealed &&
          !std::holds_alternative<LineQuestion>(*step->step->question);
 }
 
-/// When a presenter is through with the step, of the time that the whole takes.
+/// When a presenter finishes the step, and the total time.
 std::string time_of(const LessonSitting& sitting, const LessonWords& words, Language language) {
   const Lesson& lesson = sitting.open->lesson;
   const auto step = static_cast<std::size_t>(sitting.step);

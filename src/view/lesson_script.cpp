@@ -15,7 +15,7 @@ namespace raywalk {
 
 namespace {
 
-/// What a passage is to the presenter.
+/// The role of a passage for the presenter.
 enum class Role { screen, say, ask, answer, teacher, change };
 
 std::string_view name_of(Role role) {
@@ -38,14 +38,14 @@ std::string_view name_of(Role role) {
 
 struct ScriptLine {
   Role role;
-  std::string text;  ///< as a passage's: paragraphs, items of lists begin with "- "
+  std::string text;  ///< as in a passage: paragraphs, list items begin with "- "
 };
 struct ScriptStep {
   std::string heading, time;
   std::vector<ScriptLine> lines;  ///< none is empty
 };
 
-/// The question with its choices, and what is right.
+/// The question with its choices, and the right answer.
 std::string question_of(const PlayedLesson& played, std::size_t i, const StepWords& said, Language language) {
   const PlayedStep& step = played.steps[i];
   const auto filled_in = [&](const Passage& passage) {
@@ -95,7 +95,7 @@ std::vector<ScriptStep> steps_of(const PlayedLesson& played, const LessonWords& 
   return steps;
 }
 
-/// Words with `code` between marks as HTML.
+/// Words with `code` in backquotes as HTML.
 std::string inline_html(std::string_view text) {
   std::string html = escaped(text);
   bool open = false;
@@ -106,7 +106,7 @@ std::string inline_html(std::string_view text) {
   return html;
 }
 
-/// "- word" and "2. word" are items of lists; where the item's words begin, or 0.
+/// Where the words of a list item ("- word" or "2. word") begin, or 0.
 std::size_t item_at(std::string_view line) {
   if (line.starts_with("- ")) return 2;
   return line.size() > 3 && line[0] >= '1' && line[0] <= '9' && line.substr(1, 2) == ". " ? 3 : 0;
@@ -114,7 +114,7 @@ std::size_t item_at(std::string_view line) {
 
 std::string passage_html(std::string_view passage) {
   std::string html;
-  std::string_view list;  // the tag of the list under way
+  std::string_view list;  // the tag of the current list
   while (!passage.empty()) {
     const std::size_t end = std::min(passage.find('\n'), passage.size());
     const std::string_view line = passage.substr(0, end);
@@ -145,7 +145,7 @@ std::string markdown(const LessonWords& words, const std::vector<ScriptStep>& st
   return all;
 }
 
-// What is said stands largest: it is read at arm's length. Paper gets no step broken over two pages.
+// Spoken words are largest: they are read at arm's length. Printed steps are not broken over pages.
 constexpr std::string_view script_style = R"(
 body{max-width:46rem;margin:1.5rem auto;padding:0 1rem;color:#111;background:#fff;
 font:17px/1.45 Inter,Helvetica,Arial,sans-serif}

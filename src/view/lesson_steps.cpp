@@ -1,4 +1,4 @@
-// What the lesson actions do.
+// Implements the lesson actions.
 
 #include "io/file.h"
 #include "view/lesson_panel.h"
@@ -15,14 +15,14 @@ namespace raywalk::detail {
 
 namespace {
 
-constexpr std::size_t most_progress = 1 << 16;  // bytes
+constexpr std::size_t max_progress = 1 << 16;  // bytes
 
 std::string progress_path(const State& state) { return state.state_dir + "/lessons.json"; }
 
-/// Progress is a convenience: what cannot be read or written is left out.
+/// Progress is a convenience: failures are ignored.
 void read_progress(State& state) {
   if (state.state_dir.empty()) return;
-  const auto bytes = read_file(progress_path(state), most_progress);
+  const auto bytes = read_file(progress_path(state), max_progress);
   if (!bytes) return;
   const auto json = nlohmann::json::parse(*bytes, nullptr, false);
   if (!json.is_object()) return;
@@ -57,7 +57,7 @@ void read_list(State& state) {
   }
 }
 
-/// Where the walk of this step began: at its own pixel, or at that of a step before it in the same walk.
+/// The first pixel of this step's walk: its own, or that of an earlier step in the same walk.
 int first_pixel(const LessonSitting& sitting) {
   const std::vector<PlayedStep>& steps = sitting.open->played.steps;
   for (int i = sitting.step; i >= 0; --i) {
@@ -68,7 +68,7 @@ int first_pixel(const LessonSitting& sitting) {
   return 0;
 }
 
-/// Puts the step's walk on the screen, at the place where it asks.
+/// Shows the step's walk, at the position of the question.
 void stage(State& state) {
   const PlayedStep& step = *state.lessons.at();
   const LessonWalk& walk = *step.walk;
@@ -119,7 +119,7 @@ void show_lessons(State& state, bool shown) {
   const bool opens = shown && !state.lessons.shown;
   state.lessons.shown = shown;
   if (!shown) {
-    // Nobody would know any more why the tracer is broken.
+    // A fault without its lesson would be confusing.
     if (state.lessons.at() != nullptr) set_bug(state, std::nullopt);
     return;
   }
@@ -139,7 +139,7 @@ void begin_lesson(State& state, const std::string& name) {
   if (opened->played.steps.empty())
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
   if (!sitting.open && !saved_scene(state).objects.empty()) {
-    // What is unsaved was asked about, and given up.
+    // Unsaved work was asked about, and discarded.
     OwnScene own{state.document, state.path, mode};
     own.document.scene = saved_scene(state);
     sitting.own = std::make_shared<const OwnScene>(std::move(own));
@@ -158,7 +158,7 @@ void open_lesson(State& state, const std::string& name) {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
   if (row == rows.end()) return;
   if (row->locked) return inform(state, std::string(text("lesson.locked", state.language)));
-  // What is changed during a lesson belongs to the lesson.
+  // Changes during a lesson belong to the lesson.
   if (state.lessons.open) state.dirty = false;
   ask_or_do(state, Intent::lesson, name);
 }
@@ -244,7 +244,7 @@ void reveal_lesson(State& state) {
     sitting.revealed = true;
   }
   if (state.bug) state.bug->known = true;
-  // An answer that takes several pixels shows the rays of all.
+  // An answer over several pixels shows the rays of all.
   const PlayedStep& step = *sitting.at();
   if (state.timeline->current_pixel(step.shown) != state.timeline->current_pixel(step.asked)) sitting.first_pixel = 0;
   go_to(state, step.shown);

@@ -12,7 +12,7 @@ namespace raywalk::detail {
 
 namespace {
 
-/// How large an object is; what has no end is largest.
+/// An object's size; infinite ones are largest.
 double extent(const Object& object) {
   const Bounds<double> box = bounds(object.shape);
   if (box.empty()) return 0;
@@ -21,7 +21,7 @@ double extent(const Object& object) {
   return length(placed.max - placed.min);
 }
 
-/// An order without any pattern of the scene's own.
+/// A pseudo-random order, independent of the scene's.
 std::uint64_t scrambled(int index) { return mix(static_cast<std::uint64_t>(index)); }
 
 }  // namespace
@@ -33,12 +33,12 @@ Crowd chosen(const Scene& scene) {
   for (const Object& object : scene.objects) extents.push_back(extent(object));
   std::vector<int> order(scene.objects.size());
   std::iota(order.begin(), order.end(), 0);
-  const std::size_t count = std::min(most_drawn, order.size());
+  const std::size_t count = std::min(max_drawn, order.size());
   const auto largest = order.begin() + static_cast<std::ptrdiff_t>(count / 2);
   const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
   const auto extent_of = [&](int i) { return extents[static_cast<std::size_t>(i)]; };
-  // The largest make the picture; without any of the small ones a scene of few large things would look empty of them.
-  // Of equals whichever come, from all over the scene.
+  // The largest dominate the picture; some small ones show that there are any. Ties are broken at random, from all over
+  // the scene.
   std::nth_element(order.begin(), largest, order.end(), [&](int a, int b) {
     return extent_of(a) != extent_of(b) ? extent_of(a) > extent_of(b) : scrambled(a) < scrambled(b);
   });
@@ -50,15 +50,15 @@ Crowd chosen(const Scene& scene) {
 
 std::shared_ptr<const Crowd> crowd_of(const State& state) {
   const std::vector<Object>& objects = state.scene().objects;
-  if (objects.size() <= most_drawn) return nullptr;
-  // Every change of a scene is recorded anew, and a recording is never changed.
-  struct Kept {
+  if (objects.size() <= max_drawn) return nullptr;
+  // Every change of a scene makes a new recording, and recordings are immutable.
+  struct CachedCrowd {
     std::weak_ptr<const Timeline> timeline;
     const Object* objects = nullptr;
     std::size_t count = 0;
     std::shared_ptr<const Crowd> crowd;
   };
-  static Kept kept;
+  static CachedCrowd kept;
   if (!kept.crowd || kept.timeline.lock() != state.timeline || kept.objects != objects.data() ||
       kept.count != objects.size())
     kept = {state.timeline, objects.data(), objects.size(), std::make_shared<const Crowd>(chosen(state.scene()))};

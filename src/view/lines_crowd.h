@@ -1,6 +1,6 @@
 #pragma once
-// Scenes of very many objects in the line view: which of them are drawn. Included by the files of this folder that draw
-// it, and by nobody else.
+// Chooses which objects of very large scenes the line view draws. Included only by the files of this folder that draw
+// it.
 
 #include "view/state.h"
 
@@ -9,12 +9,12 @@
 
 namespace raywalk::detail {
 
-/// Of more objects than this no more are drawn, unless rays have met as many.
-inline constexpr std::size_t most_drawn = 1500;
+/// At most this many objects are drawn, unless rays have hit more.
+inline constexpr std::size_t max_drawn = 1500;
 
-/// What all objects have to be looked at for, and so is found once for each recording of a scene.
+/// Requires a pass over all objects, so it is computed once per recording of a scene.
 struct Crowd {
-  std::vector<int> drawn;  ///< indices in Scene::objects, ascending: half of them the largest, the others spread evenly
+  std::vector<int> drawn;  ///< indices in Scene::objects, ascending: half are the largest, the others spread evenly
   Bounds<double> room;     ///< room_of
   std::vector<Vec3d> at_first;  ///< seen_at_first
 };
@@ -22,7 +22,7 @@ struct Crowd {
 /// Null for a scene whose objects are all drawn.
 [[nodiscard]] std::shared_ptr<const Crowd> crowd_of(const State& state);
 
-/// Of this scene, looked at anew.
+/// Computed for this scene.
 [[nodiscard]] Crowd chosen(const Scene& scene);
 
 }  // namespace raywalk::detail

@@ -19,7 +19,7 @@ namespace {
 
 using namespace detail;
 
-/// With more objects than this those that no ray has met are drawn simply.
+/// With more objects than this, those that no ray has hit are simplified.
 constexpr std::size_t detailed_objects = 300;
 
 class Lines {
@@ -37,7 +37,7 @@ class Lines {
     draw_camera();
     draw_lights();
     for (const StructureEdge& edge : structure_edges(painter_)) line(edge.from, edge.to, edge.stroke);
-    draw_object_names(painter_, seen_);  // below the rays, which matter more
+    draw_object_names(painter_, seen_);  // below the rays, which are more important
     draw_rays();
     return std::move(painter_.list);
   }
@@ -57,7 +57,7 @@ class Lines {
     }
     std::size_t drawn = met.size();
     for (const int i : crowd_->drawn) {
-      if (is_met(i) || drawn >= most_drawn) continue;
+      if (is_met(i) || drawn >= max_drawn) continue;
       draw_object(i, false);
       ++drawn;
     }
@@ -71,18 +71,18 @@ class Lines {
     const bool endless = !bounds(object.shape).bounded();
     const Colour body = body_colour(scene_, object.material).with_alpha(255);
     const Colour ground = painter_.colours.plan;
-    // Strong enough to be seen on the ground, whatever the body's own colour.
+    // Visible on the background, whatever the body's colour.
     const Colour colour = mix(mix(ground, painter_.colours.ink, 0.45), body, 0.5);
     if (!in_full && !endless) return draw_simply(object, target, painter_.outline(target, colour.with_alpha(120), 0.6));
-    const std::vector<Curve> curves = outline_of(object, room_);
-    constexpr std::size_t many_curves = 200;  // of a mesh, which would cover what is behind it
+    const std::vector<Polyline> curves = outline_of(object, room_);
+    constexpr std::size_t many_curves = 200;  // of a mesh, which would hide what is behind it
     const bool faint = endless || curves.size() > many_curves;
     const Stroke stroke = painter_.outline(target, colour.with_alpha(faint ? 70 : 190), faint ? 0.6 : 1);
-    for (const Curve& curve : curves)
+    for (const Polyline& curve : curves)
       for (std::size_t k = 1; k < curve.size(); ++k) line(curve[k - 1], curve[k], stroke, target);
   }
 
-  /// One of so many that each has to do with little: a sphere with its rim, others with the box around them.
+  /// A simplified object: a sphere as its silhouette, others as their box.
   void draw_simply(const Object& object, const Target& target, const Stroke& stroke) {
     const Bounds<double> own = bounds(object.shape);
     if (own.empty()) return;
@@ -92,7 +92,7 @@ class Lines {
       const auto at = seen_.point(middle);
       if (!at) return;
       const double radius = length(box.max - box.min) / (2 * std::sqrt(3.0)) * seen_.pixels_per_unit(middle);
-      const detail::Box around{*at - radius, *at + radius};
+      const detail::PixelRect around{*at - radius, *at + radius};
       if (around.overlap(painter_.pane()) > 0)
         painter_.add(CircleItem{*at, std::max(radius, 0.5), std::nullopt, stroke}, target);
       return;
@@ -121,7 +121,7 @@ class Lines {
     painter_.add(TextItem{at, said, size, painter_.colours.dim_text});
   }
 
-  /// Those that rays drawn now have hit, ascending.
+  /// Objects hit by the drawn rays, ascending.
   [[nodiscard]] std::vector<int> met_objects() const {
     std::vector<int> met;
     for (const RayRecord& ray : painter_.state.timeline->rays_at(painter_.state.position))
@@ -131,7 +131,7 @@ class Lines {
     return met;
   }
 
-  /// The pyramid from EYE through the picture, and on it the pixel under way.
+  /// The view frustum from EYE, and the current pixel on it.
   void draw_camera() {
     const State& state = painter_.state;
     const Camera& camera = state.walk && state.walk->camera ? *state.walk->camera : scene_.camera;
@@ -158,7 +158,7 @@ class Lines {
       const PixelRecord& record = state.timeline->pixels()[static_cast<std::size_t>(pixel)];
       const double x = (2.0 * record.column + 1) / state.timeline->image().width - 1;
       const double y = state.walk ? 1 - (2.0 * record.row + 1) / size.height : 0;
-      // A pixel of a large picture would be too small to be seen.
+      // A pixel of a large picture would be too small to see.
       const double w = std::max(1.0 / state.timeline->image().width, 0.03), h = w * aspect;
       rectangle(x - w, y - h, x + w, y + h, painter_.stroke(painter_.colours.next, 1.8));
     }
@@ -228,7 +228,7 @@ class Lines {
       draw_blocked(painter_, to, normalize_flat(to - from), stroke);
   }
 
-  /// Whether the ray is drawn to an end, at a position where that may not be known yet, and where to.
+  /// Whether the ray's end is drawn, at a position where it may not be known yet.
   [[nodiscard]] bool ends_seen(const RayRecord& ray, bool known) const {
     return known ? !ray.endless : ends_at_light(ray);
   }
@@ -244,7 +244,7 @@ class Lines {
            raywalk::middle_of(scene_.lights[static_cast<std::size_t>(ray.light)]).has_value();
   }
 
-  /// Those of earlier pixels first, then the pixel's, then what the line just run speaks of and what is pointed at.
+  /// Rays of earlier pixels first, then the current pixel's, then the current ray and the hovered one.
   void draw_rays() {
     const State& state = painter_.state;
     const Timeline& timeline = *state.timeline;
@@ -272,10 +272,10 @@ class Lines {
 
   Painter painter_;
   const Scene& scene_;
-  std::shared_ptr<const Crowd> crowd_;  ///< of very many objects
+  std::shared_ptr<const Crowd> crowd_;  ///< for very many objects
   Bounds<double> room_;
   Projection seen_;
-  double reach_;  ///< length of what goes on for ever
+  double reach_;  ///< drawn length of infinite things
 };
 
 }  // namespace

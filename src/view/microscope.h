@@ -1,6 +1,6 @@
 #pragma once
-// The Microscope panel without a window: the drawing of a hit at any magnification, what robust and naive numerics make
-// of it in a table, and a sentence on what is to be seen.
+// The Microscope panel without a window: the drawing of a hit at any magnification, a table comparing robust and naive
+// numerics, and a sentence on what is visible.
 
 #include "text/language.h"
 #include "timeline/microscope.h"
@@ -22,10 +22,10 @@ struct Magnify {
     ///< Clamped
 }  // namespace action
 
-/// What is under the microscope; none before a ray has met anything.
+/// What is under the microscope; none before the first hit.
 [[nodiscard]] std::shared_ptr<const Specimen> specimen_of(Microscope& microscope, const State& state);
 
-/// By how much the drawing is larger than the whole scene in this pane.
+/// The magnification relative to the whole scene in this pane.
 [[nodiscard]] double magnification(const State& state, const Specimen& specimen, const Viewport& pane);
 
 /// The surfaces, the ray, the points and the numbers around them.
@@ -42,7 +42,7 @@ struct MicroscopeTable {
 };
 [[nodiscard]] MicroscopeTable microscope_table(const State& state, const Specimen& specimen);
 
-/// "419": a number of ulps, short.
+/// "419": a number of ulps, abbreviated.
 [[nodiscard]] std::string ulps_text(double ulps, Language language);
 /// "× 1.6e+06"
 [[nodiscard]] std::string magnification_text(double factor, Language language);

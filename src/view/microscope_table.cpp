@@ -1,4 +1,4 @@
-// What robust and naive numerics make of a hit, in words.
+// Compares robust and naive numerics at a hit, as text.
 
 #include "view/microscope.h"
 #include "view/state.h"
@@ -27,7 +27,7 @@ std::string off_text(const Specimen& specimen, const std::optional<double>& off,
               {{"ulps", ulps_text(std::abs(ulps), language)}});
 }
 
-/// All digits that tell it from its neighbours; of many the first and the last.
+/// All digits that distinguish it from its neighbours; if many, the first and the last.
 std::string number_of(double t, Precision precision, Language language) {
   const bool single = precision == Precision::float_;
   const std::string digits = typeset_number(single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t), language);
@@ -36,7 +36,7 @@ std::string number_of(double t, Precision precision, Language language) {
   return digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
 }
 
-std::string leaving_text(const LeavingRays& rays, Language language) {
+std::string leaving_text(const SpawnedRays& rays, Language language) {
   if (rays.hit_own == 0 && rays.astray == 0) return std::string(text("microscope.leaves", language));
   if (rays.count == 1)
     return std::string(text(rays.hit_own > 0 ? "microscope.hits_own" : "microscope.goes_astray", language));
@@ -45,11 +45,11 @@ std::string leaving_text(const LeavingRays& rays, Language language) {
               {{"some", own ? rays.hit_own : rays.astray}, {"all", rays.count}});
 }
 
-const LeavingRays* of_kind(const std::optional<Reading>& reading, RayKind kind) {
+const SpawnedRays* of_kind(const std::optional<Reading>& reading, RayKind kind) {
   if (!reading) return nullptr;
-  const auto found = std::find_if(reading->leaving.begin(), reading->leaving.end(),
-                                  [kind](const LeavingRays& rays) { return rays.kind == kind; });
-  return found == reading->leaving.end() ? nullptr : &*found;
+  const auto found = std::find_if(reading->spawned.begin(), reading->spawned.end(),
+                                  [kind](const SpawnedRays& rays) { return rays.kind == kind; });
+  return found == reading->spawned.end() ? nullptr : &*found;
 }
 
 std::string_view short_name(RayKind kind, Language language) {
@@ -66,19 +66,19 @@ std::string_view short_name(RayKind kind, Language language) {
   return {};
 }
 
-bool goes_wrong(const LeavingRays& rays) { return rays.hit_own > 0 || rays.astray > 0; }
+bool goes_wrong(const SpawnedRays& rays) { return rays.hit_own > 0 || rays.astray > 0; }
 
 std::string sentence_on(const Specimen& specimen, Language language) {
   const std::optional<Reading>&robust = specimen.robust, &naive = specimen.naive;
   if (!naive) return std::string(text("microscope.says_missed", language));
   if (!robust) return std::string(text("microscope.says_invented", language));
-  const Start& start = naive->starts.front();
+  const SpawnPoint& start = naive->starts.front();
   const std::string starts = off_text(specimen, start.off, language);
-  for (const LeavingRays& rays : naive->leaving)
+  for (const SpawnedRays& rays : naive->spawned)
     if (rays.hit_own > 0)
       return fill("microscope.says_acne", language,
                   {{"starts", starts}, {"ray", std::string(text(rays.kind, language))}});
-  if (std::any_of(naive->leaving.begin(), naive->leaving.end(), goes_wrong))
+  if (std::any_of(naive->spawned.begin(), naive->spawned.end(), goes_wrong))
     return fill("microscope.says_astray", language, {{"starts", starts}});
   if (!start.right_side()) return fill("microscope.says_wrong_side", language, {{"starts", starts}});
   const double apart = specimen.in_ulps(length(naive->point - robust->point));
@@ -121,7 +121,7 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
     };
     table.rows.push_back({std::move(what), said(specimen.robust), said(specimen.naive), wrong});
   };
-  // Where both meet the same the title says it.
+  // If both hit the same, the title says so.
   const bool alike = specimen.robust && specimen.naive && specimen.robust->object == specimen.naive->object;
   if (!alike)
     table.rows.push_back(
@@ -142,8 +142,8 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
   add(
       std::string(text("microscope.row_start", language)),
       [&](const Reading& r) {
-        const Start& start = r.starts.front();
-        // A robust ray knows the surface that it starts on, whichever side rounding put the point.
+        const SpawnPoint& start = r.starts.front();
+        // A robust ray knows its source surface, on whichever side rounding put the point.
         const bool knows = specimen.robust && &r == &*specimen.robust;
         return start.place == r.point && (knows || start.right_side())
                    ? std::string(text("microscope.at_point", language))
@@ -151,9 +151,9 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
       },
       specimen.naive && !specimen.naive->starts.front().right_side());
   for (const RayKind kind : {RayKind::shadow, RayKind::reflect, RayKind::refract}) {
-    const LeavingRays *robust = of_kind(specimen.robust, kind), *naive = of_kind(specimen.naive, kind);
+    const SpawnedRays *robust = of_kind(specimen.robust, kind), *naive = of_kind(specimen.naive, kind);
     if (robust == nullptr && naive == nullptr) continue;
-    const auto said = [&](const LeavingRays* rays) {
+    const auto said = [&](const SpawnedRays* rays) {
       return rays != nullptr ? leaving_text(*rays, language) : std::string(text("microscope.none", language));
     };
     table.rows.push_back(

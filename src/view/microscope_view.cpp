@@ -1,5 +1,5 @@
-// A hit under the numerical microscope, drawn: everything is measured from the point itself, so that nothing is lost
-// however far it is magnified.
+// Draws a hit under the numerical microscope: everything is relative to the point itself, so that no digits are lost at
+// any magnification.
 
 #include "view/microscope.h"
 
@@ -16,7 +16,7 @@ namespace raywalk {
 
 namespace {
 
-constexpr double widest_cell = 34;  // pixels at scale 1, where an ulp is seen largest
+constexpr double widest_cell = 34;  // pixels at scale 1 at the highest magnification
 
 double pixels_per_unit(const State& state, const Viewport& pane) {
   return fit(state.scene(), pane, Sizes(state).unit).pixels_per_unit;
@@ -40,7 +40,7 @@ class Drawing {
     draw_ray();
     draw_leaving(specimen_.robust, false);
     draw_leaving(specimen_.naive, true);
-    draw_scale();  // before the labels, which keep off it
+    draw_scale();  // before the labels, which avoid it
     draw_marks();
     draw_factor();
     return std::move(painter_.list);
@@ -48,13 +48,13 @@ class Drawing {
 
  private:
   enum class Sign { robust, naive, naive_start, crossing };
-  struct Mark {
+  struct PointMark {
     Vec2d at;
     Sign sign;
-    bool joins = true;  ///< names itself in the label of one that it covers
+    bool joins = true;  ///< shares the label of one that it covers
   };
 
-  [[nodiscard]] std::string name_of(const Mark& mark) const {
+  [[nodiscard]] std::string name_of(const PointMark& mark) const {
     switch (mark.sign) {
       case Sign::robust:
         return fill("microscope.robust", painter_.state.language);
@@ -89,8 +89,8 @@ class Drawing {
   void draw_marks();
   void draw_scale();
   void draw_factor();
-  void draw_sign(const Mark& mark);
-  void point_at(const Mark& mark);
+  void draw_sign(const PointMark& mark);
+  void point_at(const PointMark& mark);
   void label(const Vec2d& at, double clear, const std::string& words);
 
   detail::Painter painter_;
@@ -100,7 +100,7 @@ class Drawing {
   double unit_;
 };
 
-/// Lines through the numbers that the precision has, and a dot where two of them make a point.
+/// Lines through the representable numbers, and a dot at each representable point.
 void Drawing::draw_numbers() {
   const double least = 5 * unit_;
   constexpr std::size_t most = 512;
@@ -123,7 +123,7 @@ void Drawing::draw_numbers() {
       painter_.add(CircleItem{pixels({x, y}), 1.8 * unit_, painter_.colours.dim_text, std::nullopt});
 }
 
-/// Strokes, and short ones on their inner side, as draughtsmen mark what is solid.
+/// Outlines hatched on the inner side, as in technical drawings.
 void Drawing::draw_surfaces() {
   constexpr double line_apart = 2.5, tick_apart = 13;  // pixels at scale 1
   const std::array<int, 2> lines{static_cast<int>(2 * middle_.x / (line_apart * unit_)) + 2,
@@ -174,7 +174,7 @@ void Drawing::draw_error_box() {
   if (in_sight(below, 20 * unit_)) painter_.note(below, words);
 }
 
-/// From as far as is seen to where it truly crosses.
+/// From the border of the view to the true intersection.
 void Drawing::draw_ray() {
   const Vec2d along = Vec2d(1, -1) * flat(specimen_.direction);
   if (!(length(along) > 1e-9 * length(specimen_.direction))) return;
@@ -185,10 +185,10 @@ void Drawing::draw_ray() {
   painter_.add_clipped({from, to, {style.colour, 2.6 * unit_, painter_.scaled(style.dash)}, 12 * unit_, 0.6});
 }
 
-/// One ray of each kind; the naive ones where they start elsewhere. One that meets at once what it leaves is stopped.
+/// One ray of each kind; naive ones if they start elsewhere. One that hits its own surface at once is cut off.
 void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
   if (!reading) return;
-  for (const LeavingRays& rays : reading->leaving) {
+  for (const SpawnedRays& rays : reading->spawned) {
     const Vec2d at = place_of(rays.origin), along = Vec2d(1, -1) * flat(rays.direction);
     const double size = length(along);
     if (!(size > 1e-9 * length(rays.direction)) || length(at - middle_) > across()) continue;
@@ -208,8 +208,8 @@ void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
   }
 }
 
-/// Naive is a triangle, where its rays start a diamond, robust a disc, the truth a cross: told apart without colour.
-void Drawing::draw_sign(const Mark& mark) {
+/// Naive is a triangle, its ray origin a diamond, robust a disc, the truth a cross: distinguishable without colour.
+void Drawing::draw_sign(const PointMark& mark) {
   const Vec2d& at = mark.at;
   const Stroke naive{painter_.colours.error, 2.4 * unit_}, thin{painter_.colours.text, 1.8 * unit_};
   switch (mark.sign) {
@@ -234,8 +234,8 @@ void Drawing::draw_sign(const Mark& mark) {
   }
 }
 
-/// At the border, towards what lies beyond it.
-void Drawing::point_at(const Mark& mark) {
+/// An arrow at the border, towards a point beyond it.
+void Drawing::point_at(const PointMark& mark) {
   const Vec2d way = mark.at - middle_, room = middle_ - Vec2d(26 * unit_);
   const double part = std::min(room.x / std::max(std::abs(way.x), 1e-9), room.y / std::max(std::abs(way.y), 1e-9));
   const Vec2d towards = way / length(way), tip = middle_ + part * way;
@@ -248,20 +248,20 @@ void Drawing::point_at(const Mark& mark) {
 }
 
 void Drawing::draw_marks() {
-  std::vector<Mark> marks;
+  std::vector<PointMark> marks;
   if (specimen_.robust) marks.push_back({place_of(specimen_.robust->point), Sign::robust});
   if (specimen_.naive) {
     marks.push_back({place_of(specimen_.naive->point), Sign::naive});
-    for (const Start& start : specimen_.naive->starts) marks.push_back({place_of(start.place), Sign::naive_start});
+    for (const SpawnPoint& start : specimen_.naive->starts) marks.push_back({place_of(start.place), Sign::naive_start});
   }
   if (specimen_.crossing) marks.push_back({pixels(flat(*specimen_.crossing)), Sign::crossing, false});
-  struct Group {
+  struct LabelGroup {
     Vec2d at;
     std::string words;
   };
-  std::vector<Group> groups;
+  std::vector<LabelGroup> groups;
   const double margin = 14 * unit_;
-  for (const Mark& mark : marks) {
+  for (const PointMark& mark : marks) {
     if (!in_sight(mark.at, margin)) continue;
     painter_.keep_free(mark.at, 11 * unit_);
     if (mark.sign == Sign::naive_start && specimen_.naive) {
@@ -270,24 +270,24 @@ void Drawing::draw_marks() {
     }
     const std::string own = name_of(mark);
     const auto near = std::find_if(groups.begin(), groups.end(),
-                                   [&](const Group& group) { return length(group.at - mark.at) < margin; });
+                                   [&](const LabelGroup& group) { return length(group.at - mark.at) < margin; });
     if (near == groups.end())
       groups.push_back({mark.at, own});
     else if (mark.joins && near->words.find(own) == std::string::npos)
       near->words += ", " + own;
   }
-  for (const Mark& mark : marks)
+  for (const PointMark& mark : marks)
     if (mark.sign == Sign::naive && in_sight(mark.at, margin)) draw_sign(mark);
-  for (const Mark& mark : marks)
+  for (const PointMark& mark : marks)
     if (mark.sign != Sign::naive && in_sight(mark.at, margin) &&
-        (mark.joins || std::none_of(groups.begin(), groups.end(), [&](const Group& group) {
+        (mark.joins || std::none_of(groups.begin(), groups.end(), [&](const LabelGroup& group) {
            return group.at != mark.at && length(group.at - mark.at) < 4 * unit_;
          })))
       draw_sign(mark);
-  for (const Group& group : groups) label(group.at, 13 * unit_, group.words);
-  // Where rays start at the point itself, one arrow is enough.
+  for (const LabelGroup& group : groups) label(group.at, 13 * unit_, group.words);
+  // If rays start at the point itself, one arrow is enough.
   std::optional<Vec2d> before;
-  for (const Mark& mark : marks) {
+  for (const PointMark& mark : marks) {
     if (!mark.joins || in_sight(mark.at, margin)) continue;
     if (!before || length(*before - mark.at) > margin) point_at(mark);
     before = mark.at;
@@ -298,7 +298,7 @@ void Drawing::draw_marks() {
 void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
   const double size = painter_.sizes.text;
   const Vec2d half(text_width(words, size) / 2 + 0.2 * size, 0.6 * size);
-  const detail::Box pane = painter_.pane();
+  const detail::PixelRect pane = painter_.pane();
   std::optional<Vec2d> best;
   double least = 0;
   for (const double farther : {1.0, 2.2, 3.6})
@@ -308,18 +308,18 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
       for (const int axis : {0, 1})  // whole, where the pane is large enough for that
         if (half[axis] <= middle_[axis])
           middle[axis] = std::clamp(middle[axis], half[axis], 2 * middle_[axis] - half[axis]);
-      const detail::Box box{middle - half, middle + half};
+      const detail::PixelRect box{middle - half, middle + half};
       double covered = 4 * half.x * half.y - box.overlap(pane);
       covered *= 10;
-      for (const detail::Box& kept : painter_.kept_free) covered += box.overlap(kept);
-      covered += farther;  // of equals the nearest
+      for (const detail::PixelRect& kept : painter_.kept_free) covered += box.overlap(kept);
+      covered += farther;  // if equal, the nearest
       if (best && covered >= least) continue;
       best = middle, least = covered;
     }
   painter_.note(*best, words);
 }
 
-/// How long something is, in the lower left corner.
+/// The scale bar, in the lower left corner.
 void Drawing::draw_scale() {
   const double size = painter_.sizes.text;
   const double cells = specimen_.ulp * scale_;
@@ -363,14 +363,14 @@ void Drawing::draw_scale() {
   painter_.add(TextItem{at + Vec2d(0, -0.95 * size), words, size, painter_.colours.text, TextAnchor::start});
 }
 
-/// By how much it is magnified, in the upper left corner where nothing else is.
+/// The magnification, in the upper left corner if that is free.
 void Drawing::draw_factor() {
   const double size = painter_.sizes.text;
   const std::string factor =
       magnification_text(magnification(painter_.state, specimen_, painter_.viewport), painter_.state.language);
   const Vec2d half(text_width(factor, size) / 2 + 0.2 * size, 0.6 * size);
   const Vec2d at(12 * unit_ + half.x, 0.9 * size + 4 * unit_);
-  const auto covers = [&](const detail::Box& kept) { return kept.overlap({at - half, at + half}) > 0; };
+  const auto covers = [&](const detail::PixelRect& kept) { return kept.overlap({at - half, at + half}) > 0; };
   if (std::none_of(painter_.kept_free.begin(), painter_.kept_free.end(), covers)) painter_.note(at, factor);
 }
 
@@ -379,9 +379,9 @@ void Drawing::draw_factor() {
 double magnification(const State& state, const Specimen& specimen, const Viewport& pane) {
   const double whole = pixels_per_unit(state, pane), cell = widest_cell * Sizes(state).unit;
   const double most = std::log10(cell / (whole * specimen.ulp));
-  // Next to 0 numbers are as close as their exponents go; nothing is drawn that small.
-  constexpr double most_decades = 17;
-  return std::pow(10.0, state.magnified * std::clamp(most, 0.0, most_decades));
+  // Near 0, numbers are as close as exponents allow; nothing is drawn that small.
+  constexpr double max_decades = 17;
+  return std::pow(10.0, state.magnified * std::clamp(most, 0.0, max_decades));
 }
 
 DisplayList microscope_view(const State& state, const Specimen& specimen, const Viewport& pane) {

@@ -1,4 +1,4 @@
-// How dragging a thing or one of its handles changes the scene.
+// Changes the scene by dragging a thing or one of its handles.
 
 #include "view/plan_geometry.h"
 #include "view/update_parts.h"
@@ -19,7 +19,7 @@ double clamped_length(double value, const Grip& grip) {
   return std::max(grip.constrain ? to_grid(value, grip.grid) : value, grip.smallest);
 }
 
-/// How far a thing whose place is `anchor` goes.
+/// The displacement of a thing placed at `anchor`.
 Vec2d shift_of(const Grip& grip, const Vec2d& anchor) {
   Vec2d by = grip.to - grip.from;
   if (grip.constrain) (std::abs(by.x) >= std::abs(by.y) ? by.y : by.x) = 0;
@@ -30,7 +30,7 @@ Vec2d shift_of(const Grip& grip, const Vec2d& anchor) {
 
 double angle_of(const Vec2d& v) { return std::atan2(v.y, v.x); }
 
-/// Angle of the drag about a pivot. With Shift what stands at angle `present` comes to a multiple of 15 degrees.
+/// Angle of the drag about a pivot. With Shift, the angle `present` is snapped to a multiple of 15 degrees.
 double turn_of(const Grip& grip, const Vec2d& pivot, double present) {
   const Vec2d from = grip.from - pivot, to = grip.to - pivot;
   if (!(length(from) > 0) || !(length(to) > 0)) return 0;
@@ -49,7 +49,7 @@ void turn(Vec3d& direction, double angle) {
   direction.y = there.y;
 }
 
-/// A shape that says itself where it is moves; any other one gets a last step of its transform.
+/// A shape with a position is moved; any other gets a final transform step.
 void move_object(Object& object, const Grip& grip) {
   const auto by_transform = [&] {
     const std::optional<Bounds<double>> footprint = footprint_of(object);
@@ -111,7 +111,7 @@ void set_screen_width(Camera& camera, const Grip& grip) {
 
 void set_screen_distance(Camera& camera, const Grip& grip) {
   const Vec2d forward = screen_place(camera).forward;
-  // Seen from above, a tilted view is foreshortened.
+  // From above, a tilted view is foreshortened.
   const double scale = std::max(dot(forward, forward), 0.01);
   const double by = dot(grip.to - grip.from, forward) / scale;
   camera.screen.distance = clamped_length(camera.screen.distance + by, grip);

@@ -15,7 +15,7 @@ std::string unique_name(const Scene& scene, const std::string& wanted) {
   return name;
 }
 
-/// Something to begin with: EYE, SCREEN, a light, a sphere, and a floor below the plan that the picture stands on.
+/// The initial scene: EYE, SCREEN, a light, a sphere, and a floor below the plan for the picture.
 Scene new_scene(Language language) {
   Scene scene;
   scene.title = text("scene.new_title", language);

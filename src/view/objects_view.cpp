@@ -10,7 +10,7 @@ namespace raywalk::detail {
 
 namespace {
 
-constexpr double most_pixels = 1e5;  // circles beyond it are drawn as straight as they look
+constexpr double max_pixels = 1e5;  // larger circles are drawn as straight lines
 
 /// A line through `point` along `along` (pixels, unit length) from one end of the pane to the other.
 LineItem across_pane(const Painter& painter, const Vec2d& point, const Vec2d& along) {
@@ -28,7 +28,7 @@ void draw_plane(Painter& painter, const Plane<double>& plane, const Target& targ
   const Stroke outline = painter.outline(target, body, 2);
   line.stroke = outline;
   painter.add_clipped(line, target);
-  // Hatches on the back: the front is to the left of `along` in the scene.
+  // Hatched on the back: the front is to the left of `along` in the scene.
   const Vec2d back = Vec2d(-along.y, along.x);
   const double spacing = 12 * painter.sizes.unit, size = 9 * painter.sizes.unit;
   const double whole = length(line.to - line.from);
@@ -42,12 +42,12 @@ void draw_plane(Painter& painter, const Plane<double>& plane, const Target& targ
 void draw_sphere(Painter& painter, const Sphere<double>& sphere, const Target& target, Colour body) {
   const Vec2d centre = painter.pixels(plan(sphere.centre));
   const double radius = painter.pixels(plan_radius(sphere));
-  const Box box{centre - radius, centre + radius};
-  if (radius > most_pixels || box.overlap(painter.pane()) <= 0) return;
+  const PixelRect box{centre - radius, centre + radius};
+  if (radius > max_pixels || box.overlap(painter.pane()) <= 0) return;
   Stroke outline = painter.outline(target, mix(body.with_alpha(255), painter.colours.ink, 0.5), body.a < 255 ? 1.6 : 1);
   CircleItem circle{centre, std::max(radius, 1.0), body, outline};
   if (!meets_plan(sphere)) {
-    // Wholly above or below the plan: only its outline is to be seen from here, and no ray of the plan meets it.
+    // Entirely above or below the plan: only its outline is visible, and no ray of the plan hits it.
     circle.fill = body.with_alpha(body.a / 5);
     circle.stroke->dash = painter.scaled({{2, 3}, 2});
   }
@@ -56,7 +56,7 @@ void draw_sphere(Painter& painter, const Sphere<double>& sphere, const Target& t
 
 void draw_prism(Painter& painter, const Prism<double>& prism, const Target& target, Colour body) {
   std::vector<Vec2d> points;
-  Box box{Vec2d(1e300), Vec2d(-1e300)};
+  PixelRect box{Vec2d(1e300), Vec2d(-1e300)};
   for (const Vec2d& corner : prism.corners) {
     const Vec2d at = painter.pixels(corner);
     points.push_back(at);
@@ -73,7 +73,7 @@ void draw_prism(Painter& painter, const Prism<double>& prism, const Target& targ
                 {TargetKind::edge, target.index, static_cast<int>(i)});
 }
 
-/// What the plan has no outline for is shown by the box that it keeps to, dashed.
+/// Objects without an outline in the plan are shown as their box, dashed.
 void draw_footprint(Painter& painter, const Object& object, const Target& target, Colour body) {
   const std::optional<Bounds<double>> footprint = footprint_of(object);
   if (!footprint) return;
@@ -81,7 +81,7 @@ void draw_footprint(Painter& painter, const Object& object, const Target& target
   std::vector<Vec2d> points;
   for (const Vec2d& corner : {low, Vec2d(high.x, low.y), high, Vec2d(low.x, high.y)})
     points.push_back(painter.pixels(corner));
-  if (Box{points[3], points[1]}.overlap(painter.pane()) <= 0) return;
+  if (PixelRect{points[3], points[1]}.overlap(painter.pane()) <= 0) return;
   Stroke outline = painter.outline(target, mix(body.with_alpha(255), painter.colours.ink, 0.5), 1);
   outline.dash = painter.scaled({{6, 4}, 2});
   painter.add(PolygonItem{points, body.with_alpha(body.a / 3), outline}, target);
@@ -98,8 +98,8 @@ void draw_object(Painter& painter, const Object& object, const Target& target, C
              object.shape);
 }
 
-/// Thins a crowd: of small spheres, more than which could not be told apart, one is drawn in each cell of the pane.
-/// A million of them take longer to draw than to trace.
+/// Thins out many small spheres: one is drawn per cell of the pane. A million of them take longer to draw than to
+/// trace.
 class Thinning {
  public:
   explicit Thinning(const Painter& painter) : painter_(painter) {
@@ -130,8 +130,8 @@ class Thinning {
 }  // namespace
 
 Colour body_colour(const Scene& scene, const Material& material) {
-  // Not lit: what a white light would bring back, and a part of what is mirrored and let through, so that a mirror is
-  // not black.
+  // Unlit: the diffuse colour under white light, and a part of reflection and transmission, so that a mirror is not
+  // black.
   Rgbd colour = scene.ambient * material.ambient + material.diffuse;
   if (material.checker) colour *= (material.checker->even + material.checker->odd) / 2.0;
   colour += material.emission + 0.25 * material.reflection;
@@ -148,7 +148,7 @@ void draw_objects(Painter& painter) {
     const Object& object = objects[static_cast<std::size_t>(index)];
     draw_object(painter, object, {TargetKind::object, index}, body_colour(painter.scene(), object.material));
   };
-  // In Move the selected one lies on top, so that what was dropped onto another can be taken up again.
+  // In Move the selected one is on top, so that one dropped onto another can be picked up again.
   const bool moving = painter.state.mode == Mode::move;
   const int on_top = moving && belongs_to_object(painter.state.selected) ? painter.state.selected.index : -1;
   Thinning crowd(painter);

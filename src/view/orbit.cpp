@@ -25,7 +25,7 @@ void add_corners(const Bounds<double>& box, const Affine<double>& place, std::ve
                                   (corner & 4) != 0 ? box.max.z : box.min.z}));
 }
 
-/// The corners of everything that has an end, and EYE.
+/// The corners of everything finite, and EYE.
 std::vector<Vec3d> bodies_and_eye(const Scene& scene) {
   std::vector<Vec3d> points{scene.camera.eye};
   for (const Object& object : scene.objects) {
@@ -52,8 +52,8 @@ Bounds<double> thick(Bounds<double> box) {
   return box;
 }
 
-/// Of very many things the corners that stand out furthest, in each of some directions all around. The box around all
-/// of them would not do: with EYE far from the others most of it is empty, and the view would be of its middle.
+/// For very many things, the extreme corners in several directions. Their bounding box would not do: with EYE far from
+/// the others most of it is empty, and the view would be of its middle.
 std::vector<Vec3d> outermost(const Scene& scene) {
   struct Furthest {
     Vec3d way, corner;
@@ -87,7 +87,7 @@ double half_width(const Camera& camera) { return camera.half_extent(); }
 
 std::vector<Vec3d> seen_at_first(const Scene& scene) {
   constexpr std::size_t most = 1 << 11;
-  // A light far away from everything would make all else small.
+  // A light far away would make everything else small.
   std::vector<Vec3d> points = scene.objects.size() > most ? outermost(scene) : bodies_and_eye(scene);
   const Bounds<double> things = thick(box_of(points));
   if (points.size() < 2) add_corners(things, {}, points);
@@ -120,7 +120,7 @@ Vec3d pivot_of(const Scene& scene, const Camera& camera) {
   if (things.empty()) return camera.look_at;
   const Vec3d middle = things.min + (things.max - things.min) / 2.0;
   const double ahead = dot(middle - camera.eye, forward);
-  // What lies behind the eye is no place to turn about.
+  // The pivot must not be behind the eye.
   return ahead > 1e-3 * length(middle - camera.eye) ? camera.eye + ahead * forward : camera.look_at;
 }
 
@@ -136,7 +136,7 @@ Camera orbited(const Camera& camera, const Vec3d& pivot, const Vec2d& angles) {
   if (!(length(level) > 0)) return camera;
   const Vec3d ahead = normalize(level);
   const double now = std::atan2(dot(offset, up), length(level));
-  // A camera that stands steeper already may come back but not go on.
+  // A camera that is already steeper may only turn back.
   const double limit = std::max(steepest, std::abs(now));
   const double then = std::clamp(now + angles.y, -limit, limit);
   Camera next = camera;
@@ -175,7 +175,7 @@ Camera overlooking(const Scene& scene, const Viewport& viewport) {
 
 Camera overlooking(const Scene& scene, const Viewport& viewport, const std::vector<Vec3d>& points) {
   constexpr double aside = -0.65, above = 0.5, angle = 40;  // radians, radians, degrees
-  constexpr double border = 0.8;                            // how much of the pane is filled
+  constexpr double border = 0.8;                            // filled fraction of the pane
   const Bounds<double> box = thick(box_of(points));
   const Vec3d middle = box.min + (box.max - box.min) / 2.0;
   const double size = length(box.max - box.min);
@@ -191,9 +191,9 @@ Camera overlooking(const Scene& scene, const Viewport& viewport, const std::vect
   camera.look_at = middle;
   camera = orbited(camera, middle, {aside, above});
 
-  // As near as it can stand and see all: from an eye e, |across| <= k ahead for every point p. Along one axis r across
-  // the view that is e.r - k e.f >= p.r - k p.f and e.r + k e.f <= p.r + k p.f, with f forward; where the greatest and
-  // the least of the right sides meet is the nearest place, and halfway between them the middle.
+  // As near as possible with everything in view: from an eye e, |across| <= k ahead for every point p. Along one axis r
+  // across the view that is e.r - k e.f >= p.r - k p.f and e.r + k e.f <= p.r + k p.f, with f forward; the nearest
+  // place is where the maximum and the minimum of the right sides meet, halfway between them.
   const Vec3d forward = normalize(camera.look_at - camera.eye), right = normalize(cross(forward, up));
   const double smaller = std::min(viewport.width, viewport.height);
   double nearest = std::numeric_limits<double>::infinity();
@@ -240,7 +240,7 @@ std::optional<Vec2d> Projection::point(const Vec3d& p) const {
 std::optional<std::array<Vec2d, 2>> Projection::segment(const Vec3d& from, const Vec3d& to) const {
   Vec3d a = seen(from), b = seen(to);
   if (!(a.z >= nearest_) && !(b.z >= nearest_)) return std::nullopt;
-  // Cut where it comes too near.
+  // Clipped where it is too near.
   const auto cut = [&](Vec3d& behind, const Vec3d& ahead) {
     if (behind.z < nearest_) behind = ahead + (ahead.z - nearest_) / (ahead.z - behind.z) * (behind - ahead);
   };

@@ -7,9 +7,9 @@
 
 namespace raywalk {
 
-using Curve = std::vector<Vec3d>;  ///< points joined by straight lines, in scene units
+using Polyline = std::vector<Vec3d>;  ///< points joined by straight lines, in scene units
 
-/// The edges of an object, or for round ones some circles on it. What has no end is shown as far as `room` reaches.
-[[nodiscard]] std::vector<Curve> outline_of(const Object& object, const Bounds<double>& room);
+/// The edges of an object, or some circles on a round one. Infinite ones are clipped to `room`.
+[[nodiscard]] std::vector<Polyline> outline_of(const Object& object, const Bounds<double>& room);
 
 }  // namespace raywalk

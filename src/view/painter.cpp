@@ -5,7 +5,7 @@
 
 namespace raywalk::detail {
 
-double Box::overlap(const Box& other) const {
+double PixelRect::overlap(const PixelRect& other) const {
   const double width = std::min(max.x, other.max.x) - std::max(min.x, other.min.x);
   const double height = std::min(max.y, other.max.y) - std::max(min.y, other.min.y);
   return width > 0 && height > 0 ? width * height : 0;
@@ -63,7 +63,7 @@ Vec2d Painter::seen_end(const Vec2d& from, const Vec2d& to) const {
 
 namespace {
 
-/// Half of the ground that a note of this text has.
+/// Half the size of a note's background.
 Vec2d half_of_note(const std::string& text, double size) {
   return {text_width(text, size) / 2 + 0.2 * size, 0.6 * size};
 }
@@ -74,9 +74,10 @@ void Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
   const Vec2d half = half_of_note(text, sizes.text);
   const double area = 4 * half.x * half.y;
   const auto is_free = [&](const Vec2d& at) {
-    const Box box{at - half, at + half};
+    const PixelRect box{at - half, at + half};
     return box.overlap(pane()) > 0.999 * area &&
-           std::none_of(kept_free.begin(), kept_free.end(), [&](const Box& taken) { return box.overlap(taken) > 0; });
+           std::none_of(kept_free.begin(), kept_free.end(),
+                        [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
   };
   const auto free = std::find_if(places.begin(), places.end(), is_free);
   note(free == places.end() ? places.front() : *free, text);

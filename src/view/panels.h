@@ -12,7 +12,7 @@ namespace raywalk {
 
 // ---- Code -----------------------------------------------------------------------------------------------------------
 
-/// What is thought of a line while one is looked for that is at fault.
+/// The suspicion on a line while a faulty one is searched.
 enum class Blame { none, marked, at_fault };
 
 struct CodeRow {
@@ -21,18 +21,18 @@ struct CodeRow {
   std::string text;
   bool just_run = false;    ///< highlighted: this line has just run
   bool next = false;        ///< outlined: this line runs next
-  bool breakpoint = false;  ///< the walk comes to rest before it
-  bool hovered = false;     ///< pointed at here, or the ray pointed at elsewhere was formed or found by it
+  bool breakpoint = false;  ///< the walk pauses before it
+  bool hovered = false;     ///< hovered here, or formed or found the ray hovered elsewhere
   Blame blame = Blame::none;
 };
 
 struct CodeBox {
   Procedure procedure;
   std::string title;  ///< "MAIN ALGORITHM" or "SHADE (DEPTH, RTNSHADE)", or path tracing's
-  /// DEPTH of the call that is executing, or the rays of the path so far, for the box it executes in; 0 in the first
-  /// procedure. Absent in the other box.
+  /// DEPTH of the executing call, or the number of rays of the path so far, for its box; 0 in the first procedure.
+  /// Absent in the other box.
   std::optional<int> depth;
-  std::string badge;  ///< the same for people; empty where there is none or it is 0
+  std::string badge;  ///< the same as text; empty if absent or 0
   std::vector<CodeRow> rows;
 };
 
@@ -44,7 +44,7 @@ struct CodePanel {
 
 /// Whether the line forms, follows or shades rays of this kind.
 [[nodiscard]] bool concerns(Line line, RayKind kind);
-/// Whether a ray lights up in plan and tree: it is pointed at, or it is of the pixel under way and the line pointed at
+/// Whether a ray is highlighted in plan and tree: it is hovered, or it is of the current pixel and the hovered line
 /// concerns it.
 [[nodiscard]] bool is_lit(const State& state, int ray);
 
@@ -64,10 +64,10 @@ struct TreeNode {
   bool returned;                 ///< its SHADE has returned
   std::optional<Ending> ending;  ///< where `known`
   std::string symbol;            ///< one or two characters for how it ended
-  std::string label;             ///< what it met: the object's or light's name, or why it ended
-  std::string share;             ///< largest part of the pixel it can bring: "100%"
+  std::string label;             ///< what it hit: the object's or light's name, or why it ended
+  std::string throughput;        ///< at most this fraction of the pixel: "100%"
   Colour colour;                 ///< of its kind
-  Colour shade;                  ///< what it brought back, where `returned`; else the colour of an empty cell
+  Colour shade;                  ///< its returned radiance, if `returned`; else the colour of an empty cell
 };
 
 struct TreePanel {
@@ -77,11 +77,11 @@ struct TreePanel {
   std::vector<TreeNode> nodes;  ///< parents before children
 };
 
-/// What a node is, in a line or two, for the tooltip that explains its sign.
+/// The tooltip of a node, in a line or two.
 [[nodiscard]] std::string node_text(const State& state, const TreeNode& node);
 
-/// The tree of the pixel under way, as far as it is known. Its shape is that of the whole tree from the start, so that
-/// nothing moves while it is walked.
+/// The tree of the current pixel, as far as it is known. It is laid out as the whole tree from the start, so that
+/// nothing moves during the walk.
 [[nodiscard]] TreePanel tree_panel(const State& state);
 
 // ---- Stack ----------------------------------------------------------------------------------------------------------
@@ -92,7 +92,7 @@ struct StackRow {
   std::string object;   ///< whose surface is shaded; empty for MAIN ALGORITHM
   std::string waiting;  ///< what it waits for, or what it does
   int ray_index = -1;   ///< for hovering; -1 for MAIN ALGORITHM
-  /// Colours that calls made by this one have already returned: "REFLSHADE" and its colour.
+  /// Colours already returned by calls from this one: "REFLSHADE" and its colour.
   struct Returned {
     std::string name;
     Rgbd linear;
@@ -109,18 +109,18 @@ struct StackPanel {
 
 // ---- Sentence, legend, counts ---------------------------------------------------------------------------------------
 
-/// One plain sentence on what the step just did and, where a ray ended, why. At position 0, and in the other modes:
-/// what to do first.
+/// One plain sentence on what the step did and, if a ray ended, why. At position 0, and in other modes: what to do
+/// first.
 [[nodiscard]] std::string sentence(const State& state);
 
 struct LegendRow {
   RayKind kind;
   RayStyle style;  ///< dash lengths in pixels at scale 1
   std::string name;
-  std::string short_name;  ///< where there is little room
+  std::string short_name;  ///< if there is little room
   std::string meaning;     ///< one clause
 };
-/// Signs on the plan besides the rays.
+/// Signs in the plan besides the rays.
 struct LegendSign {
   std::string symbol;
   std::string meaning;
@@ -144,7 +144,7 @@ struct Counts {
 [[nodiscard]] std::string status_line(const State& state);
 /// The same in few letters: "12 / 840".
 [[nodiscard]] std::string short_status_line(const State& state);
-/// A line as wide as any of these becomes in this walk, and in one a little longer.
+/// A line as wide as the widest of these in this walk, or in a slightly longer one.
 [[nodiscard]] std::string widest_status_line(const State& state, bool in_short);
 
 /// Buttons and text of an open question.

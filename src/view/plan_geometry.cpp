@@ -89,7 +89,7 @@ Vec2d place_of_object(const Object& object) {
   return footprint ? plan(footprint->min + footprint->max) / 2.0 : plan(affine_of(object.transform).move);
 }
 
-/// How far a polygon reaches from a point in a direction of unit length; 0 when it does not.
+/// A polygon's extent from a point in a unit direction; 0 if none.
 double reach_of(const Prism<double>& prism, const Vec2d& from, const Vec2d& direction) {
   double farthest = 0;
   for (int i = 0; i < prism.sides(); ++i) {
@@ -102,7 +102,7 @@ double reach_of(const Prism<double>& prism, const Vec2d& from, const Vec2d& dire
   return farthest;
 }
 
-/// Above the polygon, clear of its outline; while it is being turned, under the pointer.
+/// Above the polygon, clear of its outline; under the pointer while rotating.
 Vec2d rotation_place(const State& state, const Target& target, const Prism<double>& prism, const Viewport& viewport) {
   const Vec2d centre = centroid(prism);
   Vec2d direction(0, 1);

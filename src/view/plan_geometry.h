@@ -1,5 +1,5 @@
 #pragma once
-// Where the things of a scene stand in the plan, in scene units: shared by what draws them and what drags them.
+// The geometry of a scene in the plan, in scene units: shared by drawing and dragging.
 
 #include "view/state.h"
 
@@ -17,7 +17,7 @@ struct ScreenPlace {
 
 [[nodiscard]] ScreenPlace screen_place(const Camera& camera);
 
-/// Radius of the circle that a sphere shows in the plan: where it is cut, or its outline when it is not.
+/// Radius of the circle of a sphere in the plan: its section, or its outline if it is not cut.
 [[nodiscard]] double plan_radius(const Sphere<double>& sphere);
 [[nodiscard]] bool meets_plan(const Sphere<double>& sphere);
 
@@ -27,29 +27,29 @@ struct ScreenPlace {
 /// A body or one of its handles: `target.index` is then an object's.
 [[nodiscard]] bool belongs_to_object(const Target& target);
 
-/// The box of an object, its transform applied; none when it is empty or without end.
+/// An object's box, with its transform; none if it is empty or infinite.
 [[nodiscard]] std::optional<Bounds<double>> footprint_of(const Object& object);
 
-/// The line in which a plane cuts the plan: a point of it and its unit direction, the front to its left; none when the
-/// plane is level.
+/// The intersection of a plane with the plan: a point and a unit direction, the front to its left; none if the plane is
+/// level.
 struct PlanLine {
   Vec2d point, along;
 };
 [[nodiscard]] std::optional<PlanLine> plan_line(const Plane<double>& plane);
 
-/// Where the symbol of a light stands. A directional light's hangs in its direction, within sight.
+/// The place of a light's symbol. A directional light's is in its direction, within view.
 [[nodiscard]] Vec2d light_place(const Light& light, const PlanCamera& camera, const Viewport& viewport);
 
-/// Where a target can be taken hold of; `target` must exist. Cells and rays: their middle.
+/// The handle position of a target, which must exist. Cells and rays: their middle.
 [[nodiscard]] Vec2d place_of(const State& state, const Target& target, const Viewport& viewport);
 
-/// The nearest of 1, 2, 5 times a power of ten that is at least 10 pixels: what snapping snaps to.
+/// The smallest of 1, 2, 5 times a power of ten that is at least 10 pixels: the snapping step.
 [[nodiscard]] double grid_step(const PlanCamera& camera);
 
 /// `from` turned about `pivot` by `angle` radians, counter-clockwise.
 [[nodiscard]] Vec2d turned(const Vec2d& from, const Vec2d& pivot, double angle);
 
-/// How a grip on a target changes the scene.
+/// A drag of a target.
 struct Grip {
   const Scene& scene;  ///< before
   Target target;
@@ -61,8 +61,8 @@ struct Grip {
   Vec2d sun_pivot{0.0};    ///< about which directional lights turn
 };
 
-/// The scene after the drag; none where the target cannot be moved. The result may break rules of the scene format
-/// (edges that cross): the caller asks why_refused.
+/// The scene after the drag; none if the target cannot be moved. The result may break rules of the scene format (edges
+/// that cross): the caller must check why_refused.
 [[nodiscard]] std::optional<Scene> dragged(const Grip& grip);
 
 }  // namespace raywalk::detail

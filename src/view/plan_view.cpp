@@ -36,7 +36,7 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
       include(plan(footprint->max));
     }
   }
-  // Of a wall, its nearest point, unless it stands far away from all that happens.
+  // For a wall, its nearest point, unless it is far away from everything.
   const Vec2d middle = plan(box.min + box.max) / 2.0;
   const double near = length(plan(box.max - box.min));
   for (const Object& object : scene.objects)
@@ -46,7 +46,7 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
         if (length(nearest - middle) < near) include(nearest);
       }
   const Vec2d size = plan(box.max) - plan(box.min);
-  // What is left at the sides is for symbols, labels and handles.
+  // The margins are for symbols, labels and handles.
   const auto room = [&](double pixels) {
     return pixels - 2 * std::min(std::max(0.07 * pixels, 34 * unit), 0.2 * pixels);
   };
@@ -85,7 +85,7 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
 
 namespace {
 
-/// Small things are taken hold of before what lies around them.
+/// Small things take precedence over what surrounds them.
 int rank_of(TargetKind kind) {
   switch (kind) {
     case TargetKind::radius:

@@ -1,22 +1,22 @@
 #pragma once
-// The plan: the scene seen from above, with what has happened so far drawn in.
+// The plan: the scene seen from above, with the walk so far.
 
 #include "view/display_list.h"
 #include "view/state.h"
 
 namespace raywalk {
 
-/// Scene units to pixels and back; y turns over.
+/// Scene units to pixels and back; y is flipped.
 [[nodiscard]] Vec2d to_pixels(const PlanCamera& camera, const Viewport& viewport, const Vec2d& point);
 [[nodiscard]] Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& pixels);
 
-/// The camera that shows everything of the scene that has a place in the plan, with a margin.
-/// `unit`: pixels per unit at scale 1, for the margin that symbols and names need.
+/// The camera that shows everything in the plan, with a margin. `unit`: pixels per unit at scale 1, for the margin that
+/// symbols and names need.
 [[nodiscard]] PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit = 1);
-/// That of a state's scene, pane and scale.
+/// For a state's scene, pane and scale.
 [[nodiscard]] PlanCamera fitted(const State& state);
 
-/// Everything that is drawn in the pane. Move mode has handles, trace mode the rays formed so far.
+/// The drawing of the pane. Move mode has handles, trace mode the rays formed so far.
 [[nodiscard]] DisplayList plan_view(const State& state, const Viewport& viewport);
 [[nodiscard]] inline DisplayList plan_view(const State& state) { return plan_view(state, state.viewport); }
 
@@ -24,11 +24,10 @@ namespace raywalk {
 /// within reach, else the topmost body.
 [[nodiscard]] Target pick(const State& state, const Viewport& viewport, const Vec2d& at);
 [[nodiscard]] inline Target pick(const State& state, const Vec2d& at) { return pick(state, state.viewport, at); }
-/// The object or light there, whatever rays pass over it; nothing where there is none.
+/// The object or light there, ignoring rays; nothing if there is none.
 [[nodiscard]] Target body_at(const State& state, const Vec2d& at);
 
-/// What the thing is, in a few words, for the tooltip beside the pointer; empty for nothing. In move mode it also says
-/// what dragging does.
+/// The tooltip of a thing, in a few words; empty for nothing. In move mode it also says what dragging does.
 [[nodiscard]] std::string target_text(const State& state, const Target& target);
 
 /// Lengths of symbols, lines and letters, in pixels of a state's scale and theme.
@@ -38,7 +37,7 @@ struct Sizes {
   double text;    ///< height of labels
   double line;    ///< usual outline
   double handle;  ///< radius of a handle
-  double reach;   ///< how near the pointer has to come
+  double reach;   ///< how near the pointer has to be
 };
 
 }  // namespace raywalk

@@ -25,8 +25,7 @@ int stepped(const Timeline& timeline, int position, Grain grain, bool forward) {
 
 namespace {
 
-/// Where a step that would lead forward to `to` comes to rest: at a breakpoint on the way there, or where a ray is to
-/// be predicted.
+/// Where a step forward to `to` stops: at a breakpoint before it, or where a ray is to be predicted.
 int stopped(const State& state, int to) {
   const Breakpoints breakpoints = breakpoints_in_force(state);
   const int stop = breakpoints.any() && to > state.position + 1
@@ -37,7 +36,7 @@ int stopped(const State& state, int to) {
   return stop;
 }
 
-/// Whether a walk that runs by itself comes to rest here.
+/// Whether an automatic walk pauses here.
 bool stops_here(const State& state) {
   return stops_at(breakpoints_in_force(state), state.scene(), *state.timeline, state.position) ||
          rests_for_prediction(state, state.position) || question_waits(state);
@@ -53,7 +52,7 @@ void go_to(State& state, int position) {
 }
 
 void walk(State& state, const action::Step& step) {
-  // The button that has been held and is let go asks for no step more.
+  // Releasing a held button does not step again.
   if (state.hold) return go_to(state, state.position);
   const int to = stepped(*state.timeline, state.position, step.grain.value_or(state.grain), step.forward);
   go_to(state, step.forward ? stopped(state, to) : to);
@@ -98,7 +97,7 @@ void play_held(State& state, double seconds) {
 }  // namespace
 
 void play(State& state, double seconds) {
-  // A window that was held up for long does not make up for all of it.
+  // After a long delay, not all of it is made up for.
   seconds = std::min(seconds, 1.0);
   if (state.hold) return play_held(state, seconds);
   if (!state.playing) return;
@@ -117,7 +116,7 @@ void play(State& state, double seconds) {
 namespace raywalk {
 
 double hold_rate(double seconds) {
-  // From as fast as one clicks, doubled every second.
+  // Starts at clicking speed, doubled every second.
   constexpr double slowest = 6, fastest = 600;
   return std::min(slowest * std::exp2(seconds), fastest);
 }

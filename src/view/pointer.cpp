@@ -10,11 +10,11 @@ namespace raywalk::detail {
 namespace {
 
 constexpr double click_tremble = 3;  // pixels at scale 1
-constexpr double least_zoom = 1e-6, most_zoom = 1e9, farthest = 1e12;
-/// In pixels: no radius, width or distance is dragged below it.
+constexpr double least_zoom = 1e-6, max_zoom = 1e9, farthest = 1e12;
+/// The smallest radius, width or distance by dragging, in pixels.
 constexpr double smallest_drag = 2;
 
-/// What stays selected when `target` was pressed: a handle's object, a corner itself; while tracing only whole things.
+/// The selection when `target` is pressed: a handle's object, or a corner; in trace mode only whole things.
 Target selection_of(const Target& target, Mode mode) {
   if (mode != Mode::move && target.kind == TargetKind::cell) return {};
   switch (target.kind) {
@@ -39,7 +39,7 @@ Target selection_of(const Target& target, Mode mode) {
   return {};
 }
 
-/// The scene that a grip leads to, if it can be saved; else says why not.
+/// The scene after a drag, if it is valid; else reports why not.
 std::optional<Scene> checked(State& state, const Grip& grip) {
   std::optional<Scene> next = dragged(grip);
   if (!next) return std::nullopt;
@@ -61,13 +61,13 @@ Grip grip_of(const State& state, const Scene& before, const Target& target, cons
 
 Vec2d clamped(const Vec2d& v) { return {std::clamp(v.x, -farthest, farthest), std::clamp(v.y, -farthest, farthest)}; }
 
-/// Pixels as a pointer can have them.
+/// Clamps to plausible pointer positions.
 Vec2d near_pane(const Vec2d& at) { return {std::clamp(at.x, -1e6, 1e6), std::clamp(at.y, -1e6, 1e6)}; }
 
 /// A press and a release in one place.
 void click(State& state, const Target& target) {
   if (state.mode != Mode::trace) return;
-  if (const auto asked = prediction_asked(state); asked && asked->what == Foretold::end)
+  if (const auto asked = prediction_asked(state); asked && asked->what == PredictionKind::end)
     return guess_end(state, body_at(state, *state.pointer));
   if (target.kind == TargetKind::cell) update(state, action::JumpToCell{target.index});
   if (target.kind == TargetKind::ray) update(state, action::JumpToRay{target.index});
@@ -118,7 +118,7 @@ void pointer_moved(State& state, const action::PointerMoved& moved) {
   Grip grip = grip_of(state, *drag.scene, drag.target, drag.grabbed, to);
   grip.constrain = moved.modifiers.shift;
   grip.snap = moved.modifiers.control;
-  // Where the scene would break a rule it stays as it last was.
+  // If the scene would be invalid, it is not changed.
   std::optional<Scene> next = checked(state, grip);
   if (!next) return;
   state.notice.reset();
@@ -160,7 +160,7 @@ void cancel_drag(State& state) {
 void zoom(State& state, const Vec2d& where, double factor) {
   const Vec2d at = near_pane(where);
   const Vec2d kept = to_scene(state.camera, state.viewport, at);
-  state.camera.pixels_per_unit = std::clamp(state.camera.pixels_per_unit * factor, least_zoom, most_zoom);
+  state.camera.pixels_per_unit = std::clamp(state.camera.pixels_per_unit * factor, least_zoom, max_zoom);
   state.camera.fitted = false;
   state.camera.centre = clamped(state.camera.centre + kept - to_scene(state.camera, state.viewport, at));
 }

@@ -17,35 +17,35 @@ namespace raywalk {
 
 namespace {
 
-/// What the step after `position` answers, whoever asks.
+/// The question that the step after `position` answers.
 std::optional<PredictionAsked> answered_after(const Timeline& timeline, int position) {
   if (position >= timeline.steps()) return std::nullopt;
   const auto after = timeline.rays_at(position + 1);
   const int ray = timeline.current_ray(position);
   if (after.size() > timeline.rays_at(position).size()) {
-    // A primary ray goes where its pixel is.
+    // A primary ray goes through its pixel: nothing to predict.
     const RayRecord& formed = after.back();
     const bool can_be_seen = length(plan(formed.direction)) > 1e-9 * length(formed.direction);
     if (!formed.formed || formed.kind == RayKind::primary || !can_be_seen) return std::nullopt;
-    return PredictionAsked{static_cast<int>(after.size()) - 1, Foretold::way};
+    return PredictionAsked{static_cast<int>(after.size()) - 1, PredictionKind::way};
   }
   if (ray < 0 || ray >= static_cast<int>(after.size())) return std::nullopt;
   const RayRecord& followed = after[static_cast<std::size_t>(ray)];
   if (!followed.formed || followed.found_at != position + 1) return std::nullopt;
-  return PredictionAsked{ray, Foretold::end};
+  return PredictionAsked{ray, PredictionKind::end};
 }
 
 const RayRecord& ray_of(const State& state, const PredictionAsked& asked) {
   return state.timeline->rays()[static_cast<std::size_t>(asked.ray)];
 }
 
-/// From when on the answer stands on the screen.
+/// The position from which the answer is shown.
 int answered_at(const State& state, const PredictionAsked& asked) {
   const RayRecord& ray = ray_of(state, asked);
-  return asked.what == Foretold::way ? ray.formed_at : ray.found_at;
+  return asked.what == PredictionKind::way ? ray.formed_at : ray.found_at;
 }
 
-/// What a ray met, as a person would click it.
+/// What a ray hit, as a click target.
 Target met_by(const RayRecord& ray) {
   switch (ray.ending) {
     case Ending::hit:
@@ -65,7 +65,7 @@ Target met_by(const RayRecord& ray) {
   return {};
 }
 
-/// Predictions are on, where an arrow can be drawn, and neither a lesson nor a hunt asks questions of its own.
+/// Predictions are on, an arrow can be drawn, and neither a lesson nor a hunt asks its own questions.
 bool may_ask(const State& state) {
   return state.predictions.on && !shows_lines(state) && !state.bugs.hunt &&
          !(state.lessons.shown && state.lessons.at() != nullptr);
@@ -93,13 +93,13 @@ std::optional<PredictionAsked> prediction_asked(const State& state) {
 bool rests_for_prediction(const State& state, int position) {
   if (!may_ask(state)) return false;
   const auto asked = answered_after(*state.timeline, position);
-  return asked && asked->what == Foretold::way;
+  return asked && asked->what == PredictionKind::way;
 }
 
 std::optional<Vec2d> aim_origin(const State& state) {
   if (const auto of_lesson = arrow_origin(state)) return of_lesson;
   const auto asked = prediction_asked(state);
-  if (!asked || asked->what != Foretold::way) return std::nullopt;
+  if (!asked || asked->what != PredictionKind::way) return std::nullopt;
   return plan(ray_of(state, *asked).origin);
 }
 
@@ -109,7 +109,7 @@ std::string prediction_sentence(const State& state) {
   if (!predictions.judged.empty() && answered_at(state, predictions.judged.back().of) == state.position) {
     const Prediction& last = predictions.judged.back();
     const std::string truth = name_of(state, met_by(ray_of(state, last.of)));
-    if (last.of.what == Foretold::way)
+    if (last.of.what == PredictionKind::way)
       verdict = said(state, last.right ? "predict.off" : "predict.off_too_far",
                      {{"degrees", number_text(std::round(last.degrees), state.language)}});
     else if (last.right)
@@ -121,7 +121,7 @@ std::string prediction_sentence(const State& state) {
   if (const auto asked = prediction_asked(state)) {
     const std::string kind(text(ray_of(state, *asked).kind, state.language));
     const bool guessed = predictions.open && predictions.open->of == *asked;
-    if (asked->what == Foretold::way)
+    if (asked->what == PredictionKind::way)
       return verdict + said(state, guessed ? "predict.way_guessed" : "predict.ask_way", {{"ray", kind}});
     return verdict + (guessed ? said(state, "predict.end_guessed", {{"guess", name_of(state, predictions.open->met)}})
                               : said(state, "predict.ask_end", {{"ray", kind}}));
@@ -136,7 +136,7 @@ std::string prediction_table(const Predictions& predictions) {
   for (const PredictionRecord& one : predictions.made) {
     std::string scene = one.scene;
     std::replace_if(scene.begin(), scene.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, '_');
-    const bool way = one.what == Foretold::way;
+    const bool way = one.what == PredictionKind::way;
     table += fmt::format("{},{},{},{},{},{}\n", scene, one.step, ray_kind_name(one.kind),
                          way ? "where it goes" : "what it meets", way ? fmt::format("{:.1f}", one.degrees) : "",
                          one.right ? 1 : 0);
@@ -164,7 +164,7 @@ void guess_way(State& state, const Vec2d& towards) {
 void guess_end(State& state, const Target& met) {
   const auto asked = prediction_asked(state);
   const bool can_be_met = !met || met.kind == TargetKind::object || met.kind == TargetKind::light;
-  if (!asked || asked->what != Foretold::end || !can_be_met || !exists(state, met)) return;
+  if (!asked || asked->what != PredictionKind::end || !can_be_met || !exists(state, met)) return;
   state.predictions.open = Prediction{*asked, Vec2d(0.0), {met.kind, met.index}};
 }
 
@@ -207,7 +207,7 @@ void follow_with_predictions(State& state) {
   }
   Prediction judged = *std::exchange(predictions.open, std::nullopt);
   const RayRecord& ray = ray_of(state, asked);
-  if (asked.what == Foretold::way) {
+  if (asked.what == PredictionKind::way) {
     judged.degrees = degrees_between(plan(ray.direction), judged.arrow);
     judged.right = judged.degrees <= Predictions::right_within;
   } else {

@@ -10,8 +10,7 @@ namespace raywalk::detail {
 
 namespace {
 
-/// Where the ray is drawn to, in scene units, at a position where its end may not be known yet; none when it goes on
-/// for ever.
+/// The drawn end of the ray, in scene units, where its end may not be known yet; none if it is infinite.
 std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool known) {
   if (known) return ray.endless ? std::nullopt : std::optional(plan(ray.end));
   const bool to_a_place = ray.light >= 0 && ray.light < static_cast<int>(scene.lights.size()) &&
@@ -19,21 +18,20 @@ std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool kn
   return to_a_place ? std::optional(plan(ray.origin + ray.direction)) : std::nullopt;
 }
 
-/// Long enough to leave the pane from wherever it starts in it; what starts outside is measured from its middle.
+/// A point beyond the pane, from any start in it; from outside, measured from its middle.
 Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along) {
   const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
   return from + (painter.viewport.width + painter.viewport.height + length(middle - from)) * along;
 }
 
-/// What lies outside the pane takes no time.
+/// Growth outside the pane takes no time.
 Vec2d grown_end(const Painter& painter, const RayRecord& ray, const RayWay& way, const Growth& growth) {
   const auto before = growth.from_start ? RayWay{way.from, way.from, way.along} : *ray_way(painter, ray, false);
   const Vec2d start = painter.seen_end(before.from, before.to), end = painter.seen_end(way.from, way.to);
   return start + growth.part * (end - start);
 }
 
-/// Why the ray was not formed, beside its stub: a ray that stops in silence teaches nothing. In a narrow pane the
-/// sentence below it has to do.
+/// Why the ray was not formed, beside its stub. In a narrow pane the sentence below it has to suffice.
 void draw_why_not(Painter& painter, const RayRecord& ray, const Vec2d& from, const Vec2d& along) {
   const std::string why(text(ray.ending, painter.state.language));
   const double half = text_width(why, painter.sizes.text) / 2 + 14 * painter.sizes.unit;
@@ -43,10 +41,10 @@ void draw_why_not(Painter& painter, const RayRecord& ray, const Vec2d& from, con
   painter.note(tip + Vec2d(to_the_right ? half : -half, 0), why);
 }
 
-/// A ray whose end nobody knows yet: towards the border of the pane it fades, lest it seem to go through what it meets.
+/// A ray whose end is not known yet fades towards the border of the pane, so as not to seem to pass through objects.
 void add_fading(Painter& painter, LineItem line, const Target& target) {
   constexpr int pieces = 8;
-  constexpr double whole = 0.5, faintest = 0.25;  // of the way, of the colour
+  constexpr double whole = 0.5, faintest = 0.25;  // of the length, of the colour
   const Vec2d from = line.from, to = painter.seen_end(line.from, line.to);
   const double alpha = line.stroke.colour.a, phase = line.stroke.phase, size = length(to - from);
   const auto piece = [&](double begin, double end, double share) {
@@ -56,7 +54,7 @@ void add_fading(Painter& painter, LineItem line, const Target& target) {
     part.stroke.phase = phase + begin * size;
     part.stroke.colour.a = static_cast<std::uint8_t>(alpha * share);
     painter.add_clipped(part, target);
-    line.arrow = 0;  // the first piece alone has one
+    line.arrow = 0;  // only the first piece has one
   };
   piece(0, whole, 1);
   for (int i = 0; i < pieces; ++i)
@@ -138,7 +136,7 @@ double ray_arrow(const Painter& painter, const RayLook& look) {
   return (look.prominence == Prominence::of_pixel ? 8 : 6) * painter.sizes.unit;
 }
 
-/// A cross where a shadow ray is stopped.
+/// A cross where a shadow ray is blocked.
 void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray) {
   const Vec2d across(-along.y, along.x);
   const double size = 5 * painter.sizes.unit;
@@ -147,7 +145,7 @@ void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const S
   painter.add_clipped({at - size * (along - across), at + size * (along - across), stroke});
 }
 
-/// A ray that was not formed: a short piece of it, ended by a bar.
+/// A ray that was not formed: a short piece that ends in a bar.
 void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target) {
   const double size = 24 * painter.sizes.unit, bar = 6 * painter.sizes.unit;
   const Vec2d to = from + size * along, across(-along.y, along.x);
@@ -173,7 +171,7 @@ void draw_rays(Painter& painter) {
   const auto is_drawn = [&](int index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
     if (ray.pixel < first_pixel) return false;
-    // A light that cannot reach the surface is no limit that was met: its stub goes with its pixel.
+    // A light that cannot reach the surface is not a limit: its stub is shown only with its pixel.
     return ray.pixel == pixel || ray.formed ||
            (ray.ending != Ending::facing_away && ray.ending != Ending::outside_cone);
   };

@@ -11,8 +11,8 @@ namespace {
 
 struct Recorded {
   Timeline timeline;
-  int depth;        ///< of the recording; below the scene's where that would have been too long
-  int samples = 1;  ///< of each pixel; fewer than wanted for the same reason
+  int depth;        ///< of the recording; less than the scene's if that would be too long
+  int samples = 1;  ///< per pixel; possibly fewer for the same reason
 };
 
 bool ended_by_depth(const Timeline& timeline) {
@@ -26,7 +26,7 @@ void limit_depth(SceneSeen& scene, int depth) {
   scene.set(limits);
 }
 
-/// What is walked, in this scene; of the strip all cells or one.
+/// Records the current walk in this scene; all cells of the strip or one.
 Timeline record(const State& state, const Scene& scene, std::optional<Fault> fault, int samples,
                 std::optional<int> cell = {}) {
   Recording how{state.image.single_precision ? Precision::float_ : Precision::double_, {}, fault, state.worlds.get()};
@@ -36,11 +36,12 @@ Timeline record(const State& state, const Scene& scene, std::optional<Fault> fau
   return record_pixel(scene, state.walk->size, state.walk->column, state.walk->row, how);
 }
 
-/// The strip or the pixel to the scene's depth, or to the deepest that is not too long. A tree can double with every
-/// level, so a deep limit is approached in steps that the growth seen so far allows.
+/// The strip or the pixel to the scene's depth, or the deepest that is not too long. A tree can double with every
+/// level, so a deep limit is approached in steps allowed by the growth so far.
 Recorded record_to_depth(const State& state) {
   constexpr int harmless_depth = 6;
-  constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between for each ray before
+  constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between, per ray of the previous
+                                      // level
   SceneSeen limited = walked_scene(state);
   const int wanted = limited->limits.depth;
   limit_depth(limited, std::min(wanted, harmless_depth));
@@ -50,7 +51,7 @@ Recorded record_to_depth(const State& state) {
   while (recorded.depth < wanted) {
     if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
     const double events = recorded.timeline.steps();
-    const double room = std::log(most_events / events) / std::log(std::min(worst_growth, 1.2 * growth));
+    const double room = std::log(max_events / events) / std::log(std::min(worst_growth, 1.2 * growth));
     if (!(room >= 1)) return recorded;
     const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
     limit_depth(limited, recorded.depth + levels);
@@ -60,10 +61,10 @@ Recorded record_to_depth(const State& state) {
   return recorded;
 }
 
-/// The same with as many samples as were asked for, or as are not too long.
+/// The same with the requested samples, or as many as are not too long.
 Recorded record_within(const State& state) {
   Recorded recorded = record_to_depth(state);
-  const double room = most_events / std::max(1, recorded.timeline.steps());
+  const double room = max_events / std::max(1, recorded.timeline.steps());
   recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.image.walk_samples)));
   if (recorded.samples == 1) return recorded;
   SceneSeen limited = walked_scene(state);
@@ -72,7 +73,7 @@ Recorded record_within(const State& state) {
   return recorded;
 }
 
-/// The same walk without the bug, or with it where it is mended.
+/// The same walk without the bug, or with it once fixed.
 std::shared_ptr<const Timeline> record_other(const State& state, int depth, int samples) {
   SceneSeen limited = walked_scene(state);
   limit_depth(limited, depth);
@@ -80,7 +81,7 @@ std::shared_ptr<const Timeline> record_other(const State& state, int depth, int 
   return std::make_shared<const Timeline>(record(state, *limited, other, samples));
 }
 
-/// The place in `after` that corresponds to `position` in `before`.
+/// The position in `after` that corresponds to `position` in `before`.
 int same_place(const Timeline& before, int position, const Timeline& after) {
   if (position <= 0) return 0;
   if (position >= before.steps()) return after.steps();

@@ -1,4 +1,4 @@
-// The samples of the pixel under way, one after the other, and how their mean comes to rest.
+// The samples of the current pixel in order, and how their mean converges.
 
 #include "render/adaptive.h"
 #include "view/painter.h"
@@ -15,8 +15,8 @@ namespace {
 
 double grey(const Rgbd& c) { return (c.x + c.y + c.z) / 3; }
 
-/// How many standard errors the mean of `count` >= 2 samples may be off, in 95 of 100 cases, where they are drawn
-/// independently of each other; those of the better samplers lie closer.
+/// The 95% confidence bound on the mean of `count` >= 2 independent samples, in standard errors; better samplers are
+/// closer.
 double reach_of(int count) {
   // Student's distribution with 1 to 14 degrees of freedom: W. Gosset, "The probable error of a mean", 1908.
   constexpr std::array few{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365,
@@ -25,7 +25,7 @@ double reach_of(int count) {
   return freedom <= few.size() ? few[freedom - 1] : student_quantile(0.05, count - 1);
 }
 
-/// The mean of the first samples, and how sure it is; without an interval before the second one.
+/// The mean of the first samples, and its interval; none before the second one.
 struct Mean {
   double value = 0, half = 0;  ///< half of the 95% interval
 };
@@ -63,7 +63,7 @@ void draw_samples(Painter& painter) {
   if (samples < 2) return;
   const int first = pixel - timeline.pixels()[static_cast<std::size_t>(pixel)].sample;
 
-  // The scale is that of all its samples, so that it stands still while they come.
+  // The scale is that of all samples, so that it stays fixed.
   std::vector<double> all, done;
   for (int i = 0; i < samples; ++i) {
     all.push_back(grey(timeline.pixels()[static_cast<std::size_t>(first + i)].shade));
@@ -83,7 +83,7 @@ void draw_samples(Painter& painter) {
   };
   const double longest = text_width(said_of(std::to_string(samples), 0.888, 0.888), letters);
   const double width = std::max(std::min(230 * unit, 0.45 * painter.viewport.width), longest), tall = 92 * unit;
-  // In a small pane the plot would cover what it is about: then the mean alone is told.
+  // In a small pane the plot would cover its subject: then only the mean is shown.
   const bool plots = width * tall < 0.2 * painter.viewport.width * painter.viewport.height;
   if (!plots && means.size() < 2) return;
   const Vec2d size(width, plots ? tall : 0);
@@ -92,7 +92,7 @@ void draw_samples(Painter& painter) {
   const auto rectangle = [](const Vec2d& a, const Vec2d& b) {
     return std::vector<Vec2d>{a, {b.x, a.y}, b, {a.x, b.y}};
   };
-  const Box plate{corner - gap / 2, corner + size + Vec2d(gap / 2, gap / 2 + 1.5 * letters)};
+  const PixelRect plate{corner - gap / 2, corner + size + Vec2d(gap / 2, gap / 2 + 1.5 * letters)};
   painter.add(PolygonItem{rectangle(plate.min, plate.max), painter.colours.panel.with_alpha(235),
                           Stroke{painter.colours.dim_text.with_alpha(120), painter.sizes.line}});
   painter.kept_free.push_back(plate);

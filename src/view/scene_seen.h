@@ -1,5 +1,5 @@
 #pragma once
-// The scene with a few of its values chosen otherwise.
+// The scene with a few values overridden.
 
 #include "scene/scene.h"
 
@@ -8,8 +8,8 @@
 
 namespace raywalk {
 
-/// A scene as it is drawn or walked. Where nothing is chosen otherwise it is the one it was made of, and no copy: that
-/// may hold a million objects. It must not outlive that scene.
+/// A scene as it is drawn or walked. Without overrides it refers to the original and is not a copy, as that may have a
+/// million objects. It must not outlive the original.
 class SceneSeen {
  public:
   explicit SceneSeen(const Scene& own) : own_(&own) {}

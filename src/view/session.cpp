@@ -1,4 +1,4 @@
-// What outlives the window: the autosave and the list of recent files.
+// Persistent data: the autosave and the list of recent files.
 
 #include "io/file.h"
 #include "view/text.h"
@@ -17,9 +17,9 @@ namespace detail {
 
 namespace {
 
-constexpr std::size_t most_recent = 10;
-constexpr std::size_t most_bytes = 64 << 20;
-/// First line of an autosave: the file that it belongs to. For the reader of scenes it is a comment.
+constexpr std::size_t max_recent = 10;
+constexpr std::size_t max_bytes = 64 << 20;
+/// First line of an autosave: the file that it belongs to. A comment for scene readers.
 constexpr std::string_view autosave_head = "# autosave of: ";
 constexpr std::string_view time_head = "# written on: ";  ///< its second line
 
@@ -27,13 +27,13 @@ std::string file_in(const State& state, const char* name) {
   return (std::filesystem::path(state.state_dir) / name).string();
 }
 std::string autosave_path(const State& state) { return file_in(state, state.autosave_file.c_str()); }
-constexpr int most_autosaves = 99;
+constexpr int max_autosaves = 99;
 /// The name of the autosave of this number, from 1 on.
 std::string autosave_name(int number) {
   return number == 1 ? "autosave.toml" : "autosave-" + std::to_string(number) + ".toml";
 }
 
-/// The time of now, for people: "2026-11-21 at 14:05".
+/// The current time as text: "2026-11-21 at 14:05".
 std::string now_text() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -42,7 +42,7 @@ std::string now_text() {
   return text.data();
 }
 
-/// What follows `head` in the line at `begin`, and where the next line begins; nothing when there is no such line.
+/// The rest of the line at `begin` after `head`, and the start of the next line; nothing if there is no such line.
 struct HeadLine {
   std::string value;
   std::size_t next;
@@ -53,11 +53,11 @@ std::optional<HeadLine> head_line(const std::string& text, std::size_t begin, st
   return HeadLine{text.substr(begin + head.size(), end - begin - head.size()), std::min(end + 1, text.size())};
 }
 
-/// Asks whether to recover the latest of the autosaves that earlier sittings left, if there is one.
+/// Offers to recover the latest autosave of earlier sessions, if any.
 void ask_to_recover(State& state) {
   std::filesystem::file_time_type latest{};
   std::string found;
-  for (int i = 1; i <= most_autosaves; ++i) {
+  for (int i = 1; i <= max_autosaves; ++i) {
     std::error_code missing;
     const std::filesystem::path path = file_in(state, autosave_name(i).c_str());
     const auto written = std::filesystem::last_write_time(path, missing);
@@ -66,7 +66,7 @@ void ask_to_recover(State& state) {
     found = autosave_name(i);
   }
   if (found.empty()) return;
-  const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), most_bytes);
+  const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), max_bytes);
   if (!autosaved) return;
   state.question = Question{Question::Kind::recover, Intent::open, {}, found, {}};
   std::size_t next = 0;
@@ -80,7 +80,7 @@ std::string recent_path(const State& state) { return file_in(state, "recent.txt"
 
 Result<void> write_in_folder(const State& state, const std::string& path, const std::string& bytes) {
   std::error_code failed;
-  std::filesystem::create_directories(state.state_dir, failed);  // that it failed shows in the writing
+  std::filesystem::create_directories(state.state_dir, failed);  // a failure shows on writing
   return write_file_atomically(path, bytes);
 }
 
@@ -108,15 +108,15 @@ void autosave(State& state, double seconds) {
 }
 
 void forget_autosave(State& state) {
-  if (state.bugs.hunt) return;  // it belongs to the scene that waits
+  if (state.bugs.hunt) return;  // it belongs to the suspended scene
   state.autosaved_revision = state.revision;
   if (state.state_dir.empty()) return;
-  std::error_code failed;  // nothing there is as good as removed
+  std::error_code failed;  // if absent, nothing to remove
   std::filesystem::remove(autosave_path(state), failed);
 }
 
 void discard_autosave(State& state, const std::string& autosave) {
-  std::error_code failed;  // nothing there is as good as removed
+  std::error_code failed;  // if absent, nothing to remove
   std::filesystem::remove(file_in(state, autosave.c_str()), failed);
   ask_to_recover(state);
 }
@@ -127,13 +127,13 @@ void recover(State& state, const std::string& original, const std::string& autos
   std::string& text = document->text;
   if (const auto line = head_line(text, 0, autosave_head)) text.erase(0, line->next);
   if (const auto line = head_line(text, 0, time_head)) text.erase(0, line->next);
-  // Its meshes and textures are named from the folder of autosaves; the scene goes back to its own.
+  // Its meshes and textures are relative to the autosave folder; makes them relative to the scene's own.
   if (auto home = with_names_from(document->scene, document->path, original); home && !original.empty()) {
     document->scene = std::move(*home);
     document->path = original;
   }
   const Result<SceneDocument> file = read_scene(original);
-  state.autosave_file = autosave;  // what it holds is this sitting's work now
+  state.autosave_file = autosave;  // it holds this session's work now
   show_document(state, std::move(*document), original);
   // Without a file to compare with, everything is unsaved.
   state.dirty = !file || file->scene != state.scene();
@@ -148,11 +148,11 @@ void add_recent(State& state, const std::string& path) {
   const std::string entry = failed ? path : absolute.lexically_normal().string();
   std::erase(state.recent, entry);
   state.recent.insert(state.recent.begin(), entry);
-  if (state.recent.size() > most_recent) state.recent.resize(most_recent);
+  if (state.recent.size() > max_recent) state.recent.resize(max_recent);
   if (state.state_dir.empty()) return;
   std::string lines;
   for (const std::string& recent : state.recent) lines += recent + "\n";
-  // A convenience: that it cannot be kept is no reason to bother anyone.
+  // A convenience: failures are ignored.
   static_cast<void>(write_in_folder(state, recent_path(state), lines));
 }
 
@@ -160,15 +160,15 @@ void add_recent(State& state, const std::string& path) {
 
 void restore_session(State& state) {
   if (state.state_dir.empty()) return;
-  const Result<std::string> recent = read_file(detail::recent_path(state), detail::most_bytes);
+  const Result<std::string> recent = read_file(detail::recent_path(state), detail::max_bytes);
   std::size_t start = 0;
-  while (recent && start < recent->size() && state.recent.size() < detail::most_recent) {
+  while (recent && start < recent->size() && state.recent.size() < detail::max_recent) {
     const std::size_t end = std::min(recent->find('\n', start), recent->size());
     if (end > start) state.recent.push_back(recent->substr(start, end - start));
     start = end + 1;
   }
-  // An autosave that nobody has decided on is never written over.
-  for (int i = 1; i <= detail::most_autosaves; ++i) {
+  // An undecided autosave is never overwritten.
+  for (int i = 1; i <= detail::max_autosaves; ++i) {
     state.autosave_file = detail::autosave_name(i);
     std::error_code failed;
     if (!std::filesystem::exists(detail::autosave_path(state), failed)) break;

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr Viewport picture_size{960, 640};
-constexpr Viewport page_size{750, 500};  // less, so that its letters are larger where it is shown as wide
+constexpr Viewport page_size{750, 500};  // smaller, so that letters are larger at the same width
 
 State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme,
              const Viewport& viewport) {
@@ -36,7 +36,7 @@ State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Langu
   return state;
 }
 
-/// Each string once, by number: most of what one step draws stood there before.
+/// String interning: most of what one step draws was there before.
 class Dictionary {
  public:
   int number_of(std::string text) {
@@ -137,7 +137,7 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
     steps.push_back(slide(state, drawn, said));
   state.position = 0;
   const Json walk{{"drawn", drawn.texts()}, {"said", said.texts()}, {"steps", std::move(steps)}};
-  // In a script "</" would end it.
+  // "</" would end the script.
   std::string data = walk.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t i = data.find("</"); i != std::string::npos; i = data.find("</", i + 3)) data.insert(i + 1, "\\");
   const std::string title = escaped(scene.title.empty() ? "Raywalk" : scene.title);

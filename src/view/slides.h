@@ -1,5 +1,5 @@
 #pragma once
-// A walk as one page of HTML that needs nothing but a browser: it steps offline, by buttons, keys and a bar.
+// A walk as one self-contained HTML page, stepped by buttons, keys and a bar.
 
 #include "scene/scene.h"
 #include "text/language.h"
@@ -11,11 +11,11 @@
 
 namespace raywalk {
 
-/// More steps make a page that browsers are slow with.
-inline constexpr int most_slides = 20'000;
+/// Browsers are slow with more.
+inline constexpr int max_slides = 20'000;
 
 /// The page; `timeline` was recorded from `scene`. Each step has the plan, the pseudocode with its pointer, the
-/// sentence, which a screen reader says, and the equation with its numbers.
+/// sentence, read by screen readers, and the equation with its numbers.
 [[nodiscard]] std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language,
                                       Theme theme = Theme::projector);
 

@@ -1,4 +1,4 @@
-// What is done to the 3-D picture and the line view, and which pixel is walked.
+// Actions on the 3-D picture and the line view, and the choice of the walked pixel.
 
 #include "view/lines_view.h"
 #include "view/orbit.h"
@@ -12,7 +12,7 @@ namespace raywalk::detail {
 
 namespace {
 
-/// A camera that came from turning by hand; where numbers ran out it stays as it was.
+/// Sets a camera turned by hand; ignored if not finite.
 void set_camera(State& state, SpaceView view, const Camera& camera) {
   state.turned_last = view;
   if (!is_finite(camera.eye) || !is_finite(camera.look_at) || camera.eye == camera.look_at) return;
@@ -38,7 +38,7 @@ Camera camera_of(const State& state, SpaceView view) {
   return {};
 }
 
-/// What a view is turned about: once turned, a camera goes on looking at it.
+/// A view's pivot: once turned, the camera keeps looking at it.
 Vec3d pivot(const State& state, SpaceView view, const Camera& camera) {
   const bool is_scenes_own = view == SpaceView::image && !state.image_camera;
   return is_scenes_own ? pivot_of(state.scene(), camera) : camera.look_at;
@@ -59,7 +59,7 @@ void walk_pixel(State& state, const action::WalkPixel& wanted) {
   if (size.width < 1 || size.height < 1 || size.width > most || size.height > most) return;
   if (wanted.column < 0 || wanted.row < 0 || wanted.column >= size.width || wanted.row >= size.height) return;
   const int cells = state.scene().camera.screen.cells;
-  // The row that is the strip, as wide as a cell is.
+  // The row of the strip, as wide as a cell.
   const int near = std::max(size.width / std::max(cells, 1) / 2, 1);
   if (state.planar && !state.image_camera && std::abs(2 * wanted.row + 1 - size.height) / 2 < near)
     return update(state, action::JumpToCell{wanted.column * cells / size.width});
@@ -117,8 +117,8 @@ void use_image_camera(State& state) {
 }
 
 void set_image_settings(State& state, ImageSettings settings) {
-  settings.samples = std::clamp(settings.samples, 1, most_image_samples);
-  settings.walk_samples = std::clamp(settings.walk_samples, 1, most_walk_samples);
+  settings.samples = std::clamp(settings.samples, 1, max_image_samples);
+  settings.walk_samples = std::clamp(settings.walk_samples, 1, max_walk_samples);
   if (settings == state.image) return;
   const auto of_walk = [](const ImageSettings& s) {
     return std::tie(s.single_precision, s.integrator, s.walk_samples);

@@ -16,7 +16,7 @@ const RayRecord& ray_of(const Timeline& timeline, int index) {
   return timeline.rays()[static_cast<std::size_t>(index)];
 }
 
-/// What a call that was made for this kind of ray returns, and what its caller does meanwhile.
+/// The return value of a call for this kind of ray, and what its caller does meanwhile.
 struct ReturnName {
   std::string_view name, waiting;
 };
@@ -44,7 +44,7 @@ std::string ray_text(const State& state, const RayRecord& ray) {
               {{"ray", std::string(text(ray.kind, state.language))}, {"object", name}});
 }
 
-/// The SHADE at the end of `ray`'s hit has returned by now: what it brought.
+/// Adds the returned colour of the SHADE of `ray`'s hit.
 void add_returned(const State& state, int ray_index, std::vector<StackRow::Returned>& returned) {
   const Timeline& timeline = *state.timeline;
   const RayRecord& ray = ray_of(timeline, ray_index);
@@ -56,7 +56,7 @@ void add_returned(const State& state, int ray_index, std::vector<StackRow::Retur
         {str(state, returns(ray.kind).name), frame.returned, display_colour(frame.returned, state.scene().encoding)});
 }
 
-/// The ray that FOLLOW PATH has come by: a shadow ray leaves from where that one ended.
+/// The current ray of FOLLOW PATH: shadow rays start at its end.
 int on_path(const Timeline& timeline, int position) {
   const int current = timeline.current_ray(position);
   const RayRecord& ray = ray_of(timeline, current);
@@ -77,10 +77,10 @@ StackPanel stack_panel(const State& state) {
   const std::string at =
       running ? fill("stack.works_on", state.language, {{"line", std::string(pseudocode_of(next->line).text)}}) : "";
 
-  // What the row below the present one waits for; the innermost call waits for nothing, it works.
+  // What the row below the current one waits for; the innermost call is executing.
   std::optional<RayKind> waits_for;
   const auto waiting = [&] { return waits_for ? str(state, returns(*waits_for).waiting) : at; };
-  // The call that has just computed its shade is still shown, at the moment of handing it over.
+  // A call that has just computed its shade is still shown while returning.
   std::vector<int> calls = timeline.stack(state.position);
   const Event* ran = timeline.just_run(state.position);
   const bool returning = ran != nullptr && ran->line == Line::compute_rtnshade;

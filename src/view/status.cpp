@@ -64,7 +64,7 @@ std::string cell_text(const State& state, int cell) {
   return fill("pointed.cell", state.language, {{"cell", cell}});
 }
 
-/// Why the plan does not show what one may look for, and how to get it back; empty when it does.
+/// Why the plan does not show the scene well, and how to fix that; empty if it does.
 std::string view_hint(const State& state) {
   constexpr double tiny = 0.15;  // of the size that fits
   if (state.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(state, "plan.shown_tiny");
@@ -194,7 +194,7 @@ std::string short_status_line(const State& state) {
 }
 
 std::string widest_status_line(const State& state, bool in_short) {
-  // As many digits as most walks have, so that an edit that makes the walk a little longer changes nothing.
+  // Enough digits for most walks, so that a slightly longer walk does not change the layout.
   const auto digits = [](int number, std::size_t least) {
     return std::string(std::max(std::to_string(number).size(), least), '0');
   };
@@ -209,7 +209,7 @@ std::string widest_status_line(const State& state, bool in_short) {
 
 namespace {
 
-/// A lesson as the list names it: "5 Refraction and total reflection".
+/// A lesson as in the list: "5 Refraction and total reflection".
 std::string lesson_title(const State& state, const std::string& name) {
   const std::vector<LessonEntry>& list = state.lessons.list;
   const auto entry = std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == name; });

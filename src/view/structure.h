@@ -1,6 +1,6 @@
 #pragma once
-// The accelerators, stepped: how the search for the ray in hand goes through the boxes of one of them, what each of
-// them spares, and how it was built. All of it is the renderer's own search and its own structures, watched.
+// The Structure tab: how the search for the current ray traverses an accelerator, what each accelerator saves, and how
+// it was built. All of it observes the renderer's own searches and structures.
 
 #include "math/bounds.h"
 
@@ -21,23 +21,23 @@ enum class StructurePage { search, build };
 struct StructureSitting {
   AcceleratorKind kind{};  ///< one of watched_accelerators, made so by make_state
   StructurePage page = StructurePage::search;
-  int step = 0;        ///< of the search, 0..its events
+  int step = 0;        ///< of the search, 0..number of events
   int build_step = 0;  ///< 0..steps of the build
-  // Made while the tab is shown, of the timeline and its ray in hand; null else.
+  // For the timeline and its current ray, while the tab is shown; else null.
   std::shared_ptr<const SearchWalks> walks;
-  std::shared_ptr<const RaySearches> searches;  ///< null also where no ray is in hand that was formed
+  std::shared_ptr<const RaySearches> searches;  ///< also null without a formed current ray
 };
 
-inline constexpr std::size_t most_boxes_drawn = 600;
+inline constexpr std::size_t max_boxes_drawn = 600;
 
 /// Whether structures are shown: the tab is open in Trace mode.
 [[nodiscard]] bool shows_structure(const State& state);
-/// How many steps the page that is open has.
+/// The number of steps of the open page.
 [[nodiscard]] int structure_steps(const State& state);
-/// Which of them it has come to.
+/// Its current step.
 [[nodiscard]] int structure_step(const State& state);
 
-/// Whether a box lies above or below the plan of a planar scene, where no ray of its walk goes.
+/// Whether a box is above or below the plan of a planar scene, where no ray of its walk goes.
 [[nodiscard]] bool is_off_plan(const State& state, const Bounds<double>& box);
 
 /// A line of the comparison.
@@ -50,12 +50,12 @@ struct StructureRow {
 /// The tab, as data.
 struct StructurePanel {
   std::string title;
-  std::string sentence;              ///< what the step did; or why there is nothing to step through
+  std::string sentence;              ///< what the step did, or why there are no steps
   std::string so_far;                ///< counts; empty before the first step
   std::string counter;               ///< "3 / 17"
-  std::vector<std::string> columns;  ///< heads of the numbers
-  std::vector<StructureRow> rows;    ///< empty where nothing can be compared
-  std::string summary;               ///< what the chosen one spares
+  std::vector<std::string> columns;  ///< headings of the numbers
+  std::vector<StructureRow> rows;    ///< empty if nothing can be compared
+  std::string summary;               ///< what the chosen one saves
   std::vector<std::string> notes;
 };
 [[nodiscard]] StructurePanel structure_panel(const State& state);

@@ -1,4 +1,4 @@
-// What the Structure tab says.
+// The texts of the Structure tab.
 
 #include "timeline/search_walk.h"
 #include "view/lesson_panel.h"
@@ -43,9 +43,9 @@ std::string_view ray_id(RayKind kind) {
   return "structure.ray_primary";
 }
 
-class Words {
+class PanelWords {
  public:
-  explicit Words(const State& state) : state_(state), sitting_(state.structure), language_(state.language) {}
+  explicit PanelWords(const State& state) : state_(state), sitting_(state.structure), language_(state.language) {}
 
   StructurePanel panel() {
     const bool searching = sitting_.page == StructurePage::search;
@@ -58,8 +58,8 @@ class Words {
       return std::move(panel_);
     }
     if (sitting_.walks->too_large()) {
-      panel_.sentence = say("structure.too_large",
-                            {{"shapes", sitting_.walks->primitives()}, {"most", SearchWalks::most_primitives}});
+      panel_.sentence =
+          say("structure.too_large", {{"shapes", sitting_.walks->primitives()}, {"most", SearchWalks::max_primitives}});
       return std::move(panel_);
     }
     const int steps = structure_steps(state_);
@@ -153,7 +153,7 @@ class Words {
         return say("structure.skip_behind");
       case Skip::beyond:
         return to_light() ? say("structure.skip_light")
-                          : say("structure.skip_beyond", {{"entry", number(event.t_in)}, {"hit", number(event.reach)}});
+                          : say("structure.skip_beyond", {{"entry", number(event.t_in)}, {"hit", number(event.t_far)}});
     }
     return {};
   }
@@ -261,7 +261,7 @@ class Words {
         return say("structure.leaf_single", {{"shapes", held}});
       case LeafReason::few:
         return say("structure.leaf_few", {{"shapes", held}});
-      case LeafReason::dearer:
+      case LeafReason::split_costs_more:
         return say("structure.leaf_dearer",
                    {{"shapes", held}, {"cut", number(step.split_cost)}, {"leaf", number(step.leaf_cost)}});
       case LeafReason::no_gain:
@@ -280,8 +280,8 @@ class Words {
     if (sitting_.kind != AcceleratorKind::none && endless > 0)
       panel_.notes.push_back(say("structure.note_unbounded", {{"shapes", endless}}));
     if (!state_.planar && !shows_lines(state_)) panel_.notes.push_back(say("structure.note_above"));
-    if (built.nodes.size() > most_boxes_drawn)
-      panel_.notes.push_back(say("structure.note_many", {{"most", most_boxes_drawn}}));
+    if (built.nodes.size() > max_boxes_drawn)
+      panel_.notes.push_back(say("structure.note_many", {{"most", max_boxes_drawn}}));
     const bool whole = !searching          ? built.complete
                        : sitting_.searches ? sitting_.searches->in[watched_index(sitting_.kind)].complete
                                            : true;
@@ -296,6 +296,6 @@ class Words {
 
 }  // namespace
 
-StructurePanel structure_panel(const State& state) { return Words(state).panel(); }
+StructurePanel structure_panel(const State& state) { return PanelWords(state).panel(); }
 
 }  // namespace raywalk

@@ -1,4 +1,4 @@
-// What the actions of the Structure tab do.
+// Implements the actions of the Structure tab.
 
 #include "timeline/search_walk.h"
 #include "view/lesson_panel.h"
@@ -33,7 +33,7 @@ namespace detail {
 
 namespace {
 
-/// The ray that the line just run speaks of, if it was formed. While a lesson asks, its search would tell the answer.
+/// The current ray, if it was formed. None while a lesson asks: its search would reveal the answer.
 int ray_in_hand(const State& state) {
   if (question_waits(state)) return -1;
   const int ray = state.timeline->current_ray(state.position);
@@ -53,7 +53,7 @@ void follow_with_structure(State& state) {
   const bool anew = !sitting.walks || sitting.walks->timeline() != state.timeline;
   const int ray = ray_in_hand(state);
   if (!anew && (sitting.searches ? sitting.searches->ray : -1) == ray) return;
-  // Who has seen a search to its end sees the end of the next one.
+  // If a search was shown to its end, so is the next one.
   const bool to_end = sitting.searches && sitting.step > 0 && sitting.step == structure_steps(state);
   if (anew) {
     const Precision precision = state.image.single_precision ? Precision::float_ : Precision::double_;

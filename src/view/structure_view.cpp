@@ -1,5 +1,5 @@
-// The boxes of the accelerator that is stepped, in the plan and in space: all of them faint, those that the search has
-// come to strong, solid where it went in and dashed where it did not.
+// The boxes of the current accelerator, in the plan and in space: all of them faint, those that the search has reached
+// strong, solid if entered and dashed if skipped.
 
 #include "timeline/search_walk.h"
 #include "view/painter.h"
@@ -13,17 +13,17 @@ namespace raywalk::detail {
 namespace {
 
 enum class Manner {
-  there,  ///< part of the structure, not come to
+  there,  ///< part of the structure, not reached
   entered,
   skipped,
   current,
 };
 
-struct Mark {
+struct BoxMark {
   Bounds<double> box;
   Manner manner = Manner::there;
   int depth = 0;
-  bool dashed = false;  ///< skipped, also where it is the current one
+  bool dashed = false;  ///< skipped, even if it is the current one
   std::string label{};
 };
 
@@ -41,19 +41,19 @@ std::string label_of(const State& state, const SearchEvent& event) {
   return {};
 }
 
-/// The structure as it stands, its upper boxes first.
-std::vector<Mark> standing(const State& state) {
-  std::vector<Mark> marks;
+/// The finished structure, upper boxes first.
+std::vector<BoxMark> standing(const State& state) {
+  std::vector<BoxMark> marks;
   for (const StructureNode& node : state.structure.walks->build(state.structure.kind).nodes)
     marks.push_back({node.box, Manner::there, node.leaf ? std::max(node.depth, 2) : node.depth});  // cells are fine
-  std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.depth < b.depth; });
-  if (marks.size() > most_boxes_drawn) marks.resize(most_boxes_drawn);
+  std::stable_sort(marks.begin(), marks.end(), [](const BoxMark& a, const BoxMark& b) { return a.depth < b.depth; });
+  if (marks.size() > max_boxes_drawn) marks.resize(max_boxes_drawn);
   return marks;
 }
 
-std::vector<Mark> marks_of_search(const State& state) {
+std::vector<BoxMark> marks_of_search(const State& state) {
   const StructureSitting& sitting = state.structure;
-  std::vector<Mark> marks = standing(state);
+  std::vector<BoxMark> marks = standing(state);
   if (!sitting.searches) return marks;
   const std::vector<SearchEvent>& events = sitting.searches->in[watched_index(sitting.kind)].events;
   for (int i = 0; i < sitting.step; ++i) {
@@ -70,17 +70,17 @@ std::vector<Mark> marks_of_search(const State& state) {
   return marks;
 }
 
-/// What has been built so far, the step under way on top.
-std::vector<Mark> marks_of_build(const State& state) {
+/// The structure built so far, the current step on top.
+std::vector<BoxMark> marks_of_build(const State& state) {
   const std::vector<BuildStep>& steps = state.structure.walks->build(state.structure.kind).steps;
-  std::vector<Mark> marks;
+  std::vector<BoxMark> marks;
   if (steps.empty()) return marks;
   marks.push_back({steps.front().box, Manner::there, 0});
   for (int i = 0; i < state.structure.build_step; ++i) {
     const BuildStep& step = steps[static_cast<std::size_t>(i)];
     const bool now = i == state.structure.build_step - 1;
     if (step.kind == BuildStep::Kind::cells)
-      for (const Mark& cell : standing(state)) marks.push_back(cell);
+      for (const BoxMark& cell : standing(state)) marks.push_back(cell);
     for (const BuildStep::Part& part : step.parts)
       marks.push_back({part.box, now ? Manner::entered : Manner::there, step.depth + 1, false,
                        now ? std::to_string(part.items) : std::string()});
@@ -89,18 +89,18 @@ std::vector<Mark> marks_of_build(const State& state) {
   return marks;
 }
 
-std::vector<Mark> marks_of(const State& state) {
+std::vector<BoxMark> marks_of(const State& state) {
   if (!shows_structure(state) || !state.structure.walks || state.structure.walks->too_large()) return {};
-  std::vector<Mark> marks =
+  std::vector<BoxMark> marks =
       state.structure.page == StructurePage::search ? marks_of_search(state) : marks_of_build(state);
-  // Of what only stands there, the plan shows what it cuts.
-  std::erase_if(marks, [&](const Mark& mark) {
+  // Of unreached boxes, only those cut by the plan are shown.
+  std::erase_if(marks, [&](const BoxMark& mark) {
     return !mark.box.bounded() || (mark.manner == Manner::there && is_off_plan(state, mark.box));
   });
   return marks;
 }
 
-Stroke stroke_of(const Painter& painter, const Mark& mark) {
+Stroke stroke_of(const Painter& painter, const BoxMark& mark) {
   const double unit = painter.sizes.unit;
   const DashPattern dashes = painter.scaled({{7, 4}, 2});
   switch (mark.manner) {
@@ -117,13 +117,13 @@ Stroke stroke_of(const Painter& painter, const Mark& mark) {
   return {};
 }
 
-constexpr int most_bodies = 500;  ///< among more of them there is no room for words
+constexpr int max_bodies = 500;  ///< with more, there is no room for text
 
-/// Where in the plan the things lie that the boxes hold.
-std::vector<Box> bodies_of(const Painter& painter) {
-  std::vector<Box> bodies;
+/// The boxes of the primitives, in the plan.
+std::vector<PixelRect> bodies_of(const Painter& painter) {
+  std::vector<PixelRect> bodies;
   const SearchWalks& walks = *painter.state.structure.walks;
-  for (int i = 0; i < std::min(walks.primitives(), most_bodies); ++i) {
+  for (int i = 0; i < std::min(walks.primitives(), max_bodies); ++i) {
     const Bounds<double> box = walks.box(i);
     if (!box.bounded() || is_off_plan(painter.state, box)) continue;
     const Vec2d a = painter.pixels(plan(box.min)), b = painter.pixels(plan(box.max));
@@ -132,15 +132,15 @@ std::vector<Box> bodies_of(const Painter& painter) {
   return bodies;
 }
 
-/// Why a box was skipped, in a corner of it where nothing else is; else it is left to the list of steps.
-void draw_reason(Painter& painter, const Mark& mark, const Box& box, const std::vector<Box>& bodies) {
+/// Why a box was skipped, in a free corner of it; else only the list of steps says so.
+void draw_reason(Painter& painter, const BoxMark& mark, const PixelRect& box, const std::vector<PixelRect>& bodies) {
   const double size = 0.8 * painter.sizes.text, margin = 2 * painter.sizes.unit;
   const Vec2d half(text_width(mark.label, size) / 2 + 0.2 * size, 0.6 * size);
   const Vec2d low = box.min + half + margin, high = box.max - half - margin;
   if (low.x > high.x || low.y > high.y) return;
   for (const Vec2d& at : {low, Vec2d(high.x, low.y), Vec2d(low.x, high.y), high, (low + high) / 2.0}) {
-    const Box place{at - half, at + half};
-    const auto covers = [&](const Box& taken) { return place.overlap(taken) > 0; };
+    const PixelRect place{at - half, at + half};
+    const auto covers = [&](const PixelRect& taken) { return place.overlap(taken) > 0; };
     if (std::any_of(painter.kept_free.begin(), painter.kept_free.end(), covers)) continue;
     if (std::any_of(bodies.begin(), bodies.end(), covers)) continue;
     painter.add(TextItem{at, mark.label, size, painter.colours.dim_text, TextAnchor::middle});
@@ -148,8 +148,8 @@ void draw_reason(Painter& painter, const Mark& mark, const Box& box, const std::
   }
 }
 
-void draw_mark(Painter& painter, const Mark& mark, const std::vector<Box>& bodies) {
-  // Boxes share their edges: what is skipped is drawn a little smaller, so that its dashes are not drawn over.
+void draw_mark(Painter& painter, const BoxMark& mark, const std::vector<PixelRect>& bodies) {
+  // Boxes share edges: skipped ones are drawn slightly smaller, so that their dashes are not covered.
   const double inset = (mark.dashed ? 3 : 0) * painter.sizes.unit;
   const Vec2d a = painter.pixels(plan(mark.box.min)), b = painter.pixels(plan(mark.box.max));
   Vec2d low(std::min(a.x, b.x) + inset, std::min(a.y, b.y) + inset);
@@ -168,13 +168,13 @@ void draw_mark(Painter& painter, const Mark& mark, const std::vector<Box>& bodie
   for (std::size_t i = 0; i < 4; ++i) painter.add_clipped({corners[i], corners[(i + 1) % 4], stroke});
   if (mark.label.empty()) return;
   if (mark.manner != Manner::current) {
-    if (painter.state.structure.walks->primitives() <= most_bodies) draw_reason(painter, mark, {low, high}, bodies);
+    if (painter.state.structure.walks->primitives() <= max_bodies) draw_reason(painter, mark, {low, high}, bodies);
     return;
   }
   painter.note({(low.x + high.x) / 2, low.y - 0.8 * painter.sizes.text}, mark.label);
 }
 
-/// A cross on what was tested in vain, a disc where something was hit.
+/// A cross on what was missed, a disc where something was hit.
 void draw_tests(Painter& painter) {
   const StructureSitting& sitting = painter.state.structure;
   const double size = 5 * painter.sizes.unit;
@@ -191,7 +191,7 @@ void draw_tests(Painter& painter) {
     }
     const Bounds<double> box = sitting.walks->box(event.primitive);
     if (!box.bounded()) continue;
-    const Vec2d at = painter.pixels(plan((box.min + box.max) / 2.0)) + Vec2d(0, 2.6 * size);  // its name stands there
+    const Vec2d at = painter.pixels(plan((box.min + box.max) / 2.0)) + Vec2d(0, 2.6 * size);  // where its name is
     painter.add(LineItem{at - Vec2d(size), at + Vec2d(size), stroke});
     painter.add(LineItem{at + Vec2d(size, -size), at + Vec2d(-size, size), stroke});
   }
@@ -200,16 +200,16 @@ void draw_tests(Painter& painter) {
 }  // namespace
 
 void draw_structure(Painter& painter) {
-  const std::vector<Mark> marks = marks_of(painter.state);
+  const std::vector<BoxMark> marks = marks_of(painter.state);
   if (marks.empty()) return;
-  const std::vector<Box> bodies = bodies_of(painter);
-  for (const Mark& mark : marks) draw_mark(painter, mark, bodies);
+  const std::vector<PixelRect> bodies = bodies_of(painter);
+  for (const BoxMark& mark : marks) draw_mark(painter, mark, bodies);
   if (painter.state.structure.page == StructurePage::search && painter.state.structure.searches) draw_tests(painter);
 }
 
 std::vector<StructureEdge> structure_edges(const Painter& painter) {
   std::vector<StructureEdge> edges;
-  for (const Mark& mark : marks_of(painter.state)) {
+  for (const BoxMark& mark : marks_of(painter.state)) {
     const Stroke stroke = stroke_of(painter, mark);
     const auto corner = [&](unsigned bits) {
       return Vec3d((bits & 1U ? mark.box.max : mark.box.min).x, (bits & 2U ? mark.box.max : mark.box.min).y,

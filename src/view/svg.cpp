@@ -11,7 +11,7 @@ namespace raywalk {
 
 namespace {
 
-/// A hundredth of a pixel is seen by nobody.
+/// A hundredth of a pixel is not visible.
 std::string number(double value) {
   std::string text = fmt::format("{:.2f}", value == 0 ? 0.0 : value);
   while (text.back() == '0') text.pop_back();
@@ -66,7 +66,7 @@ struct Element {
                        number(item.radius), fill_of(item.fill), stroke_of(item.stroke));
   }
   std::string operator()(const ArcItem& item) const {
-    // As a chain of short lines: an arc of a whole turn has no two ends that SVG could join.
+    // A chain of short lines: SVG cannot express an arc of a full turn.
     constexpr int pieces = 32;
     std::vector<Vec2d> points;
     for (int i = 0; i <= pieces; ++i) {
@@ -87,7 +87,7 @@ struct Element {
       }
       return "start";
     }();
-    // A line of text is a quarter higher than its letters; their middle lies a third above the foot.
+    // The line height is 1.25 times the letters; their middle is a third above the baseline.
     const double letters = item.size / 1.25;
     return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>", number(item.at.x),
                        number(item.at.y + 0.35 * letters), number(letters), anchor, fill_of(item.colour),

@@ -10,7 +10,7 @@ namespace raywalk {
 
 /// One shape as one element or a few.
 [[nodiscard]] std::string svg_element(const Shape2d& shape);
-/// A whole file, `width` x `height` pixels, on a ground of this colour. `title` is what it is called aloud.
+/// A whole file, `width` x `height` pixels, on a background of this colour. `title`: read by screen readers.
 [[nodiscard]] std::string svg_file(const DisplayList& list, double width, double height, Colour ground,
                                    std::string_view title);
 

@@ -11,11 +11,11 @@ namespace raywalk::detail {
 namespace {
 
 /// Directions on the screen of the view: forward and to its left, of unit length.
-struct Frame {
+struct ViewAxes {
   Vec2d forward, left;
 };
 
-Frame frame_of(const ScreenPlace& screen) {
+ViewAxes view_axes(const ScreenPlace& screen) {
   const double size = length(screen.forward);
   const Vec2d forward = size > 1e-9 ? Vec2d(screen.forward.x, -screen.forward.y) / size : Vec2d(1, 0);
   return {forward, {forward.y, -forward.x}};
@@ -27,7 +27,7 @@ void draw_screen(Painter& painter) {
   const ScreenPlace screen = screen_place(painter.scene().camera);
   const int cells = painter.scene().camera.screen.cells;
   const Vec2d first = painter.pixels(screen.first), last = painter.pixels(screen.last);
-  const Vec2d forward = frame_of(screen).forward;
+  const Vec2d forward = view_axes(screen).forward;
   const double cell = length(last - first) / cells;
   const Vec2d half = std::clamp(cell, 14 * painter.sizes.unit, 22 * painter.sizes.unit) / 2 * forward;
   const auto along = [&](double t) { return first + t * (last - first); };
@@ -59,7 +59,7 @@ void draw_screen(Painter& painter) {
   painter.add(PolygonItem{{first - half, first + half, last + half, last - half},
                           std::nullopt,
                           painter.outline({TargetKind::screen_distance, -1}, painter.colours.ink)});
-  // The pixel under way, and the one pointed at.
+  // The current pixel, and the hovered one.
   const auto mark = [&](int column, Colour colour, double width) {
     if (column < 0 || column >= cells) return;
     const double t0 = static_cast<double>(column) / cells, t1 = static_cast<double>(column + 1) / cells;
@@ -77,9 +77,9 @@ void draw_screen(Painter& painter) {
                       std::max(length(half), length(last - first) / pieces / 2));
 }
 
-/// An eye seen from the side: lids, the ball's front, and the iris on it.
+/// An eye from the side: lids, the front of the eyeball, and the iris.
 void draw_eye(Painter& painter) {
-  const Frame frame = frame_of(screen_place(painter.scene().camera));
+  const ViewAxes frame = view_axes(screen_place(painter.scene().camera));
   const Vec2d at = painter.pixels(plan(painter.scene().camera.eye));
   const double unit = 1.35 * painter.sizes.unit;
   const Target target{TargetKind::eye};
@@ -131,7 +131,7 @@ void draw_lights(Painter& painter) {
     }
     painter.add(CircleItem{at, 6.5 * unit, painter.colours.light, outline}, target);
     if (const auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
-      // Its light comes from infinitely far away: parallel arrows.
+      // Its light comes from infinity: parallel arrows.
       const Vec2d away = -plan(sun->direction);
       const double size = length(away);
       if (size > 0) {

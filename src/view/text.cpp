@@ -11,7 +11,7 @@ namespace raywalk {
 
 namespace {
 
-std::string met_text(const Met& met, Language language) {
+std::string met_text(const HitObject& met, Language language) {
   std::string name = met.object;
   if (!met.member.empty()) name = fill("object.member_of", language, {{"member", met.member}, {"group", name}});
   if (met.triangle >= 0) name = fill("object.triangle_of", language, {{"number", met.triangle}, {"mesh", name}});
@@ -23,10 +23,10 @@ std::string value_text(const Argument& argument, Language language) {
                         [](int value) { return std::to_string(value); },
                         [&](double value) { return number_text(value, language); },
                         [&](const Rgbd& colour) { return colour_text(colour, language); },
-                        [&](Share share) { return percent_text(share.value, language); },
+                        [&](Fraction share) { return percent_text(share.value, language); },
                         [&](RayKind kind) { return std::string(text(kind, language)); },
                         [](const std::string& name) { return name; },
-                        [&](const Met& met) { return met_text(met, language); },
+                        [&](const HitObject& met) { return met_text(met, language); },
                     },
                     argument.value);
 }
@@ -37,7 +37,7 @@ std::string_view text(RayKind kind, Language language) { return family_text("ray
 
 std::string_view text(Ending ending, Language language) { return family_text("ending", ending_name(ending), language); }
 
-/// Only letters that every font has.
+/// Only characters that every font has.
 std::string_view symbol(Ending ending) {
   switch (ending) {
     case Ending::hit:
@@ -87,7 +87,7 @@ std::string percent_text(double share, Language language) {
 }
 
 std::string colour_text(const Rgbd& c, Language language) {
-  // What no display could show is no number worth reading out.
+  // Values below what a display can show are shown as 0.
   const auto part = [&](double value) { return number_text(value < 5e-5 ? 0 : value, language); };
   if (c.x == c.y && c.y == c.z) return part(c.x);
   const std::string_view between = language.separator();
@@ -98,7 +98,7 @@ std::string sentence_of(const Message& message, Language language) {
   TextArguments arguments;
   for (const Argument& argument : message.arguments) {
     if (const int* const number = std::get_if<int>(&argument.value))
-      arguments.emplace_back(argument.name, *number);  // which may choose a form
+      arguments.emplace_back(argument.name, *number);  // may select a plural form
     else
       arguments.emplace_back(argument.name, value_text(argument, language));
   }
@@ -116,7 +116,7 @@ std::string step_text(const Scene& scene, const Timeline& timeline, int position
   const Event* event = timeline.just_run(position);
   if (event == nullptr) return said;
   const PseudocodeLine& line = pseudocode_of(event->line);
-  // Calls within calls stand further in; a path goes on within the same call.
+  // Nested calls are indented; a path continues within the same call.
   const int level = line.procedure == Procedure::follow_path ? 1 : std::min(event->depth, 20);
   const std::string indented(static_cast<std::size_t>(2 * level + 2 * line.indent), ' ');
   const std::string depth = event->depth > 0 ? fmt::format("[{}]", event->depth) : "";

@@ -1,6 +1,5 @@
 #pragma once
-// What is said of rays, messages and numbers, and Help. Every other text is asked for by its id where it is said
-// (text/language.h).
+// Texts of rays, messages and numbers, and Help. Every other text is used by its id directly (text/language.h).
 
 #include "scene/scene.h"
 #include "text/language.h"
@@ -17,12 +16,12 @@ namespace raywalk {
 [[nodiscard]] std::string_view text(Ending ending, Language language);  ///< a clause: "left the scene"
 [[nodiscard]] std::string_view symbol(Ending ending);                   ///< one or two characters for the tree
 
-// Numbers as the language writes them.
-/// Digits as they are printed: with the language's mark for the point, with a minus that is as wide as a plus.
+// Numbers in the format of the language.
+/// Printed digits: with the language's decimal separator and a true minus sign.
 [[nodiscard]] std::string typeset_number(std::string digits, Language language);
 [[nodiscard]] std::string number_text(double value, Language language);   ///< 3 significant digits, no trailing zeros
 [[nodiscard]] std::string percent_text(double share, Language language);  ///< "45%", "0.2%"
-/// "(0.2, 0.5, 1)", in Portuguese "(0,2; 0,5; 1)", or one number when it is a grey.
+/// "(0.2, 0.5, 1)", in Portuguese "(0,2; 0,5; 1)", or one number for a grey.
 [[nodiscard]] std::string colour_text(const Rgbd& c, Language language);
 
 /// A message of the timeline as one sentence.
@@ -31,13 +30,12 @@ namespace raywalk {
 /// The step that leads to `position`, 1 <= position <= steps(), as one line of a transcript: number, indentation by
 /// depth, the line of pseudocode and its sentence.
 [[nodiscard]] std::string step_text(const Scene& scene, const Timeline& timeline, int position, Language language);
-/// All steps, one a line.
+/// All steps, one per line.
 [[nodiscard]] std::string transcript(const Scene& scene, const Timeline& timeline, Language language);
 
 // ---- Properties -----------------------------------------------------------------------------------------------------
 
-/// What a property is, for who does not know its name; empty for those that need no word. `property`: the id of its
-/// name, "property.ambient".
+/// An explanation of a property; empty for obvious ones. `property`: the id of its name, "property.ambient".
 [[nodiscard]] std::string_view explanation(std::string_view property, Language language);
 
 // ---- Help -----------------------------------------------------------------------------------------------------------

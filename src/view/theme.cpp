@@ -65,7 +65,7 @@ constexpr DashPattern long_dash{{14, 5}, 2};
 constexpr DashPattern dash_dot{{11, 4, 2, 4}, 4};
 
 // Okabe and Ito's yellow, reddish purple, orange and sky blue on dark; on white their bluish green instead of the
-// yellow, and the darker of each pair: a deepened purple, vermillion and blue.
+// yellow, and the darker of each pair: a darker purple, vermillion and blue.
 constexpr RayStyle dark_primary{{240, 228, 66}, solid}, dark_shadow{{204, 121, 167}, short_dash},
     dark_reflect{{230, 159, 0}, long_dash}, dark_refract{{86, 180, 233}, dash_dot};
 constexpr RayStyle light_primary{{0, 128, 92}, solid}, light_shadow{{150, 60, 120}, short_dash},

@@ -1,7 +1,7 @@
 #pragma once
 // Colours and line styles. Rays differ in three ways at once (colour, dash pattern, width of the current one), so that
-// nobody has to tell them apart by colour alone; the colours are those of M. Okabe and K. Ito, "Color Universal Design"
-// (2008), whose yellow vanishes on white and is another one in the light theme.
+// colour alone never matters; the colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), whose
+// yellow is invisible on white and is replaced in the light theme.
 
 #include "math/vec.h"
 #include "scene/scene.h"
@@ -12,7 +12,7 @@
 
 namespace raywalk {
 
-/// A colour as the display wants it: sRGB, not premultiplied.
+/// A display colour: sRGB, not premultiplied.
 struct Colour {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
   friend bool operator==(const Colour&, const Colour&) = default;
@@ -20,18 +20,17 @@ struct Colour {
   [[nodiscard]] constexpr Colour with_alpha(int alpha) const { return {r, g, b, static_cast<std::uint8_t>(alpha)}; }
 };
 
-/// Linear light as a display shows it: clamped, encoded as a scene's pictures are, else in sRGB; what is not a number
-/// is magenta.
+/// Linear light for display: clamped, encoded like a scene's pictures, else in sRGB; NaN is magenta.
 [[nodiscard]] Colour display_colour(const Rgbd& linear, Encoding encoding = Encoding::srgb);
 /// a + t (b - a) in sRGB; t in 0..1.
 [[nodiscard]] Colour mix(Colour a, Colour b, double t);
 
 enum class Theme {
   dark,
-  projector,  ///< light and large, for a lit room and the last row
+  projector,  ///< light and large, for lit rooms and distant viewers
 };
 
-/// Lengths of dashes and gaps in turn, in pixels before the scale; count 0: solid.
+/// Alternating lengths of dashes and gaps, in pixels before scaling; count 0: solid.
 struct DashPattern {
   std::array<double, 4> lengths{};
   int count = 0;
@@ -45,8 +44,8 @@ struct RayStyle {
 
 struct Palette {
   Colour window;          ///< behind everything
-  Colour plan;            ///< ground of the plan
-  Colour panel;           ///< ground of code, tree and stack
+  Colour plan;            ///< background of the plan
+  Colour panel;           ///< background of code, tree and stack
   Colour text, dim_text;  ///< on any of the three
   Colour grid;            ///< faint lines of the plan
   Colour ink;             ///< outlines of EYE, SCREEN and objects
@@ -55,7 +54,7 @@ struct Palette {
   Colour normal;          ///< normals at hits
   Colour handle;          ///< what can be dragged
   Colour selected, hovered;
-  Colour just_run;  ///< ground of the line that has just run, behind `text`
+  Colour just_run;  ///< background of the line that has just run, behind `text`
   Colour next;      ///< outline of the line that runs next
   Colour error;     ///< notices that report a failure
 };
@@ -63,7 +62,7 @@ struct Palette {
 [[nodiscard]] const Palette& palette(Theme theme);
 [[nodiscard]] const RayStyle& ray_style(Theme theme, RayKind kind);
 
-/// Factor by which the theme's lines and letters are larger than the dark theme's.
+/// Scale of the theme's lines and letters relative to the dark theme.
 [[nodiscard]] double theme_scale(Theme theme);
 
 }  // namespace raywalk

@@ -34,8 +34,8 @@ std::string label_of(const State& state, const RayRecord& ray) {
   return ray.ending == Ending::blocked ? why + ": " + name : why;
 }
 
-/// Columns from the leaves up: leaves stand side by side in the order in which they were formed, a parent above the
-/// middle of its children.
+/// Assigns columns from the leaves up: leaves are in the order of their formation, a parent above the middle of its
+/// children.
 void lay_out(TreePanel& panel) {
   std::vector<std::vector<std::size_t>> children(panel.nodes.size());
   for (std::size_t i = 0; i < panel.nodes.size(); ++i) {
@@ -45,8 +45,8 @@ void lay_out(TreePanel& panel) {
     node.y = panel.nodes[static_cast<std::size_t>(node.parent)].y + 1;
     panel.levels = std::max(panel.levels, static_cast<int>(node.y) + 1);
   }
-  // Nodes are in the order of a walk in depth, so a walk backwards sees children before their parents; leaves are
-  // counted from the right and turned over at the end.
+  // Nodes are in depth-first order, so a backward pass visits children before their parents; leaves are counted from
+  // the right and mirrored at the end.
   double leaves = 0;
   for (std::size_t i = panel.nodes.size(); i-- > 0;) {
     const auto& below = children[i];
@@ -61,7 +61,8 @@ void lay_out(TreePanel& panel) {
 std::string node_text(const State& state, const TreeNode& node) {
   std::string what(text(node.kind, state.language));
   if (node.future) return fill("tree.node_future", state.language, {{"ray", what}});
-  if (!node.share.empty()) what = fill("tree.node_share", state.language, {{"ray", what}, {"share", node.share}});
+  if (!node.throughput.empty())
+    what = fill("tree.node_share", state.language, {{"ray", what}, {"share", node.throughput}});
   if (!node.ending) return what + "\n" + std::string(text("tree.node_under_way", state.language));
   const bool named = *node.ending == Ending::hit || *node.ending == Ending::reached_light;
   const std::string end = named ? std::string(text(*node.ending, state.language)) + ": " + node.label : node.label;
@@ -78,7 +79,7 @@ TreePanel tree_panel(const State& state) {
   const Timeline::Range range = timeline.rays_of_pixel(pixel);
   const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
   const int current = timeline.current_ray(state.position);
-  // While something is to be predicted the rays to come would tell it.
+  // During predictions, future rays would reveal the answer.
   const bool foretells = question_waits(state) || state.predictions.on;
   const int last = foretells ? std::min(range.last, formed) : range.last;
   for (int i = range.first; i < last; ++i) {
@@ -99,7 +100,7 @@ TreePanel tree_panel(const State& state) {
       node.symbol = symbol(ray.ending);
       node.label = label_of(state, ray);
     }
-    if (!node.future) node.share = percent_text(max_component(ray.share), state.language);
+    if (!node.future) node.throughput = percent_text(max_component(ray.throughput), state.language);
     if (ray.shade >= 0) {
       const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
       node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.position;

@@ -8,8 +8,7 @@ namespace raywalk {
 
 namespace {
 
-/// The ray that a step from `from` to `to` has formed or ended, if it is the only one that it formed: more would not
-/// be one after the other.
+/// The ray that a step from `from` to `to` has formed or ended, if it formed only one: several are not animated.
 std::optional<int> changed_ray(const Timeline& timeline, int from, int to) {
   const int ray = timeline.current_ray(to);
   if (ray < 0 || timeline.rays_at(to).size() > timeline.rays_at(from).size() + 1) return std::nullopt;

@@ -15,7 +15,7 @@ namespace {
 
 bool is_figure(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Signs of keyboards and web pages as plain ones: spaces that do not break, the long minus.
+/// Normalizes typographic characters: non-breaking spaces, the minus sign.
 std::string with_plain_signs(std::string_view typed) {
   std::string text(typed);
   for (const auto& [sign, as] : {std::pair{"\u00a0", " "},
@@ -36,7 +36,7 @@ std::string_view without_spaces(std::string_view text) {
   return text;
 }
 
-/// Digits with at most one mark before the decimals, as the library reads it; empty for anything else.
+/// Digits with at most one decimal separator, as a point; empty for anything else.
 std::string with_a_point(std::string_view digits) {
   std::string text(digits);
   std::replace(text.begin(), text.end(), ',', '.');
@@ -45,7 +45,7 @@ std::string with_a_point(std::string_view digits) {
   return any && only && std::count(text.begin(), text.end(), '.') <= 1 ? text : std::string();
 }
 
-/// The same without the marks between groups of three digits; empty where there are none.
+/// The same without thousands separators; empty if there are none.
 std::string ungrouped(std::string_view digits) {
   for (const char mark : {',', '.', ' ', '\''}) {
     if (digits.find(mark) == std::string_view::npos) continue;

@@ -16,8 +16,8 @@ using namespace action;
 bool finite(double value) { return std::isfinite(value); }
 bool finite(const Vec2d& v) { return finite(v.x) && finite(v.y); }
 
-/// Whether every number that the action carries for the plan, the speed and the scale is finite. Whole values (a
-/// material, a shape) are judged by the rules of the scene format.
+/// Whether all of the action's numbers for the plan, the speed and the scale are finite. Whole values (a material, a
+/// shape) are checked by the rules of the scene format.
 bool is_finite(const Action& action) {
   return std::visit(Overloaded{
                         [](const SetSpeed& a) { return finite(a.lines_per_second); },
@@ -48,14 +48,14 @@ bool is_finite(const Action& action) {
 template <class T, class... Kinds>
 constexpr bool one_of = (std::is_same_v<T, Kinds> || ...);
 
-/// Actions that go through while something is being asked.
+/// Actions allowed while a question is open.
 bool goes_through(const State& state, const Action& action) {
   return std::visit(
       [&]<class T>(const T&) {
         if constexpr (one_of<T, Tick, ResizePlan, SetTheme, SetLanguage, SetUiScale, PointerLeft, PointerReleased,
                              DismissNotice, FinishExport>)
           return true;
-        // An autosave that nobody decided on waits for the next start.
+        // An undecided autosave waits for the next start.
         const bool may_leave = state.question && state.question->kind == Question::Kind::recover;
         if (state.question) return one_of<T, AnswerQuestion> || (may_leave && one_of<T, Quit>);
         if (state.prompt != PathPrompt::none)
@@ -65,7 +65,7 @@ bool goes_through(const State& state, const Action& action) {
       action);
 }
 
-/// Actions during which a drag goes on; any other ends it first.
+/// Actions that do not end a drag.
 bool leaves_drag(const Action& action) {
   return std::visit(
       []<class T>(const T&) {
@@ -76,7 +76,7 @@ bool leaves_drag(const Action& action) {
       action);
 }
 
-/// Actions during which a tween goes on; any other finds the walk where it is to end.
+/// Actions that do not end a tween.
 bool leaves_tween(const Action& action) {
   return std::visit(
       []<class T>(const T&) { return one_of<T, Tick, ResizePlan, PointerMoved, PointerLeft, HoverRay, HoverLine>; },
@@ -113,7 +113,7 @@ void refit(State& state) {
   if (state.camera.fitted) state.camera = fitted(state);
 }
 
-/// Actions that are about the person's own scene: a hunt gives it back first.
+/// Actions on the user's own scene: they end a hunt first.
 bool leaves_hunt(const Action& action) {
   return std::visit(
       []<class T>(const T& a) {
@@ -123,7 +123,7 @@ bool leaves_hunt(const Action& action) {
       action);
 }
 
-/// What each action does once it is known to be sensible here.
+/// Applies a valid action.
 void apply(State& state, const Action& action) {
   std::visit(
       Overloaded{
@@ -275,7 +275,7 @@ void apply(State& state, const Action& action) {
             if (!found)
               return detail::complain(state, fill("notice.no_language", state.language, {{"language", a.code}}));
             state.language = *found;
-            state.notice.reset();  // it speaks the other one
+            state.notice.reset();  // it is in the old language
           },
           [&](const SetUiScale& a) {
             state.ui_scale = std::clamp(a.scale, min_ui_scale, max_ui_scale);
@@ -283,11 +283,11 @@ void apply(State& state, const Action& action) {
           },
           [&](const SetTab& a) {
             state.tab = a.tab;
-            if (a.tab == Tab::structure) {  // which draws into the plan of a walk
+            if (a.tab == Tab::structure) {  // it draws into the plan of a walk
               detail::end_drag(state);
               state.mode = Mode::trace;
             }
-            if (a.tab == Tab::image) state.turned_last = SpaceView::image;  // what is asked for is what keys turn
+            if (a.tab == Tab::image) state.turned_last = SpaceView::image;  // keys turn the selected view
           },
           [&](const DismissNotice&) { state.notice.reset(); },
           [&](const SetCostKnobs& a) { detail::set_cost_knobs(state, a.knobs); },
@@ -353,7 +353,7 @@ bool exists(const State& state, const Target& target) {
   const auto shape = [&]<class S>(std::in_place_type_t<S>) -> const S* {
     if (!within(scene.objects.size())) return nullptr;
     const Object& object = scene.objects[static_cast<std::size_t>(target.index)];
-    return object.transform.empty() ? std::get_if<S>(&object.shape) : nullptr;  // what is transformed has no handles
+    return object.transform.empty() ? std::get_if<S>(&object.shape) : nullptr;  // transformed shapes have no handles
   };
   switch (target.kind) {
     case TargetKind::nothing:

@@ -1,5 +1,5 @@
 #pragma once
-// What update() is made of. Included by the files of this folder that implement it, and by nobody else.
+// The parts of update(). Included only by the files of this folder that implement it.
 
 #include "math/overloaded.h"
 #include "view/action.h"
@@ -13,37 +13,37 @@ inline void inform(State& state, std::string text) { state.notice = Notice{Notic
 inline void complain(State& state, std::string text) { state.notice = Notice{Notice::Kind::error, std::move(text)}; }
 
 // record.cpp
-/// Records the strip of the scene, and keeps the place: the same line of the same pixel as far as it still exists.
+/// Records the strip of the scene, and keeps the position: the same line of the same pixel, if it still exists.
 void record_again(State& state);
-/// One pixel of what is walked, `column` of the strip or the picture's pixel, with other limits than the scene's.
+/// One pixel of the walk, `column` of the strip or the picture's pixel, with other limits than the scene's.
 [[nodiscard]] Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits);
 /// A recording of this length takes some tens of milliseconds and less than 200 MB.
-inline constexpr double most_events = 400'000;
+inline constexpr double max_events = 400'000;
 
 // samples_view.cpp
-/// How many samples of that pixel (an index in Timeline::pixels()) were recorded.
+/// The number of recorded samples of that pixel (an index in Timeline::pixels()).
 [[nodiscard]] int samples_of_pixel(const Timeline& timeline, int pixel);
 
 // tween.cpp
-/// Begins a tween where the walk went a small step forward from this place, and ends one that is over.
+/// Begins a tween if the walk went a small step forward from here, and ends one that is over.
 void follow_with_tween(State& state, const Timeline* timeline, int position);
 
 // ghosts.cpp
-/// Keeps State::ghosts those of the pixel under way.
+/// Updates State::ghosts for the current pixel.
 void follow_with_ghosts(State& state);
 
 // history.cpp
-/// Puts `next` in place of the scene without an entry of undo; records again, and lets go of what no longer exists.
+/// Replaces the scene by `next` without an undo entry; records again, and drops references to what no longer exists.
 void replace_scene(State& state, Scene next);
-/// The same as one entry of undo; none when nothing changed.
+/// The same with one undo entry; none if nothing changed.
 void commit(State& state, Scene next, EditMark mark = {}, bool continues = false);
-/// Adds an entry that leads back to `before`.
+/// Adds an undo entry that restores `before`.
 void remember(State& state, Scene before);
 void undo(State& state);
 void redo(State& state);
-/// Why `scene` cannot be saved because of the parts named; empty when it can. -1: that part is not looked at.
+/// Why `scene` cannot be saved because of the given parts; empty if it can. -1: not checked.
 [[nodiscard]] std::string why_refused(const Scene& scene, int object, int light);
-/// Commits `next` unless the part that changed breaks a rule; then says why.
+/// Commits `next` unless the changed part is invalid; then reports why.
 bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark = {}, bool continues = false);
 
 // playback.cpp
@@ -53,7 +53,7 @@ void run_to_line(State& state, Line line);
 void run_on(State& state, bool forward);
 void toggle_breakpoint(State& state, Line line);
 void play(State& state, double seconds);
-/// The position that one step of `grain` leads to.
+/// The position after one step of `grain`.
 [[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);
 
 // pointer.cpp
@@ -90,8 +90,8 @@ void show_document(State& state, SceneDocument document, std::string path);
 void ask_path(State& state, PathPrompt prompt);
 void open(State& state, const std::string& path);
 void ask_or_do(State& state, Intent intent, const std::string& path);
-/// Asks before a file that is there already is written over, and refuses where it is a part of what is open. Whether it
-/// does either: then the file is not to be written now.
+/// Asks before overwriting an existing file, and refuses if it is in use. Returns whether it did either: then the file
+/// must not be written now.
 [[nodiscard]] bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what);
 void save(State& state);
 void save_as(State& state, const std::string& path);
@@ -100,7 +100,7 @@ void answer(State& state, action::Answer answer);
 // session.cpp
 void autosave(State& state, double seconds);
 void forget_autosave(State& state);
-/// Removes an autosave of an earlier sitting, and asks about the next one.
+/// Removes an autosave of an earlier session, and asks about the next one.
 void discard_autosave(State& state, const std::string& autosave);
 void recover(State& state, const std::string& original, const std::string& autosave);
 void add_recent(State& state, const std::string& path);
@@ -108,13 +108,13 @@ void add_recent(State& state, const std::string& path);
 // lesson_steps.cpp
 void show_lessons(State& state, bool shown);
 void open_lesson(State& state, const std::string& name);
-/// The same, now that nothing unsaved stands in its way.
+/// The same, once unsaved work is settled.
 void begin_lesson(State& state, const std::string& name);
-/// Back to the list, and to the scene that was open before.
+/// Back to the list, and to the previous scene.
 void leave_lesson(State& state);
-/// The same, now that nothing unsaved stands in its way.
+/// The same, once unsaved work is settled.
 void end_lesson(State& state);
-/// Back to the list, where another scene is about to take the lesson's place.
+/// Back to the list, when another scene is about to replace the lesson's.
 void close_lesson(State& state);
 void go_to_lesson_step(State& state, int step);
 void guess_choice(State& state, int choice);
@@ -123,12 +123,12 @@ void guess_number(State& state, double number);
 /// The arrow from the ray's origin to `towards`, in scene units.
 void guess_arrow(State& state, const Vec2d& towards);
 void reveal_lesson(State& state);
-/// STEP while a lesson's question waits: the answer, once there is a prediction. Whether it was that.
+/// STEP while a lesson's question waits: shows the answer, once there is a prediction. Returns whether it did.
 [[nodiscard]] bool answered_by_step(State& state);
 void set_lesson_options(State& state, const action::SetLessonOptions& options);
 
 // structure_steps.cpp
-/// Keeps what the Structure tab shows that of the ray in hand.
+/// Updates the Structure tab for the current ray.
 void follow_with_structure(State& state);
 void choose_structure(State& state, AcceleratorKind kind);
 void go_in_structure(State& state, int step);
@@ -140,9 +140,9 @@ void mark_line(State& state, Line line);
 void judge_line(State& state);
 void show_cure(State& state);
 void mend_bug(State& state, bool mended);
-/// Everything as it was before the hunt.
+/// Restores the state before the hunt.
 void leave_hunt(State& state);
-/// Breaks the tracer, or mends it for good; records again.
+/// Injects a fault, or removes it; records again.
 void set_bug(State& state, std::optional<Fault> fault);
 
 // new_scene.cpp

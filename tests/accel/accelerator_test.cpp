@@ -56,7 +56,7 @@ Primitives<T> primitives(const std::vector<Shape<T>>& shapes) {
   Primitives<T> all;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     if (i % 7 == 6)
-      all.add(shapes[i], *placement<T>(map));
+      all.add(shapes[i], *object_transform<T>(map));
     else
       all.add(shapes[i]);
   return all;
@@ -111,18 +111,18 @@ void compare(int count, bool mixed) {
       // A reach that ends exactly at the hit must not report it; one just beyond must.
       if (expected) {
         const T beyond = std::nextafter(expected->t, infinity<T>);
-        if (structure.any(ray, expected->t, counts) != list.any(ray, expected->t, brute)) ++differing;
-        if (!structure.any(ray, beyond, counts)) ++differing;
+        if (structure.occluded(ray, expected->t, counts) != list.occluded(ray, expected->t, brute)) ++differing;
+        if (!structure.occluded(ray, beyond, counts)) ++differing;
       }
       // What was found last is tried first; the answer is the same.
-      if (structure.any(ray, infinity<T>, remembering, {&last}) != expected.has_value()) ++differing;
+      if (structure.occluded(ray, infinity<T>, remembering, {&last}) != expected.has_value()) ++differing;
       if ((last >= 0) != expected.has_value()) ++differing;
       const StopsShadows stops{roles};
       const auto stopping = list.closest(ray, infinity<T>, brute, stops);
       if (!same(stopping, structure.closest(ray, infinity<T>, counts, stops))) ++differing;
-      const bool stopped = list.any_stop(ray, infinity<T>, brute, roles, expected_filters);
+      const bool stopped = list.occluded_or_filtered(ray, infinity<T>, brute, roles, expected_filters);
       if (stopped != stopping.has_value() ||
-          structure.any_stop(ray, infinity<T>, counts, roles, filters, {&last_stop}) != stopped)
+          structure.occluded_or_filtered(ray, infinity<T>, counts, roles, filters, {&last_stop}) != stopped)
         ++differing;
       if (!stopped && filters != expected_filters) ++differing;
     }

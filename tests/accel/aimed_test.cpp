@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE("accelerators miss nothing that aimed rays hit", "[accel]", f
       const bool same =
           expected.has_value() == got.has_value() &&
           (!got || (got->t == expected->t && got->primitive == expected->primitive && got->part == expected->part));
-      differing += !same || structure.any(ray, infinity<T>, counts) != expected.has_value();
+      differing += !same || structure.occluded(ray, infinity<T>, counts) != expected.has_value();
     }
     CHECK(differing == 0);
     CHECK(hits > rounds(2000));
@@ -109,7 +109,7 @@ TEMPLATE_TEST_CASE("accelerators miss nothing of polygons that are not quite fla
     const Affine<double> turn = rotation<double>(next.unit<double>(), next.real(0, 360));
     Primitives<T> all;
     const double stretch = round % 4 < 2 ? 1 : 3e5;
-    all.add(polygon, *placement<T>(turn * scaling<double>({1, 1, stretch})));
+    all.add(polygon, *object_transform<T>(turn * scaling<double>({1, 1, stretch})));
     all.add(Sphere<T>{{0, -9, 0}, 1});
     const Accelerator<T> list(all, AcceleratorKind::none);
     std::vector<Accelerator<T>> others;

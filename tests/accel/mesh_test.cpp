@@ -54,10 +54,10 @@ TEMPLATE_TEST_CASE("a closed mesh has no leaks at its corners and edges", "[mesh
     if (!tree.closest({within, target - within}, infinity<T>, counts)) ++inside_misses;
     const Vec3<T> outside = centre + static_cast<T>(i % 3 == 0 ? 1000 * scale : 3 * scale) * next.unit<T>();
     const Ray<T> ray{outside, target - outside};
-    bool stopped = list.any_stop(ray, infinity<T>, counts, all, crossed);
+    bool stopped = list.occluded_or_filtered(ray, infinity<T>, counts, all, crossed);
     odd += crossed.size() % 2 != 0;
     const std::vector<int> expected = crossed;
-    stopped = tree.any_stop(ray, infinity<T>, counts, all, crossed) || stopped;
+    stopped = tree.occluded_or_filtered(ray, infinity<T>, counts, all, crossed) || stopped;
     differing += crossed != expected || stopped;
   }
   CHECK(inside_misses == 0);
@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE("rays that leave from an edge meet neither of its triangles",
     const Ray<T> ray{eye, target - eye};
     const auto hit = tree.closest(ray, infinity<T>, counts);
     if (!hit) continue;
-    const SurfacePoint<T> point = primitives.surface_at(hit->primitive, ray, Crossing<T>{hit->t, hit->part});
+    const SurfacePoint<T> point = primitives.surface_at(hit->primitive, ray, Intersection<T>{hit->t, hit->part});
     // Away from all triangles at this place: on a ball, into the half space of its radius or nearly so.
     const Vec3<T> out = normalize(point.position - Vec3<T>(map.point(Vec3d(0.0))));
     Vec3<T> direction = next.unit<T>();
@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE("rays that leave from an edge meet neither of its triangles",
     const Departure departure{hit->primitive, hit->part};
     ++departed;
     self_hits += tree.closest({point.position, direction, departure}, infinity<T>, counts).has_value();
-    self_hits += tree.any({point.position, direction, departure}, infinity<T>, counts);
+    self_hits += tree.occluded({point.position, direction, departure}, infinity<T>, counts);
     // Inwards, the far side is met.
     const auto through = tree.closest({point.position, -direction, departure}, infinity<T>, counts);
     lost += !through || through->t < static_cast<T>(0.1 * scale);
@@ -116,9 +116,10 @@ TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves
     if (i % 3 == 0) {
       primitives.add(Sphere<T>{at, T(0.15)});
     } else if (i % 3 == 1) {
-      primitives.add(Box<T>{at, at + Vec3<T>(T(0.2))}, *placement<T>(map));
+      primitives.add(Box<T>{at, at + Vec3<T>(T(0.2))}, *object_transform<T>(map));
     } else {
-      primitives.add(Ellipsoid<T>{Vec3<T>(T(0.1), T(0.2), T(0.15))}, *placement<T>(translation(Vec3d(at)) * map));
+      primitives.add(Ellipsoid<T>{Vec3<T>(T(0.1), T(0.2), T(0.15))},
+                     *object_transform<T>(translation(Vec3d(at)) * map));
     }
     if (i % 4 == 0) primitives.move(primitives.size() - 1, primitives.size(), motion);
   }
@@ -147,7 +148,7 @@ TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves
     for (const Ray<T>& ray : rays) {
       const auto expected = list.closest(ray, infinity<T>, counts);
       differing += !same(expected, structure.closest(ray, infinity<T>, counts));
-      differing += structure.any(ray, infinity<T>, counts) != expected.has_value();
+      differing += structure.occluded(ray, infinity<T>, counts) != expected.has_value();
       if (expected) ++(expected->primitive < shapes ? on_shapes : expected->primitive < still ? on_meshes : moving);
     }
     CHECK(differing == 0);
@@ -162,7 +163,7 @@ TEMPLATE_TEST_CASE("what moves is met where it is at the ray's time", "[mesh]", 
   const Motion motion{{1, {2, 0, 0}}, {3, {4, 0, -8}}};
   Primitives<T> primitives;
   primitives.add(Sphere<T>{{0, 0, 0}, 1});
-  primitives.add(Sphere<T>{{0, 0, 0}, 1}, *placement<T>(translation(Vec3d(0, 5, 0))));
+  primitives.add(Sphere<T>{{0, 0, 0}, 1}, *object_transform<T>(translation(Vec3d(0, 5, 0))));
   Mesh square;
   square.positions = {{-1, -1, -20}, {1, -1, -20}, {1, 1, -20}, {-1, 1, -20}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -182,7 +183,7 @@ TEMPLATE_TEST_CASE("what moves is met where it is at the ray's time", "[mesh]", 
     REQUIRE(hit);
     CHECK(hit->primitive == 0);
     CHECK(hit->t == 49 - at.z);
-    const SurfacePoint<T> top = moving.primitives().surface_at(0, down, Crossing<T>{hit->t, 0});
+    const SurfacePoint<T> top = moving.primitives().surface_at(0, down, Intersection<T>{hit->t, 0});
     CHECK(top.position == Vec3<T>(at.x, 0, at.z + 1));
     CHECK(top.normal == Vec3<T>(0, 0, 1));
     // A ray that leaves it does not meet it again, and meets what lies below at the same time.
@@ -193,7 +194,7 @@ TEMPLATE_TEST_CASE("what moves is met where it is at the ray's time", "[mesh]", 
     CHECK(floor->t == 19);
     const Ray<T> mapped{{at.x, 5, 50}, {0, 0, -1}, {}, at.time};
     CHECK(moving.closest(mapped, infinity<T>, counts)->primitive == 1);
-    CHECK_FALSE(moving.any({{at.x, 5, at.z}, {0, 1, 0}, {1, 0}, at.time}, T(0.5), counts));
+    CHECK_FALSE(moving.occluded({{at.x, 5, at.z}, {0, 1, 0}, {1, 0}, at.time}, T(0.5), counts));
   }
 }
 

@@ -8,7 +8,7 @@ using namespace raywalk;
 TEST_CASE("equal primitives are found, whatever stands between them", "[accel]") {
   const Sphere<double> ball{{1, 2, 3}, 1}, other{{1, 2, 3}, 1.5};
   const Prism<double> box{{{0, 1}, {2, 1}, {2, 3}, {0, 3}}, 8};  // not the ball, though its box touches the ball's
-  const auto moved = placement<double>(translation(Vec3d(1, 2, 3)));
+  const auto moved = object_transform<double>(translation(Vec3d(1, 2, 3)));
   REQUIRE(moved);
   Primitives<double> primitives;
   primitives.add(ball);
@@ -22,7 +22,7 @@ TEST_CASE("equal primitives are found, whatever stands between them", "[accel]")
   primitives.add(ball);
   primitives.add(Plane<double>{});
   CHECK(primitives.first_equal(2) == 2);  // not yet asked for
-  primitives.find_equals(Boxes<double>(primitives).boxes);
+  primitives.find_equals(PrimitiveBounds<double>(primitives).boxes);
   const int expected[] = {0, 1, 0, 3, 1, 5, 6, 5, 0, 6};
   for (int id = 0; id < primitives.size(); ++id) CHECK(primitives.first_equal(id) == expected[id]);
 }
@@ -41,7 +41,7 @@ TEST_CASE("what departs from a primitive departs from its equals", "[accel]") {
       CHECK(hit->primitive == 0);
       const SurfacePoint<double> point = accelerator.primitives().surface_at(0, ray, {hit->t, hit->part});
       const Ray<double> away{point.position, point.normal, {hit->primitive, hit->part}};
-      met += accelerator.any(away, infinity<double>, counts);
+      met += accelerator.occluded(away, infinity<double>, counts);
       const auto through =
           accelerator.closest({point.position, -point.normal, away.departure}, infinity<double>, counts);
       REQUIRE(through);

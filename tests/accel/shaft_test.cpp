@@ -41,7 +41,7 @@ Primitives<T> scene(const Vec3d& about, double size, Random& random) {
   for (int i = 0; i < 6; ++i) {
     const Sphere<T> sphere{in_t(random.point(size)), static_cast<T>(size * random(0.01, 0.6))};
     if (i % 3 == 2)
-      all.add(sphere, *placement<T>(rotation<double>({1, 2, 3}, 50) * scaling<double>({1.5, 0.75, 1})));
+      all.add(sphere, *object_transform<T>(rotation<double>({1, 2, 3}, 50) * scaling<double>({1.5, 0.75, 1})));
     else
       all.add(sphere);
   }
@@ -60,7 +60,7 @@ Ray<T> start(const Primitives<T>& primitives, const Accelerator<T>& list, const 
   if (random(0, 1) < 0.3) return ray;
   const auto hit = list.closest(ray, infinity<T>, counts);
   if (!hit) return ray;
-  const SurfacePoint<T> point = primitives.surface_at(hit->primitive, ray, Crossing<T>{hit->t, hit->part});
+  const SurfacePoint<T> point = primitives.surface_at(hit->primitive, ray, Intersection<T>{hit->t, hit->part});
   return {point.position, ray.direction, {hit->primitive, hit->part}};
 }
 
@@ -109,11 +109,11 @@ TEMPLATE_TEST_CASE("what a shaft leaves out is crossed by no ray of it", "[accel
       const Vec3<T> place = middle + radius * Vec3<T>(share * out);
       const Ray<T> ray{from.origin, place - from.origin, from.departure};
       TestCounts counts, fewer;
-      const bool any = list.any(ray, T(1), counts);
+      const bool any = list.occluded(ray, T(1), counts);
       stopped += any;
-      differing += list.any(ray, T(1), fewer, {nullptr, &among}) != any;
-      const bool stops = list.any_stop(ray, T(1), counts, roles, filters);
-      differing += list.any_stop(ray, T(1), fewer, roles, filters_among, {nullptr, &among}) != stops;
+      differing += list.occluded(ray, T(1), fewer, {nullptr, &among}) != any;
+      const bool stops = list.occluded_or_filtered(ray, T(1), counts, roles, filters);
+      differing += list.occluded_or_filtered(ray, T(1), fewer, roles, filters_among, {nullptr, &among}) != stops;
       if (!stops) differing += filters != filters_among;
     }
   }

@@ -55,11 +55,11 @@ Primitives<double> primitive_of(const Row& row) {
   const std::string& name = row.text("shape");
   Primitives<double> primitives;
   if (name == "sphere") {
-    primitives.add(Sphere<double>{{0, 0, 0}, 1}, *placement<double>(map));
+    primitives.add(Sphere<double>{{0, 0, 0}, 1}, *object_transform<double>(map));
   } else if (name == "plane") {
-    primitives.add(Plane<double>{{0, 0, 0}, {0, 1, 0}}, *placement<double>(map));
+    primitives.add(Plane<double>{{0, 0, 0}, {0, 1, 0}}, *object_transform<double>(map));
   } else if (name == "cube") {
-    primitives.add(Box<double>{{-1, -1, -1}, {1, 1, 1}}, *placement<double>(map));
+    primitives.add(Box<double>{{-1, -1, -1}, {1, 1, 1}}, *object_transform<double>(map));
   } else if (name == "cylinder") {
     const Affine<double> upright{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, Vec3d(0.0)};
     Cylinder<double> cylinder;
@@ -67,9 +67,9 @@ Primitives<double> primitive_of(const Row& row) {
     cylinder.z_min = parameters["ymin"].at(0);
     cylinder.z_max = parameters["ymax"].at(0);
     cylinder.capped = parameters["closed"].at(0) != 0;
-    primitives.add(cylinder, *placement<double>(map * upright));
+    primitives.add(cylinder, *object_transform<double>(map * upright));
   } else if (name == "triangle") {
-    primitives.add(Triangle<double>{point("a"), point("b"), point("c")}, *placement<double>(map));
+    primitives.add(Triangle<double>{point("a"), point("b"), point("c")}, *object_transform<double>(map));
   } else if (name == "triangle_smooth") {
     Mesh mesh;
     mesh.positions = {point("a"), point("b"), point("c")};
@@ -88,11 +88,11 @@ std::vector<double> all_crossings(const Primitives<double>& primitives, const Ra
   for (const double sense : {1.0, -1.0}) {
     Ray<double> rest{ray.origin, sense * ray.direction};
     double travelled = 0;
-    while (const auto crossing = primitives.intersect(0, rest, infinity<double>)) {
-      travelled += crossing->t;
+    while (const auto intersection = primitives.intersect(0, rest, infinity<double>)) {
+      travelled += intersection->t;
       crossings.push_back(sense * travelled);
-      rest.origin = primitives.surface_at(0, rest, *crossing).position;
-      rest.departure = {0, crossing->part};
+      rest.origin = primitives.surface_at(0, rest, *intersection).position;
+      rest.departure = {0, intersection->part};
     }
   }
   std::sort(crossings.begin(), crossings.end());
@@ -147,10 +147,10 @@ TEST_CASE("every row of the table of normals holds, smooth ones too", "[accel]")
     // A ray that meets the surface at the point, from outside; at a corner of the cube it comes in aslant.
     const Vec3d from = point + 2.0 * normal + (row.text("class") == "tie" ? Vec3d(0, 0.5, 0.5) : Vec3d(0.0));
     const Ray<double> ray{from, point - from};
-    const auto crossing = primitives.intersect(0, ray, infinity<double>);
-    REQUIRE(crossing);
-    CHECK(crossing->t == Approx(1));
-    const SurfacePoint<double> got = primitives.surface_at(0, ray, *crossing);
+    const auto intersection = primitives.intersect(0, ray, infinity<double>);
+    REQUIRE(intersection);
+    CHECK(intersection->t == Approx(1));
+    const SurfacePoint<double> got = primitives.surface_at(0, ray, *intersection);
     if (row.text("class") == "tie") {
       // Any of the corner's faces is right.
       CHECK(std::max({std::abs(got.normal.x), std::abs(got.normal.y), std::abs(got.normal.z)}) == Approx(1));

@@ -21,9 +21,9 @@ void expect(const Vec2<T>& uv, double u, double v) {
 template <class T>
 Vec2<T> uv_below(const Primitives<T>& primitives, int id, double x, double y, double time) {
   const Ray<T> down{Vec3<T>(Vec3d(x, y, 90)), {0, 0, -1}, {}, static_cast<T>(time)};
-  const auto crossing = primitives.intersect(id, down, infinity<T>);
-  REQUIRE(crossing);
-  return primitives.uv_at(id, primitives.surface_at(id, down, *crossing), crossing->part, down.time);
+  const auto intersection = primitives.intersect(id, down, infinity<T>);
+  REQUIRE(intersection);
+  return primitives.uv_at(id, primitives.surface_at(id, down, *intersection), intersection->part, down.time);
 }
 
 }  // namespace
@@ -36,7 +36,8 @@ TEMPLATE_TEST_CASE("what is drawn on a thing moves with it", "[accel]", float, d
   primitives.add(Plane<T>{V(1, 2, 0), V(0, 0, 1)});
   primitives.add(Disk<T>{V(1, 0, 0), V(0, -3, 4), 9});
   primitives.add(Cylinder<T>{V(4, 2, 1), -1, 1, true});
-  primitives.add(Box<T>{V(-1), V(3, 2, 1)}, *placement<T>(rotation(Vec3d(0, 0, 1), 90.0) * scaling(Vec3d(2, 2, 1))));
+  primitives.add(Box<T>{V(-1), V(3, 2, 1)},
+                 *object_transform<T>(rotation(Vec3d(0, 0, 1), 90.0) * scaling(Vec3d(2, 2, 1))));
   Mesh plain, drawn;
   plain.positions = {{-8, -8, 0}, {24, -8, 0}, {-8, 24, 0}};
   plain.triangles = {{0, 1, 2}};

@@ -83,15 +83,15 @@ void compare(AcceleratorKind kind) {
       if (event.kind == SearchEvent::Kind::tested && event.test == SearchEvent::Test::nearest) nearest = &event;
     differing += (nearest != nullptr) != found.has_value();
     if (nearest != nullptr && found)
-      differing += nearest->t != static_cast<double>(found->t) || last.reach != nearest->t;
+      differing += nearest->t != static_cast<double>(found->t) || last.t_far != nearest->t;
     hits += found.has_value();
 
     // To a light at a bit more than the hit, and a bit less.
-    for (const T reach : {T(0.5), T(8)}) {
+    for (const T t_far : {T(0.5), T(8)}) {
       TestCounts any, any_watched;
-      SearchRecord shadow(wide(ray.origin), wide(ray.direction), static_cast<double>(reach));
-      const bool blocked = accelerator.any(ray, reach, any);
-      differing += watching.any(ray, reach, any_watched, none, shadow) != blocked;
+      SearchRecord shadow(wide(ray.origin), wide(ray.direction), static_cast<double>(t_far));
+      const bool blocked = accelerator.occluded(ray, t_far, any);
+      differing += watching.occluded(ray, t_far, any_watched, none, shadow) != blocked;
       differing += any.nodes != any_watched.nodes || any.primitives != any_watched.primitives;
       differing += (shadow.events().back().end == SearchEnd::blocked) != blocked;
     }
@@ -125,8 +125,8 @@ TEST_CASE("filters are told as such, and what stops is told last") {
     SearchRecord record(ray.origin, ray.direction, 100);
     TestCounts counts, plain;
     std::vector<int> filters;
-    CHECK(watching.any(ray, 100, counts, roles, record));
-    CHECK(accelerator.any_stop(ray, 100, plain, roles, filters));
+    CHECK(watching.occluded(ray, 100, counts, roles, record));
+    CHECK(accelerator.occluded_or_filtered(ray, 100, plain, roles, filters));
     CHECK(counts.primitives == plain.primitives);
     const auto& events = record.events();
     REQUIRE(events.size() >= 2);
@@ -161,7 +161,7 @@ TEST_CASE("a skipped box is truly missed, behind or beyond, and each of these oc
             wrong += !line || (*line)[1] >= 0;
             break;
           case Skip::beyond:
-            wrong += !line || (*line)[0] < event.reach;
+            wrong += !line || (*line)[0] < event.t_far;
             break;
         }
       }
@@ -196,7 +196,7 @@ TEST_CASE("a grid passes by what it has tested, and sees hits in later cells") {
       tested.insert(event.primitive);
       if (event.outside) {
         outside = true;
-        CHECK(event.t > event.reach * 0.999);
+        CHECK(event.t > event.t_far * 0.999);
       }
     }
   }
@@ -259,7 +259,8 @@ TEST_CASE("the steps of a build are those of the structure that stands in the en
       // A split is made where it is cheaper, or where too much is left for a leaf.
       if (step.kind == BuildStep::Kind::split && kind == AcceleratorKind::bvh && step.items <= 4)
         CHECK(step.split_cost < step.leaf_cost);
-      if (step.kind == BuildStep::Kind::leaf && step.why == LeafReason::dearer && kind == AcceleratorKind::bvh)
+      if (step.kind == BuildStep::Kind::leaf && step.why == LeafReason::split_costs_more &&
+          kind == AcceleratorKind::bvh)
         CHECK(step.split_cost >= step.leaf_cost);
       if (step.kind == BuildStep::Kind::split && step.axis >= 0) {
         CHECK(step.plane >= step.box.min[step.axis]);

@@ -29,7 +29,7 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-constexpr unsigned most_seconds = 120;
+constexpr unsigned max_seconds = 120;
 
 fs::path new_path(const std::string& what) {
   static std::atomic<int> next{0};
@@ -69,7 +69,7 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
-  alarm(most_seconds);  // whatever hangs is ended, also when the tests themselves are
+  alarm(max_seconds);  // whatever hangs is ended, also when the tests themselves are
   if (chdir(where.c_str()) != 0) _exit(126);
   execv(argv.front(), argv.data());
   _exit(127);

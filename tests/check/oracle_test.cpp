@@ -73,13 +73,13 @@ TEST_CASE("the judge tells a right answer from a missed and a false one") {
   const Sphere<double> unit{{0, 0, 0}, 1};
   const Ray<double> hits{{-5, 0, 0}, {1, 0, 0}}, passes{{-5, 2, 0}, {1, 0, 0}};
   const auto truly = truth<Rational>(unit, hits);
-  CHECK(judge(truly, std::optional(Crossing<double>{4})).verdict == Verdict::right);
-  CHECK(judge(truly, std::optional(Crossing<double>{4})).ulps == 0);
-  CHECK(judge(truly, std::optional(Crossing<double>{std::nextafter(4.0, 5.0)})).ulps == 1);
-  CHECK(judge(truly, std::optional<Crossing<double>>()).verdict == Verdict::missed);
-  CHECK(judge(truly, std::optional(Crossing<double>{6})).verdict == Verdict::missed);  // the way out
-  CHECK(judge(truth<Rational>(unit, passes), std::optional(Crossing<double>{5})).verdict == Verdict::false_hit);
-  CHECK(judge(truth<Rational>(unit, passes), std::optional<Crossing<double>>()).verdict == Verdict::right);
+  CHECK(judge(truly, std::optional(Intersection<double>{4})).verdict == HitVerdict::right);
+  CHECK(judge(truly, std::optional(Intersection<double>{4})).ulps == 0);
+  CHECK(judge(truly, std::optional(Intersection<double>{std::nextafter(4.0, 5.0)})).ulps == 1);
+  CHECK(judge(truly, std::optional<Intersection<double>>()).verdict == HitVerdict::missed);
+  CHECK(judge(truly, std::optional(Intersection<double>{6})).verdict == HitVerdict::missed);  // the way out
+  CHECK(judge(truth<Rational>(unit, passes), std::optional(Intersection<double>{5})).verdict == HitVerdict::false_hit);
+  CHECK(judge(truth<Rational>(unit, passes), std::optional<Intersection<double>>()).verdict == HitVerdict::right);
 }
 
 TEST_CASE("quadratics know on which side of each root a number lies") {

@@ -22,11 +22,11 @@ constexpr std::uint64_t rays = 60'000;
 /// A family of two lines of which nothing is missed but `missed`.
 Family toy(std::uint64_t missed) {
   const auto run = [missed](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-    Row row;
-    row.rays = count;
-    row.missed = first == 0 ? missed : 0;
-    row.fast_ulps = static_cast<double>(seed);
-    return row;
+    Tally tally;
+    tally.rays = count;
+    tally.missed = first == 0 ? missed : 0;
+    tally.fast_ulps = static_cast<double>(seed);
+    return tally;
   };
   return {"toy", "", {{"left", "float", run}, {"right", "double", run}}};
 }
@@ -53,8 +53,8 @@ TEST_CASE("the suite splits its rays into chunks, and breaks of a goal are found
   REQUIRE(good);
   CHECK(good->good());
   REQUIRE(good->lines.size() == 2);
-  CHECK(good->lines[0].row.rays == 15'000);
-  CHECK(good->lines[0].row.fast_ulps == 1);
+  CHECK(good->lines[0].tally.rays == 15'000);
+  CHECK(good->lines[0].tally.fast_ulps == 1);
   const auto bad = run_suite({toy(3)}, options);
   REQUIRE(bad);
   CHECK_FALSE(bad->good());
@@ -63,18 +63,18 @@ TEST_CASE("the suite splits its rays into chunks, and breaks of a goal are found
 }
 
 TEST_CASE("each goal that a line breaks is named") {
-  Row row;
-  CHECK(broken_goal({}, row) == "no ray could be formed");
-  row.rays = 10;
-  CHECK(broken_goal({}, row) == "");
-  row.self_hits = 1, row.sheet_missed = 2, row.unequal = 3, row.false_hits = 4;
-  row.exact_ulps = 1.5, row.fast_ulps_by_condition = 5;
+  Tally tally;
+  CHECK(broken_goal({}, tally) == "no ray could be formed");
+  tally.rays = 10;
+  CHECK(broken_goal({}, tally) == "");
+  tally.self_hits = 1, tally.sheet_missed = 2, tally.unequal = 3, tally.false_hits = 4;
+  tally.exact_ulps = 1.5, tally.fast_ulps_by_condition = 5;
   for (const char* words : {"1 self-hits", "near sheet missed 2", "3 answers differ", "4 false", "1.5 ulps", "5 times"})
-    CHECK_THAT(broken_goal({}, row), contains(words));
+    CHECK_THAT(broken_goal({}, tally), contains(words));
   // Where decisions are only promised up to the input's rounding, that is what is checked.
   Goals goals;
   goals.decisions = false;
-  Row near;
+  Tally near;
   near.rays = 10, near.missed = 2, near.excused = 2;
   CHECK(broken_goal(goals, near) == "");
   near.excused = 1;
@@ -88,7 +88,7 @@ TEST_CASE("a run goes on from its state file, and refuses another run's") {
   options.state = folder.file("run.state");
   int lines = 0;
   Family counted = toy(2);
-  for (Line& line : counted.lines)
+  for (TableLine& line : counted.lines)
     line.run = [&lines, inner = line.run](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
       ++lines;
       return inner(seed, first, count);
@@ -100,8 +100,8 @@ TEST_CASE("a run goes on from its state file, and refuses another run's") {
   REQUIRE(second);
   CHECK(lines == 2);
   CHECK(second->lines.size() == 2);
-  CHECK(second->lines[0].row.missed == 2);
-  CHECK(second->lines[0].row.fast_ulps == 1);
+  CHECK(second->lines[0].tally.missed == 2);
+  CHECK(second->lines[0].tally.fast_ulps == 1);
   CHECK_FALSE(second->good());
   options.seed = 2;
   const auto other = run_suite({counted}, options);

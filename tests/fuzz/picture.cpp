@@ -37,8 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto document = parse_scene({reinterpret_cast<const char*>(data), size}, "fuzzed");
   if (!document) return 0;
   Scene& scene = document->scene;
-  constexpr double most_bodies = 400;
-  if (entries_of(scene.objects) > most_bodies || scene.lights.size() > 8) return 0;
+  constexpr double max_bodies = 400;
+  if (entries_of(scene.objects) > max_bodies || scene.lights.size() > 8) return 0;
   keep_small(scene);
   RenderSettings settings;
   settings.size = ImageSize{16, 16};

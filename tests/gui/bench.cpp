@@ -51,7 +51,7 @@ void Bench::take_actions() {
 void Bench::frame() {
   ImGui::NewFrame();
   costs_.work(state, 20);
-  Picture picture{1, 441, 331, 0.5, true, false};
+  PictureView picture{1, 441, 331, 0.5, true, false};
   picture.costs = &costs_;
   picture.cost_texture = 1;
   interface_.draw(state, fonts_, unit, dpi, picture);

@@ -74,7 +74,7 @@ TEST_CASE("numerics and precision are chosen in the microscope, epsilon is typed
   bench.frames(2);
   CHECK(bench.state.scene().render.epsilon == 0.5);
   bench.key(GLFW_KEY_Z, true);
-  CHECK(bench.state.scene().render.epsilon == usual_epsilon);
+  CHECK(bench.state.scene().render.epsilon == default_epsilon);
 }
 
 TEST_CASE("before a hit the microscope says what to do") {

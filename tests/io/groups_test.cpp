@@ -72,7 +72,7 @@ TEST_CASE("a scene with groups is read") {
   CHECK(pair.content->group.objects[1].motion == Motion{{0, {0, 0, 0}}, {1, {0, 0, 2}}});
   const auto& mesh = std::get<MeshShape>(scene.objects[1].shape);
   CHECK(mesh.mesh->triangles[2] == Mesh::Corners{1, 2, 3});
-  CHECK(dresses_of(scene).size() == 3);
+  CHECK(material_uses(scene).size() == 3);
 }
 
 TEST_CASE("a scene with groups is written without loss, its comments kept") {

@@ -1,6 +1,6 @@
 #include "io/nff_reader.h"
 
-#include "shape/placed.h"
+#include "shape/object_transform.h"
 #include "support/catch.h"
 
 #include <cmath>
@@ -29,9 +29,9 @@ const S& shape(const Scene& scene, std::size_t index) {
 
 /// Whether the object's surface passes through `point`: the ray from `from` through it ends there.
 void check_meets(const Object& object, const Vec3d& from, const Vec3d& point) {
-  const auto place = placement<double>(affine_of(object.transform));
+  const auto place = object_transform<double>(affine_of(object.transform));
   REQUIRE(place);
-  const Ray<double> ray = into_shape(*place, Ray<double>{from, point - from});
+  const Ray<double> ray = into_object_space(*place, Ray<double>{from, point - from});
   const auto* cylinder = std::get_if<Cylinder<double>>(&object.shape);
   const auto* cone = std::get_if<Cone<double>>(&object.shape);
   REQUIRE((cylinder != nullptr || cone != nullptr));
@@ -118,8 +118,8 @@ TEST_CASE("NFF: cylinders and cones stand where their two circles are, and are o
   check_meets(scene.objects[2], {9, 0, -1}, {0.5, 0, -1});  // points down, to its tip
   check_meets(scene.objects[3], {9, 5, 4.5}, {6.5, 5, 4.5});
   // Nothing of the wall lies beyond the circles.
-  const auto place = placement<double>(affine_of(scene.objects[0].transform));
-  const Ray<double> beyond = into_shape(*place, Ray<double>{{9, 2, 6.01}, {-1, 0, 0}});
+  const auto place = object_transform<double>(affine_of(scene.objects[0].transform));
+  const Ray<double> beyond = into_object_space(*place, Ray<double>{{9, 2, 6.01}, {-1, 0, 0}});
   CHECK(!intersect(cylinder, beyond, infinity<double>));
 }
 

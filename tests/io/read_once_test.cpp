@@ -121,7 +121,7 @@ TEST_CASE("what is in groups wears its textures, also in groups of groups") {
   INFO((read ? "" : read.error().text()));
   REQUIRE(read);
   int textured = 0;
-  for (const Dress& dress : dresses_of(read->scene))
+  for (const MaterialUse& dress : material_uses(read->scene))
     if (dress.material->texture) {
       ++textured;
       CHECK(dress.material->texture->pixels);

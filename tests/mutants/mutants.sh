@@ -33,7 +33,7 @@ mutant sphere_departure_forgotten Sphere shape/sphere.h 'if (departed_part != no
 
 # --- Plane, disk, polygon ---------------------------------------------------------------------------------------------
 mutant plane_level_behind_is_before Plane shape/plane.h '(above > 0) != (climb > 0)' '(above > 0) == (climb > 0)'
-mutant plane_behind_is_before Plane shape/crossing.h 'if (!(t > 0 && t < t_max))' 'if (!(t < t_max))'
+mutant plane_behind_is_before Plane shape/intersection.h 'if (!(t > 0 && t < t_max))' 'if (!(t < t_max))'
 mutant disk_rim_excluded Disk shape/disk.h '(square - reach * reach).sign() <= 0' '(square - reach * reach).sign() < 0'
 mutant disk_rim_without_bound Disk shape/disk.h 'std::abs(square - radius * radius) > doubt' \
   'std::abs(square - radius * radius) >= 0'
@@ -45,13 +45,13 @@ mutant polygon_heights_without_bound Polygon shape/polygon.h 'std::abs(p[ky] - y
 mutant polygon_left_is_right Polygon shape/polygon.h 'q_above ? side > 0 : side < 0' 'q_above ? side < 0 : side > 0'
 
 # --- Box --------------------------------------------------------------------------------------------------------------
-mutant box_edge_without_bound Box shape/box.h '<= 8 * detail::half_ulp * std::abs(way.out)' '< 0'
+mutant box_edge_without_bound Box shape/box.h '<= 8 * detail::half_ulp * std::abs(interval.out)' '< 0'
 mutant box_edges_open Box shape/box.h 'enters.slope).sign() > 0' 'enters.slope).sign() >= 0'
 mutant box_faces_open Box shape/box.h 'if (!(low <= o && o <= high))' 'if (!(low < o && o < high))'
 mutant box_signs_ignored Box shape/box.h 'if (d < 0) std::swap(t_in, t_out)' 'if (false) std::swap(t_in, t_out)'
 mutant box_sign_of_zero_ignored Box shape/box.h 'if (d == 0) {' 'if (false) {'
 mutant box_departure_forgotten Box shape/box.h 'double t_in = departed_part == 2 * axis ? 0' 'double t_in = false ? 0'
-mutant box_enters_where_it_starts Box shape/box.h 'const bool entering = way.in > 0;' 'const bool entering = way.in >= 0;'
+mutant box_enters_where_it_starts Box shape/box.h 'const bool entering = interval.in > 0;' 'const bool entering = interval.in >= 0;'
 
 # --- Quadrics ---------------------------------------------------------------------------------------------------------
 mutant quadric_second_root_dropped Cylinder shape/quadric.h '{wall.roots.near, wall.roots.far})' '{wall.roots.near})'
@@ -105,7 +105,7 @@ mutant accel_sign_of_zero_ignored accel accel/query.h 'negative[axis] = std::sig
 mutant accel_boxes_without_pad accel accel/primitives.cpp 'const T pad = 8 *' 'const T pad = -8 *'
 mutant kdtree_far_side_late accel accel/kdtree.h 'std::fmax(at.in, t - slack)' 'std::fmax(at.in, t + std::abs(t) / 64)'
 mutant kdtree_one_side accel accel/kdtree.h 'boxes.box(id).max[best_axis] >= plane' 'boxes.box(id).min[best_axis] >= plane'
-mutant bvh_too_early accel accel/bvh.h 'beyond(waiting[count].in, query.reach())' 'beyond(2 * waiting[count].in, query.reach())'
+mutant bvh_too_early accel accel/bvh.h 'beyond(stack[count].in, query.t_far())' 'beyond(2 * stack[count].in, query.t_far())'
 mutant lanes_shrunk accel accel/box_lanes.h '-at_least(-static_cast<double>(box.min[axis]))' \
   'at_least(box.min[axis] + 1e-5 * std::abs(static_cast<double>(box.min[axis])))'
 mutant lanes_origin_without_slack accel accel/box_lanes.h '16 * epsilon * (size[0] + size[1] + size[2]) + least' '0 * epsilon * least'
@@ -128,8 +128,8 @@ mutant uv_box_axes_swapped uv shape/box.h '{from_corner[axis == 0 ? 1 : 0], from
   '{from_corner[axis == 2 ? 1 : 2], from_corner[axis == 0 ? 1 : 0]}'
 mutant uv_wall_without_radius uv shape/quadric.h '{quadric.radii.x * angle, ' '{angle, '
 mutant uv_triangle_turned uv shape/triangle.h 'cross(point.normal, along)' 'cross(along, point.normal)'
-mutant uv_normal_as_a_direction uv shape/placed.h 'place.to_shape.normal(point.normal)' \
-  'place.to_shape.direction(point.normal)'
+mutant uv_normal_as_a_direction uv shape/object_transform.h 'transform.to_object.normal(point.normal)' \
+  'transform.to_object.direction(point.normal)'
 
 # --- Bodies in one another --------------------------------------------------------------------------------------------
 mutant stack_entered_twice stack trace/media.h 'if (holds(stack, body)) return;' ''

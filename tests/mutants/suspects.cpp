@@ -2,7 +2,7 @@
 // (-DSUSPECT=...), so that it compiles and runs in seconds. Exits with 1 and says what broke: the mutant is killed.
 
 #include "check/family.h"
-#include "check/law.h"
+#include "check/invariance.h"
 #include "check/normal.h"
 #include "check/spawn.h"
 
@@ -113,7 +113,7 @@ template <class S>
     expect(raywalk::cross(along, Vec3d(again[0], again[1], again[2])) == Vec3d(0.0),
            "a vector has no cross product with itself");
     const Vec3d n(a, b, c), v(b, c, -(a * b + b * c) / c);
-    const double slope = meet_plane(n, Vec3d(1.0), Vec3d(0.0), v).denominator.value;
+    const double slope = intersect_plane(n, Vec3d(1.0), Vec3d(0.0), v).denominator.value;
     expect((slope > 0) - (slope < 0) == sign(Rational(Rational(a) * b + Rational(b) * c + Rational(c) * v.z)),
            "the slope to a plane");
   }

@@ -15,7 +15,7 @@ namespace {
 
 Scene shipped(const std::string& name) { return read_scene(RAYWALK_SOURCE_DIR "/scenes/" + name + ".toml")->scene; }
 
-Scene naive(Scene scene, double epsilon = usual_epsilon) {
+Scene naive(Scene scene, double epsilon = default_epsilon) {
   scene.render.numerics = Numerics::naive;
   scene.render.epsilon = epsilon;
   return scene;
@@ -69,18 +69,18 @@ TEST_CASE("hard scenes fail with naive numerics as their notes say") {
   }
   CHECK(wrong("mirrored_transform", 1e-6, Precision::float_) > 0.02);
   // With the usual one light leaks out of what is smaller, and what lies closer is passed through.
-  CHECK(wrong("light_inside", usual_epsilon) > 0.3);
-  CHECK(wrong("nested_glass", usual_epsilon) > 0.3);
+  CHECK(wrong("light_inside", default_epsilon) > 0.3);
+  CHECK(wrong("nested_glass", default_epsilon) > 0.3);
   // And no epsilon helps a triangle that is too thin, or digits that are not there.
-  CHECK(wrong("slivers", usual_epsilon) > 0.02);
-  CHECK(wrong("tiny_beside_huge", usual_epsilon, Precision::float_) > 0.3);
+  CHECK(wrong("slivers", default_epsilon) > 0.02);
+  CHECK(wrong("tiny_beside_huge", default_epsilon, Precision::float_) > 0.3);
 }
 
 TEMPLATE_TEST_CASE("with naive numerics too the strip is the middle row, and watching changes nothing", "", float,
                    double) {
   for (const Scene& shown : {shipped("classic"), shipped("shadows"), test::busy_scene()}) {
     INFO(shown.title);
-    for (const double epsilon : {0.0, usual_epsilon}) {
+    for (const double epsilon : {0.0, default_epsilon}) {
       const Scene scene = naive(shown, epsilon);
       const int cells = scene.camera.screen.cells;
       RenderSettings settings{ImageSize{3 * cells, 5}, Sampling{}, test::precision_of<TestType>()};

@@ -182,7 +182,7 @@ TEST_CASE("each scene shows what it is about") {
   int weakened = 0;
   const Timeline shadows = record_strip(scenes.at("shadows").scene);
   for (const RayRecord& ray : shadows.rays())
-    weakened += ray.ending == Ending::reached_light && ray.passed != Rgbd(1.0);
+    weakened += ray.ending == Ending::reached_light && ray.transmittance != Rgbd(1.0);
   CHECK(weakened > 0);
 }
 

@@ -98,11 +98,11 @@ std::vector<double> all_crossings(const Shape<double>& shape, const Ray<double>&
     Ray<double> rest{ray.origin, sense * ray.direction};
     double travelled = 0;
     int part = no_part;
-    while (const auto crossing = intersect(shape, rest, infinity<double>, part)) {
-      travelled += crossing->t;
+    while (const auto intersection = intersect(shape, rest, infinity<double>, part)) {
+      travelled += intersection->t;
       crossings.push_back(sense * travelled);
-      rest.origin = surface_at(shape, rest, *crossing).position;
-      part = crossing->part;
+      rest.origin = surface_at(shape, rest, *intersection).position;
+      part = intersection->part;
     }
   }
   std::sort(crossings.begin(), crossings.end());
@@ -153,10 +153,10 @@ TEST_CASE("normals are what shape_normal.tsv says") {
     const Vec3d from = point + 2.0 * normal + (row.text("class") == "tie" ? Vec3d(0, 0.5, 0.5) : Vec3d(0.0));
     const auto turn = [&](const Vec3d& v) { return axes_turned ? turned(v) : v; };
     const Ray<double> ray{turn(from), turn(point - from)};
-    const auto crossing = intersect(*shape, ray, infinity<double>);
-    REQUIRE(crossing);
-    CHECK(crossing->t == Approx(1));
-    const SurfacePoint<double> got = surface_at(*shape, ray, *crossing);
+    const auto intersection = intersect(*shape, ray, infinity<double>);
+    REQUIRE(intersection);
+    CHECK(intersection->t == Approx(1));
+    const SurfacePoint<double> got = surface_at(*shape, ray, *intersection);
     const Vec3d got_normal = axes_turned ? turned_back(got.normal) : got.normal;
     if (row.text("class") == "tie") {
       // Any of the corner's faces is right.

@@ -135,7 +135,7 @@ TEST_CASE("t is right to a few ulps in a sliver, too") {
                                 {-1.4720718053985393, 2.0685111720365121, 0.36216419671880645}};
   const Ray<double> ray{{14.222997930832719, 18.593289406435797, -1.3026684463247231},
                         {-13.464052281712048, -19.562345563102877, 3.532081857646983}};
-  const auto crossing = intersect(sliver, ray, infinity<double>);
-  REQUIRE(crossing);
-  CHECK(std::abs(crossing->t - 0.99999999999999967) < 64 * 0x1p-53);  // it was 10,000 half ulps off
+  const auto intersection = intersect(sliver, ray, infinity<double>);
+  REQUIRE(intersection);
+  CHECK(std::abs(intersection->t - 0.99999999999999967) < 64 * 0x1p-53);  // it was 10,000 half ulps off
 }

@@ -81,14 +81,14 @@ TEST_CASE("naive crossings end at t_max, and hand out the numbers that they comp
     Numbers any(5);
     NaiveRay<double> ray_that_hits;
     Explained of_shape;
-    std::optional<Crossing<double>> crossing;
-    while (!crossing) {
+    std::optional<Intersection<double>> intersection;
+    while (!intersection) {
       ray_that_hits = {{any.in_box<double>(2), any.unit<double>()}};
       of_shape = {};
-      crossing = intersect(shape, ray_that_hits, infinity<double>, no_part, of_shape);
+      intersection = intersect(shape, ray_that_hits, infinity<double>, no_part, of_shape);
     }
-    CHECK((of_shape.a != 0 || std::abs(of_shape.numerator / of_shape.denominator - crossing->t) < 1e-12));
-    CHECK_FALSE(intersect(shape, ray_that_hits, crossing->t));
+    CHECK((of_shape.a != 0 || std::abs(of_shape.numerator / of_shape.denominator - intersection->t) < 1e-12));
+    CHECK_FALSE(intersect(shape, ray_that_hits, intersection->t));
   }
 }
 

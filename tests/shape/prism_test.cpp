@@ -182,10 +182,10 @@ TEST_CASE("a ray that runs along a side from inside leaves by it, or by the cap,
                             2.7999642021563687};
   const Ray<double> ray{{-0.68927017225700349, -1.3435799204219241, 0.89948296478586909},
                         {-0.0028481205549906186, 0.056232989668688838, -0.81996899386611055}};
-  const auto crossing = intersect(prism, ray, infinity<double>);
-  REQUIRE(crossing);
-  CHECK(std::abs(crossing->t - 2.6738930833168291) < 1e-15);
-  CHECK(crossing->part == 2);
+  const auto intersection = intersect(prism, ray, infinity<double>);
+  REQUIRE(intersection);
+  CHECK(std::abs(intersection->t - 2.6738930833168291) < 1e-15);
+  CHECK(intersection->part == 2);
 }
 
 TEST_CASE("a level ray is decided without exact arithmetic where nothing is in doubt") {
@@ -194,9 +194,9 @@ TEST_CASE("a level ray is decided without exact arithmetic where nothing is in d
     void exact() { ++times; }
   } noted;
   const Prism<double> prism{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 2};
-  const auto crossing = intersect(prism, Ray<double>{{-3, 0.25, 0}, {1, 0.1, 0}}, infinity<double>, no_part, noted);
-  REQUIRE(crossing);
-  CHECK(crossing->t == 2);
+  const auto intersection = intersect(prism, Ray<double>{{-3, 0.25, 0}, {1, 0.1, 0}}, infinity<double>, no_part, noted);
+  REQUIRE(intersection);
+  CHECK(intersection->t == 2);
   CHECK(noted.times == 0);
 }
 

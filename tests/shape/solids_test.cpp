@@ -77,16 +77,16 @@ void walk(const Solid& solid, int rays, Random<T>& random) {
     ray.direction = normalize(ray.direction);
     bool was_inside = inside(solid, ray.origin);
     int departed = no_part, steps = 0;
-    while (const auto crossing = intersect(solid, ray, infinity<T>, departed)) {
+    while (const auto intersection = intersect(solid, ray, infinity<T>, departed)) {
       if (++steps > 8) {
         ++endless;
         break;
       }
       ++crossings;
       // Between two crossings the ray stays on one side. Points within rounding of a surface tell nothing.
-      if (crossing->t > T(1e-3) && inside(solid, ray.at(crossing->t / 2)) != was_inside) ++wrong_turns;
-      const SurfacePoint<T> point = surface_at(solid, ray, *crossing);
-      if (length(point.position - ray.at(crossing->t)) > T(sizeof(T) == 4 ? 2e-3 : 1e-9)) ++off_surface;
+      if (intersection->t > T(1e-3) && inside(solid, ray.at(intersection->t / 2)) != was_inside) ++wrong_turns;
+      const SurfacePoint<T> point = surface_at(solid, ray, *intersection);
+      if (length(point.position - ray.at(intersection->t)) > T(sizeof(T) == 4 ? 2e-3 : 1e-9)) ++off_surface;
       if (std::abs(dot(point.normal, ray.direction)) > T(1e-2) && (dot(point.normal, ray.direction) < 0) == was_inside)
         ++inwards;
       for (int axis = 0; axis < 3; ++axis) {
@@ -95,7 +95,7 @@ void walk(const Solid& solid, int rays, Random<T>& random) {
           ++out_of_bounds;
       }
       ray.origin = point.position;
-      departed = crossing->part;
+      departed = intersection->part;
       was_inside = !was_inside;
     }
     if (inside(solid, ray.at(T(20)))) ++wrong_turns;  // beyond the last crossing

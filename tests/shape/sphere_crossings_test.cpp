@@ -25,15 +25,15 @@ TEMPLATE_TEST_CASE("crossings are counted as a walk from one to the next finds t
       ray.origin = sphere.centre + sphere.radius * normalize(vector(1));
       departed = 0;
     }
-    const int at_once = crossings(sphere, ray, reach, departed);
+    const int at_once = intersection_count(sphere, ray, reach, departed);
     int walked = 0;
     double last = 0;
     for (; walked < 10; ++walked) {
-      const auto crossing = intersect(sphere, ray, reach, departed);
-      if (!crossing) break;
-      last = static_cast<double>(crossing->t);
-      ray.origin = surface_at(sphere, ray, *crossing).position;
-      reach -= crossing->t;
+      const auto intersection = intersect(sphere, ray, reach, departed);
+      if (!intersection) break;
+      last = static_cast<double>(intersection->t);
+      ray.origin = surface_at(sphere, ray, *intersection).position;
+      reach -= intersection->t;
       departed = 0;
     }
     ++counted[at_once];
@@ -47,12 +47,12 @@ TEMPLATE_TEST_CASE("crossings are counted as a walk from one to the next finds t
 TEST_CASE("a tangent ray crosses once, and a sphere that begins behind the light does not count") {
   const Sphere<double> sphere{{0, 0, 0}, 1};
   const Ray<double> through{{-3, 0, 0}, {1, 0, 0}}, tangent{{-3, 1, 0}, {1, 0, 0}}, past{{-3, 1.5, 0}, {1, 0, 0}};
-  CHECK(crossings(sphere, through, infinity<double>) == 2);
-  CHECK(crossings(sphere, through, 4.0) == 1);  // the second lies at the end, which is not within
-  CHECK(crossings(sphere, through, 3.0) == 1);
-  CHECK(crossings(sphere, through, 2.0) == 0);
-  CHECK(crossings(sphere, Ray<double>{{0, 0, 0}, {1, 0, 0}}, infinity<double>) == 1);
-  CHECK(crossings(sphere, Ray<double>{{3, 0, 0}, {1, 0, 0}}, infinity<double>) == 0);
-  CHECK(crossings(sphere, tangent, infinity<double>) == 1);
-  CHECK(crossings(sphere, past, infinity<double>) == 0);
+  CHECK(intersection_count(sphere, through, infinity<double>) == 2);
+  CHECK(intersection_count(sphere, through, 4.0) == 1);  // the second lies at the end, which is not within
+  CHECK(intersection_count(sphere, through, 3.0) == 1);
+  CHECK(intersection_count(sphere, through, 2.0) == 0);
+  CHECK(intersection_count(sphere, Ray<double>{{0, 0, 0}, {1, 0, 0}}, infinity<double>) == 1);
+  CHECK(intersection_count(sphere, Ray<double>{{3, 0, 0}, {1, 0, 0}}, infinity<double>) == 0);
+  CHECK(intersection_count(sphere, tangent, infinity<double>) == 1);
+  CHECK(intersection_count(sphere, past, infinity<double>) == 0);
 }

@@ -3,7 +3,7 @@
 
 #include "math/transform.h"
 #include "shape/kinds.h"
-#include "shape/placed.h"
+#include "shape/object_transform.h"
 #include "support/catch.h"
 
 #include <algorithm>
@@ -29,9 +29,9 @@ struct Met {
 template <class T>
 Met<T> meet_head_on(const Shape<T>& shape, const Vec3d& origin, const Vec3d& direction) {
   const Ray<T> ray{Vec3<T>(origin), Vec3<T>(direction)};
-  const auto crossing = intersect(shape, ray, infinity<T>);
-  REQUIRE(crossing);
-  return {crossing->part, uv_at(shape, surface_at(shape, ray, *crossing), crossing->part)};
+  const auto intersection = intersect(shape, ray, infinity<T>);
+  REQUIRE(intersection);
+  return {intersection->part, uv_at(shape, surface_at(shape, ray, *intersection), intersection->part)};
 }
 
 /// Through the place straight from the front: `normal` points to where the ray comes from.
@@ -258,7 +258,7 @@ TEMPLATE_TEST_CASE("the coordinates of a quadric's caps are x and y", "", float,
 TEST_CASE("a map moves, turns, stretches and mirrors what is drawn on a floor") {
   const Shape<double> floor = Plane<double>{{1, 2, 0}, {0, 0, 1}};
   const auto uv = [&](const Affine<double>& map, const Vec3d& world, const Vec3d& normal) {
-    const auto place = placement<double>(map);
+    const auto place = object_transform<double>(map);
     REQUIRE(place);
     return uv_at(floor, *place, SurfacePoint<double>{world, normal}, 0);
   };
@@ -273,7 +273,7 @@ TEST_CASE("a map moves, turns, stretches and mirrors what is drawn on a floor") 
 TEST_CASE("a map turns, stretches and mirrors what is drawn on a ball") {
   const Shape<double> ball = Sphere<double>{{0, 0, 0}, 2};
   const auto uv = [&](const Affine<double>& map, const Vec3d& world, const Vec3d& normal) {
-    const auto place = placement<double>(map);
+    const auto place = object_transform<double>(map);
     REQUIRE(place);
     return uv_at(ball, *place, SurfacePoint<double>{world, normal}, 0);
   };
@@ -314,15 +314,15 @@ TEMPLATE_TEST_CASE("a place keeps its coordinates under a map", "", float, doubl
                                             scaling(Vec3d(1, 1, -1)), translation(Vec3d(3, 2, 1)) * turn * stretch,
                                             scaling(Vec3d(1, -2, 1)) * turn * stretch * turn}};
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    const auto place = placement<T>(maps[i]);
+    const auto place = object_transform<T>(maps[i]);
     REQUIRE(place);
     for (const Sight& sight : sights) {
       CAPTURE(i, sight.name);
       const Ray<T> ray{V(maps[i].point(sight.from)), V(maps[i].direction(sight.along))};
-      const auto crossing = intersect(sight.shape, into_shape(*place, ray), infinity<T>);
-      REQUIRE(crossing);
-      const SurfacePoint<T> point = surface_at(sight.shape, *place, ray, *crossing);
-      expect(uv_at(sight.shape, *place, point, crossing->part), sight.u, sight.v);
+      const auto intersection = intersect(sight.shape, into_object_space(*place, ray), infinity<T>);
+      REQUIRE(intersection);
+      const SurfacePoint<T> point = surface_at(sight.shape, *place, ray, *intersection);
+      expect(uv_at(sight.shape, *place, point, intersection->part), sight.u, sight.v);
     }
   }
 }
@@ -331,10 +331,10 @@ TEST_CASE("rounding does not turn the frame of an upright surface") {
   for (int degrees = 0; degrees < 360; degrees += 15) {
     const double angle = degrees * 3.14159265358979323846 / 180;
     const Vec3d normal(std::cos(angle), std::sin(angle), 0);
-    const Frame<double> frame = frame_of(normal);
+    const PlaneAxes<double> frame = plane_axes(normal);
     for (const Vec3d& off : {Vec3d(0, 0, 1e-17), Vec3d(0, 0, -1e-17), Vec3d(1e-16, 0, 0), Vec3d(0, -1e-16, 0)})
       for (const double side : {1.0, -1.0}) {
-        const Frame<double> other = frame_of(side * (normal + off));
+        const PlaneAxes<double> other = plane_axes(side * (normal + off));
         CAPTURE(degrees, side, off.x, off.y, off.z);
         CHECK(dot(frame.u, other.u) > 0.999);
         CHECK(dot(frame.v, other.v) > 0.999);

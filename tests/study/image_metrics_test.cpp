@@ -167,7 +167,7 @@ TEST_CASE("FLIP of even pictures is that of their two colours") {
 
 TEST_CASE("FLIP is the paper's formulas, to the border of the picture") {
   const Image a = scenery(13, 11, 0.9F), b = scenery(13, 11, 0.5F);
-  for (const double ppd : {20.0, usual_pixels_per_degree}) {
+  for (const double ppd : {20.0, default_pixels_per_degree}) {
     const PlainFlip plain(ppd);
     const std::vector<float> map = flip_map(a, b, ppd);
     for (const auto& [x, y] : {std::pair(0, 0), {12, 10}, {4, 3}, {7, 5}, {0, 9}}) {

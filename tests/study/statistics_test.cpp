@@ -97,7 +97,7 @@ TEST_CASE("the fitted slope's interval holds the law's exponent in 95% of the st
 }
 
 TEST_CASE("a line through points that lie on one is that line") {
-  const Line line = fit_line({1, 2, 4}, {-1, -4, -10});
+  const LineFit line = fit_line({1, 2, 4}, {-1, -4, -10});
   CHECK(line.slope == Approx(-3));
   CHECK(line.intercept == Approx(2));
   CHECK(fit_line({0, 1, 2}, {0, 0, 3}).slope == Approx(1.5));

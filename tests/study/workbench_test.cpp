@@ -80,7 +80,7 @@ TEST_CASE("the error falls with the samples, down to what is left of the referen
   Workbench bench;
   bench.reset(scene, small, setups);
   finish(bench);
-  CHECK(bench.reference_samples() == Workbench::samples_a_pass * Workbench::most_passes);
+  CHECK(bench.reference_samples() == Workbench::samples_a_pass * Workbench::max_passes);
   const auto& attempts = bench.attempts();
   for (std::size_t i = 1; i < attempts.size(); ++i) {
     CHECK(attempts[i].error < 0.75 * attempts[i - 1].error);  // by the law: half

@@ -87,14 +87,14 @@ TEST_CASE("messages name what the events say") {
     const Event& event = *timeline.just_run(position);
     if (const auto* found = std::get_if<Found>(&event.detail)) {
       if (found->ending == Ending::hit) {
-        CHECK(std::get<Met>(message.arguments.at(1).value) == Met{object(found->object)});
+        CHECK(std::get<HitObject>(message.arguments.at(1).value) == HitObject{object(found->object)});
         const double distance = std::get<double>(message.arguments[2].value);
         const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(position))];
         CHECK(distance == Approx(length(found->point - ray.origin)));
         ++seen;
       }
       if (message.id == "walk.light_blocked") {
-        CHECK(std::get<Met>(message.arguments.at(1).value) == Met{object(found->object)});
+        CHECK(std::get<HitObject>(message.arguments.at(1).value) == HitObject{object(found->object)});
         ++seen;
       }
     }

@@ -52,13 +52,13 @@ Scene with_epsilon(Scene scene, double epsilon, Numerics numerics = Numerics::ro
 int self_hits(const std::optional<Reading>& reading) {
   int sum = 0;
   if (reading)
-    for (const LeavingRays& rays : reading->leaving) sum += rays.hit_own;
+    for (const SpawnedRays& rays : reading->spawned) sum += rays.hit_own;
   return sum;
 }
 int wrong(const std::optional<Reading>& reading) {
   int sum = 0;
   if (reading)
-    for (const LeavingRays& rays : reading->leaving) sum += rays.hit_own + rays.astray;
+    for (const SpawnedRays& rays : reading->spawned) sum += rays.hit_own + rays.astray;
   return sum;
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("without epsilon naive rays hit their own surface in float, robust one
     Hits(with_epsilon(scene_of(name), 0), Precision::float_).each([&](const Specimen& seen, const RayRecord&) {
       naive += self_hits(seen.naive);
       CHECK(wrong(seen.robust) == 0);
-      for (const Start& start : seen.robust->starts) CHECK(start.place == seen.robust->point);
+      for (const SpawnPoint& start : seen.robust->starts) CHECK(start.place == seen.robust->point);
     });
   }
   CHECK(naive > 10);

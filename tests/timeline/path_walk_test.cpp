@@ -132,17 +132,17 @@ TEST_CASE("a hit is named to the triangle of a mesh and the member of a group") 
     const Timeline timeline = record_cell(scene, cell);
     for (int position = 1; position <= timeline.steps(); ++position) {
       const Message message = describe(scene, timeline, position);
-      if (message.id == "walk.found_hit") return std::get<Met>(message.arguments.at(1).value);
+      if (message.id == "walk.found_hit") return std::get<HitObject>(message.arguments.at(1).value);
     }
-    return Met{};
+    return HitObject{};
   };
-  CHECK(met(0) == Met{"Twins", "Ball"});
-  CHECK(met(2) == Met{"Panel", "", 0});
+  CHECK(met(0) == HitObject{"Twins", "Ball"});
+  CHECK(met(2) == HitObject{"Panel", "", 0});
   scene.objects[1].transform = {TransformStep{Translate{{0, -3.3, -0.5}}}};
-  CHECK(met(2) == Met{"Panel", "", 1});
+  CHECK(met(2) == HitObject{"Panel", "", 1});
   scene.objects[0].transform = {TransformStep{Translate{{0, 0.3, -0.7}}}};
-  CHECK(met(1) == Met{"Twins", "Sheet", 1});
+  CHECK(met(1) == HitObject{"Twins", "Sheet", 1});
   // What is an object by itself needs no more words.
   scene.objects = {{"Twin", Sphere<double>{{0, 0, 0}, 1}, {}}};
-  CHECK(met(1) == Met{"Twin"});
+  CHECK(met(1) == HitObject{"Twin"});
 }

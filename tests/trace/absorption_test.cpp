@@ -78,9 +78,9 @@ TEST_CASE("glass absorbs by the way inside it") {
   SECTION("the events say so") {
     const auto computed = record_along(scene, {-3, 0, 0}, {0, 0, 0}).all<ShadeComputed>();
     REQUIRE(computed.size() == 2);
-    CHECK(computed[0].passed.y == Approx(std::exp(-0.8 * 0.7)).epsilon(1e-12));  // the inner SHADE returns first
-    CHECK(computed[0].total.y == Approx(computed[0].passed.y * computed[0].refract.y).epsilon(1e-15));
-    CHECK(computed[1].passed == Rgbd(1.0));
+    CHECK(computed[0].transmittance.y == Approx(std::exp(-0.8 * 0.7)).epsilon(1e-12));  // the inner SHADE returns first
+    CHECK(computed[0].total.y == Approx(computed[0].transmittance.y * computed[0].refract.y).epsilon(1e-15));
+    CHECK(computed[1].transmittance == Rgbd(1.0));
   }
 }
 

@@ -76,7 +76,7 @@ TEST_CASE("planted drift is found") {
   CHECK_THAT(drift(replaced(source, "// Find intersection\n", "\n")), contains("expected `// Find intersection`"));
   CHECK_THAT(drift(replaced(source, "// If reflective\n", "// If reflective\n      // or nearly so\n")),
              contains("no statement under `// If reflective`"));
-  CHECK_THAT(drift(replaced(source, "Direct direct;", "// All lights together\n    Direct direct;")),
+  CHECK_THAT(drift(replaced(source, "DirectLighting direct;", "// All lights together\n    DirectLighting direct;")),
              contains("found `// All lights together`"));
   CHECK_THAT(
       drift(replaced(source, "// Compute rtnshade", "// Compute rtnshade\n    return {};\n    // Form shadow ray")),

@@ -125,7 +125,7 @@ TEST_CASE("a ray not formed is shown as where it would have gone") {
   CHECK(missing[1].why == Ending::depth);
   CHECK(missing[1].origin == Vec3d(5, 0, 0));
   CHECK(missing[1].direction == Vec3d(-1, 0, 0));
-  CHECK(missing[1].share == Rgbd(0.5, 0.25, 0.125));
+  CHECK(missing[1].throughput == Rgbd(0.5, 0.25, 0.125));
   CHECK(missing[1].parent == 0);
 }
 

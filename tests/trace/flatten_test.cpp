@@ -151,7 +151,7 @@ TEMPLATE_TEST_CASE("a smoothed normal never sends a ray to the wrong side", "", 
       const Vec3<T> incident(std::sin(a), 0, -std::cos(a));  // over the horizon at a > pi / 2: not formed
       if (!(dot(incident, side) < 0)) continue;
       const Vec3<T> smooth = normalize(Vec3<T>(std::sin(b), std::sin(3 * b) / 3, std::cos(b)));
-      const Vec3<T> normal = smooth_normal_towards(incident, side, smooth);
+      const Vec3<T> normal = consistent_shading_normal(incident, side, smooth);
       CHECK(dot(normal, incident) < 0);
       CHECK(dot(reflect(incident, normal), side) > 0);
       bent += normal != smooth;

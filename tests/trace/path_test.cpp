@@ -155,17 +155,17 @@ TEST_CASE("both strategies' weights, as told, complement each other") {
       continue;
     }
     ++lights;
-    const double other = power_heuristic(light.direction_density, light.light_density);
+    const double other = power_heuristic(light.direction_pdf, light.light_pdf);
     CHECK(light.weight + other == Approx(1).epsilon(1e-12));
   }
   for (const EmissionAdded& emission : recording.all<EmissionAdded>()) {
-    if (emission.light_density == 0) {
+    if (emission.light_pdf == 0) {
       CHECK(emission.weight == 1);
       continue;
     }
     ++emissions;
-    CHECK(emission.direction_density > 0);
-    const double other = power_heuristic(emission.light_density, emission.direction_density);
+    CHECK(emission.direction_pdf > 0);
+    const double other = power_heuristic(emission.light_pdf, emission.direction_pdf);
     CHECK(emission.weight + other == Approx(1).epsilon(1e-12));
   }
   CHECK(lights > 500);

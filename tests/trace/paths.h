@@ -31,7 +31,7 @@ Picture<T> path_picture(const Scene& scene, int width, int height, const PathSet
                         Sampling sampling = {}, Observer* observer = nullptr) {
   return picture_by<T>(by_path(scene, scene.render.sampler), width, height, sampling,
                        [&](const World<T>& world, const auto& camera, const PixelBlock& block, const PutPixel<T>& put) {
-                         const PathLights<T> lights(world);
+                         const Emitters<T> lights(world);
                          return observer ? trace_paths_watched(world, lights, settings, camera, block, put, *observer)
                                          : trace_paths(world, lights, settings, camera, block, put);
                        });
@@ -77,7 +77,7 @@ inline Estimates path_estimates(const Scene& scene, int width, int height, int s
                                 const PathSettings& settings = {}, std::uint64_t seed = 0) {
   const Scene own = by_path(scene, scene.render.sampler);
   const World<double> world(own);
-  const PathLights<double> lights(world);
+  const Emitters<double> lights(world);
   return estimates_by(own, width, height, samples, seed,
                       [&](const auto& same, const auto& camera, const PixelBlock& block, const auto& put) {
                         return trace_paths(same, lights, settings, camera, block, put);

@@ -92,7 +92,7 @@ TEST_CASE("a basis is orthonormal and right-handed about any unit vector") {
     const Vec3d n = i == 0   ? Vec3d(0, 0, 1)
                     : i == 1 ? Vec3d(0, 0, -1)
                     : i == 2 ? Vec3d(1, 0, -0.0)
-                             : uniform_sphere(drawn(i));
+                             : sample_uniform_sphere(drawn(i));
     const Basis<double> basis(n);
     const Vec3d wrong = cross(basis.s, basis.t) - basis.n;
     if (!(std::abs(dot(basis.s, basis.t)) < 1e-14 && std::abs(dot(basis.s, n)) < 1e-14 && length(wrong) < 1e-14 &&
@@ -106,7 +106,7 @@ TEST_CASE("the disk is filled evenly, and square rings become circles") {
   constexpr int n = 60000;
   std::vector<int> held(10 * 12);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Vec2d p = concentric_disk(drawn(i));
+    const Vec2d p = sample_concentric_disk(drawn(i));
     const double r2 = dot(p, p);
     if (!(r2 <= 1 + 1e-15)) FAIL("outside: " << r2);
     const double turn = std::atan2(p.y, p.x) / (2 * pi_v<double>)+0.5;
@@ -116,34 +116,35 @@ TEST_CASE("the disk is filled evenly, and square rings become circles") {
   double chi = 0;
   for (const int h : held) chi += (h - n / 120.0) * (h - n / 120.0) / (n / 120.0);
   CHECK(std::abs(chi - 119) < 5 * std::sqrt(2 * 119.0));
-  CHECK(concentric_disk(Vec2d(0.5, 0.5)) == Vec2d(0, 0));
+  CHECK(sample_concentric_disk(Vec2d(0.5, 0.5)) == Vec2d(0, 0));
   for (const double along : {0.0, 0.2, 0.5, 0.9})
     for (const Vec2d& u : {Vec2d(0.25, 0.25 + along / 2), Vec2d(0.75, 0.25 + along / 2), Vec2d(0.25 + along / 2, 0.25)})
-      CHECK(length(concentric_disk(u)) == Approx(0.5).epsilon(1e-14));
+      CHECK(length(sample_concentric_disk(u)) == Approx(0.5).epsilon(1e-14));
   // In order: right of the centre is right, above it above.
-  CHECK(concentric_disk(Vec2d(0.9, 0.5)).x == Approx(0.8));
-  CHECK(concentric_disk(Vec2d(0.5, 0.9)).y == Approx(0.8));
+  CHECK(sample_concentric_disk(Vec2d(0.9, 0.5)).x == Approx(0.8));
+  CHECK(sample_concentric_disk(Vec2d(0.5, 0.9)).y == Approx(0.8));
 }
 
 TEST_CASE("directions follow their densities") {
   SECTION("whole sphere") {
-    follows([](const Vec2d& u) { return uniform_sphere(u); }, [](const Vec3d&) { return 1 / (4 * pi_v<double>); });
+    follows([](const Vec2d& u) { return sample_uniform_sphere(u); },
+            [](const Vec3d&) { return 1 / (4 * pi_v<double>); });
   }
   SECTION("cosine") {
-    follows([](const Vec2d& u) { return cosine_hemisphere(u); },
+    follows([](const Vec2d& u) { return sample_cosine_hemisphere(u); },
             [](const Vec3d& d) { return cosine_hemisphere_pdf(d.z); });
   }
   for (const double exponent : {0.0, 0.5, 1.0, 7.0, 60.0}) {
     DYNAMIC_SECTION("cosine to the power " << exponent) {
       const double reach = exponent > 20 ? 0.4 : 1;
-      follows([exponent](const Vec2d& u) { return power_cosine(u, exponent); },
+      follows([exponent](const Vec2d& u) { return sample_power_cosine(u, exponent); },
               [exponent](const Vec3d& d) { return power_cosine_pdf(d.z, exponent); }, 2 * reach);
     }
   }
   for (const double angle : {3.0, 1.2, 0.1, 1e-3, 1e-9}) {
     DYNAMIC_SECTION("cone of half angle " << angle) {
       const double down = one_minus_cos_of(angle);
-      follows([down](const Vec2d& u) { return uniform_cone(u, down); },
+      follows([down](const Vec2d& u) { return sample_uniform_cone(u, down); },
               [down](const Vec3d&) { return uniform_cone_pdf(down); }, down * (1 + 1e-9));
     }
   }
@@ -161,17 +162,18 @@ TEST_CASE("the power lobe stays a lobe at its limits") {
   for (const double u : {0.0, 0.3, 0.5, 0.999999})
     for (const double v : {0.0, 0.5, 0.9}) {
       // Exponent 1 is the cosine itself.
-      const Vec3d difference = power_cosine(Vec2d(u, v), 1.0) - cosine_hemisphere(Vec2d(u, v));
+      const Vec3d difference = sample_power_cosine(Vec2d(u, v), 1.0) - sample_cosine_hemisphere(Vec2d(u, v));
       CHECK(length(difference) < 3e-4);  // at the rim; elsewhere 1e-7
-      if (dot(concentric_disk(Vec2d(u, v)), concentric_disk(Vec2d(u, v))) < 0.99) CHECK(length(difference) < 1e-7);
+      if (dot(sample_concentric_disk(Vec2d(u, v)), sample_concentric_disk(Vec2d(u, v))) < 0.99)
+        CHECK(length(difference) < 1e-7);
       // A mirror: the angle goes with 1 / sqrt(exponent), and does not vanish in rounding.
-      const Vec3d sharp = power_cosine(Vec2d(u, v), 1e17);
+      const Vec3d sharp = sample_power_cosine(Vec2d(u, v), 1e17);
       CHECK(sharp.z == Approx(1));
-      const Vec2d disk = concentric_disk(Vec2d(u, v));
+      const Vec2d disk = sample_concentric_disk(Vec2d(u, v));
       const double share = std::min(dot(disk, disk), 1 - 0x1p-24);
       CHECK(std::hypot(sharp.x, sharp.y) ==
             Approx(std::sqrt(-2 * std::log1p(-share) / 1e17)).margin(1e-30).epsilon(1e-6));
-      CHECK(is_finite(power_cosine(Vec2<float>(static_cast<float>(u), static_cast<float>(v)), 1e8f)));
+      CHECK(is_finite(sample_power_cosine(Vec2<float>(static_cast<float>(u), static_cast<float>(v)), 1e8f)));
     }
 }
 
@@ -180,7 +182,7 @@ TEST_CASE("points of a triangle: even by area") {
   // The small congruent triangles of a regular subdivision hold equally many.
   std::vector<int> held(2 * grid * grid);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Vec2d w = triangle_weights(drawn(i));
+    const Vec2d w = sample_uniform_triangle(drawn(i));
     if (!(w.x >= 0 && w.y >= 0 && w.x + w.y <= 1 + 1e-15)) FAIL("outside: " << w.x << ' ' << w.y);
     const double x = w.x * grid, y = w.y * grid;
     const auto column = static_cast<std::size_t>(std::min(x, grid - 0.001));
@@ -209,10 +211,10 @@ TEST_CASE("area to solid angle: the tables' polygon formula comes out") {
   for (std::uint32_t i = 0; i < n; ++i) {
     const Vec2d u = drawn(i, Sampler::sobol);
     const Vec3d way(2 * u.x - 1, 2 * u.y - 1, 1);
-    sum += 1 / solid_angle_density(0.25, way, Vec3d(0, 0, -1)) / n;
+    sum += 1 / solid_angle_pdf(0.25, way, Vec3d(0, 0, -1)) / n;
   }
   CHECK(sum == Approx(4 * pi_v<double> / 6).epsilon(1e-5));
-  CHECK(solid_angle_density(1.0, Vec3d(1, 2, 0), Vec3d(0, 0, 1)) == std::numeric_limits<double>::infinity());
+  CHECK(solid_angle_pdf(1.0, Vec3d(1, 2, 0), Vec3d(0, 0, 1)) == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("a sphere seen from outside: every drawn ray meets it, and none is missing") {
@@ -220,7 +222,7 @@ TEST_CASE("a sphere seen from outside: every drawn ray meets it, and none is mis
   const double distance = length(centre - point);
   for (const double radius : {0.999999 * distance, 0.5 * distance, 0.1, 1e-4, 1e-9, 1e-15}) {
     CAPTURE(radius);
-    const SphereSeen<double> seen = sphere_seen(point, centre, radius);
+    const SubtendedCone<double> seen = subtended_cone(point, centre, radius);
     CHECK_FALSE(seen.from_inside);
     // 1 - cos = sin^2 / (1 + cos), to its last digits also where the cone is narrow.
     const long double sin2 =
@@ -228,7 +230,7 @@ TEST_CASE("a sphere seen from outside: every drawn ray meets it, and none is mis
     CHECK(seen.one_minus_cos == Approx(static_cast<double>(sin2 / (1 + std::sqrt(1 - sin2)))).epsilon(1e-9));
     double nearest = 1e300, farthest = 0;
     for (std::uint32_t i = 0; i < 3000; ++i) {
-      const Vec3d direction = towards_sphere(drawn(i), point, centre, seen);
+      const Vec3d direction = sample_subtended_cone(drawn(i), point, centre, seen);
       // How far from the centre the ray passes.
       const double passes = length(cross(centre - point, direction));
       nearest = std::min(nearest, passes), farthest = std::max(farthest, passes);
@@ -243,14 +245,14 @@ TEST_CASE("a sphere seen from outside: every drawn ray meets it, and none is mis
 
 TEST_CASE("a sphere of radius 0 is its centre, from inside a sphere is all around") {
   const Vec3d point(0.3, 0.2, 0.1), centre(5, 4, 3);
-  const SphereSeen<double> seen = sphere_seen(point, centre, 0.0);
+  const SubtendedCone<double> seen = subtended_cone(point, centre, 0.0);
   CHECK_FALSE(seen.from_inside);
   CHECK(seen.one_minus_cos == 0);
   for (std::uint32_t i = 0; i < 20; ++i)
-    CHECK(towards_sphere(drawn(i), point, centre, seen) == normalize(centre - point));
-  CHECK(sphere_seen(centre, centre, 1.0).from_inside);
-  CHECK(sphere_seen(Vec3d(1, 0, 0), Vec3d(0, 0, 0), 1.0).from_inside);
-  CHECK(sphere_seen(centre, centre, 0.0).from_inside);  // no direction leads there
+    CHECK(sample_subtended_cone(drawn(i), point, centre, seen) == normalize(centre - point));
+  CHECK(subtended_cone(centre, centre, 1.0).from_inside);
+  CHECK(subtended_cone(Vec3d(1, 0, 0), Vec3d(0, 0, 0), 1.0).from_inside);
+  CHECK(subtended_cone(centre, centre, 0.0).from_inside);  // no direction leads there
 }
 
 TEST_CASE("a spot fades smoothly from its inner to its outer cone") {
@@ -286,7 +288,7 @@ TEST_CASE("what a point sees of a rectangle: its solid angle, and points even by
   for (const Case& c : cases) {
     const Vec3d normal = normalize(cross(c.u, c.v));
     const double area = length(cross(c.u, c.v));
-    const RectangleSeen seen(c.point, c.corner, c.u, c.v);
+    const SphericalRectangle seen(c.point, c.corner, c.u, c.v);
     constexpr int n = 1 << 16, grid = 6;
     double sum = 0;
     std::vector<double> expected(grid * grid);
@@ -294,7 +296,7 @@ TEST_CASE("what a point sees of a rectangle: its solid angle, and points even by
       for (int j = 0; j < 600; ++j) {
         const double x = (i + 0.5) / 600, y = (j + 0.5) / 600;
         const Vec3d way = c.corner + x * c.u + y * c.v - c.point;
-        const double part = 1 / solid_angle_density(600 * 600 / area, way, normal);
+        const double part = 1 / solid_angle_pdf(600 * 600 / area, way, normal);
         sum += part;
         expected[static_cast<std::size_t>(i / 100 * grid + j / 100)] += part;
       }
@@ -325,12 +327,12 @@ TEST_CASE("what a point sees of a rectangle: its solid angle, and points even by
 }
 
 TEST_CASE("a rectangle too small or seen edge on is drawn by area instead") {
-  CHECK_FALSE(RectangleSeen({0, 0, 0}, {1000, 0, 0}, {0, 1, 0}, {0, 0, 1}).usable());
-  CHECK_FALSE(RectangleSeen({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}).usable());
-  CHECK(RectangleSeen({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}).solid_angle() == 0);
+  CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1000, 0, 0}, {0, 1, 0}, {0, 0, 1}).usable());
+  CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}).usable());
+  CHECK(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}).solid_angle() == 0);
   // Where it is just usable, its digits hold.
   const double edge = 0.004;
-  const RectangleSeen seen({0, 0, 0}, {-edge / 2, -edge / 2, 1}, {edge, 0, 0}, {0, edge, 0});
+  const SphericalRectangle seen({0, 0, 0}, {-edge / 2, -edge / 2, 1}, {edge, 0, 0}, {0, edge, 0});
   CHECK(seen.usable());
   CHECK(seen.solid_angle() == Approx(4 * std::asin(edge * edge / 4 / (1 + edge * edge / 4))).epsilon(1e-9));
 }

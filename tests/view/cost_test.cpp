@@ -38,12 +38,12 @@ TEST_CASE("knobs start as the scene has them and stay within their limits") {
   wild.samples = 1 << 30, wild.light_grid = -4, wild.depth = 0, wild.threshold = 7, wild.tolerance = -1;
   update(state, action::SetCostKnobs{wild});
   const study::Setup tame = cost_knobs(state);
-  CHECK(tame.samples == CostState::most_samples);
+  CHECK(tame.samples == CostState::max_samples);
   CHECK(tame.light_grid == 0);
   CHECK(tame.depth == 1);
   CHECK(tame.threshold == 1);
   CHECK(tame.tolerance == 0);
-  CHECK(tame.epsilon == usual_epsilon);  // of robust numerics there is none to choose
+  CHECK(tame.epsilon == default_epsilon);  // of robust numerics there is none to choose
   wild.threshold = std::nan("");
   update(state, action::SetCostKnobs{wild});
   CHECK(cost_knobs(state) == tame);
@@ -77,8 +77,8 @@ TEST_CASE("what is tried is kept once, and the last try is looked at") {
     update(state, action::SetCostKnobs{setup});
     update(state, action::TryCost{});
   }
-  CHECK(state.cost.tried.size() == CostState::most_tries);
-  CHECK(state.cost.chosen < CostState::most_tries);
+  CHECK(state.cost.tried.size() == CostState::max_tries);
+  CHECK(state.cost.chosen < CostState::max_tries);
   update(state, action::ForgetCosts{});
   CHECK(state.cost.tried.empty());
   CHECK(state.cost.chosen == -1);

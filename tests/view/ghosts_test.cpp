@@ -60,7 +60,7 @@ TEST_CASE("a pixel and its ghosts add up to what a deeper trace without a thresh
       if (ghost.record.parent < 0) {
         CHECK(ghost.record.origin == stub.origin);
         CHECK(ghost.record.kind == stub.kind);
-        CHECK(ghost.record.share == stub.share);
+        CHECK(ghost.record.throughput == stub.throughput);
       }
       const bool shaded = ghost.record.formed && ghost.record.kind != RayKind::shadow;
       deepest = std::max(deepest, ghost.record.depth + (shaded ? 1 : 0));

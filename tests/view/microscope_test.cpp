@@ -55,8 +55,8 @@ bool says(const DisplayList& list, const std::string& words) {
 }
 
 bool acne(const Specimen& seen) {
-  return seen.naive && std::any_of(seen.naive->leaving.begin(), seen.naive->leaving.end(),
-                                   [](const LeavingRays& rays) { return rays.hit_own > 0; });
+  return seen.naive && std::any_of(seen.naive->spawned.begin(), seen.naive->spawned.end(),
+                                   [](const SpawnedRays& rays) { return rays.hit_own > 0; });
 }
 
 }  // namespace

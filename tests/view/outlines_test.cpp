@@ -51,7 +51,7 @@ TEST_CASE("a small mesh shows each of its edges once") {
   const auto lines = outline_of(object_of(cube()), room);
   CHECK(lines.size() == 18);  // twelve of the cube, and a diagonal on each face
   double total = 0;
-  for (const Curve& line : lines) {
+  for (const Polyline& line : lines) {
     REQUIRE(line.size() == 2);
     total += length(line[1] - line[0]);
   }
@@ -63,7 +63,7 @@ TEST_CASE("a large mesh shows sections, which lie on it") {
   CHECK(lines.size() > 500);
   CHECK(lines.size() < 16000);
   double off = 0;
-  for (const Curve& line : lines)
+  for (const Polyline& line : lines)
     for (const Vec3d& point : line) off = std::max(off, std::abs(length(point) - 1));
   CHECK(off < 0.002);  // the triangles' own distance from the sphere
 }
@@ -77,7 +77,7 @@ TEST_CASE("instances show what is in their group, where they stand") {
   CHECK(lines.size() == 18 + 3);
   const auto twice = std::make_shared<const GroupContent>(Group{"outer", {instance, instance}});
   CHECK(outline_of({"Both", Instance{"outer", twice}, {}}, room).size() == 2 * lines.size());
-  for (const Curve& line : lines)
+  for (const Polyline& line : lines)
     for (const Vec3d& point : line) CHECK(point.z >= 6);
   std::vector<Object> many(200, instance);
   const auto crowd = std::make_shared<const GroupContent>(Group{"crowd", many});

@@ -139,7 +139,7 @@ TEST_CASE("the tree is that of the pixel's rays") {
       REQUIRE(node.label.empty() == (!node.known || ray.ending == Ending::hit ? node.label.empty() : false));
       if (node.known) REQUIRE_FALSE(node.label.empty());
       if (node.known) REQUIRE_FALSE(node.symbol.empty());
-      if (node.future) REQUIRE(node.share.empty());
+      if (node.future) REQUIRE(node.throughput.empty());
       if (node.parent < 0) {
         REQUIRE(node.kind == RayKind::primary);
         REQUIRE(node.y == 0);

@@ -159,12 +159,12 @@ TEST_CASE("the points of an outline lie on the surface") {
     const Bounds<double> room = room_of(scene);
     for (const Object& object : scene.objects) {
       CAPTURE(name, object.name);
-      const std::vector<Curve> curves = outline_of(object, room);
+      const std::vector<Polyline> curves = outline_of(object, room);
       REQUIRE_FALSE(curves.empty());
       const auto* sphere = std::get_if<Sphere<double>>(&object.shape);
       const auto* plane = std::get_if<Plane<double>>(&object.shape);
       Bounds<double> drawn;
-      for (const Curve& curve : curves)
+      for (const Polyline& curve : curves)
         for (const Vec3d& point : curve) {
           drawn.include(point);
           if (sphere != nullptr && object.transform.empty())
@@ -187,7 +187,7 @@ TEST_CASE("settings of the picture are kept within their limits, and the walk ha
   ImageSettings settings;
   settings.samples = 1 << 30;
   update(state, action::SetImageSettings{settings});
-  CHECK(state.image.samples == most_image_samples);
+  CHECK(state.image.samples == max_image_samples);
   const Rgbd in_double = state.timeline->pixels()[10].shade;
   settings.single_precision = true;
   update(state, action::SetImageSettings{settings});

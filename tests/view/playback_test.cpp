@@ -14,7 +14,7 @@ std::string picture_of(const State& state) {
   std::string picture = sentence(state) + "\n" + status_line(state);
   for (const CodeBox& box : code_panel(state).boxes)
     for (const CodeRow& row : box.rows) picture += row.just_run ? "#" : row.next ? ">" : ".";
-  for (const TreeNode& node : tree_panel(state).nodes) picture += node.symbol + node.label + node.share;
+  for (const TreeNode& node : tree_panel(state).nodes) picture += node.symbol + node.label + node.throughput;
   for (const StackRow& row : stack_panel(state).rows) picture += row.title + row.waiting;
   for (const DisplayItem& item : plan_view(state))
     if (const auto* line = std::get_if<LineItem>(&item.shape))

@@ -22,7 +22,7 @@ State predicting() {
 }
 
 /// To the first position at which such a question is asked about such a ray.
-void to_question(State& state, Foretold what, RayKind kind) {
+void to_question(State& state, PredictionKind what, RayKind kind) {
   for (int position = state.position + 1; position < state.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     const auto asked = prediction_asked(state);
@@ -52,7 +52,7 @@ TEST_CASE("nothing is asked before predictions are switched on, while AUTO plays
   }
   update(state, action::Clear{});
   update(state, action::SetPredictions{true});
-  to_question(state, Foretold::way, RayKind::shadow);
+  to_question(state, PredictionKind::way, RayKind::shadow);
   update(state, action::SetMode{Mode::move});
   CHECK_FALSE(prediction_asked(state));
   update(state, action::SetMode{Mode::trace});
@@ -65,7 +65,7 @@ TEST_CASE("an arrow is dragged from the ring, the step that forms the ray judges
   const auto [degrees, right] = GENERATE(std::pair(0.0, true), std::pair(8.0, true), std::pair(-35.0, false));
   const RayKind kind = GENERATE(RayKind::shadow, RayKind::reflect, RayKind::refract);
   State state = predicting();
-  to_question(state, Foretold::way, kind);
+  to_question(state, PredictionKind::way, kind);
   const RayRecord ray = asked_ray(state);
   const Vec2d origin = plan(ray.origin);
   REQUIRE(aim_origin(state) == origin);
@@ -97,7 +97,7 @@ TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, what
   for (int position = 0; position < state.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     const auto asked = prediction_asked(state);
-    if (!asked || asked->what != Foretold::end) continue;
+    if (!asked || asked->what != PredictionKind::end) continue;
     const RayRecord& ray = asked_ray(state);
     const bool stopped = ray.ending == Ending::hit || ray.ending == Ending::blocked;
     const Target truth = stopped                               ? Target{TargetKind::object, ray.object}
@@ -117,7 +117,7 @@ TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, what
 
   // By mouse, and wrong.
   update(state, action::Clear{});
-  to_question(state, Foretold::end, RayKind::primary);
+  to_question(state, PredictionKind::end, RayKind::primary);
   const int glass = index_of_object(state.scene(), "Transparent Sphere");
   REQUIRE(asked_ray(state).object != glass);
   const Vec2d at = pixels_of(state, {TargetKind::object, glass});
@@ -128,7 +128,7 @@ TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, what
   update(state, action::Step{});
   CHECK_FALSE(state.predictions.made.back().right);
   // What no ray can meet is no guess.
-  to_question(state, Foretold::end, RayKind::primary);
+  to_question(state, PredictionKind::end, RayKind::primary);
   update(state, action::GuessEnd{{TargetKind::eye}});
   update(state, action::GuessEnd{{TargetKind::object, 99}});
   CHECK_FALSE(state.predictions.open);
@@ -137,7 +137,7 @@ TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, what
 TEST_CASE("AUTO, held steps, runs and large steps come to rest where a ray is to be predicted") {
   const auto is_rest = [](const State& state) {
     const auto asked = prediction_asked(state);
-    return asked && asked->what == Foretold::way;
+    return asked && asked->what == PredictionKind::way;
   };
   State state = predicting();
   update(state, action::RunOn{});
@@ -175,14 +175,14 @@ TEST_CASE("AUTO, held steps, runs and large steps come to rest where a ray is to
 
 TEST_CASE("a lesson's own questions and a hunt go before; a guess that was walked away from is forgotten") {
   State state = predicting();
-  to_question(state, Foretold::way, RayKind::reflect);
+  to_question(state, PredictionKind::way, RayKind::reflect);
   update(state, action::GuessWay{plan(asked_ray(state).origin) + Vec2d(1, 0)});
   REQUIRE(state.predictions.open);
   update(state, action::Step{false});
   CHECK_FALSE(state.predictions.open);
   CHECK(state.predictions.made.empty());
   // A new walk: what was judged of the old one is not drawn, but counted.
-  to_question(state, Foretold::way, RayKind::reflect);
+  to_question(state, PredictionKind::way, RayKind::reflect);
   update(state, action::GuessWay{plan(asked_ray(state).origin) + Vec2d(1, 0)});
   update(state, action::Step{});
   REQUIRE(state.predictions.judged.size() == 1);
@@ -205,7 +205,7 @@ TEST_CASE("predictions are saved as a table, and no file is written over unasked
   update(state, action::AskSavePredictions{});
   CHECK(state.prompt == PathPrompt::none);  // there is none yet
   REQUIRE(state.notice);
-  to_question(state, Foretold::way, RayKind::reflect);
+  to_question(state, PredictionKind::way, RayKind::reflect);
   update(state, action::GuessWay{plan(asked_ray(state).origin) + plan(asked_ray(state).direction)});
   const int answered = state.position + 1;
   update(state, action::Step{});
@@ -220,7 +220,7 @@ TEST_CASE("predictions are saved as a table, and no file is written over unasked
                       ",reflect,where it goes,0.0,1\n");
   // What stands there already is written over only when that is said.
   update(state, action::Step{});
-  to_question(state, Foretold::way, RayKind::refract);
+  to_question(state, PredictionKind::way, RayKind::refract);
   update(state, action::GuessWay{plan(asked_ray(state).origin) + plan(asked_ray(state).direction)});
   update(state, action::Step{});
   update(state, action::AskSavePredictions{});

@@ -97,10 +97,10 @@ TEST_CASE("no more samples are walked than a recording holds, and that is said")
   ImageSettings settings = state.image;
   settings.walk_samples = 1 << 20;
   update(state, action::SetImageSettings{settings});
-  CHECK(state.image.walk_samples == most_walk_samples);
+  CHECK(state.image.walk_samples == max_walk_samples);
   CHECK(state.timeline->steps() <= 500'000);
   const int walked_samples = state.timeline->pixels().back().sample + 1;
-  if (walked_samples < most_walk_samples) {
+  if (walked_samples < max_walk_samples) {
     REQUIRE(state.notice);
     CHECK(state.notice->text ==
           fill("notice.too_many_samples", state.language, {{"samples", std::to_string(walked_samples)}}));

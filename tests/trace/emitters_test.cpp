@@ -1,7 +1,7 @@
 // Objects as lights: what is drawn meets the light where it should, its density is the one that a ray which meets the
 // light by chance would be told, and the mean of 1 / density is the solid angle that the light fills.
 
-#include "trace/path_lights.h"
+#include "trace/emitters.h"
 
 #include "math/sampler.h"
 #include "trace/pictures.h"
@@ -42,33 +42,33 @@ struct Counted {
 // Draws on the light, and in all directions within an angle of the origin, from a point.
 Counted count(const Scene& scene, const Vec3d& point, double angle = pi_v<double>, std::uint32_t n = 1 << 15) {
   const World<double> world(scene);
-  const PathLights<double> lights(world);
+  const Emitters<double> lights(world);
   REQUIRE_FALSE(lights.empty());
   TestCounts tests;
   Counted counted;
   const Basis<double> around(normalize(-point));
   for (std::uint32_t i = 0; i < n; ++i) {
-    const auto density_at = [&](const Ray<double>& ray, const Hit<double>& hit) {
-      const auto met = world.accelerator.primitives().surface_at(hit.primitive, ray, Crossing<double>{hit.t, hit.part});
-      return lights.density(point, hit.primitive, hit.part, met.position, met.normal);
+    const auto pdf_at = [&](const Ray<double>& ray, const Hit<double>& hit) {
+      const auto met =
+          world.accelerator.primitives().surface_at(hit.primitive, ray, Intersection<double>{hit.t, hit.part});
+      return lights.pdf(point, hit.primitive, hit.part, met.position, met.normal);
     };
-    if (const auto sample = lights.draw(point, drawn(i, 4).x, drawn(i, 0))) {
-      const Ray<double> ray{point, sample->way};
+    if (const auto sample = lights.sample(point, drawn(i, 4).x, drawn(i, 0))) {
+      const Ray<double> ray{point, sample->to_light};
       const auto hit = world.accelerator.closest(ray, infinity<double>, tests);
       if (hit && hit->primitive == sample->primitive && hit->part == sample->part) {
-        counted.by_light += 1 / sample->density / n;
+        counted.by_light += 1 / sample->pdf / n;
         // What is met is the point drawn, and its density is the one it was drawn with.
-        if (std::abs(hit->t - 1) > 1e-6 || std::abs(density_at(ray, *hit) / sample->density - 1) > 1e-5)
-          ++counted.wrong;
+        if (std::abs(hit->t - 1) > 1e-6 || std::abs(pdf_at(ray, *hit) / sample->pdf - 1) > 1e-5) ++counted.wrong;
       } else {
         ++counted.unseen;
       }
     }
-    const Ray<double> ray{point, around.to_world(uniform_cone(drawn(i, 2), one_minus_cos_of(angle)))};
+    const Ray<double> ray{point, around.to_world(sample_uniform_cone(drawn(i, 2), one_minus_cos_of(angle)))};
     if (const auto hit = world.accelerator.closest(ray, infinity<double>, tests)) {
       counted.by_direction += 1 / uniform_cone_pdf(one_minus_cos_of(angle)) / n;
       ++counted.met;
-      if (!(density_at(ray, *hit) > 0)) ++counted.wrong;
+      if (!(pdf_at(ray, *hit) > 0)) ++counted.wrong;
     }
   }
   return counted;
@@ -131,11 +131,11 @@ TEST_CASE("lights are picked by area times radiance, and together they are one d
   scene.objects.push_back(object("Black", Sphere<double>{{0, 0, 9}, 1}, dark));
   scene.objects.push_back(object("Lid", Triangle<double>{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}, bright));
   const World<double> world(scene);
-  const PathLights<double> lights(world);
+  const Emitters<double> lights(world);
   std::vector<int> picked(4);
   constexpr int n = 20000;
   for (int i = 0; i < n; ++i) {
-    const auto sample = lights.draw({0, 0, 0}, (i + 0.5) / n, Vec2d(0.3, 0.6));
+    const auto sample = lights.sample({0, 0, 0}, (i + 0.5) / n, Vec2d(0.3, 0.6));
     REQUIRE(sample);
     ++picked[static_cast<std::size_t>(sample->primitive)];
   }
@@ -162,17 +162,17 @@ TEST_CASE("what cannot be drawn is left to chance and says so") {
       object("Egg", Sphere<double>{{5, 0, 0}, 1}, glow)};
   scene.objects[3].transform = {{Scale{{1, 2, 1}}}};
   const World<double> world(scene);
-  const PathLights<double> lights(world);
+  const Emitters<double> lights(world);
   CHECK(lights.empty());
-  for (int id = 0; id < 4; ++id) CHECK(lights.density({0, 0, 0}, id, 0, {0, 0, 2}, {0, 0, 1}) == 0);
-  CHECK(PathLights<float>(World<float>(scene)).empty());
+  for (int id = 0; id < 4; ++id) CHECK(lights.pdf({0, 0, 0}, id, 0, {0, 0, 2}, {0, 0, 1}) == 0);
+  CHECK(Emitters<float>(World<float>(scene)).empty());
   // A prism that is not convex lends its sides alone.
   Scene bent;
   bent.objects = {object("Bent", Prism<double>{{{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}, 1}, glow)};
   const World<double> bent_world(bent);
-  const PathLights<double> sides(bent_world);
-  CHECK(sides.density({1, -2, 0}, 0, 0, {1, 0, 0}, {0, -1, 0}) > 0);
-  CHECK(sides.density({0, 0, 4}, 0, 4, {0.2, 0.2, 0.5}, {0, 0, 1}) == 0);
+  const Emitters<double> sides(bent_world);
+  CHECK(sides.pdf({1, -2, 0}, 0, 0, {1, 0, 0}, {0, -1, 0}) > 0);
+  CHECK(sides.pdf({0, 0, 4}, 0, 4, {0.2, 0.2, 0.5}, {0, 0, 1}) == 0);
   // The point drawn may be hidden behind another face of the light, or anything else.
   CHECK(count(bent, {3, 3, 0.1}).unseen > 100);
 }
@@ -181,21 +181,21 @@ TEST_CASE("float draws what double draws") {
   const Scene scene = lit_by(Sphere<double>{{3, 1, -2}, 0.5});
   const World<double> wide(scene);
   const World<float> narrow(scene);
-  const PathLights<double> a(wide);
-  const PathLights<float> b(narrow);
+  const Emitters<double> a(wide);
+  const Emitters<float> b(narrow);
   for (std::uint32_t i = 0; i < 500; ++i) {
-    const auto x = a.draw({0, 0, 0}, 0.5, drawn(i));
-    const auto y = b.draw({0, 0, 0}, 0.5f, Vec2<float>(drawn(i)));
+    const auto x = a.sample({0, 0, 0}, 0.5, drawn(i));
+    const auto y = b.sample({0, 0, 0}, 0.5f, Vec2<float>(drawn(i)));
     REQUIRE(x);
     REQUIRE(y);
-    if (length(x->way - Vec3d(y->way)) > 1e-5) FAIL("another way");
-    if (std::abs(x->density / static_cast<double>(y->density) - 1) > 1e-5) FAIL("another density");
+    if (length(x->to_light - Vec3d(y->to_light)) > 1e-5) FAIL("another way");
+    if (std::abs(x->pdf / static_cast<double>(y->pdf) - 1) > 1e-5) FAIL("another density");
   }
 }
 
 TEST_CASE("a light that moves is left to chance") {
   Scene scene = lit_by(Sphere<double>{{3, 1, -2}, 0.5});
-  CHECK_FALSE(PathLights<double>(World<double>(scene)).empty());
+  CHECK_FALSE(Emitters<double>(World<double>(scene)).empty());
   scene.objects[0].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
-  CHECK(PathLights<double>(World<double>(scene)).empty());
+  CHECK(Emitters<double>(World<double>(scene)).empty());
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Benches of the curved shapes.
+// Traits of the curved shapes.
 
 #include "check/stratum.h"
 
@@ -9,7 +9,7 @@
 namespace raywalk::check {
 
 template <class T>
-struct Bench<Sphere<T>> {
+struct ShapeTraits<Sphere<T>> {
   using S = Sphere<T>;
   static constexpr bool placed = false;
   static S make(Random& random, double scale, const Vec3d& centre) {
@@ -49,11 +49,11 @@ struct Bench<Sphere<T>> {
 };
 
 template <class T>
-struct Bench<Disk<T>> {
+struct ShapeTraits<Disk<T>> {
   using S = Disk<T>;
   static constexpr bool placed = false;
   static S make(Random& random, double scale, const Vec3d& centre) {
-    const Vec3d normal = random.whole(0, 3) == 0 ? Bench<Sphere<T>>::parallel({}, random) : random.unit();
+    const Vec3d normal = random.whole(0, 3) == 0 ? ShapeTraits<Sphere<T>>::parallel({}, random) : random.unit();
     return {Vec3<T>(centre + scale * random.in_box()), Vec3<T>(normal), static_cast<T>(scale * random.real(0.1, 2))};
   }
   static double size(const S& s) { return static_cast<double>(s.radius); }
@@ -82,11 +82,11 @@ struct Bench<Disk<T>> {
 };
 
 template <class T, QuadricKind Kind>
-struct Bench<Quadric<T, Kind>> {
+struct ShapeTraits<Quadric<T, Kind>> {
   using S = Quadric<T, Kind>;
   static constexpr bool placed = true;
   static S make(Random& random, double scale, const Vec3d& /*centre*/) {
-    // The paraboloid and the cone have no length of their own but their cuts.
+    // The paraboloid and the cone have no intrinsic length but their cuts.
     constexpr bool slopes = Kind == QuadricKind::cone;
     const double width = slopes ? 1 : Kind == QuadricKind::elliptic_paraboloid ? std::sqrt(scale) : scale;
     S s;
@@ -110,7 +110,7 @@ struct Bench<Quadric<T, Kind>> {
                                                                                                      : s.radii.z);
   }
   static Vec3d centre(const S& s) { return {0, 0, (low(s) + high(s)) / 2}; }
-  /// Of the cross section at height z, in units of the radii; negative where there is none.
+  /// Squared radius of the cross section at height z, relative to the radii; negative where there is none.
   static double square(const S& s, double z) {
     const double zr = z / static_cast<double>(s.radii.z);
     switch (Kind) {
@@ -138,15 +138,15 @@ struct Bench<Quadric<T, Kind>> {
   static Vec3d interior(const S& s, Random& random) {
     return ring(s, random, random.real(low(s), high(s)), random.real(0, 1));
   }
-  /// A surface point moved along the view until the view is tangent is as hard to find as to hit; a point whose normal
-  /// is across the view is near enough to one: among 32, the best.
+  /// A point of exact tangency is as hard to find as to hit; a point whose normal is nearly perpendicular to the view
+  /// is close enough: the best of 32.
   static Vec3d silhouette(const S& s, Random& random, const Vec3d& eye) {
     Vec3d best(0.0);
     double least = infinity<double>;
     for (int i = 0; i < 8; ++i) {
       const double angle = random.real(-3.2, 3.2);
       double z = random.real(low(s), high(s));
-      // One regula falsi's worth of steps over the height brings g.view to 0 along this meridian.
+      // A few regula falsi steps over the height bring g.view to 0 along this meridian.
       for (int step = 0; step < 3; ++step) {
         const auto slope_at = [&](double at) {
           const double reach = std::sqrt(std::max(0.0, square(s, at)));
@@ -189,7 +189,7 @@ struct Bench<Quadric<T, Kind>> {
     const bool slanted = Kind != QuadricKind::cylinder && Kind != QuadricKind::elliptic_paraboloid;
     if (!slanted || random.whole(0, 3) == 0) return {0, 0, random.sign()};
     const Triple p = pythagorean(random);
-    if (random.coin()) return Vec3d(x * p.a, y * p.b, z * p.h);  // exactly, where these are whole
+    if (random.coin()) return Vec3d(x * p.a, y * p.b, z * p.h);  // exact for integers
     return {x * std::cos(angle), y * std::sin(angle), z};
   }
   static Case<S, T> exactly_tangent(Random& random) {

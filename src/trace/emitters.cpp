@@ -1,4 +1,4 @@
-#include "trace/path_lights.h"
+#include "trace/emitters.h"
 
 #include "trace/sampling.h"
 
@@ -10,13 +10,13 @@ namespace raywalk {
 namespace {
 
 template <class T>
-Affine<double> map_of(const Placement<T>* place) {
+Affine<double> map_of(const ObjectTransform<T>* place) {
   if (!place) return {};
   const Affine<T>& m = place->to_world;
   return {Vec3d(m.x), Vec3d(m.y), Vec3d(m.z), Vec3d(m.move)};
 }
 
-/// Corners of one turn only.
+/// Whether all corners turn the same way.
 bool convex(const std::vector<Vec3d>& corners) {
   Vec3d normal(0.0);
   const std::size_t n = corners.size();
@@ -33,25 +33,25 @@ bool convex(const std::vector<Vec3d>& corners) {
 }  // namespace
 
 template <class T>
-PathLights<T>::PathLights(const World<T>& world) {
+Emitters<T>::Emitters(const World<T>& world) {
   const Primitives<T>& primitives = world.accelerator.primitives();
   for (int id = 0; id < primitives.size(); ++id)
     if (!is_black(world.surface(id).emission) && !primitives.moves(id)) add(world, id);
   double sum = 0;
-  for (Piece& piece : pieces_) {
-    const Rgbd emission(world.surface(piece.primitive).emission);
-    piece.chance = piece.area * (emission.x + emission.y + emission.z);
-    sum += piece.chance;
+  for (Emitter& emitter : emitters_) {
+    const Rgbd emission(world.surface(emitter.primitive).emission);
+    emitter.probability = emitter.area * (emission.x + emission.y + emission.z);
+    sum += emitter.probability;
   }
   double up_to = 0;
-  for (Piece& piece : pieces_) {
-    piece.chance /= sum;
-    picks_.push_back(up_to += piece.chance);
+  for (Emitter& emitter : emitters_) {
+    emitter.probability /= sum;
+    cdf_.push_back(up_to += emitter.probability);
   }
 }
 
 template <class T>
-void PathLights<T>::add_flat(int primitive, int part, Kind kind, const Vec3d& corner, const Vec3d& u, const Vec3d& v) {
+void Emitters<T>::add_flat(int primitive, int part, Kind kind, const Vec3d& corner, const Vec3d& u, const Vec3d& v) {
   const double parallelogram = length(cross(u, v));
   if (!(parallelogram > 0)) return;
   const double area = kind == Kind::triangle ? parallelogram / 2
@@ -59,11 +59,11 @@ void PathLights<T>::add_flat(int primitive, int part, Kind kind, const Vec3d& co
                                              : parallelogram;
   constexpr double square = 32 * static_cast<double>(std::numeric_limits<T>::epsilon());
   if (kind == Kind::parallelogram && std::abs(dot(u, v)) <= square * length(u) * length(v)) kind = Kind::rectangle;
-  pieces_.push_back({kind, primitive, part, corner, u, v, area, 0});
+  emitters_.push_back({kind, primitive, part, corner, u, v, area, 0});
 }
 
 template <class T>
-void PathLights<T>::add_polygon(int primitive, int part, const std::vector<Vec3d>& corners) {
+void Emitters<T>::add_polygon(int primitive, int part, const std::vector<Vec3d>& corners) {
   if (!convex(corners)) return;
   const Vec3d &origin = corners[0], u = corners[1] - origin;
   if (corners.size() == 4) {
@@ -77,10 +77,10 @@ void PathLights<T>::add_polygon(int primitive, int part, const std::vector<Vec3d
 }
 
 template <class T>
-void PathLights<T>::add(const World<T>& world, int primitive) {
+void Emitters<T>::add(const World<T>& world, int primitive) {
   const Primitives<T>& primitives = world.accelerator.primitives();
-  if (primitives.moves(primitive)) return;  // found by chance only
-  const Affine<double> map = map_of(primitives.place_of(primitive));
+  if (primitives.moves(primitive)) return;  // found by BSDF sampling only
+  const Affine<double> map = map_of(primitives.transform_of(primitive));
   const auto polygon = [&](int part, std::vector<Vec3d> corners) {
     for (Vec3d& corner : corners) corner = map.point(corner);
     add_polygon(primitive, part, corners);
@@ -95,8 +95,8 @@ void PathLights<T>::add(const World<T>& world, int primitive) {
                            std::abs(dot(map.z, map.x)) <= slack;
       const double radius = x * static_cast<double>(shape.radius);
       if (similar && radius > 0)
-        pieces_.push_back({Kind::sphere, primitive, 0, map.point(Vec3d(shape.centre)), Vec3d(radius, 0, 0), Vec3d(0.0),
-                           4 * pi_v<double> * radius * radius, 0});
+        emitters_.push_back({Kind::sphere, primitive, 0, map.point(Vec3d(shape.centre)), Vec3d(radius, 0, 0),
+                             Vec3d(0.0), 4 * pi_v<double> * radius * radius, 0});
     } else if constexpr (std::is_same_v<S, Disk<T>>) {
       const Basis<double> basis(normalize(Vec3d(shape.normal)));
       const double radius = static_cast<double>(shape.radius);
@@ -127,111 +127,110 @@ void PathLights<T>::add(const World<T>& world, int primitive) {
       }
       polygon(shape.top(), top);
       polygon(shape.bottom(), bottom);
-    }  // planes have no end, and no map from the square is known to be simple for the others
+    }  // planes are unbounded, and the others have no simple map from the unit square
   };
   std::visit(add_shape, primitives.shape(primitive));
 }
 
 template <class T>
-auto PathLights<T>::draw(const Vec3<T>& from, T pick, const Vec2<T>& u) const -> std::optional<Sample> {
-  const auto at = std::upper_bound(picks_.begin(), picks_.end(), static_cast<double>(pick));
-  const Piece& piece = pieces_[std::min(static_cast<std::size_t>(at - picks_.begin()), pieces_.size() - 1)];
+auto Emitters<T>::sample(const Vec3<T>& from, T pick, const Vec2<T>& u) const -> std::optional<Sample> {
+  const auto at = std::upper_bound(cdf_.begin(), cdf_.end(), static_cast<double>(pick));
+  const Emitter& emitter = emitters_[std::min(static_cast<std::size_t>(at - cdf_.begin()), emitters_.size() - 1)];
   const Vec3d point(from);
   const Vec2d unit(u);
-  Vec3d way(0.0);
-  double density = 0;
+  Vec3d to_light(0.0);
+  double pdf = 0;
   const auto by_area = [&](const Vec2d& place) {
-    way = piece.corner + place.x * piece.u + place.y * piece.v - point;
-    density = solid_angle_density(piece.chance / piece.area, way, normalize(cross(piece.u, piece.v)));
+    to_light = emitter.corner + place.x * emitter.u + place.y * emitter.v - point;
+    pdf = solid_angle_pdf(emitter.probability / emitter.area, to_light, normalize(cross(emitter.u, emitter.v)));
   };
-  switch (piece.kind) {
+  switch (emitter.kind) {
     case Kind::sphere: {
-      const double radius = piece.u.x;
-      const SphereSeen<double> seen = sphere_seen(point, piece.corner, radius);
+      const double radius = emitter.u.x;
+      const SubtendedCone<double> seen = subtended_cone(point, emitter.corner, radius);
       if (seen.from_inside) {
-        const Vec3d normal = uniform_sphere(unit);
-        way = piece.corner + radius * normal - point;
-        density = solid_angle_density(piece.chance / piece.area, way, normal);
+        const Vec3d normal = sample_uniform_sphere(unit);
+        to_light = emitter.corner + radius * normal - point;
+        pdf = solid_angle_pdf(emitter.probability / emitter.area, to_light, normal);
         break;
       }
-      const Vec3d direction = towards_sphere(unit, point, piece.corner, seen);
-      const Vec3d centre = piece.corner - point;
+      const Vec3d direction = sample_subtended_cone(unit, point, emitter.corner, seen);
+      const Vec3d centre = emitter.corner - point;
       const double middle = dot(direction, centre);
       const Vec3d passes = centre - middle * direction;
       const double near = middle - std::sqrt(std::max(radius * radius - dot(passes, passes), 0.0));
-      // From a point of the sphere itself that rounding put outside, the near crossing is where it stands.
-      way = (near > 0 ? near : middle) * direction;
-      density = piece.chance * uniform_cone_pdf(seen.one_minus_cos);
+      // For a point on the sphere that rounding put outside, the near crossing is the point itself.
+      to_light = (near > 0 ? near : middle) * direction;
+      pdf = emitter.probability * uniform_cone_pdf(seen.one_minus_cos);
       break;
     }
     case Kind::disk:
-      by_area(concentric_disk(unit));
+      by_area(sample_concentric_disk(unit));
       break;
     case Kind::triangle:
-      by_area(triangle_weights(unit));
+      by_area(sample_uniform_triangle(unit));
       break;
     case Kind::parallelogram:
       by_area(unit);
       break;
     case Kind::rectangle: {
-      const RectangleSeen seen(point, piece.corner, piece.u, piece.v);
+      const SphericalRectangle seen(point, emitter.corner, emitter.u, emitter.v);
       if (!seen.usable()) {
         by_area(unit);
         break;
       }
       const Vec2d place = seen.point_at(unit);
-      way = piece.corner + place.x * piece.u + place.y * piece.v - point;
-      density = piece.chance / seen.solid_angle();
+      to_light = emitter.corner + place.x * emitter.u + place.y * emitter.v - point;
+      pdf = emitter.probability / seen.solid_angle();
       break;
     }
   }
-  const T rounded = static_cast<T>(density);
+  const T rounded = static_cast<T>(pdf);
   if (!(rounded > 0) || std::isinf(rounded)) return std::nullopt;
-  return Sample{piece.primitive, piece.part, Vec3<T>(way), rounded};
+  return Sample{emitter.primitive, emitter.part, Vec3<T>(to_light), rounded};
 }
 
 template <class T>
-auto PathLights<T>::piece_of(int primitive, int part) const -> const Piece* {
-  auto piece = std::lower_bound(pieces_.begin(), pieces_.end(), primitive,
-                                [](const Piece& one, int id) { return one.primitive < id; });
-  while (piece != pieces_.end() && piece->primitive == primitive && piece->part != part) ++piece;
-  return piece != pieces_.end() && piece->primitive == primitive ? &*piece : nullptr;
+auto Emitters<T>::emitter_of(int primitive, int part) const -> const Emitter* {
+  auto emitter = std::lower_bound(emitters_.begin(), emitters_.end(), primitive,
+                                  [](const Emitter& one, int id) { return one.primitive < id; });
+  while (emitter != emitters_.end() && emitter->primitive == primitive && emitter->part != part) ++emitter;
+  return emitter != emitters_.end() && emitter->primitive == primitive ? &*emitter : nullptr;
 }
 
 template <class T>
-T PathLights<T>::density(const Vec3<T>& from, int primitive, int part, const Vec3<T>& met,
-                         const Vec3<T>& normal) const {
-  const Piece* piece = piece_of(primitive, part);
-  if (!piece) return 0;
+T Emitters<T>::pdf(const Vec3<T>& from, int primitive, int part, const Vec3<T>& met, const Vec3<T>& normal) const {
+  const Emitter* emitter = emitter_of(primitive, part);
+  if (!emitter) return 0;
   const Vec3d point(from);
-  // Of the triangles that make up one part, each has the same density by area.
+  // All triangles of one part have the same pdf per area.
   const auto by_area = [&] {
-    const double density = solid_angle_density(piece->chance / piece->area, Vec3d(met) - point, Vec3d(normal));
-    return std::isinf(density) ? 0 : density;
+    const double pdf = solid_angle_pdf(emitter->probability / emitter->area, Vec3d(met) - point, Vec3d(normal));
+    return std::isinf(pdf) ? 0 : pdf;
   };
-  double density = 0;
-  switch (piece->kind) {
+  double pdf = 0;
+  switch (emitter->kind) {
     case Kind::sphere: {
-      const SphereSeen<double> seen = sphere_seen(point, piece->corner, piece->u.x);
-      density = seen.from_inside ? by_area() : piece->chance * uniform_cone_pdf(seen.one_minus_cos);
+      const SubtendedCone<double> seen = subtended_cone(point, emitter->corner, emitter->u.x);
+      pdf = seen.from_inside ? by_area() : emitter->probability * uniform_cone_pdf(seen.one_minus_cos);
       break;
     }
     case Kind::rectangle: {
-      const RectangleSeen seen(point, piece->corner, piece->u, piece->v);
-      density = seen.usable() ? piece->chance / seen.solid_angle() : by_area();
+      const SphericalRectangle seen(point, emitter->corner, emitter->u, emitter->v);
+      pdf = seen.usable() ? emitter->probability / seen.solid_angle() : by_area();
       break;
     }
     case Kind::disk:
     case Kind::triangle:
     case Kind::parallelogram:
-      density = by_area();
+      pdf = by_area();
       break;
   }
-  const T rounded = static_cast<T>(density);
+  const T rounded = static_cast<T>(pdf);
   return std::isinf(rounded) ? T(0) : rounded;
 }
 
-template class PathLights<float>;
-template class PathLights<double>;
+template class Emitters<float>;
+template class Emitters<double>;
 
 }  // namespace raywalk

@@ -1,4 +1,4 @@
-#include "render/worlds.h"
+#include "render/world_cache.h"
 
 #include "render/preview.h"
 #include "render/scenes.h"
@@ -10,7 +10,7 @@ using namespace raywalk::test;
 
 TEST_CASE("a scene is made ready once for all who ask, wherever they look from") {
   Scene scene = busy_scene();
-  Worlds worlds;
+  WorldCache worlds;
   const auto first = worlds.of<double>(scene);
   CHECK(worlds.of<double>(scene) == first);
   scene.camera.eye = scene.camera.eye + Vec3d(1, 2, 3);
@@ -22,7 +22,7 @@ TEST_CASE("a scene is made ready once for all who ask, wherever they look from")
 TEST_CASE("what else a world is made from makes another") {
   const Scene scene = busy_scene();
   const auto differs = [&](const Scene& other, AcceleratorKind kind, std::optional<Fault> fault) {
-    Worlds worlds;
+    WorldCache worlds;
     const auto first = worlds.of<double>(scene);
     return worlds.of<double>(other, kind, fault) != first;
   };
@@ -46,7 +46,7 @@ TEST_CASE("what else a world is made from makes another") {
 
 TEST_CASE("two worlds are kept, and no third, for each may be large") {
   const Scene scene = busy_scene();
-  Worlds worlds;
+  WorldCache worlds;
   const auto walked = worlds.of<double>(scene);
   const std::weak_ptr<const World<double>> pictured = worlds.of<double>(scene, AcceleratorKind::grid);
   CHECK(worlds.of<double>(scene) == walked);
@@ -61,7 +61,7 @@ TEST_CASE("a preview takes the world that is there, with the same picture") {
   const Scene scene = busy_scene();
   const PreviewSettings settings{{33, 21}, Precision::double_, 4};
   Preview alone(scene, settings), shared;
-  Worlds worlds;
+  WorldCache worlds;
   const auto world = worlds.of<double>(scene);
   shared.reset(scene, settings, &worlds);
   CHECK(world.use_count() == 3);  // here, in the worlds, in the preview

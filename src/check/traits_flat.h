@@ -1,18 +1,18 @@
 #pragma once
-// Benches of the flat-faced shapes.
+// Traits of the flat-faced shapes.
 
-#include "check/bench_round.h"
+#include "check/traits_round.h"
 
 #include <vector>
 
 namespace raywalk::check {
 
 template <class T>
-struct Bench<Plane<T>> {
+struct ShapeTraits<Plane<T>> {
   using S = Plane<T>;
   static constexpr bool placed = false;
   static S make(Random& random, double scale, const Vec3d& centre) {
-    const Vec3d normal = random.whole(0, 3) == 0 ? Bench<Sphere<T>>::parallel({}, random) : random.unit();
+    const Vec3d normal = random.whole(0, 3) == 0 ? ShapeTraits<Sphere<T>>::parallel({}, random) : random.unit();
     return {Vec3<T>(centre + scale * random.in_box()),
             Vec3<T>(random.coin() ? normal : random.magnitude(-3, 3) * normal)};
   }
@@ -26,7 +26,7 @@ struct Bench<Plane<T>> {
   static Vec3d silhouette(const S& s, Random& random, const Vec3d& eye) { return eye + size(s) * in_plane(s, random); }
   static Vec3d special(const S& s, Random& random) { return surface(s, random); }
   static Vec3d parallel(const S& s, Random& random) { return in_plane(s, random); }
-  /// In the plane or beside it, exactly parallel: no crossing.
+  /// In the plane or beside it, exactly parallel: no intersection.
   static Case<S, T> exactly_tangent(Random& random) {
     const auto whole = [&](int reach) { return static_cast<double>(random.whole(-reach, reach)); };
     const Vec3d normal(whole(30), whole(30), random.whole(1, 30)), v(whole(30), whole(30), random.whole(1, 30));
@@ -38,7 +38,7 @@ struct Bench<Plane<T>> {
 };
 
 template <class T>
-struct Bench<Box<T>> {
+struct ShapeTraits<Box<T>> {
   using S = Box<T>;
   static constexpr bool placed = false;
   static S make(Random& random, double scale, const Vec3d& centre) {
@@ -83,7 +83,7 @@ struct Bench<Box<T>> {
   static Vec3d parallel(const S& /*s*/, Random& random) {
     Vec3d d = random.in_box();
     d[random.whole(0, 2)] = 0;
-    if (random.coin()) d = Bench<Sphere<T>>::parallel({}, random);
+    if (random.coin()) d = ShapeTraits<Sphere<T>>::parallel({}, random);
     return d;
   }
   /// Exactly through an edge or a corner, or along a face.
@@ -104,7 +104,7 @@ struct Bench<Box<T>> {
 };
 
 template <class T>
-struct Bench<Triangle<T>> {
+struct ShapeTraits<Triangle<T>> {
   using S = Triangle<T>;
   static constexpr bool placed = false;
   static S make(Random& random, double scale, const Vec3d& centre) {
@@ -148,7 +148,7 @@ struct Bench<Triangle<T>> {
   }
 };
 
-/// A star of 3 to 9 corners about a point, in the plan.
+/// A star-shaped polygon of 3 to 9 corners about a point, in plan.
 inline std::vector<Vec2d> star(Random& random, double size, const Vec2d& centre) {
   const int corners = random.whole(3, 9);
   std::vector<Vec2d> all;
@@ -160,11 +160,11 @@ inline std::vector<Vec2d> star(Random& random, double size, const Vec2d& centre)
 }
 
 template <class T>
-struct Bench<Polygon<T>> {
+struct ShapeTraits<Polygon<T>> {
   using S = Polygon<T>;
   static constexpr bool placed = false;
   static S make(Random& random, double scale, const Vec3d& centre) {
-    const Vec3d normal = random.whole(0, 3) == 0 ? Bench<Sphere<T>>::parallel({}, random) : random.unit();
+    const Vec3d normal = random.whole(0, 3) == 0 ? ShapeTraits<Sphere<T>>::parallel({}, random) : random.unit();
     const Vec3d u = across(normal, random), v = raywalk::cross(normal, u), origin = centre + scale * random.in_box();
     const auto lift = [&](const std::vector<Vec2d>& plan) {
       std::vector<Vec3<T>> loop;
@@ -218,7 +218,7 @@ struct Bench<Polygon<T>> {
 };
 
 template <class T>
-struct Bench<Prism<T>> {
+struct ShapeTraits<Prism<T>> {
   using S = Prism<T>;
   static constexpr bool placed = true;
   static S make(Random& random, double scale, const Vec3d& /*centre*/) {

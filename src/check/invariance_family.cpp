@@ -1,4 +1,4 @@
-#include "check/law.h"
+#include "check/invariance.h"
 
 #include "check/family.h"
 
@@ -8,25 +8,25 @@ namespace {
 
 template <template <class> class S>
 void add(Family& family) {
-  for (const Law law : {Law::mirrored, Law::scaled}) {
+  for (const Invariance invariance : {Invariance::mirrored, Invariance::scaled}) {
     const std::string name =
-        std::string(shape_name(S<double>{})) + (law == Law::mirrored ? ", mirrored" : ", times 4^k");
+        std::string(shape_name(S<double>{})) + (invariance == Invariance::mirrored ? ", mirrored" : ", times 4^k");
     const auto line = [&](const char* scalar, auto run) {
       family.lines.push_back({name,
                               scalar,
-                              [run, law](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-                                return run(law, seed, first, count);
+                              [run, invariance](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+                                return run(invariance, seed, first, count);
                               },
                               {}});
     };
-    line("float", obey<S<float>, float>);
-    line("double", obey<S<double>, double>);
+    line("float", test_invariance<S<float>, float>);
+    line("double", test_invariance<S<double>, double>);
   }
 }
 
 }  // namespace
 
-std::vector<Family> law_families() {
+std::vector<Family> invariance_families() {
   Family family{"laws", "", {}};
   add<Sphere>(family);
   add<Plane>(family);

@@ -1,5 +1,5 @@
 #pragma once
-// What a family of tests reports: lines of a table, each a count that can be added to.
+// What a family of tests reports: sums of counts, one per table line.
 
 #include <algorithm>
 #include <cstdint>
@@ -10,22 +10,23 @@
 namespace raywalk::check {
 
 /// One line: a family and stratum in one scalar type.
-struct Row {
+struct Tally {
   std::uint64_t rays = 0, hits = 0;
-  std::uint64_t missed = 0;      ///< crossings that the shape has and the tracer does not report
+  std::uint64_t missed = 0;      ///< true intersections that the tracer does not report
   std::uint64_t false_hits = 0;  ///< the reverse
-  std::uint64_t leaks = 0;      ///< rays that slipped through a closed mesh, or met it an odd number of times too often
-  std::uint64_t self_hits = 0;  ///< a departing ray met the surface that it left
+  std::uint64_t leaks = 0;       ///< rays that slipped through a closed mesh, or crossed it an odd number of times too
+                                 ///< often
+  std::uint64_t self_hits = 0;   ///< a spawned ray hit the surface that it left
   std::uint64_t sheet_missed = 0;     ///< the sheet close behind was not met
-  std::uint64_t unequal = 0;          ///< answers that had to be the same bits and were not
-  std::uint64_t excused = 0;          ///< of the missed and false ones: right for a ray a few ulps away
+  std::uint64_t unequal = 0;          ///< answers that should be bit-identical and were not
+  std::uint64_t excused = 0;          ///< missed or false ones that are right for a ray a few ulps away
   std::uint64_t exact_path = 0;       ///< decided by the tracer's own exact arithmetic
-  std::uint64_t rationals = 0;        ///< which only the oracle's rationals settled
+  std::uint64_t rationals = 0;        ///< decided only by the oracle's rationals
   double exact_ulps = 0;              ///< worst error of t, in ulps, of rays that took the exact path
-  double fast_ulps = 0;               ///< the same of the others
+  double fast_ulps = 0;               ///< the same for the others
   double fast_ulps_by_condition = 0;  ///< the same, divided by the condition number of t
 
-  Row& operator+=(const Row& other) {
+  Tally& operator+=(const Tally& other) {
     rays += other.rays, hits += other.hits, missed += other.missed, false_hits += other.false_hits;
     leaks += other.leaks, self_hits += other.self_hits, sheet_missed += other.sheet_missed, unequal += other.unequal;
     excused += other.excused, exact_path += other.exact_path, rationals += other.rationals;

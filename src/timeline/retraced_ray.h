@@ -1,9 +1,9 @@
 #pragma once
-// The rays of a recording as the tracer had them: a recording knows the points that they leave, but not the primitives.
+// Rays of a recording, retraced: a recording keeps the points that they leave, but not the primitives.
 
 #include "timeline/timeline.h"
-#include "trace/leaving.h"
 #include "trace/ray_generator.h"
+#include "trace/spawn_ray.h"
 #include "trace/statistics.h"
 
 #include <optional>
@@ -11,39 +11,38 @@
 
 namespace raywalk {
 
-/// A ray as robust and as naive numerics have it.
+/// A ray in robust and in naive numerics.
 template <class T>
 struct RayTwins {
   Ray<T> robust;
   NaiveRay<T> naive;
 };
 
-/// What formed the primary rays of a recording of this scene.
+/// The generator of the primary rays of a recording of this scene.
 template <class T>
 [[nodiscard]] RayGenerator<T> camera_of(const Scene& scene, const Timeline& recorded) {
   const int samples = recorded.pixels().empty() ? 1 : recorded.pixels().back().sample + 1;
   return RayGenerator<T>(scene, recorded.image(), recorded.of_strip() ? scene.image : recorded.image(), {samples});
 }
 
-/// A surface met, and the point of it.
+/// A hit, and its surface point.
 template <class T>
-struct SurfaceFound {
+struct SurfaceHit {
   Hit<T> hit;
   SurfacePoint<T> point;
 };
 template <class T, class AnyRay>
-[[nodiscard]] std::optional<SurfaceFound<T>> find_surface(const World<T>& world, const AnyRay& ray) {
+[[nodiscard]] std::optional<SurfaceHit<T>> find_surface(const World<T>& world, const AnyRay& ray) {
   TestCounts uncounted;
   const auto hit = world.accelerator.closest(ray, infinity<T>, uncounted);
   if (!hit) return std::nullopt;
-  return SurfaceFound<T>{
-      *hit, world.accelerator.primitives().surface_at(hit->primitive, ray, Crossing<T>{hit->t, hit->part})};
+  return SurfaceHit<T>{
+      *hit, world.accelerator.primitives().surface_at(hit->primitive, ray, Intersection<T>{hit->t, hit->part})};
 }
 
-/// Ray number `ray` of the recording and all those that led to it, formed again from the eye on; none where a ray on
-/// the way meets nothing.
+/// Ray number `ray` of the recording, retraced from the eye through its ancestors; none if one of them misses.
 template <class T>
-[[nodiscard]] std::optional<RayTwins<T>> formed_again(const World<T>& world, const RayGenerator<T>& camera,
+[[nodiscard]] std::optional<RayTwins<T>> retraced_ray(const World<T>& world, const RayGenerator<T>& camera,
                                                       const Timeline& timeline, int ray) {
   const auto record = [&](int number) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(number)]; };
   std::vector<int> way;
@@ -64,8 +63,8 @@ template <class T>
     }
     const Departure from{found->hit.primitive, found->hit.part};
     const auto& [position, normal] = found->point;
-    twins = {leaving<Ray<T>>(world, position, normal, from, direction, primary.time),
-             leaving<NaiveRay<T>>(world, position, normal, from, direction, primary.time)};
+    twins = {spawn_ray<Ray<T>>(world, position, normal, from, direction, primary.time),
+             spawn_ray<NaiveRay<T>>(world, position, normal, from, direction, primary.time)};
   }
   return twins;
 }

@@ -1,7 +1,7 @@
 // The lobes of a surface: what is drawn follows the density, estimates what the lobes say, and gives back no more light
 // than came.
 
-#include "trace/path_lobes.h"
+#include "trace/bsdf.h"
 
 #include "math/sampler.h"
 
@@ -23,51 +23,51 @@ Vec2d drawn(std::uint32_t sample, std::uint32_t dimension = 0) {
 }
 
 // A surface z = 0 that a ray meets at an angle to the normal.
-Lobes<double> surface(double degrees) {
+Bsdf<double> surface(double degrees) {
   const double angle = degrees * pi_v<double> / 180;
-  Lobes<double> lobes;
-  lobes.incident = {std::sin(angle), 0, -std::cos(angle)};
-  lobes.normal = lobes.side = {0, 0, 1};
-  lobes.mirror_axis = {std::sin(angle), 0, std::cos(angle)};
-  lobes.transparent_axis =
+  Bsdf<double> bsdf;
+  bsdf.incident = {std::sin(angle), 0, -std::cos(angle)};
+  bsdf.shading_normal = bsdf.geometric_normal = {0, 0, 1};
+  bsdf.mirror_axis = {std::sin(angle), 0, std::cos(angle)};
+  bsdf.transparent_axis =
       normalize(Vec3d(std::sin(angle) / 1.5, 0, -std::sqrt(1 - std::pow(std::sin(angle) / 1.5, 2))));
-  return lobes;
+  return bsdf;
 }
 
-Lobes<double> everything(double degrees) {
-  Lobes<double> lobes = surface(degrees);
-  lobes.diffuse = {0.3, 0.2, 0.1};
-  lobes.shininess = 12;
-  lobes.highlight = highlight_scale(12.0) * Vec3d(0.2, 0.3, 0.1);
-  lobes.mirror = {0.1, 0.1, 0.3};
-  lobes.mirror_width = one_minus_cos_of(0.5);
-  lobes.transparent = {0.2, 0.1, 0.05};
-  lobes.transparent_width = one_minus_cos_of(0.3);
-  return lobes;
+Bsdf<double> everything(double degrees) {
+  Bsdf<double> bsdf = surface(degrees);
+  bsdf.diffuse = {0.3, 0.2, 0.1};
+  bsdf.shininess = 12;
+  bsdf.highlight = highlight_scale(12.0) * Vec3d(0.2, 0.3, 0.1);
+  bsdf.mirror = {0.1, 0.1, 0.3};
+  bsdf.mirror_width = one_minus_cos_of(0.5);
+  bsdf.transparent = {0.2, 0.1, 0.05};
+  bsdf.transparent_width = one_minus_cos_of(0.3);
+  return bsdf;
 }
 
 // The integral of density and value over all directions, by sums.
-Lobes<double>::Density integral(const Lobes<double>& lobes) {
-  Lobes<double>::Density sum;
+Bsdf<double>::BsdfValue integral(const Bsdf<double>& bsdf) {
+  Bsdf<double>::BsdfValue sum;
   constexpr int bands = 1500, sectors = 900;
   for (int band = 0; band < bands; ++band)
     for (int sector = 0; sector < sectors; ++sector) {
       const double z = (band + 0.5) / bands * 2 - 1, turn = (sector + 0.5) / sectors * 2 * pi_v<double>;
       const double sin = std::sqrt(1 - z * z);
-      const auto at = lobes.evaluate({sin * std::cos(turn), sin * std::sin(turn), z});
+      const auto at = bsdf.evaluate({sin * std::cos(turn), sin * std::sin(turn), z});
       const double cell = 4 * pi_v<double> / (bands * sectors);
       sum.value += cell * at.value;
-      sum.density += cell * at.density;
+      sum.pdf += cell * at.pdf;
     }
   return sum;
 }
 
 // The mean of what is drawn: the light given back when light comes from everywhere alike.
-Rgbd furnace(const Lobes<double>& lobes, std::uint32_t n = 1 << 15) {
+Rgbd furnace(const Bsdf<double>& bsdf, std::uint32_t n = 1 << 15) {
   Rgbd sum(0.0);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Lobe lobe = lobes.choose_lobe(drawn(i, 2).x);
-    sum += lobes.choose(lobe, drawn(i)).weight / static_cast<double>(n);
+    const Lobe lobe = bsdf.sample_lobe(drawn(i, 2).x);
+    sum += bsdf.sample(lobe, drawn(i)).weight / static_cast<double>(n);
   }
   return sum;
 }
@@ -92,35 +92,35 @@ TEST_CASE("the balance of two strategies: weights sum to 1, at all sizes") {
 TEST_CASE("densities of all lobes together integrate to 1, their values to what is drawn") {
   for (const double degrees : {0.0, 30.0, 60.0, 85.0}) {
     CAPTURE(degrees);
-    Lobes<double> lobes = everything(degrees);
-    lobes.prepare(Rgbd(1, 0.5, 0.25));
-    CHECK(lobes.several());
-    CHECK_FALSE(lobes.all_sharp());
-    const auto sum = integral(lobes);
-    const Rgbd mean = furnace(lobes, 1 << 18);
+    Bsdf<double> bsdf = everything(degrees);
+    bsdf.prepare(Rgbd(1, 0.5, 0.25));
+    CHECK(bsdf.several());
+    CHECK_FALSE(bsdf.all_sharp());
+    const auto sum = integral(bsdf);
+    const Rgbd mean = furnace(bsdf, 1 << 18);
     // Half vectors below the horizon lead nowhere: at grazing angles a part of the highlight's draws is lost, and
     // the density says so.
-    CHECK(sum.density <= 1.002);
-    CHECK(sum.density > (degrees > 80 ? 0.85 : degrees > 50 ? 0.95 : 0.98));
+    CHECK(sum.pdf <= 1.002);
+    CHECK(sum.pdf > (degrees > 80 ? 0.85 : degrees > 50 ? 0.95 : 0.98));
     for (int channel = 0; channel < 3; ++channel) CHECK(mean[channel] == Approx(sum.value[channel]).epsilon(0.004));
   }
 }
 
 TEST_CASE("each lobe is drawn by its density") {
   for (int one = 0; one < lobe_count; ++one) {
-    Lobes<double> lobes = surface(40);
+    Bsdf<double> bsdf = surface(40);
     const Lobe lobe = static_cast<Lobe>(one);
     INFO(lobe_name(lobe));
-    lobes.shininess = 30;
-    lobes.mirror_width = one_minus_cos_of(0.9);  // reaches below the horizon
-    lobes.transparent_width = one_minus_cos_of(1.4);
-    (lobe == Lobe::diffuse     ? lobes.diffuse
-     : lobe == Lobe::highlight ? lobes.highlight
-     : lobe == Lobe::mirror    ? lobes.mirror
-                               : lobes.transparent) = Rgbd(1.0);
-    lobes.prepare(Rgbd(1.0));
-    CHECK_FALSE(lobes.several());
-    CHECK(lobes.choose_lobe(0.999) == lobe);
+    bsdf.shininess = 30;
+    bsdf.mirror_width = one_minus_cos_of(0.9);  // reaches below the horizon
+    bsdf.transparent_width = one_minus_cos_of(1.4);
+    (lobe == Lobe::diffuse     ? bsdf.diffuse
+     : lobe == Lobe::highlight ? bsdf.highlight
+     : lobe == Lobe::mirror    ? bsdf.mirror
+                               : bsdf.transparent) = Rgbd(1.0);
+    bsdf.prepare(Rgbd(1.0));
+    CHECK_FALSE(bsdf.several());
+    CHECK(bsdf.sample_lobe(0.999) == lobe);
     constexpr int bands = 20, sectors = 12, fine = 24, n = 100000;
     std::vector<double> expected(bands * sectors);
     for (int band = 0; band < bands * fine; ++band)
@@ -128,14 +128,14 @@ TEST_CASE("each lobe is drawn by its density") {
         const double z = (band + 0.5) / (bands * fine) * 2 - 1;
         const double turn = ((sector + 0.5) / (sectors * fine) - 0.5) * 2 * pi_v<double>, sin = std::sqrt(1 - z * z);
         expected[static_cast<std::size_t>(band / fine * sectors + sector / fine)] +=
-            lobes.evaluate({sin * std::cos(turn), sin * std::sin(turn), z}).density * 4 * pi_v<double> * n /
+            bsdf.evaluate({sin * std::cos(turn), sin * std::sin(turn), z}).pdf * 4 * pi_v<double> * n /
             (bands * fine * sectors * fine);
       }
     std::vector<int> held(bands * sectors);
     for (std::uint32_t i = 0; i < n; ++i) {
       RandomKey key{};
       key.sample = i;
-      const auto choice = lobes.choose(lobe, draw_pair<double>(Sampler::random, key, Strata(n)));
+      const auto choice = bsdf.sample(lobe, draw_pair<double>(Sampler::random, key, Strata(n)));
       if (is_black(choice.weight)) continue;
       const Vec3d& d = choice.direction;
       if (std::abs(length(d) - 1) > 1e-12) FAIL("not of unit length");
@@ -144,8 +144,8 @@ TEST_CASE("each lobe is drawn by its density") {
       ++held[static_cast<std::size_t>(std::min((d.z + 1) / 2 * bands, bands - 1e-9)) * sectors +
              static_cast<std::size_t>(std::min(turn * sectors, sectors - 1e-9))];
       // The weight is the one that the density answers for.
-      const auto at = lobes.evaluate(d, lobe);
-      if (std::abs(choice.density - at.density) > 1e-9 * at.density) FAIL("another density");
+      const auto at = bsdf.evaluate(d, lobe);
+      if (std::abs(choice.pdf - at.pdf) > 1e-9 * at.pdf) FAIL("another density");
     }
     double chi = 0, freedom = 0;
     for (std::size_t i = 0; i < held.size(); ++i) {
@@ -164,10 +164,10 @@ TEST_CASE("no lobe gives back more than came") {
   for (const double degrees : {0.0, 20.0, 45.0, 70.0, 89.0}) {
     CAPTURE(degrees);
     const auto albedo = [&](auto&& set) {
-      Lobes<double> lobes = surface(degrees);
-      set(lobes);
-      lobes.prepare(Rgbd(1.0));
-      return furnace(lobes).x;
+      Bsdf<double> bsdf = surface(degrees);
+      set(bsdf);
+      bsdf.prepare(Rgbd(1.0));
+      return furnace(bsdf).x;
     };
     CHECK(albedo([](auto& l) { l.diffuse = Rgbd(1.0); }) == Approx(1).epsilon(1e-12));
     CHECK(albedo([](auto& l) { l.mirror = Rgbd(1.0); }) == Approx(1).epsilon(1e-12));
@@ -193,29 +193,29 @@ TEST_CASE("no lobe gives back more than came") {
 }
 
 TEST_CASE("lobes share the draws by what they bring; what brings nothing is never drawn") {
-  Lobes<double> lobes = everything(30);
+  Bsdf<double> bsdf = everything(30);
   // A ray that has only blue left sees the blue mirror most.
-  lobes.prepare(Rgbd(0, 0, 1));
+  bsdf.prepare(Rgbd(0, 0, 1));
   std::vector<int> drawn_of(lobe_count);
   constexpr int n = 1000;
-  for (int i = 0; i < n; ++i) ++drawn_of[static_cast<std::size_t>(lobes.choose_lobe((i + 0.5) / n))];
+  for (int i = 0; i < n; ++i) ++drawn_of[static_cast<std::size_t>(bsdf.sample_lobe((i + 0.5) / n))];
   const double sum = 0.1 + 0.1 * 8 / 14 + 0.3 + 0.05;
   CHECK(drawn_of[0] == Approx(n * 0.1 / sum).margin(1.5));
   CHECK(drawn_of[1] == Approx(n * 0.1 * 8 / 14 / sum).margin(1.5));
   CHECK(drawn_of[2] == Approx(n * 0.3 / sum).margin(1.5));
   CHECK(drawn_of[3] == Approx(n * 0.05 / sum).margin(1.5));
 
-  Lobes<double> black = surface(30);
+  Bsdf<double> black = surface(30);
   black.prepare(Rgbd(1.0));
   CHECK(black.absorbs());
-  CHECK(black.evaluate({0, 0, 1}).density == 0);
-  Lobes<double> mirror = surface(30);
+  CHECK(black.evaluate({0, 0, 1}).pdf == 0);
+  Bsdf<double> mirror = surface(30);
   mirror.mirror = Rgbd(0.5);
   mirror.prepare(Rgbd(1.0));
   CHECK(mirror.all_sharp());
   CHECK_FALSE(mirror.needs_direction(Lobe::mirror));
-  const auto choice = mirror.choose(Lobe::mirror, Vec2d(0.3, 0.4));
+  const auto choice = mirror.sample(Lobe::mirror, Vec2d(0.3, 0.4));
   CHECK(choice.direction == mirror.mirror_axis);
   CHECK(choice.weight == Rgbd(0.5));
-  CHECK(choice.density == 0);
+  CHECK(choice.pdf == 0);
 }

@@ -4,9 +4,9 @@
 
 namespace raywalk::check {
 
-enum class Law { mirrored, scaled };
+enum class Invariance { mirrored, scaled };
 
-/// The mirror image in the plane x = 0. Quadrics and their like are their own.
+/// The mirror image in the plane x = 0. Quadrics are symmetric.
 template <class T>
 Vec3<T> mirrored(const Vec3<T>& v) {
   return {-v.x, v.y, v.z};
@@ -67,28 +67,29 @@ Quadric<T, Kind> scaled(Quadric<T, Kind> s, int k) {
 }
 
 template <class S, class T>
-[[nodiscard]] Row obey(Law law, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-  Row row;
+[[nodiscard]] Tally test_invariance(Invariance invariance, std::uint64_t seed, std::uint64_t first,
+                                    std::uint64_t count) {
+  Tally tally;
   for (std::uint64_t number = first; number < first + count; ++number) {
     Random random(seed, 60, number);
     const auto stratum = static_cast<Stratum>(random.whole(0, stratum_count - 1));
-    // What underflows is not scaled by the same bits.
-    if (law == Law::scaled && stratum == Stratum::subnormal) continue;
+    // Numbers that underflow do not scale bit by bit.
+    if (invariance == Invariance::scaled && stratum == Stratum::subnormal) continue;
     const auto tried = aim<S, T>(stratum, random);
     if (!tried) continue;
-    const int k = law == Law::scaled ? random.whole(-8, 8) : 0;
+    const int k = invariance == Invariance::scaled ? random.whole(-8, 8) : 0;
     const Case<S, T> image =
-        law == Law::mirrored
+        invariance == Invariance::mirrored
             ? Case<S, T>{mirrored(tried->shape), {mirrored(tried->ray.origin), mirrored(tried->ray.direction)}}
             : Case<S, T>{scaled(tried->shape, k), {scaled(tried->ray.origin, k), tried->ray.direction}};
     const auto one = intersect(tried->shape, tried->ray, infinity<T>),
                other = intersect(image.shape, image.ray, infinity<T>);
-    if (one && !std::isfinite(scaled(one->t, k))) continue;  // beyond the range of numbers, and so no crossing
-    ++row.rays;
-    row.hits += one.has_value();
-    row.unequal += one.has_value() != other.has_value() || (one && other->t != scaled(one->t, k));
+    if (one && !std::isfinite(scaled(one->t, k))) continue;  // out of range, and so no intersection
+    ++tally.rays;
+    tally.hits += one.has_value();
+    tally.unequal += one.has_value() != other.has_value() || (one && other->t != scaled(one->t, k));
   }
-  return row;
+  return tally;
 }
 
 }  // namespace raywalk::check
