@@ -33,10 +33,10 @@ template <class Surface>
 }
 
 /// The transmittance up to a hit, if anything is absorbed. Where the medium is unknown, a ray that exits an object was
-/// inside it.
+/// inside it. Inlined, because most hits need no more than the test.
 template <class T, class Surface>
-[[nodiscard]] std::optional<Rgb<T>> transmittance_to_hit(const typename Surface::Medium* medium, const Surface& met,
-                                                         bool entering, T distance) {
+[[nodiscard, gnu::always_inline]] inline std::optional<Rgb<T>> transmittance_to_hit(
+    const typename Surface::Medium* medium, const Surface& met, bool entering, T distance) {
   const typename Surface::Medium* through = medium == nullptr && !entering ? &met : medium;
   if (through == nullptr || !through->absorbs) return std::nullopt;
   return beer_lambert(through->absorption, distance);
