@@ -179,7 +179,15 @@ class Loop {
     if (state_.position != position || state_.playing != playing || moving || notice() != said)
       frames_due_ = std::max(frames_due_, 1);
     // An export shows the moment of its request.
-    if (const Action* action = state_.window_export ? nullptr : demo_.due(seconds)) act(*action);
+    if (state_.question && demo_.ignores_question()) {
+      failure_ = tl::unexpected(Error{options_.demo_path, 0, 0,
+                                      "the window asks a question, and the demo does not answer it (expected \"answer "
+                                      "save\", \"answer discard\" or \"answer cancel\" next)",
+                                      "before it replaces a file or drops changes the window asks"});
+      state_.quit = true;
+    } else if (const Action* action = state_.window_export ? nullptr : demo_.due(seconds)) {
+      act(*action);
+    }
 
     if (notice() != seen_notice_) {
       seen_notice_ = notice();

@@ -172,6 +172,13 @@ double LiveImage::seconds_left() const {
   return done > 0 && done < 1 ? seconds_ * (1 - done) / done : 0;
 }
 
+bool Demo::ignores_question() const {
+  const auto is_quit = [](const Action& action) { return std::holds_alternative<action::Quit>(action); };
+  return !over() && !std::holds_alternative<action::AnswerQuestion>(actions_[next_]) &&
+         !std::holds_alternative<action::Wait>(actions_[next_]) &&
+         std::any_of(actions_.begin() + static_cast<std::ptrdiff_t>(next_), actions_.end(), is_quit);
+}
+
 const Action* Demo::due(double seconds) {
   if (over()) return nullptr;
   waited_ += seconds;

@@ -66,6 +66,9 @@ class Demo {
   Demo() = default;
   explicit Demo(std::vector<Action> actions) : actions_(std::move(actions)) {}
   [[nodiscard]] bool over() const { return next_ >= actions_.size(); }
+  /// Whether what comes next leaves an open question unanswered, in a demo that ends the program itself: nobody may be
+  /// there to answer.
+  [[nodiscard]] bool ignores_question() const;
   /// The next action, if it is due after `seconds` more.
   const Action* due(double seconds);
 

@@ -118,8 +118,8 @@ std::string page_of(const StudyResult& result, const StudyOptions& options) {
   const int laws = result.laws();
   std::string html =
       "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
-      "content='width=device-width'><title>What accuracy costs</title>\n" +
-      std::string(style) + "</head><body>\n<h1>What accuracy costs</h1>\n";
+      "content='width=device-width'><title>" +
+      std::string(page_title) + "</title>\n" + std::string(style) + "</head><body>\n<h1>What accuracy costs</h1>\n";
   html += fmt::format(
       "<p>Each part turns one knob of a ray tracer and shows the error and the bill. Errors are measured against "
       "pictures that are known in closed form, or where no formula is known, against two references that share no "

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <set>
 
@@ -39,6 +40,17 @@ Result<void> keep(const Experiment& experiment, const StudyOptions& options, std
   std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.round < b.round; });
   return write_file_atomically(table_path(experiment, options),
                                csv_of(trials, experiment.columns, heading_of(experiment, options)));
+}
+
+/// Refuses to replace a file that no study wrote: `mark` is near the beginning of those that did.
+Result<void> check_own(const std::string& path, std::string_view mark) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(1024, '\0');
+  if (!file.read(head.data(), static_cast<std::streamsize>(head.size())))
+    head.resize(static_cast<std::size_t>(file.gcount()));
+  if (head.empty() || head.find(mark) != std::string::npos) return {};
+  return tl::unexpected(Error{path, 0, 0, "this is not a file of a study (expected one that can be replaced)",
+                              "choose another folder with -o"});
 }
 
 /// Reports the progress of all experiments, each weighted by its relative duration.
@@ -141,6 +153,10 @@ std::vector<std::string> StudyResult::broken() const {
 Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const StudyOptions& options) {
   if (const auto made = make_folder(options.folder); !made) return tl::unexpected(made.error());
   const auto page = (fs::path(options.folder) / "index.html").string();
+  if (const auto own = check_own(page, page_title); !own) return tl::unexpected(own.error());
+  for (const Experiment& experiment : experiments)
+    if (const auto own = check_own(table_path(experiment, options), "# raywalk study " + experiment.name); !own)
+      return tl::unexpected(own.error());
   if (const auto claimed = claim_output(page); !claimed) return tl::unexpected(claimed.error());
   for (const Experiment& experiment : experiments)
     if (const auto claimed = claim_output(table_path(experiment, options), OutputUse::kept); !claimed)

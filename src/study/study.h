@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raywalk::study {
@@ -43,6 +44,8 @@ struct StudyResult {
 /// The processor's name if known, its number of hardware threads, and the compiler.
 [[nodiscard]] std::string machine_text();
 
+/// The title of every page that page_of makes, by which it is known again.
+inline constexpr std::string_view page_title = "What accuracy costs";
 /// The page: self-contained, without scripts.
 [[nodiscard]] std::string page_of(const StudyResult& result, const StudyOptions& options);
 

@@ -168,6 +168,7 @@ bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
   }
   std::error_code failed;
   if (!std::filesystem::exists(path, failed)) return false;
+  if (std::filesystem::is_directory(path, failed)) return false;  // whoever writes says that it cannot
   state.question = Question{Question::Kind::overwrite, Intent::quit, path};
   state.question->file = what;
   return true;

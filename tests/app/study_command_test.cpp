@@ -37,6 +37,21 @@ TEST_CASE("experiments go by name and number") {
   CHECK_THAT(folder.run({"study", "--help"}).out, contains("Seeds are fixed") && contains("Examples"));
 }
 
+TEST_CASE("study replaces nothing that no study wrote") {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "results");
+  for (const std::string name : {"index.html", "depth.csv"}) {
+    folder.write("results/" + name, "mine");
+    const Outcome outcome = folder.run({"study", "depth", "-o", "results", "--quick"});
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.err, contains(name + ": this is not a file of a study") && contains("-o"));
+    CHECK(folder.read("results/" + name) == "mine");
+    std::filesystem::remove(folder / ("results/" + name));
+  }
+  CHECK(folder.run({"study", "depth", "-o", "results", "--quick"}).exit_code == 0);
+  CHECK(folder.run({"study", "depth", "-o", "results", "--quick"}).exit_code == 0);
+}
+
 TEST_CASE("Ctrl-C leaves a study that goes on") {
   const Folder folder;
   Process process(raywalk_program(), {"study", "adaptive", "-o", "results", "--threads", "1"}, folder.path());

@@ -284,6 +284,25 @@ TEST_CASE("a demo that cannot export what it was to export says so, with exit co
   }
 }
 
+TEST_CASE("a demo that would wait for an answer for ever ends with exit code 1", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(640, 480);
+  const std::string demo = (desktop.folder() / "show.demo").string();
+  const std::string walk = (desktop.folder() / "walk.svg").string();
+  std::ofstream(walk) << "mine";
+  std::ofstream(demo) << "export " << walk << "\nwait 0.1\nquit\n";
+  {
+    Visualiser raywalk(desktop, {own_classic(desktop), "--demo", demo});
+    CHECK(raywalk.wait(100) == 1);
+    CHECK_THAT(raywalk.said(), contains("show.demo") && contains("answer save"));
+  }
+  CHECK(fs::file_size(walk) == 4);
+  std::ofstream(demo) << "export " << walk << "\nwait 0.1\nanswer save\nquit\n";
+  Visualiser raywalk(desktop, {own_classic(desktop), "--demo", demo});
+  CHECK(raywalk.wait(100) == 0);
+  CHECK(fs::file_size(walk) > 1000);
+}
+
 TEST_CASE("the window's picture replaces nothing that the window reads", "[window]") {
   NEEDS_A_DESKTOP
   const Desktop desktop(640, 480);

@@ -153,7 +153,7 @@ TEST_CASE("a study that was stopped goes on, and its numbers are those of one th
   options.machine = "another";
   REQUIRE(run_study({counted}, options));
   CHECK(rounds == 25);  // and one to warm up
-  REQUIRE(write_file_atomically(at + "/lights.csv", "damaged"));
+  REQUIRE(write_file_atomically(at + "/lights.csv", "# raywalk study lights: damaged"));
   rounds = 0;
   REQUIRE(run_study({counted}, options));
   CHECK(rounds == 25);
