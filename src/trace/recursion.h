@@ -11,10 +11,10 @@ namespace raywalk {
 // Of any kernel, from one SHADE to the next; a test measures it. Sanitizers pad variables, and without optimisation all
 // of them are on the stack.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
-inline constexpr std::size_t stack_a_level = 24 << 10;
+inline constexpr std::size_t stack_a_level = 7 << 10;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-inline constexpr std::size_t stack_a_level = 24 << 10;
+inline constexpr std::size_t stack_a_level = 7 << 10;
 #else
 inline constexpr std::size_t stack_a_level = 3 << 10;
 #endif
