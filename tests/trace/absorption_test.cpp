@@ -28,18 +28,6 @@ Rgbd left_of_white(double way) {
   return {std::exp(-a.x * way), std::exp(-a.y * way), std::exp(-a.z * way)};
 }
 
-/// A closed box as a mesh, two triangles to a face.
-MeshShape box_mesh(const Vec3d& min, const Vec3d& max) {
-  auto mesh = std::make_shared<Mesh>();
-  for (int i = 0; i < 8; ++i)
-    mesh->positions.emplace_back(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z);
-  mesh->triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  MeshShape shape;
-  shape.mesh = mesh;
-  return shape;
-}
-
 /// What comes along a ray, by SHADE and by paths, which must agree where nothing is drawn.
 void check_along(const Scene& scene, const Vec3d& eye, const Vec3d& target, const Rgbd& expected) {
   PathSettings settings;

@@ -35,18 +35,6 @@ inline Material tinted(const Rgbd& absorption, double priority = 0) {
 
 inline Box<double> slab(double from, double to) { return {{from, -90, -90}, {to, 90, 90}}; }
 
-// A closed box as a mesh, two triangles to a face.
-inline MeshShape box_mesh(const Vec3d& min, const Vec3d& max) {
-  auto mesh = std::make_shared<Mesh>();
-  for (int i = 0; i < 8; ++i)
-    mesh->positions.emplace_back(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z);
-  mesh->triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  MeshShape shape;
-  shape.mesh = mesh;
-  return shape;
-}
-
 inline PathSettings without_chance() {
   PathSettings settings;
   settings.roulette_from = 1000;
