@@ -6,7 +6,7 @@
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
 #include "check/suite.h"
-#include "io/spelling.h"
+#include "text/spelling.h"
 
 #include <fmt/format.h>
 

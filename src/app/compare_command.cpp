@@ -1,9 +1,9 @@
 #include "app/compare_command.h"
 
-#include "io/file.h"
-#include "io/image_file.h"
+#include "image/image_file.h"
 #include "study/flip.h"
 #include "study/image_metrics.h"
+#include "text/file.h"
 
 #include <fmt/format.h>
 

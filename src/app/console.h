@@ -1,7 +1,7 @@
 #pragma once
 // The program's output: results on standard output, everything else on standard error. Only `app` prints.
 
-#include "io/error.h"
+#include "text/error.h"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 #include "app/file_commands.h"
 
 #include "app/scene_lookup.h"
-#include "io/file.h"
 #include "io/pov_writer.h"
+#include "text/file.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include "app/progress_bar.h"
 #include "app/scene_lookup.h"
 #include "io/key_reference.h"
-#include "io/spelling.h"
 #include "scene/effects.h"
+#include "text/spelling.h"
 #include "trace/world.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "app/interrupt.h"
 
-#include "io/temporary_file.h"
+#include "text/temporary_file.h"
 
 #include <sys/time.h>
 #include <unistd.h>

@@ -2,9 +2,9 @@
 
 #include "app/scene_lookup.h"
 #include "app/texts.h"
-#include "io/file.h"
-#include "io/spelling.h"
 #include "lesson/check.h"
+#include "text/file.h"
+#include "text/spelling.h"
 #include "view/lesson_script.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "app/arguments.h"
 #include "app/console.h"
-#include "io/spelling.h"
+#include "text/spelling.h"
 
 #include <CLI/CLI.hpp>
 

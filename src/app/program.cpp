@@ -13,11 +13,11 @@
 #include "app/study_command.h"
 #include "app/texts.h"
 #include "app/window_command.h"
-#include "io/file_ledger.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "math/stop.h"
 #include "render/adaptive.h"
 #include "scene/schema_kinds.h"
+#include "text/file_ledger.h"
 
 #include <fmt/format.h>
 

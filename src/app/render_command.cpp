@@ -5,8 +5,8 @@
 #include "app/progress_bar.h"
 #include "app/scene_lookup.h"
 #include "app/statistics_json.h"
-#include "io/file.h"
-#include "io/image.h"
+#include "image/image_file.h"
+#include "text/file.h"
 
 #include <fmt/format.h>
 

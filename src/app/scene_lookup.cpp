@@ -1,9 +1,9 @@
 #include "app/scene_lookup.h"
 
 #include "app/console.h"
-#include "io/spelling.h"
 #include "render/memory_need.h"
 #include "scene/warnings.h"
+#include "text/spelling.h"
 
 #include <algorithm>
 #include <filesystem>

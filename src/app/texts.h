@@ -2,7 +2,7 @@
 // The languages found in the data folder.
 
 #include "app/options.h"
-#include "io/languages.h"
+#include "text/languages.h"
 
 #include <optional>
 #include <string>

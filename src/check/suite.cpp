@@ -1,6 +1,6 @@
 #include "check/suite.h"
 
-#include "io/file.h"
+#include "text/file.h"
 
 #include <algorithm>
 #include <chrono>

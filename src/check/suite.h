@@ -3,8 +3,8 @@
 // and writes the table.
 
 #include "check/family.h"
-#include "io/error.h"
 #include "math/stop.h"
+#include "text/error.h"
 
 #include <functional>
 #include <string>

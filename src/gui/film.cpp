@@ -1,6 +1,6 @@
 #include "gui/film.h"
 
-#include "io/file.h"
+#include "text/file.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 // A film of the window for WindowExport, frame by frame.
 
-#include "io/gif.h"
+#include "image/gif.h"
 #include "view/state.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "gui/broken_lines.h"
 #include "gui/widgets.h"
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "text/language.h"
 #include "view/typed_number.h"
 

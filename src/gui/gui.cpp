@@ -9,8 +9,8 @@
 #include "gui/session.h"
 #include "gui/style.h"
 #include "gui/window.h"
-#include "io/file.h"
-#include "io/text_file.h"
+#include "text/file.h"
+#include "text/text_file.h"
 #include "view/action_text.h"
 
 #include <GLFW/glfw3.h>

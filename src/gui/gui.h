@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/error.h"
-#include "io/file_ledger.h"
+#include "text/error.h"
+#include "text/file_ledger.h"
 #include "text/language.h"
 
 #include <memory>

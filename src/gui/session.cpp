@@ -1,9 +1,9 @@
 #include "gui/session.h"
 
 #include "gui/names.h"
-#include "io/file.h"
 #include "render/parallel.h"
 #include "scene/warnings.h"
+#include "text/file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "gui/structure_commands.h"
 
 #include "gui/choices.h"
-#include "timeline/search_walk.h"
+#include "inspect/search_walk.h"
 
 namespace raywalk {
 

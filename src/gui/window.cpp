@@ -1,6 +1,6 @@
 #include "gui/window.h"
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>

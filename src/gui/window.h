@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/error.h"
-#include "io/image.h"
+#include "image/image_file.h"
+#include "text/error.h"
 
 #include <memory>
 #include <string>

@@ -1,8 +1,8 @@
 #include "io/generate.h"
 
-#include "io/file.h"
 #include "math/random.h"
 #include "shape/intersection.h"
+#include "text/file.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Scenes and meshes of any size, for measuring and viewing. All are computed from formulas and written on the fly, so
 // memory does not grow with their size.
 
-#include "io/error.h"
+#include "text/error.h"
 
 #include <cstdint>
 #include <optional>

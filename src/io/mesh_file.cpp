@@ -1,6 +1,6 @@
 #include "io/mesh_file.h"
 
-#include "io/file.h"
+#include "text/file.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Meshes from files: Wavefront OBJ with its MTL, PLY (text, binary of both endiannesses) and glTF 2.0 (.gltf, .glb).
 
-#include "io/error.h"
 #include "scene/object_shape.h"
+#include "text/error.h"
 
 #include <memory>
 #include <string>

@@ -1,9 +1,9 @@
 // glTF 2.0 (Khronos, ISO/IEC 12113:2022): the triangles of the default scene, each mesh placed by its nodes.
 
 #include "io/mesh_gltf.h"
-#include "io/memory.h"
 #include "math/transform.h"
 #include "scene/schema_kinds.h"
+#include "text/memory.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "io/file.h"
 #include "io/mesh_gltf.h"
-#include "io/text_file.h"
+#include "text/file.h"
+#include "text/text_file.h"
 
 #include <fmt/format.h>
 

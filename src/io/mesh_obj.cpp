@@ -1,10 +1,10 @@
 // Wavefront OBJ and MTL (B. Martin Wright, "Object Files" and "MTL material format", Alias|Wavefront 1995).
 
-#include "io/file.h"
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
-#include "io/text_file.h"
 #include "scene/schema_kinds.h"
+#include "text/file.h"
+#include "text/text_file.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
-#include "io/text_file.h"
+#include "text/text_file.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Reads the scene keys of meshes, groups and motion.
 
 #include "io/scene_reader.h"
-#include "io/spelling.h"
-#include "io/toml_text.h"
+#include "text/spelling.h"
+#include "text/toml_text.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Words and numbers of a text file, with their lines. Internal to `io`.
 
-#include "io/error.h"
+#include "text/error.h"
 
 #include <cerrno>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "io/nff_reader.h"
 
 #include "io/scene_parts.h"
-#include "io/spelling.h"
+#include "text/spelling.h"
 
 #include <fmt/format.h>
 

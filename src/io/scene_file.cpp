@@ -1,15 +1,15 @@
 #include "io/scene_file.h"
 
-#include "io/file.h"
-#include "io/file_ledger.h"
 #include "io/mesh_scene.h"
 #include "io/nff_reader.h"
 #include "io/scene_reader.h"
 #include "io/test_format_reader.h"
-#include "io/text_file.h"
-#include "io/texture_file.h"
-#include "io/toml_text.h"
+#include "io/textures.h"
 #include "scene/schema_kinds.h"
+#include "text/file.h"
+#include "text/file_ledger.h"
+#include "text/text_file.h"
+#include "text/toml_text.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Raywalk's own scene format: TOML. Its keys are listed once, in scene/schema.h; scenes/README.md documents them.
 
-#include "io/error.h"
 #include "scene/scene.h"
+#include "text/error.h"
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 #include "io/scene_parts.h"
 
-#include "io/memory.h"
+#include "text/memory.h"
 
 #include <fmt/format.h>
 

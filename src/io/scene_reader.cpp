@@ -1,7 +1,7 @@
 #include "io/scene_reader.h"
 
-#include "io/spelling.h"
-#include "io/toml_text.h"
+#include "text/spelling.h"
+#include "text/toml_text.h"
 
 #include <fmt/format.h>
 

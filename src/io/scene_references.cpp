@@ -1,7 +1,7 @@
 // The names of the files that a scene uses, relative to another folder.
 
 #include "io/scene_file.h"
-#include "io/toml_text.h"
+#include "text/toml_text.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "io/scene_values.h"
 
-#include "io/toml_text.h"
 #include "io/value_tree.h"
+#include "text/toml_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "io/file.h"
 #include "io/scene_file.h"
 #include "io/scene_merge.h"
 #include "io/scene_rearrange.h"
 #include "io/scene_values.h"
 #include "io/toml_layout.h"
+#include "text/file.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "io/test_format_reader.h"
 
 #include "io/scene_parts.h"
-#include "io/spelling.h"
 #include "shape/object_transform.h"
+#include "text/spelling.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "io/toml_layout.h"
 
-#include "io/toml_text.h"
+#include "text/toml_text.h"
 
 #include <algorithm>
 

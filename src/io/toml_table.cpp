@@ -1,7 +1,7 @@
 #include "io/toml_table.h"
 
 #include "io/scene_values.h"
-#include "io/toml_text.h"
+#include "text/toml_text.h"
 
 #include <algorithm>
 #include <cctype>

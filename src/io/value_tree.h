@@ -2,8 +2,8 @@
 // Converts a value of each kind of the schema to its form in a scene's file. Internal to `io`.
 
 #include "io/scene_values.h"
-#include "io/toml_text.h"
 #include "scene/schema.h"
+#include "text/toml_text.h"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 #include "io/word_reader.h"
 
-#include "io/toml_text.h"
+#include "text/toml_text.h"
 
 #include <fmt/format.h>
 

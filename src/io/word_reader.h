@@ -2,8 +2,8 @@
 // Reads texts of words and numbers, such as NFF and the course format, word by word, with a place for every message.
 // Internal to `io`.
 
-#include "io/error.h"
 #include "scene/schema_kinds.h"
+#include "text/error.h"
 
 #include <cstddef>
 #include <optional>

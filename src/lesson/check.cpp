@@ -4,7 +4,7 @@
 #include "lesson/script.h"
 
 #include <fmt/format.h>
-#include "io/spelling.h"
+#include "text/spelling.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
 #include "lesson/claim_words.h"
 
-#include "io/file.h"
-#include "io/languages.h"
-#include "io/toml_text.h"
+#include "text/file.h"
+#include "text/languages.h"
 #include "text/toml.h"
+#include "text/toml_text.h"
 
 #include <fmt/format.h>
 

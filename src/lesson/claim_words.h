@@ -2,7 +2,7 @@
 // Words that state something about numbers: "half", "twice", "root", "same". Each language has a list of them,
 // lessons/words/CODE.toml; `raywalk lesson check` demands a claim for every such word in a lesson.
 
-#include "io/error.h"
+#include "text/error.h"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 #include "lesson/expression.h"
 
-#include "io/spelling.h"
 #include "lesson/expression_parser.h"
+#include "text/spelling.h"
 
 #include <fmt/format.h>
 

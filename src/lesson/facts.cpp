@@ -1,7 +1,7 @@
 #include "lesson/facts.h"
 
+#include "inspect/search_walk.h"
 #include "lesson/staging.h"
-#include "timeline/search_walk.h"
 
 #include <fmt/format.h>
 

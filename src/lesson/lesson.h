@@ -3,10 +3,10 @@
 // pt.md). lessons/README.md explains both to authors.
 
 #include "accel/accelerator.h"
-#include "io/error.h"
 #include "lesson/expression.h"
 #include "lesson/words.h"
 #include "scene/scene.h"
+#include "text/error.h"
 #include "text/language.h"
 #include "trace/fault.h"
 

@@ -1,9 +1,9 @@
-#include "io/languages.h"
-#include "io/spelling.h"
-#include "io/text_file.h"
 #include "io/toml_table.h"
-#include "io/toml_text.h"
 #include "lesson/lesson.h"
+#include "text/languages.h"
+#include "text/spelling.h"
+#include "text/text_file.h"
+#include "text/toml_text.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "lesson/play.h"
 
+#include "inspect/search_walk.h"
 #include "lesson/facts.h"
 #include "lesson/staging.h"
 #include "scene/effects.h"
 #include "timeline/event_json.h"
 #include "timeline/recorder.h"
-#include "timeline/search_walk.h"
 
 #include <fmt/format.h>
 

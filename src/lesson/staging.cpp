@@ -1,7 +1,7 @@
 #include "lesson/staging.h"
 
-#include "io/spelling.h"
 #include "io/toml_table.h"
+#include "text/spelling.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "lesson/words.h"
 
-#include "io/spelling.h"
+#include "text/spelling.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // opens a step, "## id: Heading", or one of the sections of the whole lesson, "## teacher" and "## sources"; one of the
 // third opens a part of a step. Numbers are formulas in braces, {t:2}, filled in from the trace.
 
-#include "io/error.h"
+#include "text/error.h"
 
 #include <string>
 #include <string_view>

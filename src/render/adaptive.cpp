@@ -1,6 +1,6 @@
 #include "render/adaptive.h"
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 
 #include <algorithm>
 #include <cmath>

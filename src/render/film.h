@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/image.h"
+#include "image/image_file.h"
 #include "scene/scene.h"
 
 #include <algorithm>

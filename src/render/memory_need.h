@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/memory.h"
 #include "render/render.h"
+#include "text/memory.h"
 
 namespace raywalk {
 

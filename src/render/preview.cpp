@@ -1,6 +1,6 @@
 #include "render/preview.h"
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "render/parallel.h"
 #include "trace/path_kernel.h"
 #include "trace/recursion.h"

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "image/image.h"
 #include "math/vec.h"
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace raywalk {
 
@@ -18,20 +18,14 @@ struct Checker {
   friend bool operator==(const Checker&, const Checker&) = default;
 };
 
-/// Pixels of a texture in linear RGB, top row first.
-struct TexturePixels {
-  int width = 0, height = 0;
-  std::vector<Vec3<float>> pixels;
-};
-
 /// An image mapped onto the surface and repeated endlessly. Its lower left corner lies at (u, v) = (0, 0) of the shape,
 /// its right edge at u = width and its upper edge at v = height. Colours are interpolated bilinearly between pixel
 /// centres. The colour multiplies the material's ambient and diffuse.
 struct ImageTexture {
   std::string file;              ///< as the scene states it: relative to the scene's folder
   double width = 1, height = 1;  ///< of one copy on the surface, in units of the shape's (u, v), > 0
-  /// The file's content. Null until a reader has loaded it; until then the texture is white.
-  std::shared_ptr<const TexturePixels> pixels{};
+  /// The file's content, in linear light. Null until a reader has loaded it; until then the texture is white.
+  std::shared_ptr<const Image> pixels{};
   /// The pixels are determined by the file.
   friend bool operator==(const ImageTexture& a, const ImageTexture& b) {
     return a.file == b.file && a.width == b.width && a.height == b.height;

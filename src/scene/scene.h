@@ -1,5 +1,7 @@
 #pragma once
 
+#include "image/image.h"
+#include "image/srgb.h"
 #include "math/motion.h"
 #include "scene/camera.h"
 #include "scene/light.h"
@@ -48,24 +50,12 @@ struct TraceLimits {
   friend bool operator==(const TraceLimits&, const TraceLimits&) = default;
 };
 
-/// Default image size of a 3-D render, in pixels.
-struct ImageSize {
-  int width = 441, height = 331;
-  friend bool operator==(const ImageSize&, const ImageSize&) = default;
-};
-
-/// How linear light becomes the 8 bits of a picture. Both clamp to 0..1.
-enum class Encoding {
-  srgb,       ///< the sRGB curve, rounded
-  truncated,  ///< no curve, floor(255 c): as course scenes want it
-};
-
 /// A scene as a person describes it: plain values, in double, right-handed, z towards the reader of the plan.
 struct Scene {
   std::string title;
   std::string description;
   Camera camera;
-  ImageSize image;
+  ImageSize image;  ///< default size of a 3-D render
   Encoding encoding = Encoding::srgb;
   TraceLimits limits;
   RenderChoices render{};

@@ -1,5 +1,5 @@
 // E8: does "known to X with 95% confidence" hold for 95% of the pixels?
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "render/render.h"
 #include "study/curve.h"
 #include "study/subjects.h"

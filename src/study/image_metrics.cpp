@@ -1,6 +1,6 @@
 #include "study/image_metrics.h"
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "render/heat.h"
 #include "study/flip.h"
 

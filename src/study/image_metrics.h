@@ -1,7 +1,7 @@
 #pragma once
 // How far one picture is from another.
 
-#include "io/image.h"
+#include "image/image_file.h"
 
 #include <optional>
 #include <string>

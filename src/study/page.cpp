@@ -1,6 +1,6 @@
 // The page that a study writes: one file, without scripts, for screens light and dark and for paper.
-#include "io/markup.h"
 #include "study/study.h"
+#include "text/markup.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "study/plot.h"
 
-#include "io/markup.h"
+#include "text/markup.h"
 
 #include <fmt/format.h>
 

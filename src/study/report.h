@@ -1,7 +1,7 @@
 #pragma once
 // What an experiment concludes.
 
-#include "io/image.h"
+#include "image/image_file.h"
 #include "study/plot.h"
 #include "study/statistics.h"
 

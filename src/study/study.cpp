@@ -1,7 +1,7 @@
 #include "study/study.h"
 
-#include "io/file.h"
 #include "render/parallel.h"
+#include "text/file.h"
 
 #include <fmt/format.h>
 

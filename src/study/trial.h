@@ -1,7 +1,7 @@
 #pragma once
 // What experiments measure, and how it is stored.
 
-#include "io/error.h"
+#include "text/error.h"
 #include "trace/statistics.h"
 
 #include <string>

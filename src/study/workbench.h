@@ -3,7 +3,7 @@
 // can be shown.
 
 #include "accel/accelerator.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "study/trial.h"
 #include "trace/kernel.h"
 

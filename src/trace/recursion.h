@@ -1,8 +1,8 @@
 #pragma once
 // The stack that the recursion of SHADE needs.
 
-#include "io/error.h"
 #include "math/stack.h"
+#include "text/error.h"
 
 #include <optional>
 

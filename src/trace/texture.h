@@ -11,7 +11,7 @@ namespace raywalk {
 /// The colour of a texture that repeats: one copy spans 0..1 in u (to the right) and in v (upwards). Bilinear between
 /// the centres of the four nearest pixels.
 template <class T>
-[[nodiscard]] Rgb<T> texture_colour(const TexturePixels& texture, T u, T v) {
+[[nodiscard]] Rgb<T> texture_colour(const Image& texture, T u, T v) {
   // In pixels, from the centre of the top left one; wrapped while still relative to the copy, so that distant positions
   // keep their digits.
   const T x = (u - std::floor(u)) * static_cast<T>(texture.width) - T(0.5);

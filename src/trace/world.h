@@ -28,7 +28,7 @@ struct World {
 
   /// An image on a surface.
   struct ImageTexture {
-    std::shared_ptr<const TexturePixels> pixels;
+    std::shared_ptr<const Image> pixels;
     T width, height;  ///< of one copy
 
     /// Its colour at a position on the surface.

@@ -2,7 +2,7 @@
 // Actions as lines of text, for demo files: a word and its arguments, such as `step forward line`,
 // `press 120 80 left`, `speed 8`. Empty lines and those that begin with # are ignored.
 
-#include "io/error.h"
+#include "text/error.h"
 #include "view/action.h"
 
 #include <string>

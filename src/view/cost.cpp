@@ -1,6 +1,6 @@
 #include "view/cost.h"
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "render/heat.h"
 #include "study/shot.h"
 #include "view/choice_text.h"

@@ -1,6 +1,6 @@
 #include "view/export.h"
 
-#include "io/file.h"
+#include "text/file.h"
 #include "timeline/event_json.h"
 #include "timeline/message.h"
 #include "view/lesson_script.h"

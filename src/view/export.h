@@ -1,8 +1,8 @@
 #pragma once
 // Exports of a walk for those without the program; the extension selects the contents.
 
-#include "io/error.h"
 #include "scene/scene.h"
+#include "text/error.h"
 #include "timeline/timeline.h"
 
 #include <array>

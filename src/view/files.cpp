@@ -1,6 +1,6 @@
-#include "io/file_ledger.h"
 #include "render/parallel.h"
 #include "scene/warnings.h"
+#include "text/file_ledger.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 #include "view/update_parts.h"

@@ -1,7 +1,7 @@
 #include "view/lesson_script.h"
 
-#include "io/markup.h"
 #include "lesson/script.h"
+#include "text/markup.h"
 #include "view/lesson_panel.h"
 #include "view/text.h"
 

@@ -1,6 +1,6 @@
 // Implements the lesson actions.
 
-#include "io/file.h"
+#include "text/file.h"
 #include "view/lesson_panel.h"
 #include "view/text.h"
 #include "view/update_parts.h"

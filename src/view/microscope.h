@@ -2,8 +2,8 @@
 // The Microscope panel without a window: the drawing of a hit at any magnification, a table comparing robust and naive
 // numerics, and a sentence on what is visible.
 
+#include "inspect/microscope.h"
 #include "text/language.h"
-#include "timeline/microscope.h"
 #include "view/display_list.h"
 
 #include <string>

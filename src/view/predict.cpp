@@ -1,6 +1,6 @@
 #include "view/predict.h"
 
-#include "io/file.h"
+#include "text/file.h"
 #include "view/lesson_panel.h"
 #include "view/panels.h"
 #include "view/plan_geometry.h"

@@ -1,6 +1,6 @@
 // Persistent data: the autosave and the list of recent files.
 
-#include "io/file.h"
+#include "text/file.h"
 #include "view/text.h"
 #include "view/update_parts.h"
 

@@ -1,6 +1,6 @@
 #include "view/slides.h"
 
-#include "io/markup.h"
+#include "text/markup.h"
 #include "view/equation.h"
 #include "view/panels.h"
 #include "view/plan_view.h"

@@ -1,6 +1,6 @@
 #include "view/state.h"
 
-#include "timeline/search_walk.h"
+#include "inspect/search_walk.h"
 #include "view/plan_view.h"
 #include "view/text.h"
 #include "view/update_parts.h"

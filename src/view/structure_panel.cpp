@@ -1,6 +1,6 @@
 // The texts of the Structure tab.
 
-#include "timeline/search_walk.h"
+#include "inspect/search_walk.h"
 #include "view/lesson_panel.h"
 #include "view/state.h"
 #include "view/text.h"

@@ -1,6 +1,6 @@
 // Implements the actions of the Structure tab.
 
-#include "timeline/search_walk.h"
+#include "inspect/search_walk.h"
 #include "view/lesson_panel.h"
 #include "view/update_parts.h"
 

@@ -1,7 +1,7 @@
 // The boxes of the current accelerator, in the plan and in space: all of them faint, those that the search has reached
 // strong, solid if entered and dashed if skipped.
 
-#include "timeline/search_walk.h"
+#include "inspect/search_walk.h"
 #include "view/painter.h"
 #include "view/text.h"
 

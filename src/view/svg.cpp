@@ -1,6 +1,6 @@
 #include "view/svg.h"
 
-#include "io/markup.h"
+#include "text/markup.h"
 #include "view/update_parts.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "view/theme.h"
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #include "app/process.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "support/catch.h"
 
 #include <cmath>

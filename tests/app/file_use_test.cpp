@@ -1,6 +1,6 @@
 // No command writes over what it reads or has just written, whatever the file is called.
 #include "app/process.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "support/catch.h"
 
 #include <filesystem>

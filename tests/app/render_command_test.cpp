@@ -1,7 +1,7 @@
 #include "app/render_command.h"
 
 #include "app/process.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "io/scene_file.h"
 
 #include <csignal>

@@ -2,9 +2,9 @@
 
 #include "check/suite.h"
 
-#include "io/file.h"
-#include "io/temporary_folder.h"
 #include "support/catch.h"
+#include "support/temporary_folder.h"
+#include "text/file.h"
 
 using namespace raywalk;
 using namespace raywalk::check;

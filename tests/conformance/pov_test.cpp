@@ -1,12 +1,12 @@
 // Scenes that come with Raywalk, converted and rendered by POV-Ray: nearly the same pictures.
 
-#include "io/file.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "io/pov_writer.h"
 #include "io/scene_file.h"
 #include "png.h"
 #include "render/render.h"
 #include "support/catch.h"
+#include "text/file.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,12 +1,12 @@
 // The course scene with a known solution, and that the other ones can be read and show something.
 
-#include "io/file.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "io/scene_file.h"
 #include "png.h"
 #include "render/render.h"
 #include "support/catch.h"
 #include "support/shared.h"
+#include "text/file.h"
 
 #include <algorithm>
 #include <cstdlib>

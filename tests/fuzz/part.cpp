@@ -2,9 +2,8 @@
 // the files that long runs keep. Any bytes: they must be refused with a message, or understood.
 
 #include "check/suite.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "io/mesh_file.h"
-#include "io/texture_file.h"
 #include "lesson/expression.h"
 #include "lesson/lesson.h"
 #include "lesson/words.h"
@@ -41,7 +40,7 @@ auto parse(const std::string& bytes) {
 #elif defined(FUZZ_mtl)
   return parse_mtl(bytes, "fuzzed.mtl");
 #elif defined(FUZZ_texture)
-  return decode_texture(bytes, "fuzzed.png");
+  return decode_png_or_jpeg(bytes, "fuzzed.png");
 #elif defined(FUZZ_pfm)
   return decode_pfm(bytes, "fuzzed.pfm");
 #elif defined(FUZZ_exr)

@@ -3,9 +3,9 @@
 #include <GLFW/glfw3.h>
 
 #include "gui/bench.h"
-#include "io/file.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "text/file.h"
 #include "view/action_text.h"
 #include "view/bug_panel.h"
 

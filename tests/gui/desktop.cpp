@@ -13,8 +13,8 @@
 #include <sstream>
 #include <thread>
 
-#include "io/image.h"
-#include "io/srgb.h"
+#include "image/image_file.h"
+#include "image/srgb.h"
 #include "support/catch.h"
 
 namespace raywalk::test {

@@ -6,9 +6,9 @@
 #include "gui/bench.h"
 #include "gui/commands.h"
 #include "gui/key_list.h"
-#include "io/file.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "text/file.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -7,9 +7,9 @@
 
 #include "gui/bench.h"
 #include "gui/classic_walk.h"
-#include "io/file.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "text/file.h"
 #include "view/lesson_panel.h"
 #include "view/plan_view.h"
 

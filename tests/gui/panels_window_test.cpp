@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "gui/classic_walk.h"
-#include "io/image_file.h"
+#include "image/image_file.h"
 #include "support/catch.h"
 #include "support/played_film.h"
 

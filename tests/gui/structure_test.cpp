@@ -4,8 +4,8 @@
 
 #include "gui/bench.h"
 #include "gui/commands.h"
+#include "inspect/search_walk.h"
 #include "support/catch.h"
-#include "timeline/search_walk.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -49,7 +49,13 @@ std::string breaches(const std::vector<SourceFile>& files, const Rule& rule) {
 
 TEST_CASE("every floor of the tree includes only what it may") {
   const auto files = files_of({"src"});
-  CHECK(breaches(files, check_includes) == "");
+  const Floors floors = declared_floors(read("CMakeLists.txt"));
+  REQUIRE(floors.contains("math"));
+  CHECK(breaches(files, [&](const SourceFile& file) { return check_includes(floors, file); }) == "");
+}
+
+TEST_CASE("every floor of the tree stands on what it includes, and on no more") {
+  CHECK(report(check_edges(declared_floors(read("CMakeLists.txt")), files_of({"src"}))) == "");
 }
 
 TEST_CASE("no floor of the tree below app prints or ends the program") {
@@ -81,5 +87,5 @@ TEST_CASE("only CMakeLists.txt knows the version") {
 
 TEST_CASE("the top level and src of the tree hold only what the design has") {
   CHECK(report(check_top_level(entries(root), read(".gitignore"))) == "");
-  CHECK(report(check_floors(entries(root / "src"))) == "");
+  CHECK(report(check_floors(declared_floors(read("CMakeLists.txt")), entries(root / "src"))) == "");
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 namespace raywalk::house {
@@ -13,29 +14,12 @@ namespace {
 
 constexpr int long_file = 400;
 
-struct Floor {
-  std::string_view name;
-  int level;
-};
-
-// From the design. `lesson`, `study` and `check` share a floor, so none may include another.
-constexpr std::array floors{Floor{"math", 0},     Floor{"text", 1},   Floor{"shape", 1}, Floor{"accel", 2},
-                            Floor{"scene", 3},    Floor{"io", 4},     Floor{"trace", 5}, Floor{"render", 6},
-                            Floor{"timeline", 7}, Floor{"lesson", 8}, Floor{"study", 8}, Floor{"check", 8},
-                            Floor{"view", 9},     Floor{"gui", 10},   Floor{"app", 11}};
-
-std::optional<Floor> floor_named(std::string_view name) {
-  const auto* found = std::find_if(floors.begin(), floors.end(), [&](const Floor& f) { return f.name == name; });
-  if (found == floors.end()) return std::nullopt;
-  return *found;
-}
-
-// The floor that a file of src belongs to; none for files elsewhere.
-std::optional<Floor> floor_of(std::string_view path) {
+// The floor that a file of src belongs to; empty for files elsewhere.
+std::string floor_of(std::string_view path) {
   constexpr std::string_view src = "src/";
-  if (!path.starts_with(src)) return std::nullopt;
+  if (!path.starts_with(src)) return {};
   path.remove_prefix(src.size());
-  return floor_named(path.substr(0, path.find('/')));
+  return std::string(path.substr(0, path.find('/')));
 }
 
 bool is_cpp(std::string_view path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
@@ -103,25 +87,40 @@ std::optional<std::string> included(const std::string& line) {
 constexpr std::array<std::string_view, 6> newer_headers{"format",    "expected", "execution",
                                                         "generator", "print",    "stop_token"};
 
+// The floors that what the web is built from stands in.
+bool is_on_web(const std::string& floor) { return floor != "gui" && floor != "app"; }
+
+// The floor that a header in delimiters belongs to; empty when it is none of ours.
+std::string floor_included(const Floors& floors, const std::string& header) {
+  const std::size_t slash = header.find('/');
+  std::string folder = slash == std::string::npos ? "" : header.substr(1, slash - 1);
+  return floors.contains(folder) ? folder : "";
+}
+
 // Why `header` may not be included by a file at `path` on floor `here`; empty when it may.
-std::string objection(const std::string& header, const std::string& path, const Floor& here) {
+std::string objection(const Floors& floors, const std::string& header, const std::string& path,
+                      const std::string& here) {
+  if (const std::string there = floor_included(floors, header); !there.empty()) {
+    if (there == here || floors_below(floors, here).contains(there)) return {};
+    return "floor " + here + " may not include " + header + ": it does not stand on " + there;
+  }
   const std::string_view name = std::string_view(header).substr(1, header.size() - 2);
   const std::string_view folder = name.substr(0, name.find('/'));
-  if (const auto there = floor_named(folder); there && name.find('/') != std::string_view::npos) {
-    if (there->name == here.name || there->level < here.level) return {};
-    return "floor " + std::string(here.name) + " may not include " + header + ": " + std::string(there->name) +
-           " is not below it";
-  }
   if (header.front() == '"') return header + " is to be included as \"FLOOR/name.h\", from a floor of the house";
   if (folder == "glm" && path != "src/math/vec.h") return "only src/math/vec.h includes GLM: include \"math/vec.h\"";
   const bool window = folder == "GLFW" || folder == "GL" || folder == "imgui" || name.starts_with("imgui") ||
                       folder == "ft2build.h" || folder == "freetype";
-  if (window && here.name != "gui") return "only gui includes " + header;
-  if (here.level <= floor_named("view")->level &&
-      std::find(newer_headers.begin(), newer_headers.end(), name) != newer_headers.end()) {
+  if (window && here != "gui") return "only gui includes " + header;
+  if (is_on_web(here) && std::find(newer_headers.begin(), newer_headers.end(), name) != newer_headers.end()) {
     return header + " is missing from the libc++ that the web is built with; floors up to view must do without";
   }
   return {};
+}
+
+// The words of `text` up to a closing parenthesis.
+std::vector<std::string> words_to_parenthesis(const std::string& text) {
+  std::istringstream in(text.substr(0, text.find(')')));
+  return {std::istream_iterator<std::string>(in), {}};
 }
 
 }  // namespace
@@ -171,25 +170,76 @@ std::string without_comments(const std::string& code, bool keep_literals) {
   return out;
 }
 
-std::vector<Breach> check_includes(const SourceFile& file) {
-  const auto here = floor_of(file.path);
-  if (!here || !is_cpp(file.path)) return {};
+Floors declared_floors(const std::string& cmake_lists) {
+  Floors floors;
+  const std::string call = "\nraywalk_floor(";
+  for (std::size_t at = cmake_lists.find(call); at != std::string::npos; at = cmake_lists.find(call, at + 1)) {
+    const std::vector<std::string> words = words_to_parenthesis(cmake_lists.substr(at + call.size()));
+    if (words.empty()) continue;
+    const auto below = std::find(words.begin(), words.end(), "BELOW");
+    const auto uses = std::find(below, words.end(), "USES");
+    floors[words.front()] = below == words.end() ? std::set<std::string>() : std::set<std::string>(below + 1, uses);
+  }
+  return floors;
+}
+
+std::set<std::string> floors_below(const Floors& floors, const std::string& floor) {
+  std::set<std::string> all;
+  for (std::vector<std::string> open{floor}; !open.empty();) {
+    const auto found = floors.find(open.back());
+    open.pop_back();
+    if (found == floors.end()) continue;
+    for (const std::string& next : found->second)
+      if (all.insert(next).second) open.push_back(next);
+  }
+  return all;
+}
+
+std::vector<Breach> check_includes(const Floors& floors, const SourceFile& file) {
+  const std::string here = floor_of(file.path);
+  if (!floors.contains(here) || !is_cpp(file.path)) return {};
   std::vector<Breach> breaches;
   int number = 0;
   for (const std::string& line : lines_of(without_comments(file.text, true))) {
     ++number;
     const auto header = included(line);
     if (!header) continue;
-    if (std::string what = objection(*header, file.path, *here); !what.empty()) {
+    if (std::string what = objection(floors, *header, file.path, here); !what.empty()) {
       breaches.push_back({file.path, number, std::move(what)});
     }
   }
   return breaches;
 }
 
+std::vector<Breach> check_edges(const Floors& floors, const std::vector<SourceFile>& files) {
+  std::map<std::string, std::set<std::string>> includes;
+  for (const SourceFile& file : files) {
+    if (!is_cpp(file.path)) continue;
+    for (const std::string& line : lines_of(without_comments(file.text, true)))
+      if (const auto header = included(line)) includes[floor_of(file.path)].insert(floor_included(floors, *header));
+  }
+  std::vector<Breach> breaches;
+  for (const auto& [floor, below] : floors) {
+    for (const std::string& edge : below) {
+      if (floors_below(floors, edge).contains(floor)) {
+        breaches.push_back({"CMakeLists.txt", 0, floor + " and " + edge + " stand on each other"});
+      }
+      if (!includes[floor].contains(edge)) {
+        breaches.push_back({"CMakeLists.txt", 0, floor + " includes nothing from " + edge + ", below it"});
+      }
+      for (const std::string& other : below) {
+        if (other != edge && floors_below(floors, other).contains(edge)) {
+          breaches.push_back({"CMakeLists.txt", 0, floor + " reaches " + edge + " through " + other + " already"});
+        }
+      }
+    }
+  }
+  return breaches;
+}
+
 std::vector<Breach> check_names(const SourceFile& file) {
-  const auto here = floor_of(file.path);
-  if (!here || here->name == "app" || !is_cpp(file.path)) return {};
+  const std::string here = floor_of(file.path);
+  if (here.empty() || here == "app" || !is_cpp(file.path)) return {};
   constexpr std::array<std::string_view, 11> printing{"cout", "cerr",   "clog",   "wcout",   "wcerr", "printf",
                                                       "puts", "stdout", "stderr", "putchar", "perror"};
   constexpr std::array<std::string_view, 6> ending{"exit", "_Exit", "_exit", "quick_exit", "abort", "terminate"};
@@ -197,7 +247,7 @@ std::vector<Breach> check_names(const SourceFile& file) {
   const auto is_one_of = [](const auto& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
   };
-  const bool web = here->level <= floor_named("view")->level;
+  const bool web = is_on_web(here);
 
   std::vector<Breach> breaches;
   const std::string code = without_comments(file.text, false);
@@ -309,10 +359,10 @@ std::vector<Breach> check_top_level(const std::vector<std::string>& entries, con
   return breaches;
 }
 
-std::vector<Breach> check_floors(const std::vector<std::string>& folders) {
+std::vector<Breach> check_floors(const Floors& floors, const std::vector<std::string>& folders) {
   std::vector<Breach> breaches;
   for (const std::string& folder : folders) {
-    if (!floor_named(folder)) breaches.push_back({"src/" + folder, 0, "is no floor of the house"});
+    if (!floors.contains(folder)) breaches.push_back({"src/" + folder, 0, "is no floor of the house"});
   }
   return breaches;
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,20 @@ std::string report(const std::vector<Breach>& breaches);
 // Newlines stay, so line numbers do not change.
 std::string without_comments(const std::string& code, bool keep_literals);
 
+// Each floor of the house, with those that it is declared to stand on.
+using Floors = std::map<std::string, std::set<std::string>>;
+
+// The floors that CMakeLists.txt declares: raywalk_floor(NAME BELOW floors... USES libraries...).
+Floors declared_floors(const std::string& cmake_lists);
+
+// All that a floor stands on, also through others.
+std::set<std::string> floors_below(const Floors& floors, const std::string& floor);
+
 // Src files include only from their own folder and the floors below; others' headers only where they belong.
-std::vector<Breach> check_includes(const SourceFile& file);
+std::vector<Breach> check_includes(const Floors& floors, const SourceFile& file);
+
+// Every floor that one is declared to stand on is included from, and not reached through another. `files`: all of src.
+std::vector<Breach> check_edges(const Floors& floors, const std::vector<SourceFile>& files);
 
 // Below `app` nothing prints or ends the program, and nothing is used that the web's older libc++ lacks.
 std::vector<Breach> check_names(const SourceFile& file);
@@ -51,7 +65,7 @@ std::string declared_version(const std::string& cmake_lists);
 std::vector<Breach> check_top_level(const std::vector<std::string>& entries, const std::string& gitignore);
 
 // The folders of src that are no floor.
-std::vector<Breach> check_floors(const std::vector<std::string>& folders);
+std::vector<Breach> check_floors(const Floors& floors, const std::vector<std::string>& folders);
 
 // All text files under `folder` of the source tree at `root`, sorted by path.
 std::vector<SourceFile> read_tree(const std::filesystem::path& root, const std::string& folder);

@@ -7,7 +7,17 @@ using namespace raywalk::house;
 
 namespace {
 
-std::string includes(const std::string& path, const std::string& text) { return report(check_includes({path, text})); }
+const Floors floors = declared_floors(
+    "x\nraywalk_floor(math USES dep::glm)\nraywalk_floor(shape BELOW math)\nraywalk_floor(io BELOW shape USES png)\n"
+    "raywalk_floor(trace BELOW shape)\nraywalk_floor(lesson BELOW trace io)\nraywalk_floor(study BELOW trace io)\n"
+    "raywalk_floor(view BELOW lesson\n study)\nraywalk_floor(gui BELOW view)\nraywalk_floor(app BELOW gui)\n");
+
+std::string includes(const std::string& path, const std::string& text) {
+  return report(check_includes(floors, {path, text}));
+}
+std::string edges(const Floors& house, const std::vector<SourceFile>& files) {
+  return report(check_edges(house, files));
+}
 std::string names(const std::string& path, const std::string& text) { return report(check_names({path, text})); }
 
 }  // namespace
@@ -28,15 +38,36 @@ TEST_CASE("a floor includes only from its own folder and from floors below") {
   CHECK(includes("src/trace/tracer.h", "#include \"math/vec.h\"\n#include \"trace/event.h\"\n#include <vector>\n") ==
         "");
   CHECK(includes("src/math/ray.h", "\n#include \"shape/sphere.h\"\n") ==
-        "src/math/ray.h:2: floor math may not include \"shape/sphere.h\": shape is not below it\n");
+        "src/math/ray.h:2: floor math may not include \"shape/sphere.h\": it does not stand on shape\n");
   CHECK_THAT(includes("src/view/state.cpp", "#include \"gui/window.h\"\n"),
-             raywalk::test::contains("gui is not below"));
-  CHECK_THAT(includes("src/lesson/a.h", "#include \"study/b.h\"\n"), raywalk::test::contains("study is not below"));
-  CHECK_THAT(includes("src/math/ray.h", "  #  include <shape/sphere.h>\n"), raywalk::test::contains("not below"));
+             raywalk::test::contains("does not stand on gui"));
+  CHECK_THAT(includes("src/lesson/a.h", "#include \"study/b.h\"\n"),
+             raywalk::test::contains("does not stand on study"));
+  CHECK_THAT(includes("src/math/ray.h", "  #  include <shape/sphere.h>\n"), raywalk::test::contains("not stand on"));
   CHECK_THAT(includes("src/math/ray.h", "#include \"vec.h\"\n"), raywalk::test::contains("FLOOR/name.h"));
   CHECK_THAT(includes("src/math/ray.h", "#include \"../shape/sphere.h\"\n"), raywalk::test::contains("FLOOR/name.h"));
   CHECK(includes("src/math/ray.h", "// #include \"shape/sphere.h\"\n") == "");
   CHECK(includes("tests/math/ray_test.cpp", "#include \"gui/window.h\"\n") == "");
+}
+
+TEST_CASE("the floors are those that CMakeLists.txt declares") {
+  CHECK(floors.size() == 9);
+  CHECK(floors.at("math").empty());
+  CHECK(floors.at("io") == std::set<std::string>{"shape"});
+  CHECK(floors.at("view") == std::set<std::string>{"lesson", "study"});
+  CHECK(floors_below(floors, "study") == std::set<std::string>{"trace", "io", "shape", "math"});
+}
+
+TEST_CASE("a floor stands on what it includes, and not twice") {
+  const SourceFile shape{"src/shape/a.h", "#include \"math/a.h\"\n"};
+  const SourceFile io{"src/io/a.h", "#include \"shape/a.h\"\n#include \"math/a.h\"\n#include <math/b.h>\n"};
+  CHECK(edges({{"math", {}}, {"shape", {"math"}}, {"io", {"shape"}}}, {shape, io}) == "");
+  CHECK(edges({{"math", {}}, {"shape", {"math"}}, {"io", {"math", "shape"}}}, {shape, io}) ==
+        "CMakeLists.txt:0: io reaches math through shape already\n");
+  CHECK(edges({{"math", {}}, {"shape", {"math"}}}, {{"src/shape/a.h", "// #include \"math/a.h\"\n"}}) ==
+        "CMakeLists.txt:0: shape includes nothing from math, below it\n");
+  CHECK_THAT(edges({{"math", {"shape"}}, {"shape", {"math"}}}, {shape}),
+             raywalk::test::contains("stand on each other"));
 }
 
 TEST_CASE("others' headers stand only where they belong") {
@@ -110,6 +141,6 @@ TEST_CASE("the top level and src hold only what the design has") {
   CHECK(report(check_top_level({"src", "tests", "README.md", ".git", "build"}, "/build/\n/x.png\n")) == "");
   CHECK(report(check_top_level({"src", "cmake"}, "/build/\n")) ==
         "cmake:0: the design has no place for it at the top level\n");
-  CHECK(report(check_floors({"math", "app", "study"})) == "");
-  CHECK(report(check_floors({"math", "util"})) == "src/util:0: is no floor of the house\n");
+  CHECK(report(check_floors(floors, {"math", "app", "study"})) == "");
+  CHECK(report(check_floors(floors, {"math", "util"})) == "src/util:0: is no floor of the house\n");
 }

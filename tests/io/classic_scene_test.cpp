@@ -3,7 +3,7 @@
 #include <string>
 
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -2,7 +2,7 @@
 
 #include "io/scene_file.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <cmath>
 #include <cstring>

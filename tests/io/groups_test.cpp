@@ -4,7 +4,7 @@
 #include "io/scene_file.h"
 #include "io/scene_values.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

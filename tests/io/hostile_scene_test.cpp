@@ -8,7 +8,7 @@
 #include "random_scene.h"
 #include "support/catch.h"
 #include "support/effort.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

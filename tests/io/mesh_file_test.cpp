@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -2,7 +2,7 @@
 
 #include "io/mesh_file.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <cstring>
 #include <filesystem>

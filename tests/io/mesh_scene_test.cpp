@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/temporary_folder.h"
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

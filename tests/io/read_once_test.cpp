@@ -1,11 +1,11 @@
 // A file that is named many times, by whatever names, is read once and its contents are shared.
 
-#include "io/image.h"
+#include "image/image_file.h"
 #include "io/mesh_file.h"
 #include "io/mesh_gltf.h"
 #include "io/scene_file.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -1,8 +1,8 @@
-#include "io/file.h"
-#include "io/image.h"
+#include "image/image_file.h"
 #include "io/scene_file.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
+#include "text/file.h"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 #include "io/scene_file.h"
 #include "random_scene.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

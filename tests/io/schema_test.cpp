@@ -10,7 +10,7 @@
 #include "io/scene_file.h"
 #include "scene/schema.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 #include "text/toml.h"
 
 using namespace raywalk;

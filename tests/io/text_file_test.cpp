@@ -1,6 +1,6 @@
 // Every reader of text takes what editors and systems put around it, or names it.
 
-#include "io/text_file.h"
+#include "text/text_file.h"
 
 #include <algorithm>
 #include <vector>
@@ -8,7 +8,7 @@
 #include "io/mesh_file.h"
 #include "io/scene_file.h"
 #include "support/catch.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

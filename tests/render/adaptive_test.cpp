@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "support/catch.h"
 
 using namespace raywalk;

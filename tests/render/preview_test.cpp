@@ -1,6 +1,6 @@
 #include "render/preview.h"
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "render/render.h"
 #include "render/scenes.h"
 

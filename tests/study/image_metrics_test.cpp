@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/srgb.h"
+#include "image/srgb.h"
 #include "study/flip.h"
 #include "support/catch.h"
 

@@ -3,11 +3,11 @@
 
 #include <filesystem>
 
-#include "io/file.h"
-#include "io/temporary_folder.h"
 #include "study/curve.h"
 #include "support/catch.h"
 #include "support/effort.h"
+#include "support/temporary_folder.h"
+#include "text/file.h"
 
 using namespace raywalk;
 using namespace raywalk::study;

@@ -1,7 +1,7 @@
 // The languages that ship, as the program reads them.
 #pragma once
 
-#include "io/languages.h"
+#include "text/languages.h"
 
 #include <string>
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/palette.h"
+#include "image/palette.h"
 #include "support/catch.h"
 
 namespace raywalk::test {

@@ -214,8 +214,8 @@ TEST_CASE("a texture lies on the surface in its own units, smooth between the mi
   Scene scene;
   Material material = black();
   material.ambient = Rgbd(1.0);
-  const auto pixels = std::make_shared<TexturePixels>(
-      TexturePixels{2, 2, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}});  // red, green over blue, white
+  const auto pixels = std::make_shared<Image>(
+      Image{2, 2, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}});  // red, green over blue, white
   material.texture = ImageTexture{"four.png", 2, 4, pixels};
   scene.objects = {object("Wall", Plane<double>{{0, 0, 0}, {0, 0, 1}}, material)};
   const auto at = [&](double u, double v) { return shade_along(scene, {u, v, 3}, {u, v, 0}); };

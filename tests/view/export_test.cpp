@@ -2,10 +2,10 @@
 #include "view/export.h"
 
 #include "fixtures.h"
-#include "io/file.h"
-#include "io/markup.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "text/file.h"
+#include "text/markup.h"
 #include "view/lesson_script.h"
 #include "view/slides.h"
 #include "view/text.h"

@@ -1,6 +1,6 @@
 // What the open scene is made of is not written over, and is found again from wherever the scene is kept.
 #include "fixtures.h"
-#include "io/file.h"
+#include "text/file.h"
 
 #include "support/catch.h"
 

@@ -1,5 +1,5 @@
 #include "fixtures.h"
-#include "io/file.h"
+#include "text/file.h"
 #include "view/panels.h"
 #include "view/text.h"
 

@@ -2,8 +2,8 @@
 #include "view/predict.h"
 
 #include "fixtures.h"
-#include "io/file.h"
 #include "support/catch.h"
+#include "text/file.h"
 #include "view/lesson_panel.h"
 #include "view/panels.h"
 

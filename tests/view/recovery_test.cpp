@@ -1,6 +1,6 @@
 // What is found at the start of work that was lost.
 #include "fixtures.h"
-#include "io/file.h"
+#include "text/file.h"
 #include "view/panels.h"
 #include "view/text.h"
 

@@ -2,7 +2,7 @@
 #include "view/slides.h"
 
 #include "fixtures.h"
-#include "io/markup.h"
+#include "text/markup.h"
 #include "timeline/recorder.h"
 #include "view/equation.h"
 #include "view/panels.h"

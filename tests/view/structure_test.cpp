@@ -5,9 +5,9 @@
 #include <set>
 
 #include "fixtures.h"
+#include "inspect/search_walk.h"
 #include "support/catch.h"
 #include "support/languages.h"
-#include "timeline/search_walk.h"
 #include "view/lines_view.h"
 #include "view/text.h"
 

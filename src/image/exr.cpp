@@ -1,0 +1,174 @@
+// OpenEXR, by the format's own library (C. Everitt, F. Kainz et al., Industrial Light & Magic 2002; now the Academy
+// Software Foundation). Its exceptions are caught here.
+#include "image/image_file.h"
+
+#ifdef RAYWALK_EXR
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfTileDescription.h>
+#include <OpenEXR/ImfVersion.h>
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#endif
+
+namespace raywalk {
+
+#ifdef RAYWALK_EXR
+
+namespace {
+
+class StringOut : public Imf::OStream {
+ public:
+  explicit StringOut(std::string& bytes) : OStream("memory"), bytes_(bytes) {}
+  void write(const char* data, int size) override {
+    // The line offset table is overwritten at the end.
+    const auto count = static_cast<std::size_t>(size);
+    if (at_ + count > bytes_.size()) bytes_.resize(at_ + count);
+    std::memcpy(bytes_.data() + at_, data, count);
+    at_ += count;
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t position) override { at_ = static_cast<std::size_t>(position); }
+
+ private:
+  std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+class StringIn : public Imf::IStream {
+ public:
+  explicit StringIn(std::string_view bytes) : IStream("memory"), bytes_(bytes) {}
+  bool read(char* to, int size) override {
+    const auto count = static_cast<std::size_t>(size);
+    if (count > bytes_.size() || at_ > bytes_.size() - count) throw std::runtime_error("the file ends too early");
+    std::memcpy(to, bytes_.data() + at_, count);
+    at_ += count;
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override {
+    at_ = static_cast<std::size_t>(std::min<std::uint64_t>(position, bytes_.size()));
+  }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+/// The memory layout of the channels in `window`. The library takes no const.
+Imf::FrameBuffer plane_axes(const Image& image, const Imath::Box2i& window) {
+  static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
+  constexpr std::size_t pixel = sizeof(Rgb<float>);
+  const char* base = reinterpret_cast<const char*>(image.pixels.data());
+  const std::size_t row = pixel * static_cast<std::size_t>(image.width);
+  Imf::FrameBuffer frame;
+  frame.insert("R", Imf::Slice::Make(Imf::FLOAT, base, window, pixel, row));
+  frame.insert("G", Imf::Slice::Make(Imf::FLOAT, base + sizeof(float), window, pixel, row));
+  frame.insert("B", Imf::Slice::Make(Imf::FLOAT, base + 2 * sizeof(float), window, pixel, row));
+  return frame;
+}
+
+/// The header alone, which the library reads without allocating the image.
+Imf::Header header_of(std::string_view bytes) {
+  StringIn stream(bytes);
+  char magic[4];
+  unsigned char flags[4];
+  stream.read(magic, 4);
+  stream.read(reinterpret_cast<char*>(flags), 4);
+  int version = flags[0] | flags[1] << 8 | flags[2] << 16;
+  if (Imf::isMultiPart(version)) throw std::runtime_error("it has several parts (expected one picture)");
+  Imf::Header header;
+  header.readFrom(stream, version);
+  return header;
+}
+
+/// Whether a file of this many bytes can hold the image of this header, and the rows that the library unpacks at once
+/// fit into memory. It allocates them before reading, so that a few bytes could demand all memory.
+bool can_hold(std::size_t bytes, const Imf::Header& header) {
+  const auto size = static_cast<std::int64_t>(bytes);
+  const auto window = header.dataWindow();
+  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+  const std::int64_t max_pixels = std::min(std::int64_t{1} << 28, 4096 * size);  // no compression is tighter
+  if (width < 1 || height < 1 || width > max_pixels / height) return false;
+  if (height > 32 * size) return false;  // each 256 rows, or fewer, have 8 bytes in the offset table
+  std::int64_t pixel = 0;                // bytes
+  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) pixel += 4;
+  constexpr std::int64_t max_row_bytes = 1 << 22, max_tile_bytes = 1 << 28;  // bytes
+  if (width * pixel > max_row_bytes) return false;
+  if (!header.hasTileDescription()) return true;
+  const Imf::TileDescription& tile = header.tileDescription();
+  return tile.xSize > 0 && tile.ySize > 0 && tile.xSize <= max_row_bytes && tile.ySize <= max_row_bytes &&
+         std::int64_t{tile.xSize} * tile.ySize * pixel <= max_tile_bytes;
+}
+
+}  // namespace
+
+bool has_exr() { return true; }
+
+Result<std::string> encode_exr(const Image& image) {
+  std::string bytes;
+  try {
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    StringOut stream(bytes);
+    {
+      Imf::OutputFile file(stream, header, 0);
+      file.setFrameBuffer(plane_axes(image, header.dataWindow()));
+      file.writePixels(image.height);
+    }  // the line offset table is written on closing
+  } catch (const std::exception& error) {
+    return tl::unexpected(Error{"", 0, 0, std::string("the OpenEXR picture cannot be made: ") + error.what(),
+                                "choose another size, or write a .pfm"});
+  }
+  return bytes;
+}
+
+Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
+  try {
+    if (!can_hold(bytes.size(), header_of(bytes)))
+      return tl::unexpected(Error{file_name, 0, 0,
+                                  "the size of the picture is wrong (expected at most 2^28 pixels, 4 MiB a row, and a "
+                                  "file that can hold them)",
+                                  "is this the right file?"});
+    StringIn stream(bytes);
+    Imf::InputFile file(stream, 0);
+    const auto window = file.header().dataWindow();
+    const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+    Image image{width, height, {}};
+    image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    file.setFrameBuffer(plane_axes(image, window));
+    file.readPixels(window.min.y, window.max.y);
+    return image;
+  } catch (const std::exception& error) {
+    return tl::unexpected(Error{file_name, 0, 0,
+                                std::string("this is no OpenEXR picture that can be read: ") + error.what(),
+                                "is this the right file, and is it whole?"});
+  }
+}
+
+#else
+
+namespace {
+Error without_library(const std::string& file) {
+  return {file, 0, 0, "this build of Raywalk knows no OpenEXR", "install libopenexr-dev and build again"};
+}
+}  // namespace
+
+bool has_exr() { return false; }
+Result<std::string> encode_exr(const Image& /*image*/) { return tl::unexpected(without_library("")); }
+Result<Image> decode_exr(std::string_view /*bytes*/, const std::string& file_name) {
+  return tl::unexpected(without_library(file_name));
+}
+
+#endif
+
+}  // namespace raywalk

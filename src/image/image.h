@@ -1,0 +1,31 @@
+#pragma once
+
+#include "math/vec.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace raywalk {
+
+/// In pixels; by default, of a scene that states none.
+struct ImageSize {
+  int width = 441, height = 331;
+  friend bool operator==(const ImageSize&, const ImageSize&) = default;
+};
+
+/// A picture in linear RGB. Row 0 is the top one; rows follow each other without gaps.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<Rgb<float>> pixels;  ///< width * height of them
+  friend bool operator==(const Image&, const Image&) = default;
+
+  [[nodiscard]] const Rgb<float>& at(int column, int row) const { return pixels[index(column, row)]; }
+  [[nodiscard]] Rgb<float>& at(int column, int row) { return pixels[index(column, row)]; }
+
+ private:
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  }
+};
+
+}  // namespace raywalk

@@ -1,0 +1,201 @@
+#include "image/image_file.h"
+
+#include "image/srgb.h"
+#include "text/file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include <png.h>
+
+namespace raywalk {
+
+namespace {
+
+bool has_nan(const Rgb<float>& c) { return std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z); }
+
+std::uint32_t swap_bytes(std::uint32_t x) { return x << 24 | (x & 0xff00) << 8 | (x >> 8 & 0xff00) | x >> 24; }
+
+Result<Image> bad_pfm(const std::string& file, const std::string& what) {
+  return tl::unexpected(
+      Error{file, 0, 0, what, "a colour PFM starts with PF, the width and height, and -1.0, then 12 bytes a pixel"});
+}
+
+/// The next word of a PFM's header; also skips the single blank after it.
+std::string_view next_word(std::string_view& bytes) {
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return {};
+  const std::size_t end = std::min(bytes.find_first_of(" \t\r\n", begin), bytes.size());
+  const std::string_view word = bytes.substr(begin, end - begin);
+  bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  return word;
+}
+
+}  // namespace
+
+Result<ImageFormat> image_format_of(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::size_t dot = path.find_last_of('.');
+  const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash);
+  std::string ending = has_ending ? path.substr(dot) : "";
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".png") return ImageFormat::png;
+  if (ending == ".pfm") return ImageFormat::pfm;
+  if (ending == ".exr") {
+    if (has_exr()) return ImageFormat::exr;
+    return tl::unexpected(
+        Error{path, 0, 0, "this build of Raywalk cannot write OpenEXR (expected .png or .pfm)",
+              "install libopenexr-dev and build again, or write a .pfm, which holds the same numbers"});
+  }
+  return tl::unexpected(
+      Error{path, 0, 0,
+            (ending.empty() ? std::string("the file name has no ending")
+                            : "\"" + ending + "\" is no image format that can be written") +
+                " (expected .png, .pfm or .exr)",
+            "name it .png for a picture to look at, .pfm or .exr for linear numbers to compute with"});
+}
+
+std::size_t count_nan_pixels(const Image& image) {
+  return static_cast<std::size_t>(std::count_if(image.pixels.begin(), image.pixels.end(), has_nan));
+}
+
+std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.pixels.size() * 3);
+  for (const Rgb<float>& pixel : image.pixels) {
+    const Rgb<float> c = has_nan(pixel) ? Rgb<float>(1, 0, 1) : pixel;
+    for (const float channel : {c.x, c.y, c.z}) bytes.push_back(to_byte(channel, encoding));
+  }
+  return bytes;
+}
+
+Result<std::string> encode_png(const Image& image, Encoding encoding) {
+  constexpr std::size_t max_pixels = std::size_t{1} << 28;
+  if (image.pixels.empty() || image.pixels.size() > max_pixels)
+    return tl::unexpected(Error{"", 0, 0,
+                                "a PNG of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                                    " pixels cannot be made (expected 1 to " + std::to_string(max_pixels) + " pixels)",
+                                "choose another size"});
+  const std::vector<std::uint8_t> bytes = bytes_of(image, encoding);
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width), header.height = static_cast<png_uint_32>(image.height);
+  header.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string png(size, '\0');
+  if (png_image_write_to_memory(&header, png.data(), &size, 0, bytes.data(), 0, nullptr) == 0)
+    return tl::unexpected(
+        Error{"", 0, 0, std::string("the PNG cannot be made: ") + header.message, "choose a smaller size"});
+  png.resize(size);
+  return png;
+}
+
+std::string encode_pfm(const Image& image) {
+  std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
+  bytes.reserve(bytes.size() + image.pixels.size() * 12);
+  for (int row = image.height - 1; row >= 0; --row) {
+    for (int column = 0; column < image.width; ++column) {
+      const Rgb<float>& pixel = image.at(column, row);
+      for (const float channel : {pixel.x, pixel.y, pixel.z}) {
+        auto bits = std::bit_cast<std::uint32_t>(channel);
+        if constexpr (std::endian::native == std::endian::big) bits = swap_bytes(bits);
+        std::array<char, 4> four{};
+        std::memcpy(four.data(), &bits, 4);
+        bytes.append(four.data(), 4);
+      }
+    }
+  }
+  return bytes;
+}
+
+Result<ImageWritten> write_image(const std::string& path, const Image& image, Encoding encoding) {
+  const auto format = image_format_of(path);
+  if (!format) return tl::unexpected(format.error());
+  std::string bytes;
+  switch (*format) {
+    case ImageFormat::png: {
+      auto png = encode_png(image, encoding);
+      if (!png) {
+        png.error().file = path;
+        return tl::unexpected(png.error());
+      }
+      bytes = std::move(*png);
+      break;
+    }
+    case ImageFormat::pfm:
+      bytes = encode_pfm(image);
+      break;
+    case ImageFormat::exr: {
+      auto exr = encode_exr(image);
+      if (!exr) {
+        exr.error().file = path;
+        return tl::unexpected(exr.error());
+      }
+      bytes = std::move(*exr);
+      break;
+    }
+  }
+  if (const auto written = write_file_atomically(path, bytes); !written) return tl::unexpected(written.error());
+  return ImageWritten{count_nan_pixels(image)};
+}
+
+Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name) {
+  if (next_word(bytes) != "PF") return bad_pfm(file_name, "this is no colour PFM (expected it to start with \"PF\")");
+  const auto whole = [](std::string_view word) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return error == std::errc() && end == word.data() + word.size() ? number : 0;
+  };
+  const int width = whole(next_word(bytes)), height = whole(next_word(bytes));
+  if (width < 1 || height < 1) return bad_pfm(file_name, "the size is wrong (expected two whole numbers above 0)");
+  const std::string_view scale = next_word(bytes);
+  if (scale.empty()) return bad_pfm(file_name, "the file ends too early (expected the byte order, such as -1.0)");
+  const bool little = scale.front() == '-';
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (bytes.size() % 12 != 0 || bytes.size() / 12 != pixels)
+    return bad_pfm(file_name, "there are " + std::to_string(bytes.size()) +
+                                  " bytes of pixels (expected 12 for each of " + std::to_string(pixels) + " pixels)");
+  Image image{width, height, std::vector<Rgb<float>>(pixels)};
+  for (int row = height - 1; row >= 0; --row) {
+    for (int column = 0; column < width; ++column) {
+      for (int channel = 0; channel < 3; ++channel) {
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, bytes.data(), 4);
+        bytes.remove_prefix(4);
+        if (little != (std::endian::native == std::endian::little)) bits = swap_bytes(bits);
+        image.at(column, row)[channel] = std::bit_cast<float>(bits);
+      }
+    }
+  }
+  return image;
+}
+
+Result<Image> read_pfm(const std::string& path) {
+  const auto bytes = read_file(path, std::size_t{1} << 30);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return decode_pfm(*bytes, path);
+}
+
+Result<Image> read_image(const std::string& path) {
+  constexpr std::size_t max_bytes = std::size_t{1} << 30;
+  const auto bytes = read_file(path, max_bytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const std::string_view content = *bytes;
+  if (content.starts_with("PF")) return decode_pfm(content, path);
+  if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(content, path);
+  if (!content.starts_with("\x89PNG\r\n\x1a\n"))
+    return tl::unexpected(Error{path, 0, 0, "this is no picture that can be read (expected a PNG, PFM or EXR)",
+                                "raywalk render writes all three"});
+  auto image = decode_png_or_jpeg(content, path);
+  if (!image) image.error().hint = "is the file whole?";
+  return image;
+}
+
+}  // namespace raywalk

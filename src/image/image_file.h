@@ -1,0 +1,57 @@
+#pragma once
+
+#include "image/image.h"
+#include "image/srgb.h"
+#include "text/error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+enum class ImageFormat { png, pfm, exr };
+
+/// Whether this build can write and read OpenEXR files.
+[[nodiscard]] bool has_exr();
+
+/// The format that the extension of `path` names, in either case. To be checked before a long render, not after.
+[[nodiscard]] Result<ImageFormat> image_format_of(const std::string& path);
+
+/// The number of pixels with a NaN channel: each is a defect of the tracer or the scene.
+[[nodiscard]] std::size_t count_nan_pixels(const Image& image);
+
+/// 8 bits per channel. NaN pixels are painted full magenta, so that they stand out. Three bytes per pixel, row by row
+/// from the top; magenta for NaN.
+[[nodiscard]] std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding);
+[[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb);
+/// Portable float map: linear, bottom row first, little-endian; NaN is preserved.
+[[nodiscard]] std::string encode_pfm(const Image& image);
+
+/// OpenEXR: linear, 32-bit floats, packed without loss. Fails in a build without the library.
+[[nodiscard]] Result<std::string> encode_exr(const Image& image);
+
+struct ImageWritten {
+  std::size_t nan_pixels = 0;  ///< to be reported: they are in the image (magenta in a PNG)
+};
+
+/// Writes the format that the extension names, all or nothing. The encoding applies to 8-bit formats.
+[[nodiscard]] Result<ImageWritten> write_image(const std::string& path, const Image& image,
+                                               Encoding encoding = Encoding::srgb);
+
+/// Reads a colour PFM of either byte order.
+[[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);
+[[nodiscard]] Result<Image> read_pfm(const std::string& path);
+
+/// Reads the red, green and blue of an OpenEXR file; a missing channel is black.
+[[nodiscard]] Result<Image> decode_exr(std::string_view bytes, const std::string& file_name);
+
+/// Reads an 8-bit PNG or JPEG, from sRGB to linear light. `file_name` is for messages only.
+[[nodiscard]] Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file_name);
+
+/// Reads a PNG (8 bits a channel, from sRGB to linear light), a PFM or an OpenEXR picture, detected by its first bytes.
+[[nodiscard]] Result<Image> read_image(const std::string& path);
+
+}  // namespace raywalk

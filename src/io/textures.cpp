@@ -1,0 +1,89 @@
+#include "io/textures.h"
+
+#include "image/image_file.h"
+#include "io/mesh_file.h"
+#include "text/file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace raywalk {
+
+namespace {
+
+constexpr std::size_t max_bytes = std::size_t{256} << 20;
+
+/// Loads the pixels of textures; each file is decoded once, whatever its names.
+class Loader {
+ public:
+  explicit Loader(std::string folder) : folder_(std::move(folder)) {}
+
+  Result<void> load(std::vector<Object>& objects) {
+    for (Object& object : objects) {
+      if (object.material.texture) {
+        const auto pixels = pixels_of(object);
+        if (!pixels) return tl::unexpected(pixels.error());
+        object.material.texture->pixels = *pixels;
+      }
+      if (auto* instance = std::get_if<Instance>(&object.shape); instance && instance->content) {
+        const auto content = loaded(instance->content);
+        if (!content) return tl::unexpected(content.error());
+        instance->content = *content;
+      }
+    }
+    return {};
+  }
+
+ private:
+  using Pixels = std::shared_ptr<const Image>;
+  using Content = std::shared_ptr<const GroupContent>;
+
+  Result<Pixels> pixels_of(const Object& object) {
+    const std::string path = (std::filesystem::path(folder_) / object.material.texture->file).string();
+    Pixels& pixels = pixels_[detail::one_name(path)];
+    if (pixels) return pixels;
+    const auto bytes = read_file(path, max_bytes);
+    auto decoded = bytes ? decode_png_or_jpeg(*bytes, path) : tl::unexpected(bytes.error());
+    if (!decoded) {
+      Error error = decoded.error();
+      error.hint =
+          fmt::format("it is the texture of \"{}\", looked for from the scene's folder; {}", object.name, error.hint);
+      return tl::unexpected(error);
+    }
+    return pixels = std::make_shared<const Image>(std::move(*decoded));
+  }
+
+  /// A group's shared content, with its textures loaded; unchanged if it has none.
+  Result<Content> loaded(const Content& content) {
+    if (const auto known = contents_.find(content); known != contents_.end()) return known->second;
+    Group group = content->group;
+    if (const auto inside = load(group.objects); !inside) return tl::unexpected(inside.error());
+    const auto differs = [](const Object& now, const Object& before) {
+      const auto* instance = std::get_if<Instance>(&now.shape);
+      return now.material.texture || (instance && instance->content != std::get<Instance>(before.shape).content);
+    };
+    bool same = true;
+    for (std::size_t i = 0; i < group.objects.size(); ++i)
+      same = same && !differs(group.objects[i], content->group.objects[i]);
+    return contents_[content] = same ? content : std::make_shared<const GroupContent>(std::move(group));
+  }
+
+  std::string folder_;
+  std::map<std::string, Pixels> pixels_;  ///< by file
+  std::map<Content, Content> contents_;
+};
+
+}  // namespace
+
+Result<void> load_textures(Scene& scene, const std::string& folder) {
+  Loader loader(folder);
+  for (Group& group : scene.groups)
+    if (const auto loaded = loader.load(group.objects); !loaded) return loaded;
+  return loader.load(scene.objects);
+}
+
+}  // namespace raywalk

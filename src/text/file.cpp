@@ -1,0 +1,284 @@
+#include "text/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] bool is_open() const { return number_ >= 0; }
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+Error cannot(const char* what, const std::string& path, int error_number, std::string hint) {
+  return {path, 0, 0, std::string("cannot ") + what + ": " + system_message(error_number), std::move(hint)};
+}
+
+std::string hint_for_writing(int error_number, bool replaces) {
+  const std::string whole = replaces ? "; the old file is unchanged" : "";
+  switch (error_number) {
+    case ENOSPC:
+    case EDQUOT:
+      return "make room on the disk or write elsewhere" + whole;
+    case EFBIG:
+      return "the file would be larger than this system allows; write something smaller" + whole;
+    case ENOENT:  // the folder exists, as in /proc
+      return "no file can be made in this folder; choose another";
+    case ENOTDIR:
+    case EEXIST:
+      return "a file stands where the path has a folder; check the path";
+    case EACCES:
+    case EPERM:
+      return "choose a folder that you may write to" + whole;
+    case EROFS:
+      return "this disk is read-only; choose another" + whole;
+    case ENAMETOOLONG:
+      return "choose a shorter name";
+    case ELOOP:
+      return "its symbolic links lead in a circle";
+    default:
+      return "check the path, or write elsewhere" + whole;
+  }
+}
+
+std::string hint_for_reading(const std::string& path, int error_number) {
+  std::error_code failed;
+  switch (error_number) {
+    case ENOENT:
+      if (std::filesystem::is_symlink(path, failed)) return "it is a symbolic link to a file that does not exist";
+      return path == "-" ? "nothing is read from standard input; put it into a file"
+                         : "there is no such file; check the path";
+    case ENOTDIR:
+      return "a file stands where the path has a folder; check the path";
+    case ELOOP:
+      return "its symbolic links lead in a circle";
+    case ENAMETOOLONG:
+      return "no file has so long a name; check the path";
+    case EACCES:
+    case EPERM:
+      return "check the permissions of the file and of its folders";
+    default:
+      return "check the disk that it lies on";
+  }
+}
+
+/// The kind of what is not a regular file; "" for a file.
+std::string_view what_else(mode_t mode) {
+  if (S_ISREG(mode)) return "";
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  return S_ISSOCK(mode) ? "a socket" : "a device";
+}
+
+/// Whether a path names a file that this process has open, such as the one that standard output goes to: it is appended
+/// to, not replaced.
+bool is_already_open(std::string_view path) {
+  return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
+         path.starts_with("/proc/self/fd/");
+}
+
+Result<void> check_folder(const std::string& path, const std::filesystem::path& folder) {
+  struct stat status{};
+  const int error = ::stat(folder.c_str(), &status) == 0 ? 0 : errno;
+  if (error == 0 && S_ISDIR(status.st_mode)) return {};
+  if (error == 0) return tl::unexpected(cannot("write", path, ENOTDIR, hint_for_writing(ENOTDIR, false)));
+  if (error == ENOENT)
+    return tl::unexpected(Error{path, 0, 0, "cannot write: there is no folder " + folder.string(),
+                                "make the folder first, or check the path"});
+  return tl::unexpected(cannot("write", path, error, hint_for_writing(error, false)));
+}
+
+/// 0, or the errno of what failed.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return errno;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+}  // namespace
+
+namespace detail {
+
+Result<std::filesystem::path> follow_links(const std::string& path) {
+  namespace fs = std::filesystem;
+  fs::path target = path;
+  constexpr int max_links = 40;  // as Linux itself
+  for (int i = 0; i < max_links; ++i) {
+    std::error_code error;
+    if (fs::symlink_status(target, error).type() != fs::file_type::symlink) return target;
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) return tl::unexpected(cannot("follow the link", path, error.value(), "check where the link points"));
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return tl::unexpected(cannot("follow the link", path, ELOOP, "the symbolic links lead in a circle"));
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace detail
+
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
+  if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot read: the file name is empty", "give a file name"});
+  // Checked before opening: opening a pipe waits for its writer, and opening a device may have effects.
+  struct stat status{};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (const std::string_view what = exists ? what_else(status.st_mode) : ""; !what.empty())
+    return tl::unexpected(
+        Error{path, 0, 0, "this is " + std::string(what) + " (expected a file)",
+              S_ISDIR(status.st_mode) ? "name a file inside it" : "put what it holds into a file first"});
+  // If a pipe has taken its place meanwhile, opening does not block either.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!file.is_open()) return tl::unexpected(cannot("read", path, errno, hint_for_reading(path, errno)));
+  std::string bytes;
+  constexpr std::size_t chunk = std::size_t{1} << 16;
+  for (;;) {
+    const std::size_t have = bytes.size();
+    bytes.resize(have + chunk);
+    ssize_t got = ::read(file.number(), bytes.data() + have, chunk);
+    while (got < 0 && errno == EINTR) got = ::read(file.number(), bytes.data() + have, chunk);
+    if (got < 0) return tl::unexpected(cannot("read", path, errno, hint_for_reading(path, errno)));
+    bytes.resize(have + static_cast<std::size_t>(got));
+    if (got == 0) {
+      detail::note_read(path);
+      return bytes;
+    }
+    if (bytes.size() > max_bytes)
+      return tl::unexpected(
+          Error{path, 0, 0, "the file is too large (expected at most " + std::to_string(max_bytes >> 20) + " MiB)",
+                "is this the right file?"});
+  }
+}
+
+FileWriter::~FileWriter() {
+  if (direct_ >= 0) ::close(direct_);
+}
+
+tl::unexpected<Error> FileWriter::give_up(int error_number) {
+  if (direct_ >= 0) ::close(direct_);
+  direct_ = -1;
+  new_file_.discard();
+  return tl::unexpected(cannot("write", path_, error_number, hint_for_writing(error_number, exists_ && is_regular_)));
+}
+
+Result<void> FileWriter::find_target(const std::string& path) {
+  path_ = path;
+  if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot write: the file name is empty", "give a file name"});
+  struct stat old{};
+  exists_ = ::stat(path.c_str(), &old) == 0;
+  if (!exists_ && errno != ENOENT && errno != ENOTDIR) return give_up(errno);
+  is_regular_ = !exists_ || (S_ISREG(old.st_mode) && !is_already_open(path));
+  target_ = path;
+  // The links of what is open already may lead to no path at all, as a pipe's.
+  if (is_regular_) {
+    const auto target = detail::follow_links(path);
+    if (!target) return tl::unexpected(target.error());
+    target_ = target->string();
+  }
+  if (exists_ && S_ISDIR(old.st_mode))
+    return tl::unexpected(
+        Error{path, 0, 0, "cannot write: this is a folder (expected a file name)", "add a file name to the path"});
+  if (exists_ && ::access(target_.c_str(), W_OK) != 0)
+    return tl::unexpected(cannot(
+        "write", path, errno,
+        errno == EROFS ? hint_for_writing(errno, is_regular_) : "the file is write-protected; choose another name"));
+  if (!exists_)
+    if (auto there = check_folder(path, detail::folder_of(target_)); !there) return there;
+  old_mode_ = old.st_mode & 07777;
+  old_user_ = old.st_uid;
+  old_group_ = old.st_gid;
+  return {};
+}
+
+Result<void> FileWriter::open(const std::string& path) {
+  if (auto noted = detail::note_written(path); !noted) return noted;
+  if (auto found = find_target(path); !found) return found;
+  if (is_regular_) {
+    if (const int error = new_file_.open(detail::folder_of(target_))) return give_up(error);
+  } else {
+    direct_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (direct_ < 0) return give_up(errno);
+  }
+  return {};
+}
+
+Result<void> FileWriter::write(std::string_view bytes) {
+  if (const int error = write_all(is_regular_ ? new_file_.descriptor() : direct_, bytes)) return give_up(error);
+  return {};
+}
+
+Result<void> FileWriter::commit() {
+  if (!is_regular_) {
+    const int descriptor = std::exchange(direct_, -1);
+    if (::close(descriptor) != 0) return give_up(errno);
+    return {};
+  }
+  const int descriptor = new_file_.descriptor();
+  if (exists_) {
+    // The owner first: changing it clears the set-user-ID bits. Only the superuser may, so failure is no error.
+    if (::fchown(descriptor, old_user_, old_group_) != 0) errno = 0;
+    if (::fchmod(descriptor, old_mode_) != 0) return give_up(errno);
+  }
+  // Without this, a system crash soon after could leave an empty file of this name.
+  if (::fsync(descriptor) != 0 && errno != EINVAL) return give_up(errno);
+  if (const int error = new_file_.take_name(target_)) return give_up(error);
+  const Descriptor folder(::open(detail::folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) ::fsync(folder.number());
+  return {};
+}
+
+Result<void> claim_output(const std::string& path, OutputUse use) {
+  FileWriter attempt;
+  if (auto found = attempt.find_target(path); !found) return found;
+  if (attempt.is_regular_)
+    if (const int error = attempt.new_file_.open(detail::folder_of(attempt.target_))) return attempt.give_up(error);
+  return detail::note_claim(path, use);
+}
+
+Result<void> make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (!failed) return {};
+  return tl::unexpected(cannot("make this folder", path, failed.value(), hint_for_writing(failed.value(), false)));
+}
+
+Result<bool> make_new_file(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.is_open()) return true;
+  if (errno == EEXIST) return false;
+  return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, false)));
+}
+
+Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {
+  FileWriter file;
+  if (const auto opened = file.open(path); !opened) return opened;
+  if (const auto written = file.write(bytes); !written) return written;
+  return file.commit();
+}
+
+}  // namespace raywalk

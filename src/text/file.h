@@ -1,0 +1,67 @@
+#pragma once
+
+#include "text/error.h"
+#include "text/file_ledger.h"
+#include "text/temporary_file.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace raywalk {
+
+/// The bytes of a file. Refuses more than `max_bytes`, and whatever is not a regular file: a pipe could block the
+/// program indefinitely.
+[[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
+
+/// Writes a file piece by piece, all or nothing: into a new file beside it, which takes its name only when `commit` is
+/// called. The rules are those of write_file_atomically.
+class FileWriter {
+ public:
+  FileWriter() = default;
+  ~FileWriter();  ///< without a commit: as if nothing had been written (other than to a special file)
+  FileWriter(const FileWriter&) = delete;
+  FileWriter& operator=(const FileWriter&) = delete;
+
+  [[nodiscard]] Result<void> open(const std::string& path);
+  [[nodiscard]] Result<void> write(std::string_view bytes);
+  [[nodiscard]] Result<void> commit();
+
+ private:
+  friend Result<void> claim_output(const std::string&, OutputUse);
+  [[nodiscard]] tl::unexpected<Error> give_up(int error_number);
+  /// Finds where to write, and whether that is possible; special files are not touched.
+  [[nodiscard]] Result<void> find_target(const std::string& path);
+
+  std::string path_, target_;  ///< as the user named it; after all links
+  TemporaryFile new_file_;     ///< not open when written directly
+  int direct_ = -1;            ///< the descriptor of a special file
+  bool exists_ = false, is_regular_ = true;
+  unsigned old_mode_ = 0, old_user_ = 0, old_group_ = 0;
+};
+
+/// Announces, before hours of work, that a file will be written; fails if it may not (io/file_ledger.h) or could not
+/// be. What shows only when writing, such as a full disk, is not detected. Nothing is touched.
+[[nodiscard]] Result<void> claim_output(const std::string& path, OutputUse use = OutputUse::once);
+
+/// Creates a folder and its parents if necessary.
+[[nodiscard]] Result<void> make_folder(const std::string& path);
+
+/// Creates an empty file; false if one of this name exists.
+[[nodiscard]] Result<bool> make_new_file(const std::string& path);
+
+/// Writes `bytes` as the file `path`, all or nothing: into a new file beside it, which then takes its name. Whatever
+/// fails or kills the program, the old file stays whole. A symbolic link keeps pointing at its file, which is what is
+/// replaced; permissions (and the owner, where allowed) are kept. Special files (/dev/stdout, a pipe) are written
+/// directly. A file that is write-protected is not replaced.
+[[nodiscard]] Result<void> write_file_atomically(const std::string& path, std::string_view bytes);
+
+namespace detail {
+/// The file that `path` leads to through all symbolic links, even if that file does not exist yet.
+[[nodiscard]] Result<std::filesystem::path> follow_links(const std::string& path);
+/// The folder of the file of this name.
+[[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
+}  // namespace detail
+
+}  // namespace raywalk

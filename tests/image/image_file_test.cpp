@@ -1,0 +1,212 @@
+#include "image/image_file.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "image/srgb.h"
+#include "support/catch.h"
+#include "support/temporary_folder.h"
+
+// An independent decoder.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#include <stb_image.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+constexpr float nan_float = std::numeric_limits<float>::quiet_NaN();
+constexpr float inf_float = std::numeric_limits<float>::infinity();
+
+Image two_by_three() {
+  return {2, 3, {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0.5F, 0.25F, 0.125F}, {-1, 2, inf_float}}};
+}
+
+std::vector<int> decoded(const std::string& png, int& width, int& height) {
+  int channels = 0;
+  unsigned char* bytes = stbi_load_from_memory(reinterpret_cast<const unsigned char*>(png.data()),
+                                               static_cast<int>(png.size()), &width, &height, &channels, 0);
+  REQUIRE(bytes != nullptr);
+  REQUIRE(channels == 3);
+  std::vector<int> result(bytes, bytes + 3 * width * height);
+  stbi_image_free(bytes);
+  return result;
+}
+
+/// CRC-32 of a PNG chunk, bit by bit (ISO 3309).
+std::uint32_t crc(std::string_view bytes) {
+  std::uint32_t c = 0xffffffff;
+  for (const char byte : bytes) {
+    c ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xedb88320 ^ (c >> 1) : c >> 1;
+  }
+  return ~c;
+}
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+}  // namespace
+
+TEST_CASE("sRGB: the two pieces, their joint and the ends") {
+  // Values of IEC 61966-2-1: 12.92 x below 0.0031308, the power above.
+  CHECK(srgb_encode(0) == 0);
+  CHECK(srgb_encode(1) == Approx(1).epsilon(1e-15));
+  CHECK(srgb_encode(0.002) == 12.92 * 0.002);
+  CHECK(srgb_encode(0.5) == Approx(0.7353569830524495).epsilon(1e-14));
+  CHECK(srgb_encode(0.18) == Approx(0.46135612950044164).epsilon(1e-14));
+  CHECK(srgb_encode(0.0031308) == Approx(srgb_encode(0.00313081)).epsilon(1e-4));
+  for (int i = 0; i <= 100; ++i) CHECK(srgb_decode(srgb_encode(i / 100.0)) == Approx(i / 100.0).margin(1e-7));
+}
+
+TEST_CASE("bytes: clamped, encoded and rounded") {
+  CHECK(to_srgb8(0) == 0);
+  CHECK(to_srgb8(-0.0F) == 0);
+  CHECK(to_srgb8(-5) == 0);
+  CHECK(to_srgb8(1) == 255);
+  CHECK(to_srgb8(3) == 255);
+  CHECK(to_srgb8(inf_float) == 255);
+  CHECK(to_srgb8(-inf_float) == 0);
+  CHECK(to_srgb8(0.5F) == 188);
+  CHECK(to_srgb8(0.18F) == 118);
+  CHECK(to_srgb8(0.25F) == 137);
+  CHECK(to_srgb8(0.125F) == 99);
+  CHECK(to_srgb8(0.0001F) == 0);
+  CHECK(to_srgb8(0.0002F) == 1);
+}
+
+TEST_CASE("the table of bytes is the formula, to the last float") {
+  const auto formula = [](float linear) { return static_cast<int>(std::lround(255 * srgb_encode(linear))); };
+  for (int byte = 1; byte <= 255; ++byte) {
+    // The floats around each step: the middle between two signals, decoded.
+    const auto step = static_cast<float>(srgb_decode((byte - 0.5) / 255));
+    float x = step;
+    for (int i = 0; i < 8; ++i) x = std::nextafter(x, 0.0F);
+    for (int i = 0; i < 16; ++i, x = std::nextafter(x, 1.0F)) {
+      CAPTURE(byte, x);
+      REQUIRE(to_srgb8(x) == formula(x));
+    }
+    REQUIRE(to_srgb8(static_cast<float>(srgb_decode(byte / 255.0))) == byte);
+  }
+}
+
+TEST_CASE("a PNG holds the picture, right side up, in 8 bits of sRGB") {
+  const auto png = encode_png(two_by_three());
+  REQUIRE(png);
+  int width = 0, height = 0;
+  const std::vector<int> bytes = decoded(*png, width, height);
+  CHECK(width == 2);
+  CHECK(height == 3);
+  CHECK(bytes == std::vector<int>{0, 0, 0, 255, 255, 255, 255, 0, 0, 0, 255, 0, 188, 137, 99, 0, 255, 255});
+
+  REQUIRE(png->substr(0, 16) == std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16));
+  CHECK(png->substr(24, 5) == std::string("\x08\x02\0\0\0", 5));
+  for (std::size_t at = 8; at < png->size();) {  // every chunk: length, name, data, checksum
+    const std::size_t length = big_endian(*png, at);
+    REQUIRE(at + length + 12 <= png->size());
+    CHECK(crc(std::string_view(*png).substr(at + 4, length + 4)) == big_endian(*png, at + 8 + length));
+    at += length + 12;
+  }
+}
+
+TEST_CASE("a pixel that is not a number is magenta in a PNG, and counted") {
+  Image image{3, 1, {{0, 0, 0}, {0, nan_float, 0}, {inf_float, 0, 0}}};
+  CHECK(count_nan_pixels(image) == 1);
+  const auto png = encode_png(image);
+  REQUIRE(png);
+  int width = 0, height = 0;
+  CHECK(decoded(*png, width, height) == std::vector<int>{0, 0, 0, 255, 0, 255, 255, 0, 0});
+  const TemporaryFolder folder;
+  const auto written = write_image(folder.file("a.png"), image);
+  REQUIRE(written);
+  CHECK(written->nan_pixels == 1);
+  CHECK(contents(folder.file("a.png")) == *png);
+}
+
+TEST_CASE("a PFM is bottom-up, little-endian and linear, byte by byte") {
+  const std::string pfm = encode_pfm({1, 2, {{1, 0.5F, -2}, {0, 256, inf_float}}});
+  const std::string expected = std::string("PF\n1 2\n-1.0\n") +
+                               std::string("\0\0\0\0\0\0\x80\x43\0\0\x80\x7f", 12) +  // 0, 256, infinity
+                               std::string("\0\0\x80\x3f\0\0\0\x3f\0\0\0\xc0", 12);   // 1, 0.5, -2
+  CHECK(pfm == expected);
+}
+
+TEST_CASE("a PFM reads back bit for bit, also what is not a number") {
+  Image image = two_by_three();
+  image.at(1, 2) = {nan_float, -0.0F, 1e-42F};
+  const TemporaryFolder folder;
+  const auto written = write_image(folder.file("a.PFM"), image);
+  REQUIRE(written);
+  CHECK(written->nan_pixels == 1);
+  const auto back = read_pfm(folder.file("a.PFM"));
+  REQUIRE(back);
+  CHECK(back->width == 2);
+  CHECK(back->height == 3);
+  REQUIRE(back->pixels.size() == image.pixels.size());
+  CHECK(std::memcmp(back->pixels.data(), image.pixels.data(), image.pixels.size() * sizeof(Rgb<float>)) == 0);
+}
+
+TEST_CASE("a big-endian PFM reads the same") {
+  const auto image = decode_pfm(std::string("PF 1\t1 2.5\n\x3f\x80\0\0\x3f\0\0\0\xc0\0\0\0", 23), "big.pfm");
+  REQUIRE(image);
+  CHECK(image->at(0, 0) == Rgb<float>(1, 0.5F, -2));
+}
+
+TEST_CASE("a broken PFM is refused") {
+  const std::string pixel(12, '\0');
+  for (const std::string& bytes :
+       {std::string(), std::string("P"), std::string("Pf\n1 1\n-1.0\n") + pixel, std::string("PF\n1\n"),
+        std::string("PF\n0 1\n-1.0\n"), std::string("PF\n-1 1\n-1.0\n") + pixel,
+        std::string("PF\n1x 1\n-1.0\n") + pixel, std::string("PF\n1 1\n"), std::string("PF\n1 1\n-1.0\n"),
+        std::string("PF\n1 1\n-1.0\n") + pixel + "x", std::string("PF\n2147483647 2147483647\n-1.0\n") + pixel,
+        std::string("PF\n99999999999 1\n-1.0\n") + pixel}) {
+    INFO(bytes);
+    const auto image = decode_pfm(bytes, "broken.pfm");
+    REQUIRE(!image);
+    CHECK(image.error().file == "broken.pfm");
+    CHECK(!image.error().hint.empty());
+  }
+}
+
+TEST_CASE("the ending says the format") {
+  CHECK(image_format_of("a.png") == ImageFormat::png);
+  CHECK(image_format_of("dir.d/A.PnG") == ImageFormat::png);
+  CHECK(image_format_of("a.b.pfm") == ImageFormat::pfm);
+  for (const std::string path : {"a", "a.", "a.hdr", "a.jpg", "dir.png/a", ".png.txt", ""}) {
+    INFO(path);
+    const auto format = image_format_of(path);
+    REQUIRE(!format);
+    CHECK_THAT(format.error().message, contains("(expected .png, .pfm or .exr)"));
+  }
+  CHECK_THAT(image_format_of("a.hdr").error().message, contains("\".hdr\""));
+  const TemporaryFolder folder;
+  CHECK(!write_image(folder.file("a.hdr"), two_by_three()));
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a picture without pixels is refused") {
+  const auto png = encode_png({});
+  REQUIRE(!png);
+  CHECK_THAT(png.error().message, contains("0 x 0"));
+}
+
+TEST_CASE("an image that cannot be written leaves the old one") {
+  const TemporaryFolder folder;
+  const auto written = write_image(folder.file("none/a.png"), two_by_three());
+  REQUIRE(!written);
+  CHECK(written.error().file == folder.file("none/a.png"));
+}

@@ -1,0 +1,108 @@
+// PNG and JPEG, in linear light; what is wrong with a file is said.
+#include "image/image_file.h"
+#include "image/srgb.h"
+
+#include <png.h>
+#include <turbojpeg.h>
+
+#include <array>
+#include <random>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+Image gradient() {
+  Image image{5, 3, {}};
+  for (int i = 0; i < 15; ++i)
+    image.pixels.emplace_back(static_cast<float>(i) / 14.0F, 0.2F, 1 - static_cast<float>(i) / 14.0F);
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("a texture holds what its PNG shows, in linear light, top row first") {
+  const Image image = gradient();
+  const auto texture = decode_png_or_jpeg(encode_png(image).value(), "wood.png");
+  REQUIRE(texture);
+  CHECK(texture->width == 5);
+  CHECK(texture->height == 3);
+  REQUIRE(texture->pixels.size() == 15);
+  for (std::size_t i = 0; i < 15; ++i)
+    for (int c = 0; c < 3; ++c)  // 8 bits of sRGB: steps of up to 1/110 near white
+      CHECK(std::abs(texture->pixels[i][c] - image.pixels[i][c]) < 0.005F);
+}
+
+TEST_CASE("a texture holds what its JPEG shows") {
+  std::vector<unsigned char> rgb;
+  for (int i = 0; i < 16 * 8; ++i) rgb.insert(rgb.end(), {200, 100, 50});
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  const tjhandle encoder = tjInitCompress();
+  REQUIRE(tjCompress2(encoder, rgb.data(), 16, 0, 8, TJPF_RGB, &bytes, &size, TJSAMP_444, 95, 0) == 0);
+  const std::string jpeg(reinterpret_cast<const char*>(bytes), size);
+  tjFree(bytes);
+  tjDestroy(encoder);
+  const auto texture = decode_png_or_jpeg(jpeg, "wood.jpg");
+  REQUIRE(texture);
+  CHECK(texture->width == 16);
+  CHECK(texture->height == 8);
+  REQUIRE(texture->pixels.size() == 128);
+  for (const auto& pixel : texture->pixels) {
+    CHECK(pixel.x == Approx(srgb_decode(200 / 255.0)).margin(0.03));
+    CHECK(pixel.y == Approx(srgb_decode(100 / 255.0)).margin(0.02));
+    CHECK(pixel.z == Approx(srgb_decode(50 / 255.0)).margin(0.02));
+  }
+  // A picture whose end is missing is not taken for one with grey below.
+  const auto half = decode_png_or_jpeg(std::string_view(jpeg).substr(0, jpeg.size() - 40), "wood.jpg");
+  REQUIRE_FALSE(half);
+  CHECK_THAT(half.error().message, contains("damaged"));
+}
+
+TEST_CASE("what is transparent in a PNG keeps its colour") {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = 2, header.height = 1, header.format = PNG_FORMAT_RGBA;
+  const std::array<unsigned char, 8> rgba{255, 0, 0, 0, 0, 255, 0, 128};
+  std::string png(1000, '\0');
+  png_alloc_size_t size = png.size();
+  REQUIRE(png_image_write_to_memory(&header, png.data(), &size, 0, rgba.data(), 0, nullptr) != 0);
+  png.resize(size);
+  const auto texture = decode_png_or_jpeg(png, "");
+  REQUIRE(texture);
+  CHECK(texture->pixels == std::vector<Rgb<float>>{{1, 0, 0}, {0, 1, 0}});
+}
+
+TEST_CASE("chunks that are empty, or say that they are huge") {  // a fuzzer's findings
+  const std::string png = encode_png(gradient()).value();
+  const std::size_t first = png.find("IDAT") - 4;
+  const std::string head = png.substr(0, first);
+  const auto texture =
+      decode_png_or_jpeg(head + std::string("\0\0\0\0IDAT\x35\xaf\x06\x1e", 12) + png.substr(first), "wood.png");
+  REQUIRE(texture);
+  CHECK(texture->pixels == decode_png_or_jpeg(png, "wood.png")->pixels);
+  CHECK_FALSE(decode_png_or_jpeg(head + "\x3f\xff\xff\xff" + png.substr(first + 4), "wood.png"));
+}
+
+TEST_CASE("what is no image, or a damaged one, is refused with its name and a hint") {
+  const std::string png = encode_png(gradient()).value();
+  for (const std::string& bad :
+       {std::string(), std::string("wood"), png.substr(0, 40), png.substr(0, png.size() / 2)}) {
+    const auto texture = decode_png_or_jpeg(bad, "wood.png");
+    REQUIRE_FALSE(texture);
+    CHECK(texture.error().file == "wood.png");
+    CHECK_THAT(texture.error().hint, contains("PNG or a JPEG"));
+  }
+  // Any damage is refused or gives an image of the stated size, and does nothing worse.
+  std::mt19937 random(7);
+  for (int i = 0; i < 2000; ++i) {
+    std::string damaged = png;
+    for (int flips = 0; flips < 3; ++flips) damaged[random() % damaged.size()] = static_cast<char>(random());
+    if (const auto texture = decode_png_or_jpeg(damaged, ""))
+      CHECK(texture->pixels.size() ==
+            static_cast<std::size_t>(texture->width) * static_cast<std::size_t>(texture->height));
+  }
+}

@@ -1,0 +1,218 @@
+#include "text/file.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "support/catch.h"
+#include "support/temporary_folder.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+mode_t permissions(const std::string& path) {
+  struct stat status{};
+  return ::stat(path.c_str(), &status) == 0 ? status.st_mode & 07777 : 0;
+}
+
+/// Files may not grow beyond `bytes`: the disk is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit old_{};
+  void (*handler_)(int);
+};
+
+}  // namespace
+
+TEST_CASE("a file is written and read back, bytes of every kind") {
+  const TemporaryFolder folder;
+  std::string bytes(300'000, 'x');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * 37);
+  REQUIRE(write_file_atomically(folder.file("a"), bytes));
+  const auto back = read_file(folder.file("a"), bytes.size());
+  REQUIRE(back);
+  CHECK(*back == bytes);
+  CHECK(folder.entries() == 1);
+  // Replacing leaves nothing behind either, and what was longer is gone.
+  REQUIRE(write_file_atomically(folder.file("a"), "short"));
+  CHECK(contents(folder.file("a")) == "short");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a new file gets the permissions that the umask leaves, an old one keeps its own") {
+  const TemporaryFolder folder;
+  const mode_t old_mask = ::umask(027);
+  REQUIRE(write_file_atomically(folder.file("new"), "x"));
+  ::umask(old_mask);
+  CHECK(permissions(folder.file("new")) == 0640);
+  REQUIRE(::chmod(folder.file("new").c_str(), 0600) == 0);
+  REQUIRE(write_file_atomically(folder.file("new"), "y"));
+  CHECK(permissions(folder.file("new")) == 0600);
+  CHECK(contents(folder.file("new")) == "y");
+}
+
+TEST_CASE("links keep pointing, and what they point to is replaced") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.file("inner"));
+  put(folder.file("inner/real"), "old");
+  fs::create_symlink("inner/real", folder.file("link"));
+  fs::create_symlink("link", folder.file("second"));
+  REQUIRE(write_file_atomically(folder.file("second"), "new"));
+  CHECK(fs::is_symlink(folder.file("second")));
+  CHECK(fs::is_symlink(folder.file("link")));
+  CHECK(contents(folder.file("inner/real")) == "new");
+
+  fs::create_symlink("inner/later", folder.file("dangling"));
+  REQUIRE(write_file_atomically(folder.file("dangling"), "made"));
+  CHECK(contents(folder.file("inner/later")) == "made");
+
+  fs::create_symlink("circle", folder.file("circle"));
+  const auto circle = write_file_atomically(folder.file("circle"), "x");
+  REQUIRE(!circle);
+  CHECK_THAT(circle.error().hint, contains("circle"));
+}
+
+TEST_CASE("a full disk leaves the old file whole and nothing half-written") {
+  const TemporaryFolder folder;
+  put(folder.file("picture"), "the old picture");
+  tl::expected<void, Error> written;
+  tl::expected<void, Error> made;
+  {
+    const FullDisk full(1000);
+    written = write_file_atomically(folder.file("picture"), std::string(5000, 'x'));
+    made = write_file_atomically(folder.file("another"), std::string(5000, 'x'));
+  }
+  REQUIRE(!written);
+  CHECK(written.error().file == folder.file("picture"));
+  CHECK_THAT(written.error().message, contains("cannot write: "));
+  CHECK_THAT(written.error().hint, contains("the old file is unchanged"));
+  CHECK(contents(folder.file("picture")) == "the old picture");
+  REQUIRE(!made);
+  CHECK(made.error().hint.find("old file") == std::string::npos);
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a device that is full is told of, too") {
+  if (!fs::exists("/dev/full")) RAYWALK_SKIP("this system has no /dev/full");
+  const auto written = write_file_atomically("/dev/full", "x");
+  REQUIRE(!written);
+  CHECK_THAT(written.error().hint, contains("make room"));
+  CHECK(fs::is_character_file("/dev/full"));
+}
+
+TEST_CASE("what is no regular file is written directly and stays what it is") {
+  REQUIRE(write_file_atomically("/dev/null", "x"));
+  CHECK(fs::is_character_file("/dev/null"));
+
+  const TemporaryFolder folder;
+  REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
+  std::string received;
+  std::thread reader([&] { received = contents(folder.file("pipe")); });
+  const auto written = write_file_atomically(folder.file("pipe"), "through the pipe");
+  reader.join();
+  CHECK(written);
+  CHECK(received == "through the pipe");
+  CHECK(fs::is_fifo(folder.file("pipe")));
+}
+
+TEST_CASE("places that cannot be written say so") {
+  const TemporaryFolder folder;
+  const auto refused = [](const std::string& path, const std::string& part) {
+    const auto written = write_file_atomically(path, "x");
+    INFO(path);
+    REQUIRE(!written);
+    INFO(written.error().text());
+    CHECK(written.error().file == path);
+    CHECK_THAT(written.error().text(), contains(part));
+    CHECK(!written.error().hint.empty());
+  };
+  refused("", "the file name is empty");
+  refused(folder.path(), "this is a folder");
+  refused(folder.file("no/such/folder/file"), "make the folder first");
+  refused(folder.file(std::string(300, 'n')), "shorter name");
+  refused("/proc/raywalk", "cannot write");
+  put(folder.file("file"), "x");
+  refused(folder.file("file/below"), "cannot write");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("what is write-protected is not replaced") {
+  if (::geteuid() == 0) RAYWALK_SKIP("nothing is write-protected for the superuser");
+  const TemporaryFolder folder;
+  put(folder.file("mine"), "precious");
+  REQUIRE(::chmod(folder.file("mine").c_str(), 0444) == 0);
+  const auto file = write_file_atomically(folder.file("mine"), "x");
+  REQUIRE(!file);
+  CHECK_THAT(file.error().hint, contains("write-protected"));
+  REQUIRE(::chmod(folder.file("mine").c_str(), 0644) == 0);
+  REQUIRE(::chmod(folder.path().c_str(), 0555) == 0);
+  const auto in_folder = write_file_atomically(folder.file("mine"), "x");
+  REQUIRE(::chmod(folder.path().c_str(), 0755) == 0);
+  REQUIRE(!in_folder);
+  CHECK(contents(folder.file("mine")) == "precious");
+}
+
+TEST_CASE("what is no file is not read: a pipe would keep the program waiting") {
+  const TemporaryFolder folder;
+  REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
+  fs::create_symlink("pipe", folder.file("link"));
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  folder.file("socket").copy(address.sun_path, sizeof address.sun_path - 1);
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  REQUIRE(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+  const auto refusal = [](const std::string& path) {
+    const auto read = read_file(path, 100);
+    REQUIRE(!read);
+    CHECK(!read.error().hint.empty());
+    return read.error().message;
+  };
+  // A pipe first that has a writer and says nothing, so that a reader that waits would find no end.
+  const int writer = ::open(folder.file("pipe").c_str(), O_RDWR);
+  CHECK(refusal(folder.file("pipe")) == "this is a pipe (expected a file)");
+  ::close(writer);
+  CHECK(refusal(folder.file("link")) == "this is a pipe (expected a file)");
+  CHECK(refusal(folder.file("socket")) == "this is a socket (expected a file)");
+  CHECK(refusal("/dev/zero") == "this is a device (expected a file)");
+  ::close(socket);
+}
+
+TEST_CASE("what cannot be read says so") {
+  const TemporaryFolder folder;
+  const auto missing = read_file(folder.file("missing"), 100);
+  REQUIRE(!missing);
+  CHECK_THAT(missing.error().text(), contains("there is no such file"));
+  const auto directory = read_file(folder.path(), 100);
+  REQUIRE(!directory);
+  CHECK_THAT(directory.error().text(), contains("this is a folder (expected a file)"));
+  put(folder.file("large"), std::string((std::size_t{3} << 20) + 1, 'x'));
+  const auto large = read_file(folder.file("large"), std::size_t{3} << 20);
+  REQUIRE(!large);
+  CHECK_THAT(large.error().text(), contains("too large (expected at most 3 MiB)"));
+  put(folder.file("exact"), std::string(100, 'x'));
+  CHECK(read_file(folder.file("exact"), 100));
+  CHECK(!read_file(folder.file("exact"), 99));
+}
