@@ -31,9 +31,9 @@ std::string title_of(PathPrompt asking, const Ui& ui) {
     case PathPrompt::save_as:
       return ui.say("command.save_as.label");
     case PathPrompt::save_predictions:
-      return command_label(Command::save_predictions, ui.state);
+      return command_label(command("save-predictions"), ui.state);
     case PathPrompt::export_walk:
-      return command_label(Command::export_walk, ui.state);
+      return command_label(command("export"), ui.state);
   }
   return {};
 }

@@ -49,6 +49,23 @@ void question_dialog(const Ui& ui) {
   ImGui::EndPopup();
 }
 
+bool answer_by_key(const KeyPress& press, const Ui& ui) {
+  const QuestionPanel question = question_panel(ui.state);
+  const auto answer = [&](std::size_t i) {
+    if (i >= question.choices.size()) return false;
+    ui.act(action::AnswerQuestion{question.choices[i].answer});
+    return true;
+  };
+  if (press.key == "Enter") return answer(0);
+  if (press.key.size() == 1 && press.key[0] >= '1' && press.key[0] <= '9')
+    return answer(static_cast<std::size_t>(press.key[0] - '1'));
+  if (press.key != "Escape") return false;
+  for (std::size_t i = 0; i < question.choices.size(); ++i) {
+    if (question.choices[i].answer == action::Answer::cancel) return answer(i);
+  }
+  return false;
+}
+
 void notice_bar(const Ui& ui, const Rect& plan) {
   if (!ui.state.notice || ui.state.prompt != PathPrompt::none || plan.width < ui.px(80)) return;
   const bool error = ui.state.notice->kind == Notice::Kind::error;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "gui/key.h"
 #include "gui/ui.h"
 
 namespace raywalk {
 
 /// The open question, if there is one, with a button for each answer.
 void question_dialog(const Ui& ui);
+/// Enter gives the first answer, which is safe; Escape cancels if possible; a digit picks. Returns whether it did.
+bool answer_by_key(const KeyPress& press, const Ui& ui);
 
 /// The notice above the plan, with a button to dismiss it.
 void notice_bar(const Ui& ui, const Rect& plan);

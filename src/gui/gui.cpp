@@ -13,8 +13,6 @@
 #include "text/text_file.h"
 #include "view/action_text.h"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -151,7 +149,7 @@ class Loop {
   void press(const KeyPress& key) {
     if (key.repeated && key_holds_) return;
     if (film_) {
-      if (key.key == GLFW_KEY_ESCAPE) finish_film();
+      if (key.key == "Escape") finish_film();
       return;
     }
     interface_.press(state_, fonts_, unit(), dpi(), key);

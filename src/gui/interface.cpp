@@ -1,10 +1,8 @@
 #include "gui/interface.h"
 
-#include "gui/commands.h"
+#include "gui/command.h"
 #include "gui/dialogs.h"
 #include "gui/style.h"
-
-#include <GLFW/glfw3.h>
 
 #include <algorithm>
 
@@ -67,18 +65,17 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
   const bool asks = state.question || state.prompt != PathPrompt::none;
   const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const Ui with = ui(state, fonts, unit, dpi);
-  if (menu_open && shown_menu_ >= 0 && command_of(key, state) == Command::menu) {
-    perform(Command::menu, with);
+  if (menu_open && shown_menu_ >= 0 && command_of(key, state.mode) == &command("menu")) {
+    perform(command("menu"), with);
     return grant(with);
   }
-  if (shown_menu_ >= 0 && !key.ctrl && !key.alt && (key.key == GLFW_KEY_LEFT || key.key == GLFW_KEY_RIGHT)) {
+  if (shown_menu_ >= 0 && !key.ctrl && !key.alt && (key.key == "Left" || key.key == "Right")) {
     constexpr int until_closed = 3;  // frames
-    aside_ = {(shown_menu_ + (key.key == GLFW_KEY_LEFT ? menu_count - 1 : 1)) % menu_count, until_closed};
+    aside_ = {(shown_menu_ + (key.key == "Left" ? menu_count - 1 : 1)) % menu_count, until_closed};
   }
 #if IMGUI_VERSION_NUM < 18700
   // This ImGui accepts only Space to press the item chosen with the arrows.
-  if (shown_menu_ >= 0 && (key.key == GLFW_KEY_ENTER || key.key == GLFW_KEY_KP_ENTER))
-    ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1;
+  if (shown_menu_ >= 0 && key.key == "Enter") ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1;
 #endif
   if (!asks && (ImGui::GetIO().WantTextInput || menu_open)) return;
   press_key(key, with);

@@ -2,6 +2,7 @@
 // The panes. Each draws the data of `view` into its rectangle and adds the user's actions; none changes the state.
 
 #include "gui/form.h"
+#include "gui/key.h"
 #include "gui/ui.h"
 #include "view/microscope.h"
 
@@ -79,6 +80,10 @@ class LessonPane {
   std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
 };
 
+/// In a lesson's question, digits are for choices (with a presenter, for hands of the class), and Enter for the answer
+/// and the next step. Returns whether the key was one of these.
+bool lesson_by_key(const KeyPress& press, const Ui& ui);
+
 /// Spot the bug: the list, or the current hunt.
 void bug_pane(const Ui& ui, const Rect& where);
 /// The banner over the plan while the tracer has a bug. Whether there is a banner above the plan.
@@ -118,8 +123,6 @@ void image_settings(const Ui& ui, FormMemory& memory);
 void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture);
 /// The popup "cost-knobs", where it is open.
 void cost_knobs_popup(const Ui& ui, FormMemory& memory);
-/// A bar of colours with numbers, as high as two lines of small letters.
-void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest);
 /// Both return the hovered ray, or -1.
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on);
 int stack_tab(const Ui& ui, const Rect& where);

@@ -34,7 +34,7 @@ Colour ground_of(const Shades& shades, Look look, bool is_chosen, bool hovered, 
   return of(shades.raised.with_alpha(0), shades.raised_hovered, shades.raised_held);
 }
 
-std::string hint_of(Command command, Language language) {
+std::string hint_of(const Command& command, Language language) {
   const std::string key = command_key(command, language);
   std::string hint = command_hint(command, language);
   if (!hint.empty()) hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
@@ -194,9 +194,8 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   }
   tooltip(ui, name, hint);
   ui.publish(name);
-  if (look.label && m.width() > size.x)
-    ui.publish(std::string(name) + "/clipped");  // which should not happen in any
-                                                 // language
+  // Which should not happen in any language.
+  if (look.label && m.width() > size.x) ui.publish(std::string(name) + "/clipped");
   if (!is_enabled) ImGui::EndDisabled();
   return pressed;
 }
@@ -205,27 +204,26 @@ float button_width(const Ui& ui, const std::string& label, const ButtonLook& loo
   return measure(ui, label, look).width() + 2 * ui.px(12);
 }
 
-float button_width(const Ui& ui, Command command, const ButtonLook& look) {
+float button_width(const Ui& ui, const Command& command, const ButtonLook& look) {
   return button_width(ui, command_label(command, ui.state), look);
 }
 
-void command_button(const Ui& ui, Command command, ImVec2 size, const ButtonLook& look, const std::string& label) {
+void command_button(const Ui& ui, const Command& command, ImVec2 size, const ButtonLook& look,
+                    const std::string& label) {
   const bool is_chosen = look.look == Look::choice && chosen(command, ui.state);
-  if (button(ui, command_name(command), label.empty() ? command_label(command, ui.state) : label,
+  if (button(ui, command.name, label.empty() ? command_label(command, ui.state) : label,
              hint_of(command, ui.state.language), size, look, is_chosen, enabled(command, ui.state)))
     perform(command, ui);
 }
 
-void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font, float max_width) {
+void choice(const Ui& ui, const std::vector<const Command*>& commands, float height, ImFont* font, float max_width) {
   const Shades shades(ui.state.theme);
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
   bool in_short = false;
-  const auto word = [&](Command command) {
-    return in_short ? short_label(command, ui.state) : command_label(command, ui.state);
-  };
+  const auto word = [&](const Command& each) { return command_label(each, ui.state, in_short); };
   const auto widths = [&] {
     float sum = 0;
-    for (const Command command : commands) sum += button_width(ui, word(command), look);
+    for (const Command* each : commands) sum += button_width(ui, word(*each), look);
     return sum;
   };
   float width = widths();
@@ -240,23 +238,22 @@ void choice(const Ui& ui, std::initializer_list<Command> commands, float height,
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height}, to_imgui(shades.raised),
                                             ImGui::GetStyle().FrameRounding);
   float x = least.x;
-  for (const Command command : commands) {
-    const float own = std::max(button_width(ui, word(command), look) - less, 1.0f);
+  for (const Command* each : commands) {
+    const float own = std::max(button_width(ui, word(*each), look) - less, 1.0f);
     ImGui::SetCursorScreenPos({x, least.y});
-    command_button(ui, command, {own, height}, look, word(command));
+    command_button(ui, *each, {own, height}, look, word(*each));
     x += own;
   }
 }
 
-float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, float line_height, ImFont* font,
+float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
                       float width) {
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
   // The padding that short words can lose on either side.
   const float spare = 2 * ui.px(7) * static_cast<float>(commands.size());
   const auto sum = [&](bool in_short) {
     float all = 0;
-    for (const Command command : commands)
-      all += button_width(ui, in_short ? short_label(command, ui.state) : command_label(command, ui.state), look);
+    for (const Command* each : commands) all += button_width(ui, command_label(*each, ui.state, in_short), look);
     return all;
   };
   if (sum(true) - spare <= width) {
@@ -265,18 +262,17 @@ float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, flo
   }
   const ImVec2 least = ImGui::GetCursorScreenPos();
   const float low = line_height * 0.8f;
-  using ButtonLines = std::vector<std::vector<std::pair<Command, float>>>;
+  using ButtonLines = std::vector<std::vector<std::pair<const Command*, float>>>;
   const auto broken = [&](bool in_short) {
     ButtonLines lines(1);
     float used = 0;
-    for (const Command command : commands) {
-      const std::string word = in_short ? short_label(command, ui.state) : command_label(command, ui.state);
-      const float own = button_width(ui, word, look) - 2 * ui.px(5);
+    for (const Command* each : commands) {
+      const float own = button_width(ui, command_label(*each, ui.state, in_short), look) - 2 * ui.px(5);
       if (used > 0 && used + own > width) {
         lines.emplace_back();
         used = 0;
       }
-      lines.back().emplace_back(command, own);
+      lines.back().emplace_back(each, own);
       used += own;
     }
     return lines;
@@ -289,12 +285,11 @@ float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, flo
   float y = least.y;
   for (const auto& line : lines) {
     float taken = 0, x = least.x;
-    for (const auto& [command, own] : line) taken += own;
+    for (const auto& [each, own] : line) taken += own;
     const float more = std::max(width - taken, 0.0f) / static_cast<float>(line.size());
-    for (const auto& [command, own] : line) {
+    for (const auto& [each, own] : line) {
       ImGui::SetCursorScreenPos({x, y});
-      command_button(ui, command, {own + more, low}, look,
-                     in_short ? short_label(command, ui.state) : command_label(command, ui.state));
+      command_button(ui, *each, {own + more, low}, look, command_label(*each, ui.state, in_short));
       x += own + more;
     }
     y += low;
@@ -329,7 +324,7 @@ std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float
   return std::clamp((ImGui::GetIO().MousePos.x - least.x) / extent.x, 0.0f, 1.0f);
 }
 
-void ButtonRow::add(Command command, const std::string& label) {
+void ButtonRow::add(const Command& command, const std::string& label) {
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui_.fonts.small, .label = true};
   const std::string words = label.empty() ? command_label(command, ui_.state) : label;
   const float width = std::min(button_width(ui_, words, look), where_.width);
@@ -343,12 +338,12 @@ void ButtonRow::place(float width) {
   x_ += width + ui_.px(4);
 }
 
-void menu_item(const Ui& ui, Command command) {
+void menu_item(const Ui& ui, const Command& command) {
   const std::string key = command_key(command, ui.state.language);
   if (ImGui::MenuItem(command_label(command, ui.state).c_str(), key.c_str(), chosen(command, ui.state),
                       enabled(command, ui.state)))
     perform(command, ui);
-  ui.publish("menu/" + std::string(command_name(command)));
+  ui.publish("menu/" + std::string(command.name));
 }
 
 }  // namespace raywalk

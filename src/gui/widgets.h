@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/commands.h"
+#include "gui/command.h"
 #include "gui/style.h"
 #include "gui/ui.h"
 
@@ -29,27 +29,27 @@ struct ButtonLook {
 
 /// A button for a command: label, tooltip with its key, enabled or not, chosen or not. `size` 0: from the label.
 /// `label`: replaces the command's own.
-void command_button(const Ui& ui, Command command, ImVec2 size = {0, 0}, const ButtonLook& look = {},
+void command_button(const Ui& ui, const Command& command, ImVec2 size = {0, 0}, const ButtonLook& look = {},
                     const std::string& label = {});
 /// The width of command_button by default.
-[[nodiscard]] float button_width(const Ui& ui, Command command, const ButtonLook& look = {});
+[[nodiscard]] float button_width(const Ui& ui, const Command& command, const ButtonLook& look = {});
 [[nodiscard]] float button_width(const Ui& ui, const std::string& label, const ButtonLook& look = {});
 /// The same without a command; `name` is for tests and ImGui. Returns whether it was pressed.
 bool button(const Ui& ui, std::string_view name, const std::string& label, const std::string& hint, ImVec2 size,
             const ButtonLook& look, bool is_chosen = false, bool is_enabled = true);
 
 /// Buttons of which one is chosen, in one frame. They are as wide as their words, but together at most `max_width`.
-void choice(const Ui& ui, std::initializer_list<Command> commands, float height, ImFont* font = nullptr,
+void choice(const Ui& ui, const std::vector<const Command*>& commands, float height, ImFont* font = nullptr,
             float max_width = 1e6f);
 /// The same in as many lines as needed, each over the whole `width`. Returns the total height.
-float choice_in_lines(const Ui& ui, std::initializer_list<Command> commands, float line_height, ImFont* font,
+float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
                       float width);
 
 /// Buttons from left to right, wrapped to further lines.
 class ButtonRow {
  public:
   ButtonRow(const Ui& ui, const Rect& where, float height) : ui_(ui), where_(where), height_(height), x_(where.x) {}
-  void add(Command command, const std::string& label = {});
+  void add(const Command& command, const std::string& label = {});
   /// Moves ImGui's cursor to where an item of this width fits.
   void place(float width);
   [[nodiscard]] float bottom() const { return where_.y + y_ + height_; }
@@ -64,7 +64,7 @@ class ButtonRow {
 std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float fraction, const std::string& inside);
 
 /// A line of a menu.
-void menu_item(const Ui& ui, Command command);
+void menu_item(const Ui& ui, const Command& command);
 
 /// Shows `text` beside the pointer once it has rested on the last item.
 void tooltip(const Ui& ui, std::string_view name, const std::string& text);

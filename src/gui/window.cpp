@@ -11,6 +11,7 @@
 #include <array>
 #include <cfloat>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #ifndef GL_CLAMP_TO_EDGE
@@ -39,6 +40,49 @@ Error no_opengl() {
   return {"", 0, 0, "the window needs OpenGL 3.3, which this display does not offer (" + complaint() + ")",
           "install the graphics driver, or Mesa's software one (libgl1-mesa-dri), and try "
           "LIBGL_ALWAYS_SOFTWARE=1 raywalk; raywalk render SCENE -o IMAGE.png needs no OpenGL"};
+}
+
+/// In the words of gui/key.h; empty for keys without a name there.
+std::string_view name_of_key(int key) {
+  constexpr std::string_view characters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return characters.substr(static_cast<std::size_t>(key - GLFW_KEY_0), 1);
+  if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z)
+    return characters.substr(static_cast<std::size_t>(10 + key - GLFW_KEY_A), 1);
+  static const std::map<int, std::string_view> names{{GLFW_KEY_SPACE, "Space"},
+                                                     {GLFW_KEY_ENTER, "Enter"},
+                                                     {GLFW_KEY_KP_ENTER, "Enter"},
+                                                     {GLFW_KEY_TAB, "Tab"},
+                                                     {GLFW_KEY_DELETE, "Delete"},
+                                                     {GLFW_KEY_BACKSPACE, "Backspace"},
+                                                     {GLFW_KEY_ESCAPE, "Escape"},
+                                                     {GLFW_KEY_LEFT, "Left"},
+                                                     {GLFW_KEY_RIGHT, "Right"},
+                                                     {GLFW_KEY_UP, "Up"},
+                                                     {GLFW_KEY_DOWN, "Down"},
+                                                     {GLFW_KEY_PAGE_UP, "Page Up"},
+                                                     {GLFW_KEY_PAGE_DOWN, "Page Down"},
+                                                     {GLFW_KEY_HOME, "Home"},
+                                                     {GLFW_KEY_END, "End"},
+                                                     {GLFW_KEY_F1, "F1"},
+                                                     {GLFW_KEY_F2, "F2"},
+                                                     {GLFW_KEY_F3, "F3"},
+                                                     {GLFW_KEY_F4, "F4"},
+                                                     {GLFW_KEY_F5, "F5"},
+                                                     {GLFW_KEY_F6, "F6"},
+                                                     {GLFW_KEY_F7, "F7"},
+                                                     {GLFW_KEY_F8, "F8"},
+                                                     {GLFW_KEY_F9, "F9"},
+                                                     {GLFW_KEY_F10, "F10"},
+                                                     {GLFW_KEY_F11, "F11"},
+                                                     {GLFW_KEY_F12, "F12"},
+                                                     {GLFW_KEY_COMMA, ","},
+                                                     {GLFW_KEY_MINUS, "-"},
+                                                     {GLFW_KEY_KP_SUBTRACT, "-"},
+                                                     {GLFW_KEY_EQUAL, "+"},
+                                                     {GLFW_KEY_KP_ADD, "+"},
+                                                     {GLFW_KEY_KP_0, "0"}};
+  const auto found = names.find(key);
+  return found == names.end() ? std::string_view() : found->second;
 }
 
 Window* window_of(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
@@ -118,12 +162,11 @@ void Window::listen() {
     self.happened_ = true;
     self.key_released_ |= action == GLFW_RELEASE;
     if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
-    self.keys_.push_back({.key = key,
-                          .ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
-                          .shift = (mods & GLFW_MOD_SHIFT) != 0,
-                          .alt = (mods & GLFW_MOD_ALT) != 0,
-                          .repeated = action == GLFW_REPEAT});
-    self.fast_keys_.push_back(self.keys_.back());
+    const bool ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
+    const bool shift = (mods & GLFW_MOD_SHIFT) != 0, alt = (mods & GLFW_MOD_ALT) != 0;
+    self.fast_keys_.push_back({key, ctrl, shift, alt});
+    if (const std::string_view name = name_of_key(key); !name.empty())
+      self.keys_.push_back({name, ctrl, shift && key != GLFW_KEY_EQUAL, alt, action == GLFW_REPEAT});
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { window_of(w)->happened_ = true; });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
@@ -242,15 +285,15 @@ void Window::replay_fast_input() {
     io.KeyAlt = down(GLFW_KEY_LEFT_ALT) || down(GLFW_KEY_RIGHT_ALT);
   }
   if (fast_keys_.empty()) return;
-  const KeyPress press = fast_keys_.front();
+  const FastKey press = fast_keys_.front();
   fast_keys_.erase(fast_keys_.begin());
   happened_ = true;
-  if (io.KeysDown[press.key]) return;
-  io.KeysDown[press.key] = true;
+  if (io.KeysDown[press.code]) return;
+  io.KeysDown[press.code] = true;
   io.KeyCtrl = press.ctrl;
   io.KeyShift = press.shift;
   io.KeyAlt = press.alt;
-  held_keys_.push_back(press.key);
+  held_keys_.push_back(press.code);
 #else
   button_places_.clear();
   fast_keys_.clear();

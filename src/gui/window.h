@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/key.h"
 #include "image/image_file.h"
 #include "text/error.h"
 
@@ -11,14 +12,6 @@ struct GLFWwindow;
 struct ImGuiContext;
 
 namespace raywalk {
-
-/// A GLFW key (GLFW_KEY_*), pressed or repeated, with its modifiers.
-struct KeyPress {
-  int key = 0;
-  bool ctrl = false, shift = false, alt = false;
-  bool repeated = false;  ///< it is being held down
-  friend bool operator==(const KeyPress&, const KeyPress&) = default;
-};
 
 /// The one window, its OpenGL 3.3 context and Dear ImGui's context. Lengths of the interface are in ImGui's units (the
 /// window's screen coordinates), pixels are those of the framebuffer.
@@ -84,7 +77,11 @@ class Window {
   };
   Place pointer_{-1, -1};  ///< after the last event
   std::vector<Place> button_places_;
-  std::vector<KeyPress> fast_keys_;
+  struct FastKey {
+    int code;  ///< GLFW_KEY_*
+    bool ctrl, shift, alt;
+  };
+  std::vector<FastKey> fast_keys_;
   std::vector<int> held_keys_;
   bool happened_ = true, close_requested_ = false, shown_ = false, key_released_ = false;
   int restore_[4] = {0, 0, 0, 0};  ///< x, y, width, height before full screen

@@ -139,14 +139,17 @@ void Bench::drag(const std::string& item, float dx, float dy) {
   release();
 }
 
-void Bench::key(int key, bool ctrl, bool shift, bool alt) {
-  interface_.press(state, fonts_, unit, dpi, {key, ctrl, shift, alt});
+void Bench::key(const std::string& written) {
+  REQUIRE(is_key(key_press(written).key));
+  interface_.press(state, fonts_, unit, dpi, key_press(written));
   take_actions();
   frames(settle);
 }
 
-void Bench::repeat(int key) {
-  interface_.press(state, fonts_, unit, dpi, {.key = key, .repeated = true});
+void Bench::repeat(const std::string& written) {
+  KeyPress press = key_press(written);
+  press.repeated = true;
+  interface_.press(state, fonts_, unit, dpi, press);
   take_actions();
   frames(settle);
 }

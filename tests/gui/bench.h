@@ -41,12 +41,12 @@ class Bench {
   void double_click(const std::string& item);
   // Dragged by this much, in a few moves.
   void drag(const std::string& item, float dx, float dy);
-  // A key as GLFW numbers it.
-  void key(int key, bool ctrl = false, bool shift = false, bool alt = false);
+  // A key as menus write it: "Ctrl+Shift+S".
+  void key(const std::string& written);
   // A key of ImGui's own, down or up again; seen with the next frame.
   void hold(ImGuiKey_ key, bool down);
   // The same key, held down.
-  void repeat(int key);
+  void repeat(const std::string& written);
   // Characters into the field that has the keyboard.
   void type(const std::string& text);
   // Enter or Escape, for ImGui's own fields.

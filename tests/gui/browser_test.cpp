@@ -1,7 +1,5 @@
 #include "gui/browser.h"
 
-#include <GLFW/glfw3.h>
-
 #include "gui/bench.h"
 #include "gui/folder.h"
 #include "support/catch.h"
@@ -191,7 +189,7 @@ TEST_CASE("the dialog is taken back by its button and by Escape, also while a pa
   update(bench.state, action::AskOpen{});
   bench.frames(4);
   bench.type("half a na");
-  bench.key(GLFW_KEY_ESCAPE);
+  bench.key("Escape");
   CHECK(bench.state.prompt == PathPrompt::none);
   bench.click("mode-help");
   CHECK(bench.state.mode == Mode::help);

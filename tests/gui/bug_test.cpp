@@ -1,7 +1,5 @@
 // Spot the bug by mouse and keys, on the bench.
 
-#include <GLFW/glfw3.h>
-
 #include "gui/bench.h"
 #include "support/catch.h"
 #include "support/languages.h"
@@ -34,7 +32,7 @@ TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, me
   Bench bench(with_scenes());
   bench.frames(2);
   const Scene mine = bench.state.scene();
-  bench.key(GLFW_KEY_F2, false, true);
+  bench.key("Shift+F2");
   REQUIRE(bench.has("bug/1"));
   REQUIRE(bench.has("bug/8"));
   CHECK_FALSE(bench.has("banner"));
@@ -71,34 +69,34 @@ TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, me
 TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends, Esc leads back") {
   Bench bench(with_scenes());
   bench.frames(2);
-  bench.key(GLFW_KEY_F2, true);
+  bench.key("Ctrl+F2");
   REQUIRE(bench.state.bugs.hunt);
   CHECK(bench.state.bugs.hunt->surprise);
-  bench.key(GLFW_KEY_ENTER, false, false, true);
+  bench.key("Alt+Enter");
   CHECK_FALSE(bench.state.bug->mended);
   update(bench.state, action::HuntBug{1});
-  while (bench.state.timeline->just_run(bench.state.position)->line != Line::form_shadow_ray) bench.key(GLFW_KEY_SPACE);
-  bench.key(GLFW_KEY_ENTER);
+  while (bench.state.timeline->just_run(bench.state.position)->line != Line::form_shadow_ray) bench.key("Space");
+  bench.key("Enter");
   CHECK(marked_line(bench.state) == Line::form_shadow_ray);
   CHECK(bench.state.bugs.hunt->end == BugEnd::open);
-  bench.key(GLFW_KEY_ENTER);
+  bench.key("Enter");
   CHECK(bench.state.bugs.hunt->end == BugEnd::found);
-  bench.key(GLFW_KEY_ENTER, false, false, true);
+  bench.key("Alt+Enter");
   CHECK(bench.state.bug->mended);
   update(bench.state, action::HuntBug{7});
-  bench.key(GLFW_KEY_ENTER, false, true);
+  bench.key("Shift+Enter");
   CHECK(bench.state.bugs.hunt->end == BugEnd::given_up);
-  bench.key(GLFW_KEY_ESCAPE);
+  bench.key("Escape");
   CHECK_FALSE(bench.state.bugs.hunt);
   CHECK(bench.state.bugs.shown);
-  bench.key(GLFW_KEY_ESCAPE);
+  bench.key("Escape");
   CHECK_FALSE(bench.state.bugs.shown);
   // Shift+F2 in the midst of a hunt leads back as well, and so does the undo of someone who has changed nothing.
   update(bench.state, action::HuntBug{3});
-  bench.key(GLFW_KEY_F2, false, true);
+  bench.key("Shift+F2");
   CHECK_FALSE(bench.state.bugs.hunt);
   update(bench.state, action::HuntBug{3});
-  bench.key(GLFW_KEY_Z, true);
+  bench.key("Ctrl+Z");
   CHECK_FALSE(bench.state.bugs.hunt);
 }
 
@@ -148,7 +146,7 @@ TEST_CASE("a lesson's line at fault is clicked in the code") {
   CHECK(bench.state.position == position);
   bench.click("lesson-reveal");
   CHECK(bench.state.lessons.right == 1);
-  bench.key(GLFW_KEY_ENTER, false, false, true);
+  bench.key("Alt+Enter");
   CHECK(bench.state.bug->mended);
 }
 

@@ -1,11 +1,9 @@
 // Every button, menu entry and key asks for what it says.
 
-#include <GLFW/glfw3.h>
-
 #include <set>
 
 #include "gui/bench.h"
-#include "gui/commands.h"
+#include "gui/command.h"
 #include "support/catch.h"
 #include "support/languages.h"
 
@@ -134,7 +132,7 @@ TEST_CASE("F10 opens one menu after the other") {
   Bench bench(at(0, Mode::move));
   bench.frames(2);
   for (const std::string entry : {"menu/open", "menu/undo", "menu/fit", "menu/step", "menu/magnify", "menu/open"}) {
-    bench.key(GLFW_KEY_F10);
+    bench.key("F10");
     CAPTURE(entry);
     CHECK(bench.has(entry));
   }
@@ -143,18 +141,18 @@ TEST_CASE("F10 opens one menu after the other") {
 TEST_CASE("arrows go from one open menu to its neighbours") {
   Bench bench(at(0, Mode::move));
   bench.frames(2);
-  const auto arrow = [&](int key, ImGuiKey_ nav) {
+  const auto arrow = [&](const std::string& key, ImGuiKey_ nav) {
     bench.hold(nav, true);
     bench.key(key);
     bench.hold(nav, false);
   };
-  bench.key(GLFW_KEY_F10);
+  bench.key("F10");
   REQUIRE(bench.has("menu/open"));
-  arrow(GLFW_KEY_LEFT, ImGuiKey_LeftArrow);
+  arrow("Left", ImGuiKey_LeftArrow);
   CHECK(bench.has("menu/magnify"));
-  arrow(GLFW_KEY_RIGHT, ImGuiKey_RightArrow);
+  arrow("Right", ImGuiKey_RightArrow);
   CHECK(bench.has("menu/open"));
-  arrow(GLFW_KEY_RIGHT, ImGuiKey_RightArrow);
+  arrow("Right", ImGuiKey_RightArrow);
   CHECK(bench.has("menu/undo"));
 }
 
@@ -188,23 +186,22 @@ TEST_CASE("what cannot be asked for is shown so and asks for nothing") {
 TEST_CASE("every command has a name, a label and a hint of its own") {
   const State state = classic();
   std::set<std::string> names, hints;
-  for (int i = 0; i < command_count; ++i) {
-    const auto command = static_cast<Command>(i);
-    CAPTURE(command_name(command));
-    CHECK_FALSE(command_name(command).empty());
-    CHECK_FALSE(command_label(command, state).empty());
-    CHECK_FALSE(command_hint(command, in_english).empty());
-    CHECK(names.insert(std::string(command_name(command))).second);
-    CHECK(hints.insert(command_hint(command, in_english)).second);
+  for (const Command* each : commands()) {
+    CAPTURE(each->name);
+    CHECK_FALSE(each->name.empty());
+    CHECK_FALSE(command_label(*each, state).empty());
+    CHECK_FALSE(command_hint(*each, in_english).empty());
+    CHECK(names.insert(std::string(each->name)).second);
+    CHECK(hints.insert(command_hint(*each, in_english)).second);
   }
 }
 
 TEST_CASE("AUTO is called PAUSE while it runs") {
   State state = classic();
-  const std::string at_rest = command_label(Command::play, state);
+  const std::string at_rest = command_label(command("play"), state);
   update(state, action::PlayPause{});
   REQUIRE(state.playing);
-  CHECK(command_label(Command::play, state) != at_rest);
+  CHECK(command_label(command("play"), state) != at_rest);
 }
 
 TEST_CASE("every button that a mouse can press is in the window at 1280 x 720") {

@@ -1,15 +1,12 @@
 // The window's own words in every language, the letters that they need, and how the language is changed.
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
 #include "gui/bench.h"
-#include "gui/commands.h"
+#include "gui/command.h"
 #include "gui/folder.h"
-#include "gui/key_list.h"
 #include "gui/session.h"
 #include "lesson/lesson.h"
 #include "support/languages.h"
@@ -44,8 +41,8 @@ std::set<unsigned> letters_of_texts() {
 
 TEST_CASE("every command has a word and a hint of its own") {
   for (const Language language : all_languages())
-    for (int i = 0; i < command_count; ++i) {
-      const std::string name = "command." + std::string(command_name(static_cast<Command>(i)));
+    for (const Command* each : commands()) {
+      const std::string name = "command." + std::string(each->name);
       for (const std::string& id : {name + ".label", name + ".hint"}) {
         std::string known = id;
         std::replace(known.begin(), known.end(), '-', '_');
@@ -55,8 +52,8 @@ TEST_CASE("every command has a word and a hint of its own") {
     }
   // And no text is there for a command that is not.
   std::set<std::string> names;
-  for (int i = 0; i < command_count; ++i) {
-    std::string name(command_name(static_cast<Command>(i)));
+  for (const Command* each : commands()) {
+    std::string name(each->name);
     std::replace(name.begin(), name.end(), '-', '_');
     names.insert("command." + name);
   }
@@ -64,13 +61,15 @@ TEST_CASE("every command has a word and a hint of its own") {
     if (!id.starts_with("command.")) continue;
     INFO(id);
     CHECK(names.count(std::string(id.substr(0, id.rfind('.')))) == 1);
+    const std::string_view which = id.substr(id.rfind('.') + 1);
+    CHECK((which == "label" || which == "short" || which == "hint"));
   }
 }
 
 TEST_CASE("hints begin with a letter that is made a capital") {
   for (const Language language : all_languages())
-    for (int i = 0; i < command_count; ++i) {
-      const std::string hint = command_hint(static_cast<Command>(i), language);
+    for (const Command* each : commands()) {
+      const std::string hint = command_hint(*each, language);
       INFO(hint);
       CHECK(std::isalpha(static_cast<unsigned char>(hint.front())) != 0);
     }
@@ -124,8 +123,8 @@ TEST_CASE("a file of French that is dropped into the folder of texts stands in V
   bench.click("menu/language/fr");
   bench.frames(2);
   CHECK(bench.state.language.name() == "Fran\u00e7ais");
-  CHECK(command_label(Command::step, bench.state) == "PAS");
-  CHECK(command_label(Command::clear, bench.state) == text("command.clear.label", in_english));
+  CHECK(command_label(command("step"), bench.state) == "PAS");
+  CHECK(command_label(command("clear"), bench.state) == text("command.clear.label", in_english));
   CHECK(settings_of(bench.state).language == "fr");
 }
 
@@ -136,10 +135,10 @@ TEST_CASE("Ctrl+L, the button in the bar and the menu entry change the language 
   const std::size_t count = all_languages().size();
   for (std::size_t i = 0; i < count; ++i) {
     const Language before = bench.state.language;
-    CHECK(short_label(Command::language, bench.state) == before.next().sign());
-    bench.key(GLFW_KEY_L, true);
+    CHECK(command_label(command("language"), bench.state, true) == before.next().sign());
+    bench.key("Ctrl+L");
     CHECK(bench.state.language == before.next());
-    CHECK(command_label(Command::mode_move, bench.state) == text("command.mode_move.label", before.next()));
+    CHECK(command_label(command("mode-move"), bench.state) == text("command.mode_move.label", before.next()));
   }
   CHECK(bench.state.language == in_english);
   bench.frames(2);

@@ -1,7 +1,5 @@
 // The lessons by mouse and keys: on the bench, and in the real window.
 
-#include <GLFW/glfw3.h>
-
 #include <cstdlib>
 #include <filesystem>
 
@@ -32,34 +30,34 @@ State with_lessons() {
 TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") {
   Bench bench(with_lessons());
   bench.frames(2);
-  bench.key(GLFW_KEY_F2);
+  bench.key("F2");
   REQUIRE(bench.has("lesson/01-ray-casting"));
   bench.click("lesson/02-ray-meets-sphere");
   CHECK(bench.state.lessons.at() == nullptr);
   bench.click("lesson/01-ray-casting");
   REQUIRE(bench.state.lessons.at() != nullptr);
-  bench.key(GLFW_KEY_ENTER);
+  bench.key("Enter");
   REQUIRE(bench.state.lessons.step == 1);
   // Nothing is revealed before something is predicted.
-  bench.key(GLFW_KEY_ENTER);
+  bench.key("Enter");
   CHECK_FALSE(bench.state.lessons.revealed);
   const int position = bench.state.position;
   const Grain grain = bench.state.grain;
-  bench.key(GLFW_KEY_DOWN);
+  bench.key("Down");
   CHECK(bench.state.lessons.guess.choice == 0);
-  for (int press = 0; press < 5; ++press) bench.key(GLFW_KEY_DOWN);
+  for (int press = 0; press < 5; ++press) bench.key("Down");
   CHECK(bench.state.lessons.guess.choice == 3);
-  bench.key(GLFW_KEY_UP);
+  bench.key("Up");
   CHECK(bench.state.lessons.guess.choice == 2);
   CHECK(bench.state.position == position);
-  bench.key(GLFW_KEY_2);
+  bench.key("2");
   CHECK(bench.state.lessons.guess.choice == 1);
   CHECK(bench.state.grain == grain);
-  bench.key(GLFW_KEY_ENTER);
+  bench.key("Enter");
   CHECK(bench.state.lessons.revealed);
   CHECK(bench.state.lessons.right == 1);
   CHECK(bench.state.position == position + 1);
-  bench.key(GLFW_KEY_ENTER);
+  bench.key("Enter");
   CHECK(bench.state.lessons.step == 2);
   bench.click("guess/1");
   bench.click("lesson-reveal");
@@ -78,15 +76,15 @@ TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") 
 TEST_CASE("a presenter counts hands by digits and by buttons") {
   Bench bench(with_lessons());
   bench.frames(2);
-  bench.key(GLFW_KEY_F2);
+  bench.key("F2");
   bench.click("lesson/01-ray-casting");
   bench.click("lesson-presenter");
-  bench.key(GLFW_KEY_ENTER);
+  bench.key("Enter");
   REQUIRE(bench.has("hand-more/1"));
-  bench.key(GLFW_KEY_2);
-  bench.key(GLFW_KEY_2);
-  bench.key(GLFW_KEY_1);
-  bench.key(GLFW_KEY_2, false, true);
+  bench.key("2");
+  bench.key("2");
+  bench.key("1");
+  bench.key("Shift+2");
   bench.click("hand-more/3");
   bench.click("hand-more/3");
   bench.click("hand-less/3");

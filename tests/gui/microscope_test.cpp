@@ -1,9 +1,7 @@
 // The microscope by mouse and keys.
 
-#include <GLFW/glfw3.h>
-
 #include "gui/bench.h"
-#include "gui/commands.h"
+#include "gui/command.h"
 #include "support/catch.h"
 
 using namespace raywalk;
@@ -41,13 +39,13 @@ TEST_CASE("the microscope's tab has the plan's room, and keys and buttons magnif
   CHECK(bench.state.magnified > 0);
   bench.click("to-numbers");
   CHECK(bench.state.magnified == 1);
-  bench.key(GLFW_KEY_Z, false, true);
+  bench.key("Shift+Z");
   CHECK(bench.state.magnified < 1);
-  bench.key(GLFW_KEY_Z);
+  bench.key("Z");
   CHECK(bench.state.magnified == 1);
-  bench.key(GLFW_KEY_Z, false, true, true);
+  bench.key("Alt+Shift+Z");
   CHECK(bench.state.magnified == 0);
-  bench.key(GLFW_KEY_Z, false, false, true);
+  bench.key("Alt+Z");
   CHECK(bench.state.magnified == 1);
   bench.point_at("microscope");
   bench.wheel(-2);
@@ -62,18 +60,18 @@ TEST_CASE("numerics and precision are chosen in the microscope, epsilon is typed
   bench.frames(2);
   bench.click("numerics-naive");
   CHECK(bench.state.scene().render.numerics == Numerics::naive);
-  bench.key(GLFW_KEY_Q, false, true);
+  bench.key("Shift+Q");
   CHECK(bench.state.scene().render.numerics == Numerics::robust);
   bench.click("precision-float");
   CHECK(bench.state.image.single_precision);
-  bench.key(GLFW_KEY_Q, false, true, true);
+  bench.key("Alt+Shift+Q");
   CHECK_FALSE(bench.state.image.single_precision);
   bench.double_click("property/Epsilon");
   bench.type("0.5");
   bench.enter();
   bench.frames(2);
   CHECK(bench.state.scene().render.epsilon == 0.5);
-  bench.key(GLFW_KEY_Z, true);
+  bench.key("Ctrl+Z");
   CHECK(bench.state.scene().render.epsilon == default_epsilon);
 }
 
@@ -89,7 +87,7 @@ TEST_CASE("before a hit the microscope says what to do") {
 TEST_CASE("numerics of the scene stand in the settings of the picture") {
   Bench bench;
   bench.frames(2);
-  bench.key(GLFW_KEY_COMMA);
+  bench.key(",");
   bench.frames(3);
   bench.click("property/Numerics");
   bench.frames(2);

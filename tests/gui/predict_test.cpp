@@ -1,10 +1,8 @@
 // Predictions by mouse and keys, on the bench.
 
-#include <GLFW/glfw3.h>
-
+#include "view/predict.h"
 #include "gui/bench.h"
 #include "support/catch.h"
-#include "view/predict.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -13,12 +11,12 @@ TEST_CASE("predictions by keys and mouse: on, the arrow, STEP, the banner stays 
   Bench bench;
   bench.frames(2);
   CHECK_FALSE(bench.has("banner"));
-  bench.key(GLFW_KEY_P, true);
+  bench.key("Ctrl+P");
   CHECK(bench.state.mode == Mode::trace);
   REQUIRE(bench.has("banner"));
   const Rect banner = bench.rect("banner"), plan = bench.interface().layout().plan;
   CHECK(banner.bottom() <= plan.y);
-  while (!aim_origin(bench.state)) bench.key(GLFW_KEY_SPACE);
+  while (!aim_origin(bench.state)) bench.key("Space");
   CHECK(bench.rect("banner").height == banner.height);
   CHECK(bench.interface().layout().plan.y == plan.y);
   bench.move_to(plan.x + 40, plan.y + 40);
@@ -26,15 +24,15 @@ TEST_CASE("predictions by keys and mouse: on, the arrow, STEP, the banner stays 
   bench.move_to(plan.x + 60, plan.y + 60);
   bench.release();
   REQUIRE(bench.state.predictions.open);
-  bench.key(GLFW_KEY_SPACE);
+  bench.key("Space");
   CHECK(bench.state.predictions.made.size() == 1);
-  bench.key(GLFW_KEY_P, true, true);
+  bench.key("Ctrl+Shift+P");
   CHECK(bench.state.prompt == PathPrompt::save_predictions);
   bench.frames(2);
   CHECK(bench.has("browser-accept"));
-  bench.key(GLFW_KEY_ESCAPE);
+  bench.key("Escape");
   CHECK(bench.state.prompt == PathPrompt::none);
-  bench.key(GLFW_KEY_P, true);
+  bench.key("Ctrl+P");
   bench.frames(2);
   CHECK_FALSE(bench.has("banner"));
 }

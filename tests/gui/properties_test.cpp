@@ -1,5 +1,3 @@
-#include <GLFW/glfw3.h>
-
 #include <set>
 #include <string>
 
@@ -85,7 +83,7 @@ TEST_CASE(
   CHECK(sphere(bench).radius == 0.5);
   // One digit more at the end of what stands there.
   bench.double_click(radius);
-  bench.key(GLFW_KEY_END);
+  bench.key("End");
   bench.type("25");
   bench.enter();
   CHECK((sphere(bench).radius == 0.525 || sphere(bench).radius == 25));
@@ -255,8 +253,8 @@ TEST_CASE("dragging a number is one entry of undo") {
   CHECK(bench.state.undo.size() == 1);
   bench.drag(field("property.radius"), -30, 0);
   CHECK(bench.state.undo.size() == 2);
-  bench.key(GLFW_KEY_Z, true);
-  bench.key(GLFW_KEY_Z, true);
+  bench.key("Ctrl+Z");
+  bench.key("Ctrl+Z");
   CHECK(sphere(bench).radius == before);
 }
 
@@ -297,9 +295,9 @@ TEST_CASE("letters typed into a field are not commands") {
   bench.frames(2);
   bench.double_click(field("property.name"));
   bench.forget();
-  bench.key(GLFW_KEY_C);
-  bench.key(GLFW_KEY_DELETE);
-  bench.key(GLFW_KEY_SPACE);
+  bench.key("C");
+  bench.key("Delete");
+  bench.key("Space");
   CHECK(bench.last<action::Clear>() == nullptr);
   CHECK(bench.last<action::RemoveSelected>() == nullptr);
   CHECK(bench.last<action::Step>() == nullptr);
@@ -308,7 +306,7 @@ TEST_CASE("letters typed into a field are not commands") {
 TEST_CASE("the keyboard gets into the properties") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
-  bench.key(GLFW_KEY_ENTER);
+  bench.key("Enter");
   bench.frames(3);
   CHECK(ImGui::GetIO().WantTextInput);
 }

@@ -1,7 +1,5 @@
 // The 3-D picture and the line view under the mouse and the keyboard.
 
-#include <GLFW/glfw3.h>
-
 #include "gui/bench.h"
 #include "support/catch.h"
 #include "view/lines_view.h"
@@ -72,7 +70,7 @@ TEST_CASE("dragging turns the picture, with Shift or the right button it moves, 
   bench.frames(2);
   REQUIRE(bench.last<action::Shift>() != nullptr);
   CHECK(bench.last<action::Shift>()->view == SpaceView::image);
-  bench.key(GLFW_KEY_O);
+  bench.key("O");
   bench.frames(2);
   CHECK_FALSE(bench.state.image_camera);
 }
@@ -81,17 +79,17 @@ TEST_CASE("the keyboard turns, moves and zooms the picture, and gives its camera
   Bench bench(tracing());
   bench.frames(2);
   const Camera own = bench.state.scene().camera;
-  bench.key(GLFW_KEY_RIGHT, false, true, true);
+  bench.key("Alt+Shift+Right");
   REQUIRE(bench.state.image_camera);
-  bench.key(GLFW_KEY_LEFT, false, true, true);
+  bench.key("Alt+Shift+Left");
   CHECK(length(bench.state.image_camera->eye - own.eye) < 1e-9);
-  bench.key(GLFW_KEY_DOWN, false, true, true);
-  bench.key(GLFW_KEY_LEFT, true, true);
-  bench.key(GLFW_KEY_PAGE_UP, false, false, true);
+  bench.key("Alt+Shift+Down");
+  bench.key("Ctrl+Shift+Left");
+  bench.key("Alt+Page Up");
   const Camera turned = *bench.state.image_camera;
-  bench.key(GLFW_KEY_U);
+  bench.key("U");
   CHECK(bench.state.scene().camera == turned);
-  bench.key(GLFW_KEY_Z, true);
+  bench.key("Ctrl+Z");
   CHECK(bench.state.scene().camera == own);
 }
 
@@ -124,7 +122,7 @@ TEST_CASE("the line view turns under the mouse, and a click on a ray goes to it"
   REQUIRE(bench.state.lines_camera);
   CHECK_FALSE(bench.state.image_camera);
   CHECK(bench.state.turned_last == SpaceView::lines);
-  bench.key(GLFW_KEY_O);
+  bench.key("O");
   bench.frames(2);
   CHECK_FALSE(bench.state.lines_camera);
   // The middle of the primary ray.
@@ -140,7 +138,7 @@ TEST_CASE("the line view turns under the mouse, and a click on a ray goes to it"
   const auto* jump = bench.last<action::JumpToRay>();
   REQUIRE(jump != nullptr);
   CHECK(jump->ray == 0);
-  bench.key(GLFW_KEY_V);
+  bench.key("V");
   bench.frames(2);
   CHECK_FALSE(bench.has("lines"));
 }

@@ -1,9 +1,7 @@
 // Breakpoints, steps by calls and holding STEP, by mouse and keys.
 
-#include <GLFW/glfw3.h>
-
 #include "gui/bench.h"
-#include "gui/commands.h"
+#include "gui/command.h"
 #include "support/catch.h"
 
 using namespace raywalk;
@@ -26,7 +24,7 @@ TEST_CASE("a click left of a line sets its breakpoint, a click on the line runs 
   bench.click("break-" + number);
   CHECK(bench.state.breakpoints.is_before(Line::form_reflect_ray));
   CHECK(bench.state.position == 0);
-  bench.key(GLFW_KEY_W);
+  bench.key("W");
   CHECK(bench.state.timeline->next(bench.state.position)->line == Line::form_reflect_ray);
   bench.click("break-" + number);
   CHECK_FALSE(bench.state.breakpoints.any());
@@ -37,17 +35,17 @@ TEST_CASE("a click left of a line sets its breakpoint, a click on the line runs 
 TEST_CASE("the arrows up and down step over and out of SHADE") {
   Bench bench(tracing(5));
   bench.obedient = false;
-  const auto asked = [&](int key, bool shift) {
+  const auto asked = [&](const std::string& key) {
     bench.forget();
-    bench.key(key, false, shift);
+    bench.key(key);
     REQUIRE(bench.last<action::Step>() != nullptr);
     return *bench.last<action::Step>();
   };
-  CHECK(asked(GLFW_KEY_DOWN, false).grain == Grain::over);
-  CHECK(asked(GLFW_KEY_DOWN, false).forward);
-  CHECK_FALSE(asked(GLFW_KEY_DOWN, true).forward);
-  CHECK(asked(GLFW_KEY_UP, false).grain == Grain::out);
-  CHECK_FALSE(asked(GLFW_KEY_UP, true).forward);
+  CHECK(asked("Down").grain == Grain::over);
+  CHECK(asked("Down").forward);
+  CHECK_FALSE(asked("Shift+Down").forward);
+  CHECK(asked("Up").grain == Grain::out);
+  CHECK_FALSE(asked("Shift+Up").forward);
 }
 
 TEST_CASE("STEP that is held down holds, and is let go") {
@@ -77,9 +75,9 @@ TEST_CASE("STEP that is held down holds, and is let go") {
 
 TEST_CASE("a key that repeats holds STEP") {
   Bench bench(tracing(20));
-  bench.key(GLFW_KEY_RIGHT);
+  bench.key("Right");
   CHECK(bench.state.position == 21);
-  bench.repeat(GLFW_KEY_RIGHT);
+  bench.repeat("Right");
   REQUIRE(bench.state.hold);
   CHECK(bench.state.hold->forward);
   CHECK(bench.state.position == 21);
@@ -104,7 +102,7 @@ TEST_CASE("the popup goes to a step and sets conditions") {
 TEST_CASE("the popup's key puts the keyboard into the step to go to") {
   Bench bench(tracing(20));
   bench.frames(2);
-  bench.key(GLFW_KEY_J);
+  bench.key("J");
   bench.frames(4);
   REQUIRE(bench.has("breakpoints-popup"));
   bench.type("100");

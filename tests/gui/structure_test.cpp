@@ -1,9 +1,7 @@
 // The Structure tab by mouse and keys.
 
-#include <GLFW/glfw3.h>
-
 #include "gui/bench.h"
-#include "gui/commands.h"
+#include "gui/command.h"
 #include "inspect/search_walk.h"
 #include "support/catch.h"
 
@@ -42,29 +40,29 @@ TEST_CASE("the structures take the code's place and leave the plan its room") {
 
 TEST_CASE("a search is stepped by keys, buttons and the slider") {
   Bench bench(at_a_ray());
-  bench.key(GLFW_KEY_T, true);
+  bench.key("Ctrl+T");
   REQUIRE(bench.state.tab == Tab::structure);
   bench.frames(2);
   const int last = structure_steps(bench.state);
   REQUIRE(last > 2);
   bench.click("structure-next");
   CHECK(structure_step(bench.state) == 1);
-  bench.key(GLFW_KEY_J, true);
+  bench.key("Ctrl+J");
   CHECK(structure_step(bench.state) == 2);
   bench.click("structure-back");
   CHECK(structure_step(bench.state) == 1);
-  bench.key(GLFW_KEY_K, true);
+  bench.key("Ctrl+K");
   CHECK(structure_step(bench.state) == 0);
   bench.forget();
-  bench.key(GLFW_KEY_K, true);  // there is no step before the first
+  bench.key("Ctrl+K");  // there is no step before the first
   CHECK(bench.last<action::GoInStructure>() == nullptr);
-  bench.key(GLFW_KEY_J, true, true);
+  bench.key("Ctrl+Shift+J");
   CHECK(structure_step(bench.state) == last);
-  bench.key(GLFW_KEY_K, true, true);
+  bench.key("Ctrl+Shift+K");
   CHECK(structure_step(bench.state) == 0);
   bench.drag("structure/slider", 400, 0);
   CHECK(structure_step(bench.state) == last);
-  bench.key(GLFW_KEY_SPACE);  // STEP still steps the walk
+  bench.key("Space");  // STEP still steps the walk
   CHECK(bench.last<action::Step>() != nullptr);
 }
 
@@ -74,21 +72,21 @@ TEST_CASE("the structure and the page are chosen by mouse and keys") {
   bench.frames(2);
   bench.click("structure/octree");
   CHECK(bench.state.structure.kind == AcceleratorKind::octree);
-  bench.key(GLFW_KEY_U, true);
+  bench.key("Ctrl+U");
   CHECK(bench.state.structure.kind == AcceleratorKind::kdtree);
   bench.click("structure/build");
   CHECK(bench.state.structure.page == StructurePage::build);
   bench.frames(2);
   bench.click("structure-next");
   CHECK(bench.state.structure.build_step == 1);
-  bench.key(GLFW_KEY_I, true);
+  bench.key("Ctrl+I");
   CHECK(bench.state.structure.page == StructurePage::search);
   // Elsewhere these keys are silent.
   update(bench.state, action::SetTab{Tab::tree});
   bench.forget();
-  bench.key(GLFW_KEY_U, true);
-  bench.key(GLFW_KEY_I, true);
-  bench.key(GLFW_KEY_J, true);
+  bench.key("Ctrl+U");
+  bench.key("Ctrl+I");
+  bench.key("Ctrl+J");
   CHECK(bench.last<action::ChooseStructure>() == nullptr);
   CHECK(bench.last<action::ShowStructurePage>() == nullptr);
   CHECK(bench.last<action::GoInStructure>() == nullptr);

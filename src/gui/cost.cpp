@@ -2,6 +2,7 @@
 
 #include "gui/broken_lines.h"
 #include "gui/choices.h"
+#include "gui/command.h"
 #include "gui/live_costs.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
@@ -131,7 +132,7 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   if (!(next == now)) ui.act(action::SetCostKnobs{next});
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-  command_button(ui, Command::cost_try, {ui.px(390), ui.px(30)}, look);
+  command_button(ui, command("cost-try"), {ui.px(390), ui.px(30)}, look);
   ImGui::PopStyleVar();
   pop_font();
   ImGui::EndPopup();
@@ -144,17 +145,18 @@ void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   const CostFindings findings{bench.attempts(), bench.floor(), bench.reference_samples()};
 
   ButtonRow row(ui, where, ui.px(28));
-  row.add(Command::cost_page);
+  row.add(command("cost-page"));
   if (ui.state.cost.page == CostPage::effects) {
     draw_effects(ui, where, row.bottom() + ui.px(8), *picture.costs);
     return pop_font();
   }
-  row.add(Command::cost_knobs, setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene()), ui.state.language));
-  row.add(Command::cost_try);
-  row.add(Command::cost_ladder);
-  row.add(Command::cost_axis);
-  row.add(Command::cost_kind);
-  row.add(Command::cost_forget);
+  row.add(command("cost-knobs"),
+          setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene()), ui.state.language));
+  row.add(command("cost-try"));
+  row.add(command("cost-ladder"));
+  row.add(command("cost-axis"));
+  row.add(command("cost-kind"));
+  row.add(command("cost-forget"));
 
   const std::string chosen = broken_lines("A: " + attempt_text(ui.state, findings, ui.state.cost.chosen), where.width);
   const std::string other =
@@ -190,6 +192,107 @@ void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   ImGui::SetCursorScreenPos({where.x, y + height_of(chosen)});
   label(ui.colours.dim_text, other);
   pop_font();
+}
+
+namespace {
+
+constexpr std::array cost_pictures{CostPicture::split, CostPicture::difference};
+constexpr std::array cost_axes{study::CostAxis::rays, study::CostAxis::tests, study::CostAxis::seconds};
+constexpr double split_step = 0.05;  // of the picture's width
+
+bool has_tries(const State& state) {
+  return state.tab == Tab::cost && state.cost.page == CostPage::tries && !state.cost.tried.empty();
+}
+
+bool shows_effects(const State& state) { return state.tab == Tab::cost && state.cost.page == CostPage::effects; }
+
+void try_cost(const Ui& ui, bool ladder) {
+  ui.act(action::SetTab{Tab::cost});
+  ui.act(action::ShowCostPage{CostPage::tries});
+  ui.act(action::TryCost{ladder});
+}
+
+void move_split(const Ui& ui, double by) {
+  const CostState& cost = ui.state.cost;
+  ui.act(action::ShowCosts{cost.picture, cost.axis, cost.split + by});
+}
+
+std::string axis_label(const State& state, bool) {
+  switch (state.cost.axis) {
+    case study::CostAxis::rays:
+      return fill("cost.axis_rays", state.language);
+    case study::CostAxis::tests:
+      return fill("cost.axis_tests", state.language);
+    case study::CostAxis::seconds:
+      return fill("cost.axis_seconds", state.language);
+  }
+  return {};
+}
+
+void choose_next(const Ui& ui) {
+  const CostState& cost = ui.state.cost;
+  ui.act(action::ChooseCost{(cost.chosen + 1) % static_cast<int>(cost.tried.size())});
+}
+
+void compare_with_next(const Ui& ui) {
+  const int next = ui.state.cost.against + 1;
+  ui.act(action::ChooseCost{next < static_cast<int>(ui.state.cost.tried.size()) ? next : -1, true});
+}
+
+std::string kind_label(const State& state, bool) {
+  return fill(state.cost.picture == CostPicture::split ? "cost.shows_split" : "cost.shows_difference", state.language);
+}
+
+void change_kind(const Ui& ui) {
+  const CostState& cost = ui.state.cost;
+  ui.act(action::ShowCosts{next_among(cost_pictures, cost.picture), cost.axis, cost.split});
+}
+
+void change_axis(const Ui& ui) {
+  const CostState& cost = ui.state.cost;
+  ui.act(action::ShowCosts{cost.picture, next_among(cost_axes, cost.axis), cost.split});
+}
+
+std::string page_label(const State& state, bool) {
+  return fill(shows_effects(state) ? "cost.page_tries" : "cost.page_effects", state.language);
+}
+
+void turn_page(const Ui& ui) {
+  ui.act(action::SetTab{Tab::cost});
+  ui.act(action::ShowCostPage{shows_effects(ui.state) ? CostPage::tries : CostPage::effects});
+}
+
+}  // namespace
+
+rows::Rows rows::cost() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "tab-cost", .keys = {"F3"}, .section = Section::tabs, .line = "keys.cost",
+       .chosen = [](const State& state) { return state.tab == Tab::cost; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::cost}); }},
+      {.name = "cost-knobs", .keys = {"Shift+F3"}, .line = "keys.cost",
+       .run = [](const Ui& ui) { ui.wish(WindowWish::cost_knobs); }},
+      {.name = "cost-try", .keys = {"F4"}, .line = "keys.cost", .run = [](const Ui& ui) { try_cost(ui, false); }},
+      {.name = "cost-ladder", .keys = {"Shift+F4"}, .line = "keys.cost",
+       .run = [](const Ui& ui) { try_cost(ui, true); }},
+      {.name = "cost-forget", .keys = {"Ctrl+F4"}, .line = "keys.cost", .enabled = has_tries,
+       .run = [](const Ui& ui) { ui.act(action::ForgetCosts{}); }},
+      {.name = "cost-next", .keys = {"F5"}, .section = Section::cost, .line = "keys.cost_views", .enabled = has_tries,
+       .run = choose_next},
+      {.name = "cost-against", .keys = {"Shift+F5"}, .section = Section::cost, .line = "keys.cost_views",
+       .enabled = has_tries, .run = compare_with_next},
+      {.name = "cost-kind", .keys = {"F6"}, .line = "keys.cost_views", .enabled = has_tries, .label = kind_label,
+       .run = change_kind},
+      {.name = "cost-axis", .keys = {"F7"}, .line = "keys.cost_views", .enabled = has_tries, .label = axis_label,
+       .run = change_axis},
+      {.name = "cost-split-left", .keys = {"Shift+F8"}, .section = Section::cost, .line = "keys.cost_views",
+       .enabled = has_tries, .run = [](const Ui& ui) { move_split(ui, -split_step); }},
+      {.name = "cost-split-right", .keys = {"F8"}, .section = Section::cost, .line = "keys.cost_views",
+       .enabled = has_tries, .run = [](const Ui& ui) { move_split(ui, split_step); }},
+      {.name = "cost-page", .keys = {"F9"}, .section = Section::cost, .label = page_label, .run = turn_page},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

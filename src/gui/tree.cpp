@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -169,6 +170,17 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   }
   ImGui::EndChild();
   return pointed_at;
+}
+
+rows::Rows rows::tree() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "tab-tree", .keys = {"R"}, .section = Section::tabs, .line = "keys.tabs",
+       .chosen = [](const State& state) { return state.tab == Tab::tree; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::tree}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

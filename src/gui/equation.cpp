@@ -1,8 +1,9 @@
+#include "view/equation.h"
 #include "gui/broken_lines.h"
+#include "gui/command.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "text/language.h"
-#include "view/equation.h"
 
 #include <algorithm>
 
@@ -49,6 +50,17 @@ void equation_tab(const Ui& ui, const Rect& where) {
     pop_font();
   }
   ImGui::PopStyleVar();
+}
+
+rows::Rows rows::equation() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "tab-equation", .keys = {"E"}, .section = Section::tabs,
+       .chosen = [](const State& state) { return state.tab == Tab::equation; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::equation}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

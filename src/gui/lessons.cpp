@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/pane_words.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -29,7 +30,7 @@ void list(const Ui& ui, const LessonPanel& panel) {
     if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say("lesson.locked"));
   }
   ImGui::Dummy({1, ui.px(6)});
-  command_button(ui, Command::bugs, {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say("bug.title"));
+  command_button(ui, command("bugs"), {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say("bug.title"));
 }
 
 // The class's votes for a choice: counted while the answer is not known, shown as a bar.
@@ -91,20 +92,20 @@ void options(const Ui& ui, float width, bool open) {
   const auto extent = [&](std::string_view label) {
     return ImVec2{(width - (count - 1) * gap) * needs(label) / needed, button_height(ui)};
   };
-  action::SetLessonOptions wanted{sitting.presenter, sitting.unlocked, !sitting.notes};
+  action::SetLessonOptions next{sitting.presenter, sitting.unlocked, !sitting.notes};
   const auto toggle = [&](const char* name, std::string_view label, std::string_view hint, bool& value, bool is_on) {
     const ButtonLook look{is_on ? Look::choice : Look::plain, Icon::none, ui.fonts.small};
     if (!button(ui, name, ui.say(label), ui.say(hint), extent(label), look, is_on)) return;
     value = !value;
-    ui.act(wanted);
+    ui.act(next);
   };
-  toggle("lesson-presenter", "lesson.presenter", "lesson.presenter_hint", wanted.presenter, sitting.presenter);
+  toggle("lesson-presenter", "lesson.presenter", "lesson.presenter_hint", next.presenter, sitting.presenter);
   ImGui::SameLine(0, gap);
   if (!presents) {
-    toggle("lesson-unlock", "lesson.unlock", "lesson.unlock_hint", wanted.unlocked, sitting.unlocked);
+    toggle("lesson-unlock", "lesson.unlock", "lesson.unlock_hint", next.unlocked, sitting.unlocked);
     return;
   }
-  toggle("lesson-notes", "lesson.notes", "lesson.notes_hint", wanted.without_notes, sitting.notes);
+  toggle("lesson-notes", "lesson.notes", "lesson.notes_hint", next.without_notes, sitting.notes);
   ImGui::SameLine(0, gap);
   if (button(ui, "lesson-script", ui.say("lesson.script"), ui.say("lesson.script_hint"), extent("lesson.script"),
              {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
@@ -224,7 +225,7 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
     if (panel.asks == Asks::line) paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
     pop_font();
   }
-  if (panel.asks == Asks::line && sitting.revealed && ui.state.bug) command_button(ui, Command::bug_mend, wide);
+  if (panel.asks == Asks::line && sitting.revealed && ui.state.bug) command_button(ui, command("bug-mend"), wide);
   if (panel.astray &&
       button(ui, "lesson-question", ui.say("lesson.back_to_question"), "", wide, {.look = Look::primary}))
     ui.act(action::GoToLessonStep{panel.step - 1});
@@ -273,6 +274,51 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     options(ui, width, open);
   }
   end_pane();
+}
+
+bool lesson_by_key(const KeyPress& press, const Ui& ui) {
+  const State& state = ui.state;
+  if (!state.lessons.shown || state.mode != Mode::trace || press.ctrl || press.alt) return false;
+  const LessonPanel panel = lesson_panel(state);
+  const int digit = press.key.size() == 1 ? press.key[0] - '1' : -1;
+  const bool picks = panel.asks == Asks::choice && !state.lessons.revealed && digit >= 0 &&
+                     digit < static_cast<int>(panel.choices.size());
+  if (picks && state.lessons.presenter) {
+    ui.act(action::ShowHands{digit, press.shift ? -1 : 1});
+    return true;
+  }
+  if (press.shift) return false;
+  if (picks) {
+    ui.act(action::GuessChoice{digit});
+    return true;
+  }
+  if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray &&
+      (press.key == "Up" || press.key == "Down")) {
+    const int last = static_cast<int>(panel.choices.size()) - 1, by = press.key == "Up" ? -1 : 1;
+    const std::optional<int>& now = state.lessons.guess.choice;
+    ui.act(action::GuessChoice{now ? std::clamp(*now + by, 0, last) : by > 0 ? 0 : last});
+    return true;
+  }
+  if (press.key != "Enter") return false;
+  if (panel.can_reveal) {
+    ui.act(action::RevealLesson{});
+  } else if (panel.can_go_on) {
+    ui.act(action::GoToLessonStep{panel.step});
+  } else {
+    return false;
+  }
+  return true;
+}
+
+rows::Rows rows::lessons() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "lessons", .keys = {"F2"}, .section = Section::learn,
+       .chosen = [](const State& state) { return state.lessons.shown; },
+       .run = [](const Ui& ui) { ui.act(action::ShowLessons{!ui.state.lessons.shown}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/form.h"
 #include "gui/panes.h"
 #include "gui/schema_form.h"
@@ -93,7 +94,7 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
     ImGui::PopClipRect();
     pop_font();
     ImGui::SetCursorScreenPos({at.x + width - edge, at.y});
-    command_button(ui, Command::deselect, {edge, edge},
+    command_button(ui, command("deselect"), {edge, edge},
                    {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false});
 
     push_font(ui.fonts.small);
@@ -137,6 +138,32 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
     fade_edges(ui, ui.colours.panel);
   }
   end_pane();
+}
+
+namespace {
+
+bool can_remove(const State& state) {
+  const TargetKind kind = state.selected.kind;
+  return state.mode == Mode::move &&
+         (kind == TargetKind::object || kind == TargetKind::light || kind == TargetKind::corner);
+}
+
+}  // namespace
+
+rows::Rows rows::properties() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "edit-properties", .keys = {{"Enter", When::move}}, .section = Section::select, .line = "keys.edit",
+       .enabled = [](const State& state) { return state.mode == Mode::move && static_cast<bool>(state.selected); },
+       .run = [](const Ui& ui) { ui.wish(WindowWish::properties); }},
+      {.name = "remove", .keys = {{"Delete", When::move}, {"Backspace", When::move}}, .section = Section::select,
+       .line = "keys.edit", .enabled = can_remove, .run = [](const Ui& ui) { ui.act(action::RemoveSelected{}); }},
+      {.name = "deselect", .section = Section::select,
+       .enabled = [](const State& state) { return static_cast<bool>(state.selected); },
+       .run = [](const Ui& ui) { ui.act(action::Select{}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -99,6 +100,32 @@ void plan_pane(const Ui& ui, const Rect& where) {
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
   end_pane();
+}
+
+namespace {
+
+void zoom(const Ui& ui, double factor) {
+  const Viewport& pane = ui.state.viewport;
+  ui.act(action::Zoom{{pane.width / 2, pane.height / 2}, factor});
+}
+
+}  // namespace
+
+rows::Rows rows::plan() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "fit", .keys = {"F"}, .section = Section::zoom, .line = "keys.zoom",
+       .run = [](const Ui& ui) { ui.act(action::FitView{}); }},
+      {.name = "zoom-in", .keys = {"Alt+Up"}, .section = Section::zoom, .line = "keys.zoom",
+       .run = [](const Ui& ui) { zoom(ui, 1.25); }},
+      {.name = "zoom-out", .keys = {"Alt+Down"}, .section = Section::zoom, .line = "keys.zoom",
+       .run = [](const Ui& ui) { zoom(ui, 1 / 1.25); }},
+      {.name = "ghosts", .keys = {"N"}, .section = Section::show,
+       .chosen = [](const State& state) { return state.shows_ghosts; },
+       .run = [](const Ui& ui) { ui.act(action::ShowGhosts{!ui.state.shows_ghosts}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

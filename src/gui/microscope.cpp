@@ -1,6 +1,7 @@
 // The numerical microscope: a hit at any magnification, and what robust and naive numerics make of it.
 
 #include "gui/broken_lines.h"
+#include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -22,20 +23,21 @@ void draw_controls(const Ui& ui, ButtonRow& row, float height) {
   plus.icon = Icon::plus;
   row.place(2 * edge + bar + 2 * gap);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  command_button(ui, Command::diminish, {edge, height}, minus);
+  command_button(ui, command("diminish"), {edge, height}, minus);
   ImGui::SetCursorScreenPos({at.x + edge + gap, at.y});
   const auto to = slider(ui, "magnification", {bar, height}, static_cast<float>(ui.state.magnified), {});
   if (to && static_cast<double>(*to) != ui.state.magnified) ui.act(action::Magnify{static_cast<double>(*to)});
   tooltip(ui, "magnification", ui.say("microscope.magnification_hint"));
   ImGui::SetCursorScreenPos({at.x + edge + bar + 2 * gap, at.y});
-  command_button(ui, Command::magnify, {edge, height}, plus);
-  row.add(Command::to_numbers);
-  row.add(Command::to_scene);
-  for (const auto& pair : {std::array{Command::numerics_robust, Command::numerics_naive},
-                           std::array{Command::precision_double, Command::precision_float}}) {
-    const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-    row.place(button_width(ui, pair[0], look) + button_width(ui, pair[1], look));
-    choice(ui, {pair[0], pair[1]}, height, ui.fonts.small);
+  command_button(ui, command("magnify"), {edge, height}, plus);
+  row.add(command("to-numbers"));
+  row.add(command("to-scene"));
+  for (const Section section : {Section::numerics, Section::precision}) {
+    float width = 0;
+    for (const Command* each : commands_in(section))
+      width += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small});
+    row.place(width);
+    choice(ui, commands_in(section), height, ui.fonts.small);
   }
 }
 
@@ -156,6 +158,57 @@ void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, For
   }
   ImGui::EndChild();
   pop_font();
+}
+
+namespace {
+
+constexpr double magnify_step = 0.05;
+
+bool can_magnify(const State& state) { return state.tab == Tab::microscope && state.magnified < 1; }
+bool can_diminish(const State& state) { return state.tab == Tab::microscope && state.magnified > 0; }
+
+void set_numerics(const Ui& ui, Numerics numerics) {
+  ui.act(action::SetNumerics{numerics, ui.state.scene().render.epsilon});
+}
+
+void set_precision(const Ui& ui, bool single) {
+  ImageSettings settings = ui.state.image;
+  settings.single_precision = single;
+  ui.act(action::SetImageSettings{settings});
+}
+
+}  // namespace
+
+rows::Rows rows::microscope() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "tab-microscope", .keys = {"Y"}, .section = Section::tabs, .line = "keys.microscope",
+       .chosen = [](const State& state) { return state.tab == Tab::microscope; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::microscope}); }},
+      {.name = "magnify", .keys = {"Z"}, .section = Section::microscope, .line = "keys.microscope",
+       .enabled = can_magnify, .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.magnified + magnify_step}); }},
+      {.name = "diminish", .keys = {"Shift+Z"}, .section = Section::microscope, .line = "keys.microscope",
+       .enabled = can_diminish,
+       .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.magnified - magnify_step}); }},
+      {.name = "to-numbers", .keys = {"Alt+Z"}, .section = Section::microscope, .line = "keys.microscope",
+       .enabled = can_magnify, .run = [](const Ui& ui) { ui.act(action::Magnify{1}); }},
+      {.name = "to-scene", .keys = {"Alt+Shift+Z"}, .section = Section::microscope, .line = "keys.microscope",
+       .enabled = can_diminish, .run = [](const Ui& ui) { ui.act(action::Magnify{0}); }},
+      {.name = "numerics-robust", .keys = {"Shift+Q"}, .section = Section::numerics, .line = "keys.numerics",
+       .chosen = [](const State& state) { return state.scene().render.numerics == Numerics::robust; },
+       .run = [](const Ui& ui) { set_numerics(ui, Numerics::robust); }},
+      {.name = "numerics-naive", .keys = {"Q"}, .section = Section::numerics, .line = "keys.numerics",
+       .chosen = [](const State& state) { return state.scene().render.numerics == Numerics::naive; },
+       .run = [](const Ui& ui) { set_numerics(ui, Numerics::naive); }},
+      {.name = "precision-double", .keys = {"Alt+Shift+Q"}, .section = Section::precision, .line = "keys.numerics",
+       .chosen = [](const State& state) { return !state.image.single_precision; },
+       .run = [](const Ui& ui) { set_precision(ui, false); }},
+      {.name = "precision-float", .keys = {"Alt+Q"}, .section = Section::precision, .line = "keys.numerics",
+       .chosen = [](const State& state) { return state.image.single_precision; },
+       .run = [](const Ui& ui) { set_precision(ui, true); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

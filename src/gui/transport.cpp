@@ -30,8 +30,7 @@ struct Rows {
     bottom = ui.px(tight ? 8 : margin);
     const float space = ImGui::GetStyle().ItemSpacing.x;
     grain = ui.px(10);
-    for (const Command command : {Command::grain_line, Command::grain_ray, Command::grain_pixel})
-      grain += button_width(ui, command, {.look = Look::choice});
+    for (const Command* each : commands_in(Section::grain)) grain += button_width(ui, *each, {.look = Look::choice});
     inner = width - ui.px(2 * margin);
     const float buttons = big + ui.px(3 * step_width), transport = buttons + 3 * space,
                 ends = ui.px(2 * small) + 2 * space;
@@ -66,28 +65,28 @@ struct Rows {
 };
 
 // STEP and BACK speed up while held down.
-void hold(const Ui& ui, Command command) {
+void hold(const Ui& ui, const Command& command) {
   constexpr float patience = 0.4f;  // seconds
   const ImGuiIO& io = ImGui::GetIO();
-  bool& holding = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(command_name(command).data()), false);
+  bool& holding = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(command.name.data()), false);
   if (!io.MouseDown[0]) {
     if (std::exchange(holding, false)) ui.act(action::Release{});
     return;
   }
-  const Rect& where = ui.items.find(command_name(command))->second;
+  const Rect& where = ui.items.find(command.name)->second;
   if (holding || !where.contains(io.MouseClickedPos[0].x, io.MouseClickedPos[0].y) || !enabled(command, ui.state) ||
       !where.contains(io.MousePos.x, io.MousePos.y))
     return;
   const float left = patience - io.MouseDownDuration[0];
   if (left > 0) return ui.rest.wake_in(static_cast<double>(left));
   holding = true;
-  ui.act(action::Hold{command == Command::step});
+  command.held(ui);
 }
 
 void speed_control(const Ui& ui, const Rows& rows) {
   const ButtonLook minus{.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false};
   const ButtonLook plus{.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false};
-  command_button(ui, Command::slower, {ui.px(small), ui.px(small)}, minus);
+  command_button(ui, command("slower"), {ui.px(small), ui.px(small)}, minus);
   ImGui::SameLine();
   if (rows.slider > 0) {
     // The slider is logarithmic.
@@ -107,7 +106,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
     tooltip(ui, "speed", ui.say("transport.speed_hint"));
     ImGui::SameLine();
   }
-  command_button(ui, Command::faster, {ui.px(small), ui.px(small)}, plus);
+  command_button(ui, command("faster"), {ui.px(small), ui.px(small)}, plus);
 }
 
 void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
@@ -133,7 +132,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   ButtonLook last = first;
   last.icon = Icon::last;
   ImGui::SetCursorScreenPos(at);
-  command_button(ui, Command::first, {edge, edge}, first);
+  command_button(ui, command("first"), {edge, edge}, first);
   const float left = at.x + edge + ui.px(8);
   ImGui::SetCursorScreenPos({left, at.y});
   const int steps = std::max(state.timeline->steps(), 1);
@@ -153,7 +152,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   }
   tooltip(ui, "scrub", ui.say("transport.scrub_hint") + "\n" + status_line(state));
   ImGui::SetCursorScreenPos({left + length + ui.px(8), at.y});
-  command_button(ui, Command::last, {edge, edge}, last);
+  command_button(ui, command("last"), {edge, edge}, last);
   if (!with_status) return;
   ImGui::SetCursorScreenPos({right - widest, at.y + (edge - line_height(ui.fonts, *ui.fonts.small)) / 2});
   push_font(ui.fonts.small);
@@ -163,7 +162,7 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const bool lit = ImGui::IsItemHovered();
   ui.publish("status");
   tooltip(ui, "status",
-          ui.say("transport.status_hint") + "  (" + command_key(Command::breakpoints, ui.state.language) + ")");
+          ui.say("transport.status_hint") + "  (" + command_key(command("breakpoints"), ui.state.language) + ")");
   ImGui::GetWindowDrawList()->AddText(place, to_imgui(lit ? ui.colours.text : ui.colours.dim_text), status.c_str());
   pop_font();
 }
@@ -198,18 +197,18 @@ void transport_pane(const Ui& ui, const Rect& where) {
     ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
     const bool playing = ui.state.playing;
     ImGui::SetCursorScreenPos({left, y});
-    command_button(ui, Command::step_back, {rows.big * rows.shrink, step.y},
+    command_button(ui, command("step-back"), {rows.big * rows.shrink, step.y},
                    {.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false});
     ImGui::SameLine();
-    command_button(ui, Command::step, step,
+    command_button(ui, command("step"), step,
                    {.look = playing ? Look::plain : Look::primary, .icon = Icon::none, .font = font});
     ImGui::SameLine();
-    hold(ui, Command::step_back);
-    hold(ui, Command::step);
-    command_button(ui, Command::play, step,
+    hold(ui, command("step-back"));
+    hold(ui, command("step"));
+    command_button(ui, command("play"), step,
                    {.look = playing ? Look::primary : Look::plain, .icon = Icon::none, .font = font});
     ImGui::SameLine();
-    command_button(ui, Command::clear, step, {.look = Look::plain, .icon = Icon::none, .font = font});
+    command_button(ui, command("clear"), step, {.look = Look::plain, .icon = Icon::none, .font = font});
 
     if (rows.compact) {
       scrub_row(ui, rows, {left, y + rows.big + rows.gap});
@@ -227,7 +226,7 @@ void transport_pane(const Ui& ui, const Rect& where) {
       label(ui.colours.dim_text, about);
     }
     ImGui::SetCursorScreenPos({grain_x, rows.beside ? centred : second});
-    choice(ui, {Command::grain_line, Command::grain_ray, Command::grain_pixel}, ui.px(small), nullptr, rows.grain);
+    choice(ui, commands_in(Section::grain), ui.px(small), nullptr, rows.grain);
     ImGui::SetCursorScreenPos({speed_x, rows.own_row ? second : centred});
     speed_control(ui, rows);
     scrub_row(ui, rows, {left, third});

@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "view/panels.h"
@@ -71,6 +72,17 @@ int stack_tab(const Ui& ui, const Rect& where) {
   }
   ImGui::PopStyleVar();
   return pointed_at;
+}
+
+rows::Rows rows::stack() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "tab-stack", .keys = {"K"}, .section = Section::tabs, .line = "keys.tabs",
+       .chosen = [](const State& state) { return state.tab == Tab::stack; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::stack}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -96,6 +97,17 @@ void legend_pane(const Ui& ui, const Rect& where) {
     pop_font();
   }
   end_pane();
+}
+
+rows::Rows rows::legend() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "tab-legend", .keys = {"L"}, .section = Section::tabs, .line = "keys.tabs",
+       .chosen = [](const State& state) { return state.tab == Tab::legend; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::legend}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -50,13 +51,13 @@ void lines_pane(const Ui& ui, const Rect& where) {
     const float edge = ui.px(28);
     ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
     float x = where.right() - ui.px(10);
-    for (const Command command : {Command::lines, Command::reset_view, Command::walk_strip}) {
-      if (!enabled(command, ui.state)) continue;
-      const float width = button_width(ui, command, look);
+    for (const Command* each : {&command("lines"), &command("reset-view"), &command("walk-strip")}) {
+      if (!enabled(*each, ui.state)) continue;
+      const float width = button_width(ui, *each, look);
       x -= width;
       if (x < where.x) break;
       ImGui::SetCursorScreenPos({x, where.y + ui.px(8)});
-      command_button(ui, command, {width, edge}, look);
+      command_button(ui, *each, {width, edge}, look);
       x -= ui.px(6);
     }
     ImGui::SetCursorScreenPos(corner(where));
@@ -89,6 +90,59 @@ void lines_pane(const Ui& ui, const Rect& where) {
     }
   }
   end_pane();
+}
+
+namespace {
+
+constexpr double turn_step = 3.14159265358979323846 / 24;  // radians
+constexpr double shift_step = 0.05;                        // of the view's width
+
+// The view that keys turn: the lines, if they are shown and were turned last, else the picture.
+SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.turned_last : SpaceView::image; }
+
+std::string lines_label(const State& state, bool) {
+  return fill(shows_lines(state) ? "plan.name" : "command.lines.label", state.language);
+}
+
+bool is_turned(const State& state) {
+  return (view_in_hand(state) == SpaceView::image ? state.image_camera : state.lines_camera).has_value();
+}
+
+}  // namespace
+
+rows::Rows rows::lines() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "lines", .keys = {"V"}, .section = Section::show, .line = "keys.lines", .label = lines_label,
+       .run = [](const Ui& ui) { ui.act(action::ShowLines{!shows_lines(ui.state)}); }},
+      {.name = "walk-strip", .keys = {{"S", When::trace}}, .section = Section::show, .line = "keys.lines",
+       .enabled = [](const State& state) { return state.walk.has_value(); },
+       .run = [](const Ui& ui) { ui.act(action::WalkStrip{}); }},
+      {.name = "turn-left", .keys = {"Alt+Shift+Left"}, .line = "keys.turn",
+       .run = [](const Ui& ui) { ui.act(action::Orbit{view_in_hand(ui.state), {-turn_step, 0}}); }},
+      {.name = "turn-right", .keys = {"Alt+Shift+Right"}, .line = "keys.turn",
+       .run = [](const Ui& ui) { ui.act(action::Orbit{view_in_hand(ui.state), {turn_step, 0}}); }},
+      {.name = "turn-up", .keys = {"Alt+Shift+Up"}, .line = "keys.turn",
+       .run = [](const Ui& ui) { ui.act(action::Orbit{view_in_hand(ui.state), {0, -turn_step}}); }},
+      {.name = "turn-down", .keys = {"Alt+Shift+Down"}, .line = "keys.turn",
+       .run = [](const Ui& ui) { ui.act(action::Orbit{view_in_hand(ui.state), {0, turn_step}}); }},
+      {.name = "shift-left", .keys = {"Ctrl+Shift+Left"}, .line = "keys.shift",
+       .run = [](const Ui& ui) { ui.act(action::Shift{view_in_hand(ui.state), {-shift_step, 0}}); }},
+      {.name = "shift-right", .keys = {"Ctrl+Shift+Right"}, .line = "keys.shift",
+       .run = [](const Ui& ui) { ui.act(action::Shift{view_in_hand(ui.state), {shift_step, 0}}); }},
+      {.name = "shift-up", .keys = {"Ctrl+Shift+Up"}, .line = "keys.shift",
+       .run = [](const Ui& ui) { ui.act(action::Shift{view_in_hand(ui.state), {0, -shift_step}}); }},
+      {.name = "shift-down", .keys = {"Ctrl+Shift+Down"}, .line = "keys.shift",
+       .run = [](const Ui& ui) { ui.act(action::Shift{view_in_hand(ui.state), {0, shift_step}}); }},
+      {.name = "approach", .keys = {"Alt+Page Up"}, .line = "keys.approach",
+       .run = [](const Ui& ui) { ui.act(action::Approach{view_in_hand(ui.state), 1.15}); }},
+      {.name = "recede", .keys = {"Alt+Page Down"}, .line = "keys.approach",
+       .run = [](const Ui& ui) { ui.act(action::Approach{view_in_hand(ui.state), 1 / 1.15}); }},
+      {.name = "reset-view", .keys = {"O"}, .section = Section::show, .line = "keys.approach", .enabled = is_turned,
+       .run = [](const Ui& ui) { ui.act(action::ResetView{view_in_hand(ui.state)}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/pane_words.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <random>
 
 namespace raywalk {
 
@@ -80,17 +82,17 @@ void bug_pane(const Ui& ui, const Rect& where) {
     const float y = where.bottom() - foot + ui.px(8), half = (width - gap) / 2;
     ImGui::SetCursorScreenPos({left, y});
     if (!panel.hunting) {
-      command_button(ui, Command::bug_surprise, {width, height}, {.look = Look::primary}, ui.say("bug.surprise"));
+      command_button(ui, command("bug-surprise"), {width, height}, {.look = Look::primary}, ui.say("bug.surprise"));
     } else {
       const bool open = panel.can_give_up;
-      command_button(ui, open ? Command::bug_mark : Command::bug_mend, {half, height},
+      command_button(ui, open ? command("bug-mark") : command("bug-mend"), {half, height},
                      {.look = open ? Look::primary : Look::plain},
                      ui.say(panel.can_judge        ? "bug.judge"
                             : open                 ? "bug.mark"
                             : ui.state.bug->mended ? "bug.break_again"
                                                    : "bug.mend"));
       ImGui::SetCursorScreenPos({left + half + gap, y});
-      command_button(ui, open ? Command::bug_cure : Command::bug_surprise, {half, height},
+      command_button(ui, open ? command("bug-cure") : command("bug-surprise"), {half, height},
                      {.look = open ? Look::plain : Look::primary}, ui.say(open ? "bug.give_up" : "bug.surprise"));
     }
 
@@ -106,6 +108,46 @@ void bug_pane(const Ui& ui, const Rect& where) {
     }
   }
   end_pane();
+}
+
+namespace {
+
+// Marks the line that has just run; if one is marked already, judges it.
+void mark_line(const Ui& ui) {
+  const State& state = ui.state;
+  if (state.bugs.hunt && state.bugs.hunt->marked) return ui.act(action::JudgeLine{});
+  if (const Event* just_run = state.timeline->just_run(state.position)) ui.act(action::MarkLine{just_run->line});
+}
+
+void hunt_surprise(const Ui& ui) {
+  ui.act(action::HuntBug{surprising_bug(ui.state.bugs, std::random_device{}()), true});
+}
+
+bool can_mark(const State& state) {
+  return asks_for_line(state) && (marked_line(state) || state.position > 0 || state.playing);
+}
+
+}  // namespace
+
+rows::Rows rows::bugs() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "bugs", .keys = {"Shift+F2"}, .section = Section::learn, .line = "keys.bugs",
+       .chosen = [](const State& state) { return state.bugs.shown; },
+       .run = [](const Ui& ui) { ui.act(action::ShowBugs{!ui.state.bugs.shown}); }},
+      {.name = "bug-surprise", .keys = {"Ctrl+F2"}, .line = "keys.bugs", .run = hunt_surprise},
+      {.name = "bug-mark", .keys = {{"Enter", When::trace}}, .line = "keys.bugs", .enabled = can_mark,
+       .run = mark_line},
+      {.name = "bug-cure", .keys = {"Shift+Enter"}, .line = "keys.bugs",
+       .enabled = [](const State& state) { return state.bugs.hunt && state.bugs.hunt->end == BugEnd::open; },
+       .run = [](const Ui& ui) { ui.act(action::ShowCure{}); }},
+      {.name = "bug-mend", .keys = {"Alt+Enter"}, .line = "keys.bugs",
+       .enabled = [](const State& state) { return state.bug && state.bug->known; },
+       .chosen = [](const State& state) { return state.bug && state.bug->mended; },
+       .run = [](const Ui& ui) { ui.act(action::MendBug{!ui.state.bug->mended}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

@@ -1,4 +1,4 @@
-#include "gui/key_list.h"
+#include "gui/command.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "view/text.h"

@@ -12,13 +12,10 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
     ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
                                         to_imgui(Shades(ui.state.theme).line));
     ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
-    const float tabs =
-        choice_in_lines(ui,
-                        {Command::tab_image, Command::tab_tree, Command::tab_stack, Command::tab_equation,
-                         Command::tab_legend, Command::tab_cost, Command::tab_microscope, Command::tab_structure},
-                        height, ui.fonts.small, where.width - 2 * margin - height - ui.px(4));
+    const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
+                                       where.width - 2 * margin - height - ui.px(4));
     ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
-    command_button(ui, Command::exchange, {height, height},
+    command_button(ui, command("exchange"), {height, height},
                    {.look = Look::flat, .icon = Icon::exchange, .font = nullptr, .label = false});
     const float top = where.y + tabs + ui.px(14);
     const Rect inside{where.x + margin, top, where.width - 2 * margin, where.bottom() - top - ui.px(4)};

@@ -1,3 +1,4 @@
+#include "gui/command.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "text/language.h"
@@ -61,15 +62,46 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
 
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
   const ImVec2 extent{(width - ui.px(12)) / 3, ui.px(32)};
-  command_button(ui, Command::run_back, extent, look);
+  command_button(ui, command("run-back"), extent, look);
   ImGui::SameLine();
-  command_button(ui, Command::run_on, extent, look);
+  command_button(ui, command("run-on"), extent, look);
   ImGui::SameLine();
   if (button(ui, "remove-breakpoints", ui.say("breakpoints.remove"), "", extent, look, false, state.breakpoints.any()))
     ui.act(action::SetBreakpoints{});
   ImGui::PopStyleVar();
   pop_font();
   ImGui::EndPopup();
+}
+
+namespace {
+
+const Event* next_event(const State& state) { return state.timeline->next(state.position); }
+
+bool breaks_here(const State& state) {
+  const Event* const next = next_event(state);
+  return next != nullptr && state.breakpoints.is_before(next->line);
+}
+
+}  // namespace
+
+rows::Rows rows::breakpoints() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "run-on", .keys = {"W"}, .section = Section::run, .line = "keys.run",
+       .enabled = [](const State& state) { return next_event(state) != nullptr; },
+       .run = [](const Ui& ui) { ui.act(action::RunOn{true}); }},
+      {.name = "run-back", .keys = {"Shift+W"}, .section = Section::run, .line = "keys.run",
+       .enabled = [](const State& state) { return state.position > 0 || state.playing; },
+       .run = [](const Ui& ui) { ui.act(action::RunOn{false}); }},
+      {.name = "break-here", .keys = {"Ctrl+B"}, .section = Section::run, .line = "keys.breaks",
+       .enabled = [](const State& state) { return next_event(state) != nullptr; }, .chosen = breaks_here,
+       .run = [](const Ui& ui) { ui.act(action::ToggleBreakpoint{next_event(ui.state)->line}); }},
+      {.name = "breakpoints", .keys = {"B", "J"}, .section = Section::run, .line = "keys.breaks",
+       .chosen = [](const State& state) { return state.breakpoints.any(); },
+       .run = [](const Ui& ui) { ui.wish(WindowWish::breakpoints); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

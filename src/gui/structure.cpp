@@ -1,8 +1,10 @@
 // The accelerators, step by step: which one, the step of its search or build, what the step did, what each saves.
 
+#include "gui/choices.h"
+#include "gui/command.h"
 #include "gui/panes.h"
-#include "gui/structure_commands.h"
 #include "gui/widgets.h"
+#include "inspect/search_walk.h"
 #include "view/text.h"
 
 #include <algorithm>
@@ -41,7 +43,7 @@ float draw_steps(const Ui& ui, const Rect& where, float height) {
   const ButtonLook back{.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false};
   ButtonLook next{.look = Look::primary, .icon = Icon::step, .font = nullptr, .label = false};
   ImGui::SetCursorScreenPos(corner(where));
-  command_button(ui, Command::structure_back, {edge, height}, back);
+  command_button(ui, command("structure-back"), {edge, height}, back);
   ImGui::SetCursorScreenPos({where.x + edge + gap, where.y});
   const int steps = structure_steps(ui.state);
   const float at = steps > 0 ? static_cast<float>(structure_step(ui.state)) / static_cast<float>(steps) : 0.0f;
@@ -52,7 +54,7 @@ float draw_steps(const Ui& ui, const Rect& where, float height) {
   }
   tooltip(ui, "structure/slider", said(ui, "structure.slider_hint"));
   ImGui::SetCursorScreenPos({where.right() - edge, where.y});
-  command_button(ui, Command::structure_next, {edge, height}, next);
+  command_button(ui, command("structure-next"), {edge, height}, next);
   return where.y + height;
 }
 
@@ -127,6 +129,49 @@ void structure_tab(const Ui& ui, const Rect& pane) {
   }
   words(ui.fonts.strong, ui.colours.text, panel.summary, "structure/summary");
   for (const std::string& note : panel.notes) words(ui.fonts.small, ui.colours.dim_text, note, "structure/note");
+}
+
+namespace {
+
+bool has_next_box(const State& state) {
+  return shows_structure(state) && structure_step(state) < structure_steps(state);
+}
+bool has_last_box(const State& state) { return shows_structure(state) && structure_step(state) > 0; }
+
+void watch_next_kind(const Ui& ui) {
+  ui.act(action::ChooseStructure{next_among(watched_accelerators, ui.state.structure.kind)});
+}
+
+void turn_structure_page(const Ui& ui) {
+  const bool search = ui.state.structure.page == StructurePage::search;
+  ui.act(action::ShowStructurePage{search ? StructurePage::build : StructurePage::search});
+}
+
+}  // namespace
+
+rows::Rows rows::structure() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "tab-structure", .keys = {"Ctrl+T"}, .section = Section::tabs, .line = "keys.structure",
+       .chosen = [](const State& state) { return state.tab == Tab::structure; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::structure}); }},
+      {.name = "structure-kind", .keys = {"Ctrl+U"}, .section = Section::structure, .line = "keys.structure",
+       .enabled = shows_structure, .run = watch_next_kind},
+      {.name = "structure-page", .keys = {"Ctrl+I"}, .section = Section::structure, .line = "keys.structure",
+       .enabled = shows_structure, .run = turn_structure_page},
+      {.name = "structure-next", .keys = {"Ctrl+J"}, .section = Section::structure, .line = "keys.structure_steps",
+       .enabled = has_next_box,
+       .run = [](const Ui& ui) { ui.act(action::GoInStructure{structure_step(ui.state) + 1}); }},
+      {.name = "structure-back", .keys = {"Ctrl+K"}, .section = Section::structure, .line = "keys.structure_steps",
+       .enabled = has_last_box,
+       .run = [](const Ui& ui) { ui.act(action::GoInStructure{structure_step(ui.state) - 1}); }},
+      {.name = "structure-last", .keys = {"Ctrl+Shift+J"}, .line = "keys.structure_steps", .enabled = has_next_box,
+       .run = [](const Ui& ui) { ui.act(action::GoInStructure{structure_steps(ui.state)}); }},
+      {.name = "structure-first", .keys = {"Ctrl+Shift+K"}, .line = "keys.structure_steps", .enabled = has_last_box,
+       .run = [](const Ui& ui) { ui.act(action::GoInStructure{0}); }},
+  };
+  // clang-format on
+  return all;
 }
 
 }  // namespace raywalk

@@ -1,0 +1,173 @@
+// The bar along the top, with the menus.
+
+#include "gui/command.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/text.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace raywalk {
+
+namespace {
+
+void recent_menu(const Ui& ui) {
+  const bool open = ImGui::BeginMenu(ui.say("menu.recent").c_str(), !ui.state.recent.empty());
+  ui.publish("menu/recent");
+  if (!open) return;
+  int number = 0;
+  for (const std::string& path : ui.state.recent) {
+    ImGui::PushID(number);
+    const std::filesystem::path file(path);
+    const std::string folder = file.parent_path().string();
+    if (ImGui::MenuItem(file.filename().string().c_str(), folder.c_str())) ui.act(action::Open{path});
+    ui.publish("menu/recent/" + std::to_string(number++));
+    ImGui::PopID();
+  }
+  ImGui::EndMenu();
+}
+
+/// One line per language, with the name from its file.
+void language_items(const Ui& ui) {
+  for (const Language language : ui.state.language.others().all()) {
+    const std::string name(language.name()), code(language.code());
+    if (ImGui::MenuItem(("    " + name).c_str(), nullptr, language == ui.state.language))
+      ui.act(action::SetLanguage{code});
+    ui.publish("menu/language/" + code);
+  }
+}
+
+struct MenuPart {
+  Section section;
+  void (*more)(const Ui&) = nullptr;  ///< what follows its commands
+};
+
+struct Menu {
+  std::string_view title;  ///< the id of its text
+  const char* name;        ///< of its item, for tests
+  std::vector<MenuPart> parts;
+};
+
+const std::array<Menu, menu_count> menus{{
+    {"menu.file", "menu-file", {{Section::open, recent_menu}, {Section::save}, {Section::quit}}},
+    {"menu.edit", "menu-edit", {{Section::undo}, {Section::select}}},
+    {"menu.view", "menu-view", {{Section::zoom}, {Section::show}, {Section::style, language_items}, {Section::window}}},
+    {"menu.walk",
+     "menu-walk",
+     {{Section::step},
+      {Section::back},
+      {Section::over},
+      {Section::run},
+      {Section::grain},
+      {Section::play},
+      {Section::ends},
+      {Section::learn}}},
+    {"menu.panels",
+     "menu-panels",
+     {{Section::tabs},
+      {Section::cost},
+      {Section::microscope},
+      {Section::numerics},
+      {Section::precision},
+      {Section::structure}}},
+}};
+
+// A menu of the bar; `open` opens it. Returns whether it is open.
+bool show_menu(const Ui& ui, const Menu& menu, bool open) {
+  const std::string heading = ui.say(menu.title);
+  if (open) ImGui::OpenPopup(heading.c_str());
+  // A menu longer than the window scrolls below the bar: covering the bar, it would take the click that opens it.
+  const float bar = ImGui::GetWindowHeight(), window = ImGui::GetIO().DisplaySize.y;
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, std::max(window - bar - ui.px(4), 1.0f)});
+  const bool is_open = ImGui::BeginMenu(heading.c_str());
+  ui.publish(menu.name);
+  if (!is_open) return false;
+  // So tight that the longest menu fits below the bar of a window of 720 units.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(6)});
+  bool first = true;
+  for (const MenuPart& part : menu.parts) {
+    if (!std::exchange(first, false)) ImGui::Separator();
+    for (const Command* each : commands_in(part.section)) menu_item(ui, *each);
+    if (part.more != nullptr) part.more(ui);
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndMenu();
+  return true;
+}
+
+}  // namespace
+
+int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
+  int is_open = -1;
+  const float text_height = ImGui::GetFontSize();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), std::max((where.height - text_height) / 2, 0.0f)});
+  const bool visible =
+      begin_pane(ui, "bar", where, ui.colours.window,
+                 ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool has_bar = visible && ImGui::BeginMenuBar();
+  ImGui::PopStyleVar(2);
+  if (has_bar) {
+    // Large letters in a small window leave less space between menus.
+    const float apart = where.width < ui.px(760) ? ui.px(7) : ui.px(14);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
+    for (std::size_t i = 0; i < menus.size(); ++i)
+      if (show_menu(ui, menus[i], open_menu == static_cast<int>(i))) is_open = static_cast<int>(i);
+    ImGui::PopStyleVar(2);
+
+    const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + apart, y});
+    choice(ui, commands_in(Section::modes), height, ui.fonts.strong);
+    const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
+    command_button(ui, command("undo"), {height, height}, flat);
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
+    ButtonLook redo = flat;
+    redo.icon = Icon::redo;
+    command_button(ui, command("redo"), {height, height}, redo);
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(10), y});
+    const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
+    command_button(ui, command("language"), {height * 1.3f, height}, small,
+                   command_label(command("language"), ui.state, true));
+
+    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(6), y});
+    if (ImGui::GetCursorScreenPos().x + button_width(ui, command("lessons"), small) < where.right() - ui.px(8))
+      command_button(ui, command("lessons"), {0, height}, small);
+
+    // The document's name at the right, if there is room.
+    const std::string title = document_title(ui.state);
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    const float x = where.right() - width - ui.px(16);
+    if (x > ImGui::GetItemRectMax().x + ui.px(12)) {
+      ImGui::GetWindowDrawList()->AddText({x, std::round(where.y + (where.height - text_height) / 2)},
+                                          to_imgui(ui.colours.dim_text), title.c_str());
+    }
+    ImGui::EndMenuBar();
+  }
+  end_pane();
+  return is_open;
+}
+
+rows::Rows rows::bar() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "mode-move", .keys = {"M"}, .section = Section::modes, .line = "keys.modes",
+       .chosen = [](const State& state) { return state.mode == Mode::move; },
+       .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::move}); }},
+      {.name = "mode-trace", .keys = {"T"}, .section = Section::modes, .line = "keys.modes",
+       .chosen = [](const State& state) { return state.mode == Mode::trace; },
+       .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::trace}); }},
+      {.name = "mode-help", .keys = {"F1", "H"}, .section = Section::modes, .line = "keys.modes",
+       .chosen = [](const State& state) { return state.mode == Mode::help; },
+       .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::help}); }},
+  };
+  // clang-format on
+  return all;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,20 @@
+// The commands of prediction; its banner is in gui/banner.cpp.
+
+#include "gui/command.h"
+
+namespace raywalk {
+
+rows::Rows rows::predict() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "predict", .keys = {"Ctrl+P"}, .section = Section::learn, .line = "keys.predict",
+       .chosen = [](const State& state) { return state.predictions.on; },
+       .run = [](const Ui& ui) { ui.act(action::SetPredictions{!ui.state.predictions.on}); }},
+      {.name = "save-predictions", .keys = {"Ctrl+Shift+P"}, .section = Section::save, .line = "keys.predict",
+       .run = [](const Ui& ui) { ui.act(action::AskSavePredictions{}); }},
+  };
+  // clang-format on
+  return all;
+}
+
+}  // namespace raywalk

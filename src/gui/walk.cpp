@@ -1,0 +1,74 @@
+// The commands of the walk.
+
+#include "gui/command.h"
+
+namespace raywalk {
+
+namespace {
+
+bool goes_on(const State& state) { return state.position < state.timeline->steps(); }
+bool goes_back(const State& state) { return state.position > 0 || state.playing; }
+
+std::string play_label(const State& state, bool) {
+  return fill(state.playing ? "transport.pause" : "command.play.label", state.language);
+}
+
+}  // namespace
+
+rows::Rows rows::walk() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "step", .keys = {"Space", {"Right", When::trace}, {"Page Down", When::trace}}, .section = Section::step,
+       .line = "keys.steps", .enabled = goes_on, .run = [](const Ui& ui) { ui.act(action::Step{true}); },
+       .held = [](const Ui& ui) { ui.act(action::Hold{true}); }},
+      {.name = "step-back", .keys = {{"Left", When::trace}, {"Page Up", When::trace}}, .section = Section::back,
+       .line = "keys.steps", .enabled = goes_back, .run = [](const Ui& ui) { ui.act(action::Step{false}); },
+       .held = [](const Ui& ui) { ui.act(action::Hold{false}); }},
+      {.name = "step-ray", .keys = {{"Shift+Right", When::trace}, "Shift+Space"}, .section = Section::step,
+       .line = "keys.rays", .enabled = goes_on, .run = [](const Ui& ui) { ui.act(action::Step{true, Grain::ray}); }},
+      {.name = "step-ray-back", .keys = {{"Shift+Left", When::trace}}, .section = Section::back, .line = "keys.rays",
+       .enabled = goes_back, .run = [](const Ui& ui) { ui.act(action::Step{false, Grain::ray}); }},
+      {.name = "step-pixel", .keys = {{"Ctrl+Right", When::trace}, "Ctrl+Space"}, .section = Section::step,
+       .line = "keys.pixels", .enabled = goes_on,
+       .run = [](const Ui& ui) { ui.act(action::Step{true, Grain::pixel}); }},
+      {.name = "step-pixel-back", .keys = {{"Ctrl+Left", When::trace}}, .section = Section::back, .line = "keys.pixels",
+       .enabled = goes_back, .run = [](const Ui& ui) { ui.act(action::Step{false, Grain::pixel}); }},
+      {.name = "step-over", .keys = {{"Down", When::trace}}, .section = Section::over, .line = "keys.over",
+       .enabled = goes_on, .run = [](const Ui& ui) { ui.act(action::Step{true, Grain::over}); }},
+      {.name = "step-back-over", .keys = {{"Shift+Down", When::trace}}, .section = Section::over, .line = "keys.over",
+       .enabled = goes_back, .run = [](const Ui& ui) { ui.act(action::Step{false, Grain::over}); }},
+      {.name = "step-out", .keys = {{"Up", When::trace}}, .section = Section::over, .line = "keys.out",
+       .enabled = goes_on, .run = [](const Ui& ui) { ui.act(action::Step{true, Grain::out}); }},
+      {.name = "step-back-out", .keys = {{"Shift+Up", When::trace}}, .section = Section::over, .line = "keys.out",
+       .enabled = goes_back, .run = [](const Ui& ui) { ui.act(action::Step{false, Grain::out}); }},
+      {.name = "first", .keys = {"Home"}, .section = Section::ends, .line = "keys.ends", .enabled = goes_back,
+       .run = [](const Ui& ui) { ui.act(action::Jump{0}); }},
+      {.name = "last", .keys = {"End"}, .section = Section::ends, .line = "keys.ends", .enabled = goes_on,
+       .run = [](const Ui& ui) { ui.act(action::Jump{ui.state.timeline->steps()}); }},
+      {.name = "play", .keys = {"A"}, .section = Section::play, .line = "keys.auto_clear",
+       .enabled = [](const State& state) { return goes_on(state) || state.playing; },
+       .chosen = [](const State& state) { return state.playing; }, .label = play_label,
+       .run = [](const Ui& ui) { ui.act(action::PlayPause{}); }},
+      {.name = "clear", .keys = {"C"}, .section = Section::ends, .line = "keys.auto_clear", .enabled = goes_back,
+       .run = [](const Ui& ui) { ui.act(action::Clear{}); }},
+      {.name = "slower", .keys = {"-"}, .section = Section::play, .line = "keys.speed",
+       .enabled = [](const State& state) { return state.lines_per_second > min_speed; },
+       .run = [](const Ui& ui) { ui.act(action::SetSpeed{ui.state.lines_per_second / 2}); }},
+      {.name = "faster", .keys = {"+"}, .section = Section::play, .line = "keys.speed",
+       .enabled = [](const State& state) { return state.lines_per_second < max_speed; },
+       .run = [](const Ui& ui) { ui.act(action::SetSpeed{ui.state.lines_per_second * 2}); }},
+      {.name = "grain-line", .keys = {{"1", When::not_move}}, .section = Section::grain, .line = "keys.grain",
+       .chosen = [](const State& state) { return state.grain == Grain::line; },
+       .run = [](const Ui& ui) { ui.act(action::SetGrain{Grain::line}); }},
+      {.name = "grain-ray", .keys = {{"2", When::not_move}}, .section = Section::grain, .line = "keys.grain",
+       .chosen = [](const State& state) { return state.grain == Grain::ray; },
+       .run = [](const Ui& ui) { ui.act(action::SetGrain{Grain::ray}); }},
+      {.name = "grain-pixel", .keys = {{"3", When::not_move}}, .section = Section::grain, .line = "keys.grain",
+       .chosen = [](const State& state) { return state.grain == Grain::pixel; },
+       .run = [](const Ui& ui) { ui.act(action::SetGrain{Grain::pixel}); }},
+  };
+  // clang-format on
+  return all;
+}
+
+}  // namespace raywalk
