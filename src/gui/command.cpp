@@ -18,10 +18,10 @@ std::string_view command_text(const Command& command, std::string_view which, La
 const std::vector<const Command*>& commands() {
   static const std::vector<const Command*> all = [] {
     std::vector<const Command*> gathered;
-    for (const auto rows_of : {rows::walk,    rows::breakpoints, rows::bar,        rows::lessons,  rows::bugs,
-                               rows::image,   rows::tree,        rows::stack,      rows::equation, rows::legend,
-                               rows::cost,    rows::microscope,  rows::structure,  rows::plan,     rows::lines,
-                               rows::predict, rows::palette,     rows::properties, rows::document, rows::appearance})
+    for (const auto rows_of : {rows::walk,     rows::breakpoints, rows::bar,      rows::lessons,    rows::bugs,
+                               rows::plan,     rows::lines,       rows::image,    rows::tree,       rows::stack,
+                               rows::equation, rows::legend,      rows::cost,     rows::microscope, rows::structure,
+                               rows::palette,  rows::properties,  rows::document, rows::predict,    rows::appearance})
       for (const Command& command : rows_of()) gathered.push_back(&command);
     return gathered;
   }();

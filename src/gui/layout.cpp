@@ -40,7 +40,7 @@ Layout lay_out(const LayoutWishes& wishes) {
   layout.plan = {edge, top, left, layout.strip.y - top};
 
   // The tabs need room for a picture, and get what the code does not need.
-  const float least_tabs = std::clamp(below * 0.36f, 190 * unit, 250 * unit);
+  const float least_tabs = std::clamp(below * 0.32f, 170 * unit, 250 * unit);
   const float code = take(below, std::min(wishes.code, std::max(below * 0.5f, below - least_tabs)));
   layout.side = {width - side, top, side, code};
   const float tabs_top = std::min(layout.side.bottom() + hairline, height);

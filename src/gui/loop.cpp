@@ -1,0 +1,382 @@
+#include "gui/loop.h"
+
+#include "gui/film.h"
+#include "gui/interface.h"
+#include "gui/live_costs.h"
+#include "gui/report.h"
+#include "gui/style.h"
+#include "text/file.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+// After an event, ImGui needs a few frames until all its effects are on the screen.
+constexpr int frames_to_settle = 3;
+constexpr double shortest_wait = 1.0 / 60;  // seconds
+constexpr double least_of_a_row = 0.25;     // seconds
+constexpr double image_slice = 14;          // milliseconds of work on the 3-D image between polls of events
+constexpr double smoothing_every = 0.3;     // seconds, once only noise is being reduced
+constexpr double image_every = 0.08;        // seconds between updates of a 3-D image that is being refined
+constexpr double notice_lasts = 6;          // seconds, unless it reports an error
+
+/// Whether the action writes a file of the user's.
+bool writes_file(const Action& action) {
+  return std::holds_alternative<action::Export>(action) || std::holds_alternative<action::FinishExport>(action) ||
+         std::holds_alternative<action::Save>(action) || std::holds_alternative<action::SaveAs>(action) ||
+         std::holds_alternative<action::SavePredictions>(action) ||
+         std::holds_alternative<action::AnswerQuestion>(action);
+}
+
+/// A picture that is being refined, as it was last shown.
+class ShownPicture {
+ public:
+  /// Uploads the picture of this revision, unless it is shown already; while more is to come, every so many seconds.
+  /// Returns whether it did.
+  bool show(std::uint64_t revision, ImageSize size, const std::vector<std::uint8_t>& rgba, bool more, double every) {
+    const Clock::time_point now = Clock::now();
+    if (revision == revision_ || (more && seconds_between(at_, now) < every)) return false;
+    if (size.width > 0) texture_.upload(size.width, size.height, rgba.data());
+    revision_ = revision;
+    at_ = now;
+    return true;
+  }
+  [[nodiscard]] unsigned texture() const { return texture_.id(); }
+
+ private:
+  Texture texture_;
+  std::uint64_t revision_ = 0;
+  Clock::time_point at_{};
+};
+
+class Loop {
+ public:
+  Loop(const GuiOptions& options, State state, Window& window, Attention& attention, Demo demo, Clock::time_point begun)
+      : options_(options),
+        state_(std::move(state)),
+        window_(window),
+        attention_(attention),
+        interface_(options.data_dir + "/scenes"),
+        demo_(std::move(demo)),
+        begun_(begun),
+        settings_(settings_of(state_)),
+        fonts_found_(find_fonts(font_folders(options.data_dir))) {
+    state_.stop = Stop(attention_);
+    ImGui::GetIO().ConfigDragClickToInputText = true;
+  }
+
+  Result<void> run() {
+    while (!state_.quit) {
+      if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
+      pass_time();
+      for (const KeyPress& key : window_.take_keys()) press(key);
+      if (window_.take_key_release()) let_go();
+      if (window_.take_close_request()) act(action::Quit{});
+      if (window_.minimised()) continue;
+      if (frames_due_ > 0) frame(nullptr);
+      work_on_image();
+      work_on_costs();
+      work_on_export();
+      if (wants_picture() && settled()) return take_picture();
+    }
+    keep_settings();
+    return failure_;
+  }
+
+ private:
+  // After each frame, and not only at the end, which may be abrupt.
+  void keep_settings() {
+    const Settings now = settings_of(state_);
+    if (now == settings_) return;
+    write_settings(state_.state_dir, now);
+    settings_ = now;
+  }
+
+  [[nodiscard]] float unit() const { return shrink() * wished_unit(); }
+  [[nodiscard]] float wished_unit() const {
+    return window_.scale() * static_cast<float>(state_.ui_scale * theme_scale(state_.theme));
+  }
+  /// In a small window everything is drawn smaller, rather than cut off.
+  [[nodiscard]] float shrink() const {
+    const auto [width, height] = window_.extent();
+    const bool lesson = state_.lessons.shown || state_.bugs.shown;
+    return shrink_to_fit(width, height, wished_unit(), lesson ? least_width_with_lesson : least_width);
+  }
+  [[nodiscard]] float dpi() const { return shrink() * window_.scale(); }
+  [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
+  [[nodiscard]] bool settled() const {
+    return frames_due_ == 0 && image_.rests(state_) && costs_.rests(state_) && demo_.over() && !state_.playing &&
+           !state_.hold && !state_.tween && !state_.window_export;
+  }
+
+  // Seconds until something must be done; negative: indefinitely.
+  [[nodiscard]] double patience() const {
+    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.window_export) return 0;
+    return until_due();
+  }
+
+  // The same for timed work.
+  [[nodiscard]] double until_due() const {
+    double wait = -1;
+    const auto at_most = [&](double seconds) {
+      wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
+    };
+    if (state_.hold || state_.tween) at_most(shortest_wait);
+    if (state_.playing) at_most((1 - state_.owed) / state_.lines_per_second);
+    if (!demo_.over()) at_most(0.1);
+    if (wants_autosave(state_)) at_most(state_.autosave_in);
+    if (state_.notice && state_.notice->kind == Notice::Kind::info) at_most(notice_lasts - notice_seen_);
+    if (interface_.next_frame_in() >= 0) at_most(interface_.next_frame_in());
+    return wait;
+  }
+
+  void act(const Action& action) {
+    frames_due_ = frames_to_settle;
+    const Attention::Watch watch(attention_, Attention::To::closing);
+    try {
+      update(state_, action);
+    } catch (const Stopped&) {
+      // Closed during a change. Earlier changes are in the autosave.
+      state_.quit = true;
+      return;
+    }
+    if (!options_.demo_path.empty() && writes_file(action)) note_failure();
+  }
+
+  // The demo may run unattended: if it fails to write a file, it ends as a failure, with a message.
+  void note_failure() {
+    if (failure_ && state_.notice && state_.notice->kind == Notice::Kind::error)
+      failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.notice->text, ""});
+  }
+
+  // One key press holds STEP once: if a breakpoint ends that, the key must be released first.
+  void press(const KeyPress& key) {
+    if (key.repeated && key_holds_) return;
+    if (film_) {
+      if (key.key == "Escape") finish_film();
+      return;
+    }
+    interface_.press(state_, fonts_, unit(), dpi(), key);
+    apply();
+    key_holds_ = key.repeated && state_.hold;
+  }
+  void let_go() {
+    if (std::exchange(key_holds_, false)) act(action::Release{});
+  }
+
+  void apply() {
+    for (const Action& action : interface_.take_actions()) act(action);
+    if (interface_.take_full_screen()) window_.toggle_full_screen();
+  }
+
+  void pass_time() {
+    const Clock::time_point now = Clock::now();
+    const double seconds = seconds_between(last_, now);
+    last_ = now;
+    const int position = state_.position;
+    const bool playing = state_.playing, moving = state_.tween.has_value();
+    const auto notice = [&] { return state_.notice ? state_.notice->text : std::string(); };
+    const std::string said = notice();
+    update(state_, action::Tick{seconds});
+    if (state_.position != position || state_.playing != playing || moving || notice() != said)
+      frames_due_ = std::max(frames_due_, 1);
+    // An export shows the moment of its request.
+    if (state_.question && demo_.ignores_question()) {
+      failure_ = tl::unexpected(Error{options_.demo_path, 0, 0,
+                                      "the window asks a question, and the demo does not answer it (expected \"answer "
+                                      "save\", \"answer discard\" or \"answer cancel\" next)",
+                                      "before it replaces a file or drops changes the window asks"});
+      state_.quit = true;
+    } else if (const Action* action = state_.window_export ? nullptr : demo_.due(seconds)) {
+      act(*action);
+    }
+
+    if (notice() != seen_notice_) {
+      seen_notice_ = notice();
+      notice_seen_ = 0;
+    } else if (state_.notice && state_.notice->kind == Notice::Kind::info) {
+      notice_seen_ += seconds;
+      if (notice_seen_ >= notice_lasts) act(action::DismissNotice{});
+    }
+    if (interface_.next_frame_in() >= 0) {
+      tooltip_in_ = tooltip_in_ < 0 ? interface_.next_frame_in() : tooltip_in_ - seconds;
+      if (tooltip_in_ <= 0) frames_due_ = std::max(frames_due_, 1);
+    } else {
+      tooltip_in_ = -1;
+    }
+  }
+
+  void work_on_image() {
+    if (frames_drawn_ == 0 || image_.rests(state_)) return;
+    bool more = true;
+    try {
+      const Attention::Watch watch(attention_, Attention::To::input);
+      image_.follow(state_, Stop(attention_));
+    } catch (const Stopped&) {
+      return;  // interrupted: it begins again after the input
+    }
+    {
+      // A row that takes long gives way to what is due, but not at once; it is then restarted.
+      const double due = frames_due_ > 0 ? 0 : until_due();
+      const Attention::Watch watch(attention_, Attention::To::input, due < 0 ? due : std::max(due, least_of_a_row));
+      more = image_.work(state_, image_slice, Stop(attention_));
+    }
+    const Preview& now = image_.preview();
+    const double every = now.has_every_pixel() ? smoothing_every : image_every;
+    if (shown_image_.show(now.revision(), now.size(), now.rgba(), more, every)) frames_due_ = std::max(frames_due_, 1);
+  }
+
+  void work_on_costs() {
+    // The visible picture comes first.
+    if (frames_drawn_ == 0 || !image_.rests(state_) || costs_.rests(state_)) return;
+    costs_.work(state_, image_slice);
+    if (shown_costs_.show(costs_.revision(), costs_.size(), costs_.rgba(), !costs_.rests(state_), image_every))
+      frames_due_ = std::max(frames_due_, 1);
+  }
+
+  // A picture is taken once all its contents are complete; a film advances by one frame between polls of events.
+  void work_on_export() {
+    if (!state_.window_export || frames_due_ > 0) return;
+    if (!film_ && !(image_.rests(state_) && costs_.rests(state_))) return;
+    Image picture;
+    if (state_.window_export->kind == ExportKind::picture) {
+      frame(&picture);
+      const auto written = write_image(state_.window_export->path, picture);
+      return act(action::FinishExport{written ? "" : written.error().text()});
+    }
+    if (!film_) film_.emplace(state_);
+    act(action::Jump{film_->position()});
+    frame(nullptr, false);
+    frame(&picture);
+    if (!film_->take(picture)) finish_film();
+  }
+
+  void finish_film() {
+    const int back = film_->begun_at();
+    const Result<void> written = film_->write(state_.window_export->path);
+    film_.reset();
+    act(action::Jump{back});
+    act(action::FinishExport{written ? "" : written.error().text()});
+  }
+
+  // Fonts and spacing for the current scale and theme.
+  void rescale() {
+    const float now = unit(), density = window_.density();
+    if (now != styled_unit_ || state_.theme != styled_theme_) set_style(ImGui::GetStyle(), state_.theme, now);
+    if (now != styled_unit_ || density != fonts_.density || fonts_.text == nullptr) {
+      ImGuiIO& io = ImGui::GetIO();
+      io.Fonts->Clear();
+      fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density, state_.language.others());
+      io.FontGlobalScale = 1 / density;
+      window_.upload_fonts();
+    }
+    styled_unit_ = now;
+    styled_theme_ = state_.theme;
+  }
+
+  void frame(Image* picture, bool seen = true) {
+    rescale();
+    --frames_due_;
+    window_.begin_frame(!wants_picture() && !state_.window_export);
+    const ImageSize size = image_.preview().size();
+    const PictureView shown{shown_image_.texture(),
+                            size.width,
+                            size.height,
+                            image_.preview().done(),
+                            image_.preview().has_every_pixel(),
+                            image_.preview().finished(),
+                            image_.seconds_left(),
+                            image_.preview().hottest(),
+                            &costs_,
+                            shown_costs_.texture()};
+    interface_.draw(state_, fonts_, unit(), dpi(), shown);
+    const Colour ground = palette(state_.theme).window;
+    if (seen) {
+      window_.end_frame(
+          {static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255, static_cast<float>(ground.b) / 255},
+          picture);
+    } else {
+      window_.end_frame_unseen();
+    }
+    if (frames_drawn_++ == 0) first_frame_ = seconds_between(begun_, Clock::now());
+    apply();
+    // A film's progress is shown outside of the picture.
+    std::string title = document_title(state_);
+    if (film_)
+      title =
+          fill("export.film_progress", state_.language, {{"frame", film_->taken() + 1}, {"frames", film_->frames()}});
+    if (title += " \u2013 Raywalk"; title != title_) {
+      window_.set_title(title);
+      title_ = title;
+    }
+    if (frames_due_ > 0) return;
+    if (!wants_picture()) keep_settings();
+    write_report();
+  }
+
+  void write_report() {
+    if (options_.report_path.empty()) return;
+    const ImVec2 extent = ImGui::GetIO().DisplaySize;
+    const WindowReport window{frames_drawn_,
+                              first_frame_,
+                              extent.x,
+                              extent.y,
+                              patience() != 0 && !state_.playing,
+                              ImGui::GetIO().WantTextInput};
+    const std::string text = report(state_, interface_, image_.preview(), costs_, dpi(), window);
+    if (Result<void> written = write_file_atomically(options_.report_path, text); !written && failure_) {
+      failure_ = tl::unexpected(written.error());
+      state_.quit = true;
+    }
+  }
+
+  Result<void> take_picture() {
+    Image picture;
+    frames_due_ = 1;
+    frame(&picture);
+    const Result<ImageWritten> written = write_image(options_.screenshot_path, picture);
+    if (!written) return tl::unexpected(written.error());
+    return failure_;
+  }
+
+  const GuiOptions& options_;
+  State state_;
+  Window& window_;
+  Attention& attention_;
+  Interface interface_;
+  Demo demo_;
+  std::optional<WalkFilm> film_;  ///< in progress
+  LiveImage image_;
+  LiveCosts costs_;
+  ShownPicture shown_image_, shown_costs_;
+  Clock::time_point begun_, last_ = Clock::now();
+  Settings settings_;  ///< as last saved
+  FontFiles fonts_found_;
+  Fonts fonts_;
+  float styled_unit_ = 0;
+  Theme styled_theme_ = Theme::dark;
+  int frames_due_ = frames_to_settle, frames_drawn_ = 0;
+  bool key_holds_ = false;  ///< STEP or BACK
+  double first_frame_ = 0, notice_seen_ = 0, tooltip_in_ = -1;
+  std::string title_, seen_notice_;
+  Result<void> failure_;
+};
+
+}  // namespace
+
+Result<void> run_loop(const GuiOptions& options, State state, Window& window, Attention& attention, Demo demo,
+                      std::chrono::steady_clock::time_point begun) {
+  return Loop(options, std::move(state), window, attention, std::move(demo), begun).run();
+}
+
+}  // namespace raywalk
