@@ -143,7 +143,7 @@ ExitCode render_command(const RenderOptions& options) {
     if (const auto written = write_file_atomically(*options.statistics, statistics_json(*rendering, report)); !written)
       return fail(written.error());
   if (terminal_width() > 0 && !options.quiet) note(summary(options, *rendering, size));
-  const std::size_t pixels = rendering->not_finite_pixels();
+  const std::size_t pixels = rendering->not_finite_pixels;
   if (const std::uint64_t samples = rendering->statistics.not_finite; samples > 0 || pixels > 0)
     return fail({options.image, 0, 0,
                  fmt::format("{} samples and {} pixels are no finite number in a picture's file (a PNG shows NaN in "

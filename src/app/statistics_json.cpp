@@ -42,7 +42,7 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
     if (statistics.drawn(effect) > 0) json["draws"][std::string(effect_name(effect))] = statistics.drawn(effect);
   }
   json["not_finite"] = statistics.not_finite;
-  json["not_finite_pixels"] = rendering.not_finite_pixels();
+  json["not_finite_pixels"] = rendering.not_finite_pixels;
   json["accelerator"] = {{"name", accelerator_name(rendering.accelerator)},
                          {"nodes", rendering.structure.nodes},
                          {"references", rendering.structure.references},

@@ -2,6 +2,7 @@
 
 #include "image/image_file.h"
 #include "scene/scene.h"
+#include "trace/representable.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +24,10 @@ class Film {
   /// updated as m += (x - m) / n: unlike a sum over n, it stays exact when all samples are equal.
   void add(int column, int row, int sample, const Rgb<T>& shade) {
     Rgb<T>& mean = means_[index(column, row)];
-    mean += (shade - mean) / static_cast<T>(sample + 1);
+    if (sample == 0)
+      mean = shade + T(0);  // -0 becomes 0, as below
+    else
+      mean += (shade - mean) / static_cast<T>(sample + 1);
   }
 
   [[nodiscard]] const Rgb<T>& at(int column, int row) const { return means_[index(column, row)]; }
@@ -65,7 +69,7 @@ template <class T>
 template <class T>
 [[nodiscard]] std::size_t not_finite(const Film<T>& film) {
   return static_cast<std::size_t>(std::count_if(film.pixels().begin(), film.pixels().end(),
-                                                [](const Rgb<T>& mean) { return !is_finite(Rgb<float>(mean)); }));
+                                                [](const Rgb<T>& mean) { return !is_representable(mean); }));
 }
 
 }  // namespace raywalk

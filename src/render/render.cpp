@@ -94,39 +94,46 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   Reporter reporter(settings, trace_start);
   constexpr double almost = 0.9999;  // completion is reported once, when no thread is working any more
   Adaptive<T> adaptive(size, settings.sampling.per_pixel, settings.tolerance);
+  // A ray through a long list takes long, and the tracer asks whether it is cancelled only where a pixel has many rays.
+  constexpr int long_list = 1000;
+  const bool slow = rendering.accelerator == AcceleratorKind::none && world.accelerator.primitives().size() > long_list;
   // Each tile's pixels are written by one thread only, and statistics are integers: neither the order of the tiles nor
   // their threads can change the result.
   const auto trace_tile = [&](int position) {
     const auto tile_start = Clock::now();
     Statistics statistics;
     const PixelBlock tile = tiles.block(order[static_cast<std::size_t>(position)]);
-    std::uint64_t put_here = 0;  // pixels of a row that is cancelled half-way count too
-    const PutPixel<T> put = [&](const Pixel& p, const Rgb<T>& shade) {
-      adaptive.add(film, p.column, p.row, p.sample, shade);
-      constexpr std::uint64_t unasked = 8;  // a single ray through a long list may take long
-      if (++put_here % unasked == 0) settings.stop.check();
+    struct Target {
+      Film<T>& film;
+      Adaptive<T>& adaptive;
+      std::uint64_t put;  // pixels of a row that is cancelled half-way count too
+    } target{film, adaptive, 0};
+    const PutPixel<T> put = [&target](const Pixel& p, const Rgb<T>& shade) {  // one pointer: std::function holds it
+      target.adaptive.add(target.film, p.column, p.row, p.sample, shade);
+      ++target.put;
     };
     PixelBlock run = tile;
     run.stop = settings.stop;
-    constexpr int max_samples = 16;
+    const int max_samples = slow ? 1 : 16, max_columns = slow ? 1 : tile.column_end;
     const auto trace_rows = [&] {
       run.samples = std::min(max_samples, adaptive.to() - run.sample);
       for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end; ++run.row_begin) {
-        settings.stop.check();
         run.row_end = run.row_begin + 1;
         adaptive.for_each_run(run.row_begin, tile.column_begin, tile.column_end, [&](int begin, int end) {
-          run.column_begin = begin;
-          run.column_end = end;
-          statistics += kernel(camera, run, put);
+          for (run.column_begin = begin; run.column_begin < end; run.column_begin = run.column_end) {
+            settings.stop.check();
+            run.column_end = std::min(end, run.column_begin + max_columns);
+            statistics += kernel(camera, run, put);
+          }
         });
         const double all = static_cast<double>(adaptive.expected());
-        reporter.report(std::min(almost, static_cast<double>(taken += std::exchange(put_here, 0)) / all));
+        reporter.report(std::min(almost, static_cast<double>(taken += std::exchange(target.put, 0)) / all));
       }
     };
     try {
       for (run.sample = adaptive.from(); run.sample < adaptive.to(); run.sample += run.samples) trace_rows();
     } catch (const Stopped&) {
-      taken += put_here;
+      taken += target.put;
     }
     const std::lock_guard lock(results_mutex);
     rendering.statistics += statistics;
@@ -142,7 +149,10 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   rendering.trace_seconds = seconds_since(trace_start);
   for (const auto& [thread, seconds] : busy) rendering.busy_seconds.push_back(seconds);
   if (rendering.finished) reporter.report(1);
-  rendering.film = settings.sampling.corners ? mean_of_corners(film) : std::move(film);
+  const bool pixel_is_sample = settings.sampling.per_pixel == 1 && !settings.sampling.corners;
+  if (settings.sampling.corners) film = mean_of_corners(film);
+  rendering.not_finite_pixels = pixel_is_sample ? rendering.statistics.not_finite : not_finite(film);
+  rendering.film = std::move(film);
   return rendering;
 }
 

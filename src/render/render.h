@@ -59,10 +59,7 @@ struct Rendering {
   double done = 1;       ///< fraction of the samples taken; below 1 only when cancelled. Missing pixels are black
   bool finished = true;  ///< all samples were taken
 
-  /// Pixels that are NaN or infinite in the picture's file.
-  [[nodiscard]] std::size_t not_finite_pixels() const {
-    return std::visit([](const auto& of) { return not_finite(of); }, film);
-  }
+  std::size_t not_finite_pixels = 0;  ///< NaN or infinite in the picture's file
   /// The average number of threads at work; equals `threads` for perfect load balancing.
   [[nodiscard]] double busy_threads() const {
     return trace_seconds > 0 ? std::accumulate(busy_seconds.begin(), busy_seconds.end(), 0.0) / trace_seconds : 1;

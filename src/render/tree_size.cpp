@@ -8,31 +8,30 @@ namespace raywalk {
 
 namespace {
 
-/// Counts reflect and refract rays, each of which checks for cancellation, and cancels when there are too many.
-class RayCounter : public Stopper {
+/// Cancels a trace after `most` checks: where a tree grows, each of its rays is one.
+class FewChecks : public Stopper {
  public:
-  RayCounter(int most, const Stop& outer) : most_(most), outer_(outer) { raised = true; }
-  bool stops() override { return ++count_ > most_ || outer_.asked(); }
-  [[nodiscard]] int count() const { return count_; }
+  FewChecks(int most, const Stop& outer) : left_(most), outer_(outer) { raised = true; }
+  bool stops() override { return --left_ < 0 || outer_.asked(); }
 
  private:
-  int most_, count_ = 0;
+  int left_;
   Stop outer_;
 };
 
-/// Secondary rays of a pixel's first sample; nothing when there are more than `most`.
+/// Reflect and refract rays of a pixel's first sample; nothing when there are many more than `most`.
 template <class T>
 std::optional<int> rays_of(const SceneKernel<T>& kernel, const RayGenerator<T>& camera, int column, int row, int most,
                            const Stop& stop) {
-  RayCounter counter(most, stop);
+  FewChecks few(most, stop);
   try {
-    static_cast<void>(
-        kernel(camera, {column, column + 1, row, row + 1, 0, 1, 1, Stop(counter)}, [](const Pixel&, const Rgb<T>&) {}));
+    const Statistics statistics =
+        kernel(camera, {column, column + 1, row, row + 1, 0, 1, 1, Stop(few)}, [](const Pixel&, const Rgb<T>&) {});
+    return static_cast<int>(statistics.formed(RayKind::reflect) + statistics.formed(RayKind::refract));
   } catch (const Stopped&) {
     stop.check();
     return std::nullopt;
   }
-  return counter.count();
 }
 
 }  // namespace

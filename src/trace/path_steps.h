@@ -2,6 +2,7 @@
 // What each statement of trace/path.h does, except those about lights (trace/path_light_steps.h). Included by it alone.
 
 #include "trace/path.h"
+#include "trace/representable.h"
 #include "trace/spawn_ray.h"
 #include "trace/tracer.h"
 
@@ -293,7 +294,7 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const BsdfSample& choic
 template <class Policy>
 template <class Put>
 void PathTracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
-  if (!is_finite(Rgb<float>(final))) ++statistics_.not_finite;
+  if (!is_representable(final)) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::path_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
 }

@@ -35,6 +35,7 @@ class Tracer {
         camera_(camera),
         observer_(observer),
         stop_(stop),
+        many_lights_(world.lights.size() > unasked_lights),
         last_blockers_(world.lights.size(), -1),
         nested_(world) {}
 
@@ -222,6 +223,8 @@ class Tracer {
   const RayGenerator<T>& camera_;
   Observer& observer_;
   Stop stop_;
+  static constexpr int unasked_lights = 64;
+  bool many_lights_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the current sample

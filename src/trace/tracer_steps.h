@@ -2,6 +2,7 @@
 // What each statement of trace/tracer.h does, except for the preparation of a hit (trace/tracer_shading.h). Included by
 // it alone.
 
+#include "trace/representable.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/tracer.h"
 
@@ -94,7 +95,8 @@ bool Tracer<Policy>::decide_intersected(const Nearest& nearest) {
 
 template <class Policy>
 int Tracer<Policy>::call_shade(Line line, int depth, const TreeRay& ray, const Nearest& nearest) {
-  if (line != Line::shade_final) stop_.check();
+  constexpr int unasked = 4;  // levels: a tree so small is soon done
+  if (line != Line::shade_final && depth >= unasked) stop_.check();
   int called = depth + 1;
   inject(Fault::depth_not_counted, [&] {
     if (line == Line::shade_reflect) called = depth;
@@ -127,7 +129,7 @@ inline auto Tracer<Policy>::medium_on_side(const ShadingPoint& at, const TreeRay
 template <class Policy>
 template <class Put>
 void Tracer<Policy>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
-  if (!is_finite(Rgb<float>(final))) ++statistics_.not_finite;
+  if (!is_representable(final)) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
 }

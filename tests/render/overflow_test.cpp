@@ -36,12 +36,12 @@ TEST_CASE("shades beyond a file's float are counted, by every integrator and in 
       REQUIRE(too_bright);
       INFO(integrator_name(integrator) << (precision == Precision::float_ ? ", float" : ", double"));
       CHECK(too_bright->statistics.not_finite == 2 * 12);
-      CHECK(too_bright->not_finite_pixels() == 12);
+      CHECK(too_bright->not_finite_pixels == 12);
       scene.objects[0].material.emission = Rgbd(3e38);
       const auto bright = render(scene, settings);
       REQUIRE(bright);
       CHECK(bright->statistics.not_finite == 0);
-      CHECK(bright->not_finite_pixels() == 0);
+      CHECK(bright->not_finite_pixels == 0);
     }
 }
 
@@ -52,5 +52,5 @@ TEST_CASE("pixels are counted too: the sum of bright corners may be too large wh
   const auto rendering = render(wall(3e38), settings);
   REQUIRE(rendering);
   CHECK(rendering->statistics.not_finite == 0);
-  CHECK(rendering->not_finite_pixels() == 12);
+  CHECK(rendering->not_finite_pixels == 12);
 }

@@ -4,41 +4,15 @@
 #include "render/scenes.h"
 #include "support/asked.h"
 #include "support/catch.h"
+#include "support/exploding_room.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
 
-namespace {
-
-// Glass balls that see each other: every hit sends out two rays, to a depth that nobody lives to see.
-Scene endless_room(Integrator integrator) {
-  Scene scene;
-  scene.background = Rgbd(0.2);
-  scene.camera.eye = {-6, 1.1, 0};
-  scene.camera.look_at = {0, 1.1, 0};
-  scene.camera.fov = FieldOfView{5};  // all of the picture is a ball
-  scene.image = {32, 24};
-  scene.limits = {60, 0};
-  scene.render.integrator = integrator;
-  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{-5, 3, 2}, {}}}};
-  Material glass;
-  glass.reflection = Rgbd(0.5);
-  glass.transmission = Rgbd(0.5);
-  glass.gloss = glass.translucency = 10;
-  for (const double y : {-1.1, 1.1})
-    scene.objects.push_back({y < 0 ? "Left" : "Right", Sphere<double>{{0, y, 0}, 1}, glass});
-  Material wall;
-  wall.reflection = Rgbd(0.9);
-  scene.objects.push_back({"Room", Sphere<double>{{0, 0, 0}, 50}, wall});
-  return scene;
-}
-
-}  // namespace
-
 TEST_CASE("a render is stopped inside a pixel", "[render]") {
   const Integrator integrator = GENERATE(Integrator::whitted, Integrator::distributed);
   const Numerics numerics = GENERATE(Numerics::robust, Numerics::naive);
-  Scene scene = endless_room(integrator);
+  Scene scene = exploding_room(integrator);
   scene.render.numerics = numerics;
   for (const int threads : {1, 2}) {
     Asked asked(100'000);
@@ -55,7 +29,7 @@ TEST_CASE("a render is stopped inside a pixel", "[render]") {
 }
 
 TEST_CASE("what was finished before a pixel was cut off is kept", "[render]") {
-  Scene scene = endless_room(Integrator::whitted);
+  Scene scene = exploding_room(Integrator::whitted);
   scene.limits.depth = 3;
   const auto whole = render(scene, {}).value();
   Asked all;
@@ -81,7 +55,7 @@ TEST_CASE("what was finished before a pixel was cut off is kept", "[render]") {
 }
 
 TEST_CASE("a path that hardly ends is stopped on its way", "[render]") {
-  Scene scene = endless_room(Integrator::path);
+  Scene scene = exploding_room(Integrator::path);
   for (Object& object : scene.objects) object.material.reflection = Rgbd(1.0), object.material.transmission = Rgbd(0.0);
   scene.render.path_length = 0;
   Asked asked(100'000);
