@@ -16,10 +16,10 @@ bool LiveCosts::rests(const State& state) const {
   return follows(state) && bench_.finished();
 }
 
-bool LiveCosts::work(const State& state, double milliseconds) {
+bool LiveCosts::work(const State& state, double milliseconds, const Stop& stop) {
   if (rests(state)) return false;
   if (state.cost.page == CostPage::effects) {
-    take_survey(state, milliseconds);
+    take_survey(state, milliseconds, stop);
     return !rests(state);
   }
   const std::vector<study::Setup>& wanted = state.cost.tried;
@@ -30,7 +30,10 @@ bool LiveCosts::work(const State& state, double milliseconds) {
     begun_ = true;
   }
   for (std::size_t i = bench_.attempts().size(); i < wanted.size(); ++i) bench_.try_out(wanted[i]);
-  bench_.work(milliseconds);
+  try {
+    bench_.work(milliseconds, stop);
+  } catch (const Stopped&) {  // it goes on at the next call
+  }
   if (!follows(state)) show(state);
   return !rests(state);
 }
@@ -39,7 +42,7 @@ bool LiveCosts::surveyed(const State& state) const {
   return survey_ && survey_revision_ == state.revision && survey_->done() >= 1;
 }
 
-void LiveCosts::take_survey(const State& state, double milliseconds) {
+void LiveCosts::take_survey(const State& state, double milliseconds, const Stop& stop) {
   // Small pictures, so that the window stays responsive.
   constexpr int samples = 4000, repetitions = 11;
   if (!survey_ || survey_revision_ != state.revision) {
@@ -48,7 +51,11 @@ void LiveCosts::take_survey(const State& state, double milliseconds) {
     survey_revision_ = state.revision;
   }
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
-  while (survey_->work() && std::chrono::steady_clock::now() < deadline) {
+  try {
+    while (survey_->work(stop) && std::chrono::steady_clock::now() < deadline) {
+    }
+  } catch (const Stopped&) {
+    return;  // the picture begins anew at the next call
   }
   survey_result_ = survey_->result();
   ++revision_;

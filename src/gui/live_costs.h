@@ -13,9 +13,9 @@ namespace raywalk {
 
 class LiveCosts {
  public:
-  /// Starts the state's attempts, and works for about `milliseconds` while the panel is open. Returns whether more is
-  /// to be done.
-  bool work(const State& state, double milliseconds);
+  /// Starts the state's attempts, and works for about `milliseconds` while the panel is open, or until `stop` is asked.
+  /// Returns whether more is to be done.
+  bool work(const State& state, double milliseconds, const Stop& stop = {});
   /// Nothing is to be done for this state.
   [[nodiscard]] bool rests(const State& state) const;
 
@@ -35,7 +35,7 @@ class LiveCosts {
   [[nodiscard]] bool follows(const State& state) const;
   void show(const State& state);
   [[nodiscard]] bool surveyed(const State& state) const;
-  void take_survey(const State& state, double milliseconds);
+  void take_survey(const State& state, double milliseconds, const Stop& stop);
 
   study::Workbench bench_;
   std::optional<study::CostSurvey> survey_;

@@ -153,11 +153,11 @@ double CostSurvey::done() const {
   return static_cast<double>(next_) / static_cast<double>(all);
 }
 
-bool CostSurvey::work() {
+bool CostSurvey::work(const Stop& stop) {
   if (done() >= 1) return false;
   const std::size_t i = next_ % scenes_.size();
   const bool warms_up = next_ < scenes_.size();
-  const Shot shot = shoot(scenes_[i], blank_.size, {scenes_[i].render.samples, 0});
+  const Shot shot = shoot(scenes_[i], blank_.size, {scenes_[i].render.samples, 0}, false, std::nullopt, stop);
   if (i == 0) blank_.shadow_rays = shot.shadow_rays;
   if (!warms_up) costs_[i].push_back(shot.cost);
   ++next_;
@@ -199,10 +199,14 @@ std::optional<SceneCost> CostSurvey::result() const {
 std::optional<SceneCost> scene_cost(const Scene& scene, int samples, int repetitions,
                                     const std::function<void(double done)>& progress, const Stop& stop) {
   CostSurvey survey(scene, samples, repetitions);
-  do {
-    if (stop.asked()) return std::nullopt;
-    if (progress) progress(survey.done());
-  } while (survey.work());
+  try {
+    do {
+      stop.check();
+      if (progress) progress(survey.done());
+    } while (survey.work(stop));
+  } catch (const Stopped&) {
+    return std::nullopt;
+  }
   if (progress) progress(1);
   return survey.result();
 }

@@ -45,8 +45,9 @@ class CostSurvey {
   /// warm-up.
   CostSurvey(const Scene& scene, int samples, int repetitions);
 
-  /// Renders the next picture; returns whether any is left.
-  bool work();
+  /// Renders the next picture; returns whether any is left. Throws Stopped when `stop` is asked: the next call begins
+  /// the picture anew.
+  bool work(const Stop& stop = {});
   /// Fraction of the pictures that are rendered, 0..1.
   [[nodiscard]] double done() const;
   /// The result of the repetitions so far; empty before the first is complete.

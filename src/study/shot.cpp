@@ -9,8 +9,8 @@
 namespace raywalk::study {
 
 Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled,
-           const std::optional<PathSettings>& paths) {
-  const World<double> world(scene);
+           const std::optional<PathSettings>& paths, const Stop& stop) {
+  const World<double> world(scene, AcceleratorKind::automatic, {}, stop);
   const SceneKernel<double> kernel(scene, world);
   std::optional<Emitters<double>> emitters;
   if (paths) emitters.emplace(world);
@@ -30,7 +30,7 @@ Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled,
       other.seed = detail::mix(sampling.seed + static_cast<std::uint64_t>(sample) * 7919);
       camera = RayGenerator<double>(scene, size, size, other);
     }
-    statistics += run(camera, {0, size.width, 0, size.height, sample}, put);
+    statistics += run(camera, {0, size.width, 0, size.height, sample, 1, 1, stop}, put);
   }
   shot.shadow_rays = statistics.formed(RayKind::shadow);
   shot.cost = cost_of(statistics, thread_seconds() - start);

@@ -1,6 +1,7 @@
 #pragma once
 // Small pictures for experiments, in this thread.
 
+#include "math/stop.h"
 #include "render/film.h"
 #include "study/experiment.h"
 #include "trace/path.h"
@@ -16,9 +17,9 @@ struct Shot {
 };
 
 /// `shuffled`: each sample has its own seed, which a renderer must not do. `paths`: path length, for the path
-/// integrator only.
+/// integrator only. Throws Stopped when `stop` is asked.
 [[nodiscard]] Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled = false,
-                         const std::optional<PathSettings>& paths = std::nullopt);
+                         const std::optional<PathSettings>& paths = std::nullopt, const Stop& stop = {});
 
 /// The size of a picture of the same aspect ratio with at most about `pixels` pixels.
 [[nodiscard]] ImageSize shrunk(ImageSize size, double pixels);

@@ -27,8 +27,9 @@ double rms(const std::vector<Rgbd>& differences) {
 class Workbench::Development {
  public:
   virtual ~Development() = default;
-  /// Traces the rest of one row at one sample. Returns whether anything is left.
-  virtual bool step() = 0;
+  /// Traces one row at one sample. Returns whether anything is left. Throws Stopped when `stop` is asked: the next call
+  /// traces the row anew, and the counts are as if it had not been interrupted.
+  virtual bool step(const Stop& stop) = 0;
   [[nodiscard]] virtual double done() const = 0;
   [[nodiscard]] virtual Image image() const = 0;
   [[nodiscard]] virtual std::vector<Rgbd> pixels() const = 0;
@@ -44,23 +45,30 @@ namespace {
 template <class T>
 class DevelopmentIn final : public Workbench::Development {
  public:
-  DevelopmentIn(const Scene& scene, const Setup& setup, ImageSize size, std::uint64_t seed)
-      : world_(scene, setup.accelerator),
+  DevelopmentIn(const Scene& scene, const Setup& setup, ImageSize size, std::uint64_t seed, const Stop& stop)
+      : world_(scene, setup.accelerator, {}, stop),
         kernel_(scene, world_),
         camera_(scene, size, size, Sampling{setup.samples, seed}),
         film_(size),
         adaptive_(size, setup.samples, setup.tolerance),
         sample_(adaptive_.from()) {}
 
-  bool step() override {
+  bool step(const Stop& stop) override {
     const ImageSize size = film_.size();
     const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) {
+      if (p.column < column_) return;  // put before the row was interrupted
       adaptive_.add(film_, p.column, p.row, p.sample, shade);
+      column_ = p.column + 1;
     };
+    Statistics statistics;
+    std::uint64_t taken = 0;
     adaptive_.for_each_run(row_, 0, size.width, [&](int begin, int end) {
-      statistics_ += kernel_(camera_, {begin, end, row_, row_ + 1, sample_}, put);
-      taken_ += static_cast<std::uint64_t>(end - begin);
+      statistics += kernel_(camera_, {begin, end, row_, row_ + 1, sample_, 1, 1, stop}, put);
+      taken += static_cast<std::uint64_t>(end - begin);
     });
+    statistics_ += statistics;
+    taken_ += taken;
+    column_ = 0;
     if (++row_ < size.height) return true;
     row_ = 0;
     if (++sample_ < adaptive_.to()) return true;
@@ -81,13 +89,15 @@ class DevelopmentIn final : public Workbench::Development {
   Film<T> film_;
   Adaptive<T> adaptive_;
   int sample_, row_ = 0;
+  int column_ = 0;  ///< pixels of the row before this one are in the film
   std::uint64_t taken_ = 0;
 };
 
 std::unique_ptr<Workbench::Development> develop(const Scene& scene, const Setup& setup, ImageSize size,
-                                                std::uint64_t seed) {
-  if (setup.single_precision) return std::make_unique<DevelopmentIn<float>>(under(scene, setup), setup, size, seed);
-  return std::make_unique<DevelopmentIn<double>>(under(scene, setup), setup, size, seed);
+                                                std::uint64_t seed, const Stop& stop) {
+  const Scene changed = under(scene, setup);
+  if (setup.single_precision) return std::make_unique<DevelopmentIn<float>>(changed, setup, size, seed, stop);
+  return std::make_unique<DevelopmentIn<double>>(changed, setup, size, seed, stop);
 }
 
 }  // namespace
@@ -183,12 +193,12 @@ bool Workbench::finished() const {
   return !waiting && passes_ >= max_passes;
 }
 
-bool Workbench::work(double milliseconds) {
+bool Workbench::work(double milliseconds, const Stop& stop) {
   const auto deadline = Clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
   while (!finished()) {
-    if (!under_way_) begin();
+    if (!under_way_) begin(stop);
     const double before = thread_seconds();
-    const bool more = under_way_->step();
+    const bool more = under_way_->step(stop);
     under_way_->seconds += thread_seconds() - before;
     if (attempt_ >= 0) attempts_[static_cast<std::size_t>(attempt_)].done = std::min(under_way_->done(), almost);
     if (!more) end();
@@ -197,11 +207,11 @@ bool Workbench::work(double milliseconds) {
   return !finished();
 }
 
-void Workbench::begin() {
+void Workbench::begin(const Stop& stop) {
   const auto waiting = std::find_if(attempts_.begin(), attempts_.end(), [](const Attempt& a) { return a.done < 1; });
   attempt_ = waiting == attempts_.end() ? -1 : static_cast<int>(waiting - attempts_.begin());
   if (attempt_ >= 0) {
-    under_way_ = develop(*scene_, waiting->setup, size_, 0);
+    under_way_ = develop(*scene_, waiting->setup, size_, 0, stop);
     return;
   }
   Setup right = setup_of(*scene_);
@@ -211,7 +221,7 @@ void Workbench::begin() {
   right.threshold = right.tolerance = 0;
   right.numerics = Numerics::robust;
   // Attempts draw with seed 0.
-  under_way_ = develop(*scene_, right, size_, static_cast<std::uint64_t>(passes_) + 1);
+  under_way_ = develop(*scene_, right, size_, static_cast<std::uint64_t>(passes_) + 1, stop);
 }
 
 void Workbench::end() {

@@ -4,6 +4,7 @@
 
 #include "accel/accelerator.h"
 #include "image/image_file.h"
+#include "math/stop.h"
 #include "study/trial.h"
 #include "trace/kernel.h"
 
@@ -73,8 +74,9 @@ class Workbench {
   /// Adds a setup; an existing one is not traced again.
   void try_out(const Setup& setup);
 
-  /// Works for about `milliseconds`, at least one row. Returns whether anything is left to do.
-  bool work(double milliseconds);
+  /// Works for about `milliseconds`, at least one row. Returns whether anything is left to do. Throws Stopped when
+  /// `stop` is asked, also inside a pixel: the next call goes on from there.
+  bool work(double milliseconds, const Stop& stop = {});
   [[nodiscard]] bool finished() const;
 
   [[nodiscard]] const std::vector<Attempt>& attempts() const { return attempts_; }
@@ -90,7 +92,7 @@ class Workbench {
   class Development;
 
  private:
-  void begin();
+  void begin(const Stop& stop);
   void end();
   void take_reference();
   void forget_reference(int depth);

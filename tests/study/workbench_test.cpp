@@ -3,7 +3,10 @@
 
 #include "io/scene_file.h"
 #include "render/render.h"
+#include "study/effect_costs.h"
+#include "support/asked.h"
 #include "support/catch.h"
+#include "support/exploding_room.h"
 
 using namespace raywalk;
 using namespace raywalk::study;
@@ -56,6 +59,42 @@ TEST_CASE("an attempt is the render of its setup, bit for bit and ray for ray") 
   CHECK(bench.attempts()[0].image.pixels == rendering->image().pixels);
   CHECK(bench.attempts()[0].cost.rays == cost_of(rendering->statistics, 0).rays);
   CHECK(bench.attempts()[0].cost.draws == rendering->statistics.random_draws);
+}
+
+TEST_CASE("an attempt that is interrupted again and again becomes the same") {
+  const Scene scene = shipped("penumbra");
+  Setup setup = setup_of(scene);
+  setup.samples = 20;
+  setup.light_grid = 2;
+  setup.tolerance = GENERATE(0.0, 0.05);
+  Workbench at_once, in_parts;
+  at_once.reset(scene, small, {setup});
+  while (at_once.attempts()[0].done < 1) at_once.work(0);
+  in_parts.reset(scene, small, {setup});
+  int interrupted = 0;
+  for (int checks = 1; in_parts.attempts()[0].done < 1; checks = checks % 40 + 1) {
+    test::Asked asked(checks);
+    try {
+      in_parts.work(0, Stop(asked));
+    } catch (const Stopped&) {
+      ++interrupted;
+    }
+  }
+  CHECK(interrupted > 20);
+  CHECK(in_parts.attempts()[0].image.pixels == at_once.attempts()[0].image.pixels);
+  CHECK(in_parts.attempts()[0].cost.rays == at_once.attempts()[0].cost.rays);
+  CHECK(in_parts.attempts()[0].cost.draws == at_once.attempts()[0].cost.draws);
+}
+
+TEST_CASE("attempts and surveys are stopped inside a pixel whose tree explodes") {
+  const Scene scene = test::exploding_room(Integrator::whitted);
+  test::Asked asked(1'000'000), asked_too(1'000'000);
+  Workbench bench;
+  bench.reset(scene, small, {setup_of(scene)});
+  CHECK_THROWS_AS(bench.work(1e9, Stop(asked)), Stopped);
+  CostSurvey survey(scene, 400, 1);
+  CHECK_THROWS_AS(survey.work(Stop(asked_too)), Stopped);
+  CHECK(survey.done() == 0);
 }
 
 TEST_CASE("a setup changes what it names, and none changes nothing") {
