@@ -76,6 +76,9 @@ class GltfReader {
     const bool has_materials = !materials_.empty();
     if (!has_materials) mesh_.materials.clear();
     MeshFile result = detail::finished_mesh(std::move(mesh_), path_);
+    if (textured_ > 0)
+      result.warnings.push_back(
+          detail::warning_of_textures(path_, first_textured_.name, first_textured_.texture, textured_ - 1));
     if (has_materials) result.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return result;
   }
@@ -261,8 +264,43 @@ class GltfReader {
   }
 
   void read_materials() {
-    for (std::int64_t i = 0; i < file_.size_of("materials"); ++i)
-      materials_.push_back(material_of(file_.element("materials", i)));
+    for (std::int64_t i = 0; i < file_.size_of("materials"); ++i) {
+      const Json& from = file_.element("materials", i);
+      materials_.push_back(material_of(from));
+      const std::string texture = texture_of(from);
+      if (texture.empty() || ++textured_ > 1) continue;
+      const std::string name = text_if_any(from, "name");
+      first_textured_ = {name.empty() ? std::to_string(i) : name, {}, texture};
+    }
+  }
+
+  // Of what is not read: whatever is wrong with it is no failure.
+  [[nodiscard]] static std::string text_if_any(const Json& object, const char* key) {
+    const Json* found = GltfFile::find(object, key);
+    return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+  }
+  [[nodiscard]] const Json* named_by(const Json& object, const char* key, const char* list) const {
+    const Json* index = GltfFile::find(object, key);
+    if (index == nullptr || !index->is_number_unsigned()) return nullptr;
+    const auto i = index->get<std::uint64_t>();
+    const auto size = static_cast<std::uint64_t>(file_.size_of(list));
+    return i < size ? &file_.element(list, static_cast<std::int64_t>(i)) : nullptr;
+  }
+  /// A texture of the material, with its image's name if it has one; or "".
+  [[nodiscard]] std::string texture_of(const Json& material) const {
+    const Json* pbr = GltfFile::find(material, "pbrMetallicRoughness");
+    for (const char* key :
+         {"baseColorTexture", "metallicRoughnessTexture", "normalTexture", "occlusionTexture", "emissiveTexture"}) {
+      const Json* use = GltfFile::find(material, key);
+      if (use == nullptr && pbr != nullptr) use = GltfFile::find(*pbr, key);
+      if (use == nullptr) continue;
+      const Json* texture = named_by(*use, "index", "textures");
+      const Json* image = texture == nullptr ? nullptr : named_by(*texture, "source", "images");
+      std::string name = image == nullptr ? "" : text_if_any(*image, "uri");
+      if (name.empty() || name.rfind("data:", 0) == 0) name = image == nullptr ? "" : text_if_any(*image, "name");
+      return name.empty() ? key : std::string(key) + " " + name;
+    }
+    return {};
   }
 
   /// The metallic part is a mirror, blurred by roughness; the rest is matte.
@@ -297,6 +335,8 @@ class GltfReader {
   const std::string& path_;
   Mesh mesh_;
   std::vector<Material> materials_;
+  NamedMaterial first_textured_;
+  std::size_t textured_ = 0;  ///< materials with textures
   std::int64_t nodes_visited_ = 0;
   bool has_normals_ = false, has_uv_ = false;
 };

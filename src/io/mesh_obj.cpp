@@ -53,6 +53,7 @@ class ObjReader {
       return tl::unexpected(Error{path_, 0, 0, why, "lines \"v X Y Z\" are vertices, lines \"f 1 2 3\" faces"});
     MeshFile file = detail::finished_mesh(std::move(mesh_), path_);
     if (!unknown_.empty()) file.warnings.push_back(warning_of_unknown());
+    file.warnings.insert(file.warnings.end(), unread_textures_.begin(), unread_textures_.end());
     if (has_materials_) file.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return file;
   }
@@ -215,6 +216,12 @@ class ObjReader {
       error_ = read.error();
       return false;
     }
+    const auto has_texture = [](const NamedMaterial& each) { return !each.texture.empty(); };
+    if (const auto first = std::find_if(read->begin(), read->end(), has_texture); first != read->end()) {
+      const auto others = static_cast<std::size_t>(std::count_if(first + 1, read->end(), has_texture));
+      unread_textures_.push_back(detail::warning_of_textures(fmt::format("{}:{}", path, first->texture_line),
+                                                             first->name, first->texture, others));
+    }
     for (NamedMaterial& each : *read) {
       (*now)[std::move(each.name)] = static_cast<std::int32_t>(materials_.size());
       materials_.push_back(std::move(each.material));
@@ -239,7 +246,8 @@ class ObjReader {
   std::map<std::string, Library> libraries_;  ///< by file; each is read once
   std::list<Library*> latest_;                ///< most recently named first
   std::int32_t material_ = -1;
-  std::set<std::string> unknown_;  ///< materials that faces use and no library has
+  std::set<std::string> unknown_;             ///< materials that faces use and no library has
+  std::vector<std::string> unread_textures_;  ///< a warning for each library that has some
   std::string first_unknown_;
   int unknown_line_ = 0;
   bool has_normals_ = false, has_uv_ = false, has_materials_ = false;
@@ -265,6 +273,11 @@ struct MtlMaterial {
   }
 };
 
+bool names_texture(std::string_view keyword) {
+  return keyword.rfind("map_", 0) == 0 || keyword == "bump" || keyword == "disp" || keyword == "decal" ||
+         keyword == "refl" || keyword == "norm";
+}
+
 }  // namespace
 
 Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::string& path) {
@@ -289,10 +302,15 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
       current.material.diffuse = Rgbd(0.0);
       continue;
     }
+    if (names_texture(keyword) && !named.empty() && named.back().texture.empty()) {
+      named.back().texture = keyword + " " + std::string(cursor.rest());
+      named.back().texture_line = cursor.line();
+      continue;
+    }
     const bool is_colour = keyword == "Ka" || keyword == "Kd" || keyword == "Ks" || keyword == "Ke" || keyword == "Tf";
     const bool is_number =
         keyword == "Ns" || keyword == "Ni" || keyword == "d" || keyword == "Tr" || keyword == "illum";
-    if (!is_colour && !is_number) continue;  // textures and extensions of other renderers
+    if (!is_colour && !is_number) continue;  // extensions of other renderers
     const double most = keyword == "Ke" ? schema::light_amount.high
                         : is_colour     ? schema::reflectance.high
                                         : schema::max_magnitude;

@@ -221,6 +221,22 @@ TEST_CASE("a mesh file warns of materials that are nowhere, and when nothing of 
   CHECK_THAT(ply[0], contains("a.ply: warning: none of its 2 triangles has an area"));
 }
 
+TEST_CASE("that textures of materials are not read is said once a library, with the first one's place") {
+  TemporaryFolder folder;
+  put(folder.file("a.obj"), "mtllib a.mtl b.mtl\nmtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 3\n");
+  put(folder.file("a.mtl"),
+      "newmtl plain\nKd 1 0 0\nnewmtl wood\nKd 1 1 1\nmap_Kd -s 2 2 2 oak wood.png\nbump bumps.png\n"
+      "newmtl brick\nmap_Ks b.png\n");
+  put(folder.file("b.mtl"), "map_Kd nobody.png\nnewmtl green\nKd 0 1 0\nillum 2\n");
+  const auto read = read_mesh(folder.file("a.obj"));
+  REQUIRE(read);
+  REQUIRE(read->warnings.size() == 1);
+  CHECK(read->warnings[0] ==
+        folder.file("a.mtl") +
+            ":5: warning: textures of mesh files are not read: the material \"wood\" has map_Kd -s 2 2 2 oak wood.png, "
+            "and 1 other material; such surfaces show the material's own colour");
+}
+
 TEST_CASE("no part of a mesh file and no changed byte crashes its reader") {
   for (const std::string& whole : {square_ply, square_obj, binary_ply(false), binary_ply(true)}) {
     const auto parse = [&](const std::string& bytes) {

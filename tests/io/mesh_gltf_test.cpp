@@ -92,6 +92,27 @@ TEST_CASE("a glTF file whose buffer is a file beside it, or in a data URI") {
   CHECK(inside->mesh->positions[0] == Vec3d(0.0));
 }
 
+TEST_CASE("that a glTF file's textures are not read is said once, whatever is wrong with them") {
+  const auto warnings = [](const std::string& materials) {
+    const std::string textures =
+        R"(, "textures": [{"source": 1}, {"source": 7}], "images": [{"uri": "a.png"}, {"uri": "wood%20.png"}])";
+    const auto read = parse_gltf(
+        glb(gltf(plain_node, "",
+                 replaced(accessors, R"("emissiveFactor": [0, 0, 2]})", "\"name\": \"wood\"" + materials) + textures)),
+        "a.glb");
+    if (!read) FAIL(read.error().text());
+    return read->warnings;
+  };
+  const std::string said = "a.glb: warning: textures of mesh files are not read: the material \"wood\" has ";
+  CHECK(warnings("}").empty());
+  CHECK(warnings(R"(, "normalTexture": {"index": 0}})") ==
+        std::vector<std::string>{said + "normalTexture wood%20.png; such surfaces show the material's own colour"});
+  CHECK(warnings(R"(, "emissiveTexture": {"index": 1}}, {"normalTexture": 3}, {"name": 5, "normalTexture": {}})") ==
+        std::vector<std::string>{
+            said + "emissiveTexture, and 2 other materials; such surfaces show the material's own colour"});
+  CHECK(warnings(R"(, "occlusionTexture": {"index": 1e300}})").size() == 1);
+}
+
 TEST_CASE("nodes put a mesh where they say, mirrored ones too") {
   const auto place = [](const std::string& nodes) {
     const auto read = parse_gltf(glb(gltf(nodes, "")), "a.glb");
