@@ -43,6 +43,7 @@ struct Stroke {
   double width = 1;    ///< pixels
   DashPattern dash{};  ///< lengths in pixels, after scaling
   double phase = 0;    ///< offset into the pattern, in pixels: keeps the dashes of a clipped ray in place
+  friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 
 /// A straight line, with a filled arrowhead if `arrow` is above 0: its length in pixels, its tip at
@@ -52,22 +53,26 @@ struct LineItem {
   Stroke stroke;
   double arrow = 0;
   double arrow_at = 1;
+  friend bool operator==(const LineItem&, const LineItem&) = default;
 };
 struct PolylineItem {
   std::vector<Vec2d> points;
   Stroke stroke;
+  friend bool operator==(const PolylineItem&, const PolylineItem&) = default;
 };
 /// A simple polygon, possibly concave.
 struct PolygonItem {
   std::vector<Vec2d> points;
   std::optional<Colour> fill;
   std::optional<Stroke> stroke;
+  friend bool operator==(const PolygonItem&, const PolygonItem&) = default;
 };
 struct CircleItem {
   Vec2d centre;
   double radius;
   std::optional<Colour> fill;
   std::optional<Stroke> stroke;
+  friend bool operator==(const CircleItem&, const CircleItem&) = default;
 };
 /// From angle `begin` to `end`, radians, clockwise on the screen from +x because y runs down.
 struct ArcItem {
@@ -75,6 +80,7 @@ struct ArcItem {
   double radius;
   double begin, end;
   Stroke stroke;
+  friend bool operator==(const ArcItem&, const ArcItem&) = default;
 };
 enum class TextAnchor { start, middle, end };
 /// One line of text. `at`: its left end, middle or right end, and the middle of its height.
@@ -84,6 +90,7 @@ struct TextItem {
   double size;       ///< height of a line in pixels
   Colour colour;
   TextAnchor anchor = TextAnchor::start;
+  friend bool operator==(const TextItem&, const TextItem&) = default;
 };
 
 using Shape2d = std::variant<LineItem, PolylineItem, PolygonItem, CircleItem, ArcItem, TextItem>;

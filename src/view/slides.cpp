@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace raywalk {
@@ -51,9 +52,57 @@ class Dictionary {
   Json texts_ = Json::array();
 };
 
-Json slide(const State& state, Dictionary& drawn, Dictionary& said) {
-  Json items = Json::array(), equation = Json::array();
-  for (const DisplayItem& item : plan_view(state)) items.push_back(drawn.number_of(svg_element(item.shape)));
+/// The plan of each step as the numbers of its items. Most of them the step before has drawn too, in the same order: a
+/// run of those is written [first, count]. Else long walks would grow with the square of their steps.
+class PlanWriter {
+ public:
+  static constexpr int complete_every = 100;  ///< steps, so that a page that jumps has few to go through
+
+  Json next(DisplayList list, bool complete) {
+    if (complete) before_.clear();
+    std::vector<int> numbers;
+    numbers.reserve(list.size());
+    Json items = Json::array();
+    std::size_t run = 0, end = 0;  // of the list before
+    const auto end_run = [&](std::size_t from) {
+      if (run < end) items.push_back({run, end - run});
+      run = end = from;
+    };
+    for (const DisplayItem& item : list) {
+      const std::size_t same = find(item, end);
+      if (same == before_.size()) {
+        end_run(end);
+        numbers.push_back(drawn_.number_of(svg_element(item.shape)));
+        items.push_back(numbers.back());
+      } else {
+        if (same != end) end_run(same);
+        numbers.push_back(numbers_[same]);
+        end = same + 1;
+      }
+    }
+    end_run(end);
+    before_ = std::move(list);
+    numbers_ = std::move(numbers);
+    return items;
+  }
+  [[nodiscard]] const Json& texts() const { return drawn_.texts(); }
+
+ private:
+  /// The same item in the list before, shortly after `from`; the end of the list if there is none.
+  [[nodiscard]] std::size_t find(const DisplayItem& item, std::size_t from) const {
+    constexpr std::size_t reach = 16;
+    for (std::size_t i = from; i < std::min(from + reach, before_.size()); ++i)
+      if (before_[i].shape == item.shape) return i;
+    return before_.size();
+  }
+
+  Dictionary drawn_;
+  DisplayList before_;
+  std::vector<int> numbers_;  ///< of before_
+};
+
+Json slide(const State& state, PlanWriter& plan, Dictionary& said) {
+  Json equation = Json::array();
   for (const EquationRow& row : equation_panel(state).rows) {
     const std::string colour = row.light ? fmt::format("<i style=\"background:{}\"></i>",
                                                        css_colour(display_colour(*row.light, state.scene().encoding)))
@@ -64,7 +113,7 @@ Json slide(const State& state, Dictionary& drawn, Dictionary& said) {
   }
   const Event* ran = state.timeline->just_run(state.position);
   const Event* next = state.timeline->next(state.position);
-  return {{"d", std::move(items)},
+  return {{"d", plan.next(plan_view(state), state.position % PlanWriter::complete_every == 0)},
           {"e", std::move(equation)},
           {"s", said.number_of(escaped(sentence(state)))},
           {"r", ran == nullptr ? -1 : static_cast<int>(ran->line)},
@@ -87,10 +136,16 @@ std::string code_of(const State& state) {
 constexpr std::string_view script = R"(
 const box = id => document.getElementById(id);
 let at = +location.hash.slice(1) || 0;
+function items(step) {
+  let list = [];
+  for (let i = step - step % W.complete; i <= step; ++i)
+    list = W.steps[i].d.flatMap(d => Array.isArray(d) ? list.slice(d[0], d[0] + d[1]) : [d]);
+  return list;
+}
 function show(step) {
   at = Math.min(Math.max(step, 0), W.steps.length - 1);
   const s = W.steps[at];
-  box('plan').innerHTML = s.d.map(i => W.drawn[i]).join('');
+  box('plan').innerHTML = items(at).map(i => W.drawn[i]).join('');
   box('said').innerHTML = W.said[s.s];
   box('equation').innerHTML = s.e.map(i => W.said[i]).join('');
   document.querySelectorAll('li').forEach(li => li.className = '');
@@ -130,13 +185,17 @@ show(at);
 std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
   State state = walked(scene, std::move(timeline), language, theme, page_size);
   const Palette& colours = palette(theme);
-  Dictionary drawn, said;
+  PlanWriter plan;
+  Dictionary said;
   const auto say = [&](auto id) { return text(id, language); };
   Json steps = Json::array();
   for (state.position = 0; state.position <= state.timeline->steps(); ++state.position)
-    steps.push_back(slide(state, drawn, said));
+    steps.push_back(slide(state, plan, said));
   state.position = 0;
-  const Json walk{{"drawn", drawn.texts()}, {"said", said.texts()}, {"steps", std::move(steps)}};
+  const Json walk{{"drawn", plan.texts()},
+                  {"complete", PlanWriter::complete_every},
+                  {"said", said.texts()},
+                  {"steps", std::move(steps)}};
   // "</" would end the script.
   std::string data = walk.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t i = data.find("</"); i != std::string::npos; i = data.find("</", i + 3)) data.insert(i + 1, "\\");

@@ -6,6 +6,7 @@
 #include "timeline/recorder.h"
 #include "view/equation.h"
 #include "view/panels.h"
+#include "view/plan_view.h"
 #include "view/svg.h"
 
 #include <nlohmann/json.hpp>
@@ -41,6 +42,16 @@ std::string badly_nested(const std::string& text) {
 
 Scene classic_scene() { return read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml").scene; }
 
+/// The data of a page.
+nlohmann::json walk_of(const std::string& page) {
+  const std::string head = "const W = ";
+  const std::size_t begin = page.find(head) + head.size(), end = page.find(";\nconst box", begin);
+  REQUIRE(end != std::string::npos);
+  // Nothing in the data may end the script.
+  CHECK(page.find("</", begin) > end);
+  return nlohmann::json::parse(page.substr(begin, end - begin));
+}
+
 }  // namespace
 
 TEST_CASE("every shape becomes elements that are closed, with its numbers and its dashes") {
@@ -75,14 +86,9 @@ TEST_CASE("the page has every step as the window shows it, and asks no network")
   for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
     CHECK(page.find(outside) == std::string::npos);
   CHECK(page.size() < 4'000'000);
-  const std::string head = "const W = ";
-  const std::size_t begin = page.find(head) + head.size(), end = page.find(";\nconst box", begin);
-  REQUIRE(end != std::string::npos);
-  // Nothing in the data may end the script.
-  CHECK(page.find("</", begin) > end);
   const std::size_t html = page.find("<html");
   CHECK(badly_nested(page.substr(html, page.find("<script>") - html) + "</body></html>") == "");
-  const auto walk = nlohmann::json::parse(page.substr(begin, end - begin));
+  const auto walk = walk_of(page);
   const auto& steps = walk.at("steps");
   REQUIRE(steps.size() == static_cast<std::size_t>(timeline->steps()) + 1);
 
@@ -100,8 +106,47 @@ TEST_CASE("the page has every step as the window shows it, and asks no network")
     for (std::size_t i = 0; i < equation.rows.size(); ++i)
       REQUIRE_THAT(walk.at("said").at(step.at("e").at(i).get<std::size_t>()).get<std::string>(),
                    contains(escaped(equation.rows[i].text)));
-    for (const auto& item : step.at("d")) REQUIRE(item.get<std::size_t>() < walk.at("drawn").size());
   }
-  // Rays build up.
-  CHECK(steps.back().at("d").size() > steps.front().at("d").size() + 40);
+}
+
+TEST_CASE("the page's plan of each step, put together as its script does, is the window's") {
+  const Scene scene = classic_scene();
+  const auto timeline = std::make_shared<const Timeline>(record_strip(scene));
+  const auto walk = walk_of(slides_page(scene, timeline, in_english));
+  State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"));
+  state.mode = Mode::trace;
+  state.theme = Theme::projector;
+  state.tab = Tab::equation;
+  state.viewport = {750, 500};
+  state.camera = fitted(state);
+  std::vector<std::size_t> items;
+  for (int position = 0; position <= timeline->steps(); ++position) {
+    const std::vector<std::size_t> before =
+        position % walk.at("complete").get<int>() == 0 ? std::vector<std::size_t>() : std::move(items);
+    items.clear();
+    for (const auto& item : walk.at("steps").at(static_cast<std::size_t>(position)).at("d")) {
+      if (!item.is_array()) {
+        items.push_back(item.get<std::size_t>());
+        continue;
+      }
+      const auto first = item.at(0).get<std::ptrdiff_t>(), count = item.at(1).get<std::ptrdiff_t>();
+      REQUIRE(first + count <= static_cast<std::ptrdiff_t>(before.size()));
+      items.insert(items.end(), before.begin() + first, before.begin() + first + count);
+    }
+    state.position = position;
+    const DisplayList list = plan_view(state);
+    INFO(position);
+    REQUIRE(items.size() == list.size());
+    for (std::size_t i = 0; i < items.size(); ++i) REQUIRE(walk.at("drawn").at(items[i]) == svg_element(list[i].shape));
+  }
+}
+
+TEST_CASE("a page grows with the number of its steps, not with their square") {
+  Scene scene = read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/hard/facing_mirrors.toml").scene;
+  const auto page_of = [&](int depth) {
+    scene.limits = {depth, 0};
+    return slides_page(scene, std::make_shared<const Timeline>(record_cell(scene, 10)), in_english).size();
+  };
+  const std::size_t few = page_of(20), more = page_of(80), most = page_of(140);
+  CHECK(static_cast<double>(most - more) < 1.2 * static_cast<double>(more - few));
 }
