@@ -150,13 +150,17 @@ class Loop {
       state_.quit = true;
       return;
     }
-    if (!options_.demo_path.empty() && writes_file(action)) note_failure();
+    if (!options_.demo_path.empty()) note_failure(action);
   }
 
-  // The demo may run unattended: if it fails to write a file, it ends as a failure, with a message.
-  void note_failure() {
-    if (failure_ && state_.notice && state_.notice->kind == Notice::Kind::error)
-      failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.notice->text, ""});
+  // The demo may run unattended: if it fails to write a file or to open a lesson, it ends as a failure, with a message.
+  void note_failure(const Action& action) {
+    if (!failure_ || !state_.notice) return;
+    const auto* lesson = std::get_if<action::OpenLesson>(&action);
+    const auto& open = state_.lessons.open;
+    const bool failed = lesson != nullptr ? !state_.question && (!open || open->lesson.name != lesson->name)
+                                          : writes_file(action) && state_.notice->kind == Notice::Kind::error;
+    if (failed) failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.notice->text, ""});
   }
 
   // One key press holds STEP once: if a breakpoint ends that, the key must be released first.
@@ -216,6 +220,12 @@ class Loop {
     }
   }
 
+  // Seconds that a row may take: if long, it gives way to what is due, but not at once; it is then restarted.
+  [[nodiscard]] double longest_row() const {
+    const double due = frames_due_ > 0 ? 0 : until_due();
+    return due < 0 ? due : std::max(due, least_of_a_row);
+  }
+
   void work_on_image() {
     if (frames_drawn_ == 0 || image_.rests(state_)) return;
     bool more = true;
@@ -226,9 +236,7 @@ class Loop {
       return;  // interrupted: it begins again after the input
     }
     {
-      // A row that takes long gives way to what is due, but not at once; it is then restarted.
-      const double due = frames_due_ > 0 ? 0 : until_due();
-      const Attention::Watch watch(attention_, Attention::To::input, due < 0 ? due : std::max(due, least_of_a_row));
+      const Attention::Watch watch(attention_, Attention::To::input, longest_row());
       more = image_.work(state_, image_slice, Stop(attention_));
     }
     const Preview& now = image_.preview();
@@ -239,7 +247,10 @@ class Loop {
   void work_on_costs() {
     // The visible picture comes first.
     if (frames_drawn_ == 0 || !image_.rests(state_) || costs_.rests(state_)) return;
-    costs_.work(state_, image_slice);
+    {
+      const Attention::Watch watch(attention_, Attention::To::input, longest_row());
+      costs_.work(state_, image_slice, Stop(attention_));
+    }
     if (shown_costs_.show(costs_.revision(), costs_.size(), costs_.rgba(), !costs_.rests(state_), image_every))
       frames_due_ = std::max(frames_due_, 1);
   }

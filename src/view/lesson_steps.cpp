@@ -156,7 +156,7 @@ void open_lesson(State& state, const std::string& name) {
   show_lessons(state, true);
   const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
-  if (row == rows.end()) return;
+  if (row == rows.end()) return complain(state, fill("lesson.unknown", state.language, {{"name", name}}));
   if (row->locked) return inform(state, std::string(text("lesson.locked", state.language)));
   // Changes during a lesson belong to the lesson.
   if (state.lessons.open) state.dirty = false;

@@ -284,6 +284,21 @@ TEST_CASE("a demo that cannot export what it was to export says so, with exit co
   }
 }
 
+TEST_CASE("a demo that cannot open its lesson says so, with exit code 1", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  const std::string demo = (desktop.folder() / "show.demo").string();
+  const auto ends_with = [&](const std::string& lesson, int code, const char* why) {
+    std::ofstream(demo) << "open-lesson " << lesson << "\nquit\n";
+    Visualiser raywalk(desktop, {own_classic(desktop), "--demo", demo});
+    CHECK(raywalk.wait(100) == code);
+    CHECK_THAT(raywalk.said(), contains(why));
+  };
+  ends_with("01-ray-casting", 0, "");
+  ends_with("99-nowhere", 1, "There is no lesson named 99-nowhere");
+  ends_with("04-reflection", 1, "Locked: finish the lesson above it first");
+}
+
 TEST_CASE("a demo that would wait for an answer for ever ends with exit code 1", "[window]") {
   NEEDS_A_DESKTOP
   const Desktop desktop(640, 480);
