@@ -56,10 +56,7 @@ void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<doub
 }
 
 void add_integrator(CLI::App& command, std::optional<Integrator>& integrator, std::optional<int>& path_length) {
-  add_choice(command, "--integrator", integrator,
-             std::array{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
-                        Integrator::path},
-             integrator_name,
+  add_choice(command, "--integrator", integrator, all_integrators, integrator_name,
              "How light is followed: shadows only, mirrors and glass too, soft effects, or everywhere");
   constexpr auto range = schema::path_length_count;
   add_whole(command, "--path-length", path_length, range.low, range.high,

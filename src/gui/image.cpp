@@ -78,9 +78,6 @@ std::string status_of(const Ui& ui, const PictureView& picture, bool has_row) {
          about;
 }
 
-constexpr std::array integrators{Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed,
-                                 Integrator::path};
-
 std::string_view heat_word(Heat heat) {
   switch (heat) {
     case Heat::none:
@@ -221,7 +218,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   ImageSettings next = state.image;
 
   Integrator integrator = next.integrator.value_or(state.scene().render.integrator);
-  if (pick_among(ui, form, "property.integrator", integrators, integrator)) next.integrator = integrator;
+  if (pick_among(ui, form, "property.integrator", all_integrators, integrator)) next.integrator = integrator;
   pick_among(ui, form, "property.accelerator", pickable_accelerators, next.accelerator);
   form.whole("property.samples", next.samples, 1, max_image_samples);
   form.whole("property.walk_samples", next.walk_samples, 1, max_walk_samples);

@@ -22,8 +22,9 @@ using PovLosses = std::set<std::string>;
 /// "matrix <...>" for an object whose shape is already in POV-Ray's axes; empty without steps.
 [[nodiscard]] std::string pov_matrix(const std::vector<TransformStep>& steps);
 
-/// The shape without its closing brace: "sphere { <0, 0, 0>, 1".
-[[nodiscard]] std::string pov_shape(const Shape<double>& shape);
+/// The shape without its closing brace: "sphere { <0, 0, 0>, 1". One that POV-Ray lacks becomes its box, which `losses`
+/// then say.
+[[nodiscard]] std::string pov_shape(const Shape<double>& shape, PovLosses& losses);
 /// The same of a mesh. `texture_of` gives the texture of a triangle for a material of the mesh.
 [[nodiscard]] std::string pov_mesh(const MeshShape& mesh,
                                    const std::function<std::string(const Material&)>& texture_of);

@@ -36,9 +36,10 @@ std::string text_of(const Plane<double>& plane) {
   return fmt::format("plane {{ {}, {}", pov_vector(normal), dot(normal, plane.point));
 }
 
-std::string text_of(const Box<double>& box) {
+std::string text_of(const Bounds<double>& box) {
   return fmt::format("box {{ {}, {}", pov_vector(box.min), pov_vector(box.max));
 }
+std::string text_of(const Box<double>& box) { return text_of(Bounds<double>{box.min, box.max}); }
 
 std::string text_of(const Disk<double>& disk) {
   return fmt::format("disc {{ {}, {}, {}", pov_vector(disk.centre), pov_vector(disk.normal), disk.radius);
@@ -87,8 +88,14 @@ std::string text_of(const Quadric<double, Kind>& quadric) {
 
 }  // namespace
 
-std::string pov_shape(const Shape<double>& shape) {
-  return std::visit([](const auto& kind) { return text_of(kind); }, shape);
+std::string pov_shape(const Shape<double>& shape, PovLosses& losses) {
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        if constexpr (requires { text_of(kind); }) return text_of(kind);
+        losses.insert(std::string(shape_name(kind)) + " shapes, which become boxes");
+        return text_of(bounds(kind));
+      },
+      shape);
 }
 
 std::string pov_mesh(const MeshShape& shape, const std::function<std::string(const Material&)>& texture_of) {

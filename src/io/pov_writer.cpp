@@ -104,6 +104,12 @@ class LightText {
     losses_.insert("sphere lights, which become disks that face what they light");
     return text + area({2 * sphere.radius, 0, 0}, {0, 0, 2 * sphere.radius}, samples, jittered()) + " circular orient";
   }
+  /// A kind that POV-Ray lacks.
+  template <LightKind Other>
+  std::string operator()(const Other& other) const {
+    losses_.insert(std::string(Other::name) + " lights, which become points");
+    return (*this)(PointLight{other.middle().value_or(Vec3d(0.0)), attenuation_of(light_)});
+  }
   std::string operator()(const RectangleLight& rectangle) const {
     const Vec3d middle = rectangle.corner + 0.5 * (rectangle.u + rectangle.v);
     const std::string text = pov_vector(middle) + " " + faded(middle, rectangle.attenuation);
@@ -183,7 +189,7 @@ class ObjectText {
     };
     std::string shape;
     if (plain) {
-      shape = detail::pov_shape(*plain);
+      shape = detail::pov_shape(*plain, losses_);
     } else if (const auto* mesh = std::get_if<MeshShape>(&object.shape); mesh && mesh->mesh) {
       shape = detail::pov_mesh(*mesh, texture_of);
     } else {

@@ -65,13 +65,13 @@ EffectUse left_out(Integrator integrator, std::string_view what) {
 }
 
 EffectUse refraction(const Scene& scene, Integrator integrator) {
-  if (integrator == Integrator::cast) return left_out(integrator, "follows no ray beyond the first hit");
+  if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
   return use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
 }
 
 /// Every transmitting material also reflects: a part by Fresnel's equations, or everything beyond the critical angle.
 EffectUse reflection(const Scene& scene, Integrator integrator) {
-  if (integrator == Integrator::cast) return left_out(integrator, "follows no ray beyond the first hit");
+  if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
   EffectUse use = use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
   const auto shares = [](const Material& m) { return m.transmits() && m.dielectric; };
   const auto transmits = [](const Material& m) { return m.transmits(); };
@@ -130,24 +130,15 @@ EffectUse antialiasing(int samples_per_pixel) {
 }
 
 EffectUse indirect_light(const Scene& scene, Integrator integrator) {
-  switch (integrator) {
-    case Integrator::path:
-      if (scene.render.path_length == 1) return {false, "none: paths end at what is seen"};
-      return use_if(
-          scene,
-          [](const Material& m) {
-            return !is_black(m.diffuse) || !is_black(m.specular) || m.reflects() || m.transmits();
-          },
-          "sends on the light that comes from other surfaces", "every surface is black");
-    case Integrator::cast:
-      return left_out(integrator, "follows no ray beyond the first hit");
-    case Integrator::automatic:
-    case Integrator::whitted:
-    case Integrator::distributed:
-      break;
-  }
-  return {false, "none: Whitted's algorithm follows mirrors and glass only"};
+  if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
+  if (!traits_of(integrator).is_global) return {false, "none: Whitted's algorithm follows mirrors and glass only"};
+  if (scene.render.path_length == 1) return {false, "none: paths end at what is seen"};
+  return use_if(
+      scene,
+      [](const Material& m) { return !is_black(m.diffuse) || !is_black(m.specular) || m.reflects() || m.transmits(); },
+      "sends on the light that comes from other surfaces", "every surface is black");
 }
+
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
   if (light == nullptr && indirect_light(scene, integrator).used)
@@ -170,9 +161,7 @@ Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
 int light_grid_of(const Scene& scene, const Light& light) {
   if (!is_area(light)) return 1;
   if (scene.render.light_grid) return *scene.render.light_grid;
-  if (const auto* sphere = std::get_if<SphereLight>(&light.kind)) return sphere->samples;
-  if (const auto* rectangle = std::get_if<RectangleLight>(&light.kind)) return rectangle->samples;
-  return 1;
+  return samples_of(light);
 }
 
 Effects effects_of(const Scene& scene, int samples_per_pixel) {

@@ -59,9 +59,7 @@ class Effects {
 /// The scene's integrator, `automatic` resolved: distributed where an effect of it is called for, else whitted.
 [[nodiscard]] Integrator integrator_of(const Scene& scene, int samples_per_pixel = 1);
 /// Whether it may draw random numbers: cast and whitted take their samples at fixed positions.
-[[nodiscard]] constexpr bool draws_random(Integrator integrator) {
-  return integrator == Integrator::distributed || integrator == Integrator::path;
-}
+[[nodiscard]] constexpr bool draws_random(Integrator integrator) { return traits_of(integrator).draws_random; }
 
 /// The number of points on a light that are sampled at a hit, along each of its two sides; 1 except for area lights.
 [[nodiscard]] int light_grid_of(const Scene& scene, const Light& light);

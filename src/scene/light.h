@@ -1,80 +1,92 @@
 #pragma once
+// The lights of a scene. Each kind has a file in scene/lights: its numbers, and its answers to what everyone else asks
+// (concept LightKind). A new kind needs its file, a place in the list below, and its keys in scene/schema.h.
 
-#include "math/vec.h"
+#include "scene/lights/directional_light.h"
+#include "scene/lights/point_light.h"
+#include "scene/lights/rectangle_light.h"
+#include "scene/lights/sphere_light.h"
+#include "scene/lights/spot_light.h"
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace raywalk {
 
-/// 1 / (constant + linear r + quadratic r^2), r the distance to the light in scene units. Terms are >= 0, not all 0.
-struct Attenuation {
-  double constant = 1, linear = 0, quadratic = 0;
-  friend bool operator==(const Attenuation&, const Attenuation&) = default;
-};
+using AnyLight = std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, RectangleLight>;
 
-struct PointLight {
-  Vec3d position{0.0};
-  Attenuation attenuation;
-  friend bool operator==(const PointLight&, const PointLight&) = default;
-};
-
-/// Light from infinitely far away; not attenuated.
-struct DirectionalLight {
-  Vec3d direction{0.0, 0.0, 1.0};  ///< from the surface to the light; any length but 0
-  friend bool operator==(const DirectionalLight&, const DirectionalLight&) = default;
-};
-
-/// A point light that shines only into a cone: at full strength up to half of `inner_angle` from its axis, then falling
-/// off (a smooth step in the cosine) to zero at half of `angle`.
-struct SpotLight {
-  Vec3d position{0.0};
-  Vec3d look_at{1.0, 0.0, 0.0};  ///< a point on the cone's axis, other than `position`
-  double angle = 60;             ///< full angle of the cone in degrees, 0 < angle <= 180
-  double inner_angle = 40;       ///< full angle in degrees, 0 <= inner_angle <= angle
-  Attenuation attenuation;
-  friend bool operator==(const SpotLight&, const SpotLight&) = default;
-};
-
-/// Area lights. Each is the mean of point lights spread uniformly over it: it has no back, is never hit and occludes
-/// nothing. At every hit, samples x samples of its points are tested.
-struct SphereLight {
-  Vec3d position{0.0};  ///< its centre
-  double radius = 1;    ///< >= 0; 0 is a point light
-  int samples = 1;      ///< >= 1
-  Attenuation attenuation;
-  friend bool operator==(const SphereLight&, const SphereLight&) = default;
-};
-
-struct RectangleLight {
-  Vec3d corner{0.0};
-  Vec3d u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0};  ///< its edges from `corner`; both 0 is a point light
-  int samples = 1;                           ///< >= 1
-  Attenuation attenuation;
-  friend bool operator==(const RectangleLight&, const RectangleLight&) = default;
+/// What a kind of light answers. A light that is no delta light is the mean of point lights spread uniformly over it:
+/// it is never hit and occludes nothing, and has a member `samples`: samples x samples of its points are tested at
+/// every hit. A light that weakens with distance has a member `attenuation`.
+///
+/// `Kind::Prepared<T>` is what the tracer needs in scalar type T, every number rounded once: whether it is `isotropic`,
+/// that is, shines everywhere with the same strength; `shines_along` and `falloff`, if not; and `sample`, which maps
+/// the unit square to the light, uniformly in area, if it can have an extent.
+template <class Kind>
+concept LightKind = requires(const Kind& light, Kind& own, const Vec3d& offset) {
+  { Kind::name } -> std::convertible_to<std::string_view>;   // in scene files and to people
+  { light.middle() } -> std::same_as<std::optional<Vec3d>>;  // its centre; none: it is infinitely far away
+  { light.axis() } -> std::same_as<std::optional<Vec3d>>;    // along which it shines, of any length, if one
+  { light.is_delta() } -> std::same_as<bool>;                // no extent: it casts no penumbras
+  { light.reach() } -> std::same_as<double>;                 // radius of a bounding sphere about its centre
+  { light.outline() } -> std::same_as<std::vector<Vec3d>>;   // its corners, as it is drawn; none: a ball
+  { own.move_by(offset) };                                   // moves the whole light; a distant one stays
+  { Kind::template Prepared<double>::isotropic } -> std::convertible_to<bool>;
+  typename Kind::template Prepared<float>;
 };
 
 struct Light {
   std::string name;
   Rgbd strength{1.0};
-  std::variant<PointLight, DirectionalLight, SpotLight, SphereLight, RectangleLight> kind;
+  AnyLight kind;
   friend bool operator==(const Light&, const Light&) = default;
 };
 
-/// What each kind is called, in scene files and to people.
-constexpr std::string_view light_name(const PointLight& /*light*/) { return "point"; }
-constexpr std::string_view light_name(const DirectionalLight& /*light*/) { return "directional"; }
-constexpr std::string_view light_name(const SpotLight& /*light*/) { return "spot"; }
-constexpr std::string_view light_name(const SphereLight& /*light*/) { return "sphere"; }
-constexpr std::string_view light_name(const RectangleLight& /*light*/) { return "rectangle"; }
+template <LightKind Kind>
+constexpr std::string_view light_name(const Kind& /*light*/) {
+  return Kind::name;
+}
 
-/// The centre of a light, or nothing for one at infinity.
-[[nodiscard]] std::optional<Vec3d> middle_of(const Light& light);
-/// Moves the whole light; a directional one stays.
-void move_by(Light& light, const Vec3d& offset);
+[[nodiscard]] inline std::optional<Vec3d> middle_of(const Light& light) {
+  return std::visit([](const auto& kind) { return kind.middle(); }, light.kind);
+}
+[[nodiscard]] inline std::optional<Vec3d> axis_of(const Light& light) {
+  return std::visit([](const auto& kind) { return kind.axis(); }, light.kind);
+}
+[[nodiscard]] inline double reach_of(const Light& light) {
+  return std::visit([](const auto& kind) { return kind.reach(); }, light.kind);
+}
+[[nodiscard]] inline std::vector<Vec3d> outline_of(const Light& light) {
+  return std::visit([](const auto& kind) { return kind.outline(); }, light.kind);
+}
+inline void move_by(Light& light, const Vec3d& offset) {
+  std::visit([&](auto& kind) { kind.move_by(offset); }, light.kind);
+}
 /// Whether the light has an extent, and so casts penumbras.
-[[nodiscard]] bool is_area(const Light& light);
+[[nodiscard]] inline bool is_area(const Light& light) {
+  return std::visit([](const auto& kind) { return !kind.is_delta(); }, light.kind);
+}
+/// All 1 for lights that do not weaken.
+[[nodiscard]] inline Attenuation attenuation_of(const Light& light) {
+  return std::visit(
+      [](const auto& kind) {
+        if constexpr (requires { kind.attenuation; }) return kind.attenuation;
+        return Attenuation{};
+      },
+      light.kind);
+}
+/// The member `samples`; 1 where there is none.
+[[nodiscard]] inline int samples_of(const Light& light) {
+  return std::visit(
+      [](const auto& kind) {
+        if constexpr (requires { kind.samples; }) return kind.samples;
+        return 1;
+      },
+      light.kind);
+}
 
 }  // namespace raywalk

@@ -22,11 +22,16 @@ std::string why_not_planar(const Plane<double>& plane) {
   return plane.point.z == 0 ? "lies in z = 0" : "";
 }
 
-/// Other shapes are planar when their box stays clear of the plan.
 template <class S>
 bool meets_plan(const S& shape) {
   const Bounds<double> box = bounds(shape);
   return box.min.z <= 0 && 0 <= box.max.z;
+}
+
+/// A shape of which nothing else is said below is planar when its box stays clear of the plan.
+template <class S>
+std::string why_not_planar(const S& shape) {
+  return meets_plan(shape) ? "meets z = 0" : "";
 }
 
 /// A box that the plan cuts between its faces has vertical sides there.
@@ -104,10 +109,7 @@ std::string why_not_planar(const Scene& scene) {
   if (scene.camera.up.x != 0 || scene.camera.up.y != 0 || !(scene.camera.up.z > 0)) return "up is not +z";
   for (const Light& light : scene.lights) {
     if (const auto middle = middle_of(light); middle && middle->z != 0) return light.name + " does not lie in z = 0";
-    if (const auto* spot = std::get_if<SpotLight>(&light.kind); spot && spot->look_at.z != 0)
-      return light.name + " does not shine along z = 0";
-    if (const auto* sun = std::get_if<DirectionalLight>(&light.kind); sun && sun->direction.z != 0)
-      return light.name + " does not shine along z = 0";
+    if (const auto axis = axis_of(light); axis && axis->z != 0) return light.name + " does not shine along z = 0";
   }
   for (const Object& object : scene.objects) {
     const std::string why = why_not_planar(object, Affine<double>{});

@@ -3,6 +3,8 @@
 #include "math/numerics.h"
 #include "math/sampler.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -16,22 +18,31 @@ enum class Integrator {
   distributed,  ///< also gloss, translucency, penumbras, depth of field and motion blur (Cook, Porter, Carpenter 1984)
   path,         ///< global illumination: path tracing (Kajiya 1986)
 };
-inline constexpr int integrator_count = 5;
-[[nodiscard]] constexpr std::string_view integrator_name(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::automatic:
-      return "automatic";
-    case Integrator::cast:
-      return "cast";
-    case Integrator::whitted:
-      return "whitted";
-    case Integrator::distributed:
-      return "distributed";
-    case Integrator::path:
-      return "path";
-  }
-  return "";
+/// What is to be known of an integrator before it runs. Its procedure is in trace.
+struct IntegratorTraits {
+  Integrator integrator;
+  std::string_view name;
+  bool draws_random = false;  ///< cast and whitted take their samples at fixed positions
+  bool is_global = false;     ///< surfaces light each other
+  bool is_recursive = true;   ///< follows rays beyond the first hit
+};
+/// All integrators, in the order of the enumeration: files, options and menus offer them from here.
+inline constexpr std::array integrators{
+    IntegratorTraits{.integrator = Integrator::automatic, .name = "automatic"},
+    IntegratorTraits{.integrator = Integrator::cast, .name = "cast", .is_recursive = false},
+    IntegratorTraits{.integrator = Integrator::whitted, .name = "whitted"},
+    IntegratorTraits{.integrator = Integrator::distributed, .name = "distributed", .draws_random = true},
+    IntegratorTraits{.integrator = Integrator::path, .name = "path", .draws_random = true, .is_global = true}};
+[[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
+  return integrators[static_cast<std::size_t>(integrator)];
 }
+[[nodiscard]] constexpr std::string_view integrator_name(Integrator integrator) { return traits_of(integrator).name; }
+/// The integrators themselves.
+inline constexpr auto all_integrators = [] {
+  std::array<Integrator, integrators.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = integrators[i].integrator;
+  return all;
+}();
 
 inline constexpr int sampler_count = 3;
 

@@ -129,7 +129,7 @@ inline constexpr Choice<ShadingNormal> shading_normals{
     2, [](ShadingNormal normal) { return std::string_view(normal == ShadingNormal::facing ? "facing" : "fixed"); }};
 inline constexpr Choice<Encoding> encodings{
     2, [](Encoding encoding) { return std::string_view(encoding == Encoding::srgb ? "srgb" : "truncated"); }};
-inline constexpr Choice<Integrator> integrators{integrator_count, integrator_name};
+inline constexpr Choice<Integrator> integrators{static_cast<int>(all_integrators.size()), integrator_name};
 inline constexpr Choice<Sampler> samplers{sampler_count, sampler_name};
 inline constexpr Choice<Numerics> numerics{static_cast<int>(all_numerics.size()), numerics_name};
 
@@ -335,9 +335,9 @@ template <class S>
 constexpr auto type_name(const S& shape) -> decltype(shape_name(shape)) {
   return shape_name(shape);
 }
-template <class L>
-constexpr auto type_name(const L& light) -> decltype(light_name(light)) {
-  return light_name(light);
+template <LightKind L>
+constexpr auto type_name(const L& /*light*/) {
+  return L::name;
 }
 
 }  // namespace raywalk::schema

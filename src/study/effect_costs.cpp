@@ -36,24 +36,21 @@ void change_materials(Scene& scene, const std::function<void(Material&)>& change
 
 /// Shrinks an area light to its centre.
 void shrink(Light& light) {
-  if (auto* sphere = std::get_if<SphereLight>(&light.kind)) sphere->radius = 0;
-  if (auto* panel = std::get_if<RectangleLight>(&light.kind)) {
-    panel->corner += (panel->u + panel->v) / 2.0;
-    panel->u = panel->v = Vec3d(0.0);
-  }
+  if (is_area(light)) light.kind = PointLight{*middle_of(light), attenuation_of(light)};
 }
 
-/// Grows a point light to a tiny panel of many points.
+/// Gives a light many points; a point light becomes a tiny ball of them.
 void grow(Light& light, int grid) {
   static constexpr double tiny = 1e-9;
-  if (auto* sphere = std::get_if<SphereLight>(&light.kind)) {
-    if (sphere->radius == 0) sphere->radius = tiny;
-    sphere->samples = std::max(sphere->samples, grid);
-  } else if (auto* panel = std::get_if<RectangleLight>(&light.kind)) {
-    panel->samples = std::max(panel->samples, grid);
-  } else if (const auto* point = std::get_if<PointLight>(&light.kind)) {
+  std::visit(
+      [&](auto& kind) {
+        if constexpr (requires { kind.samples; }) kind.samples = std::max(kind.samples, grid);
+      },
+      light.kind);
+  auto* sphere = std::get_if<SphereLight>(&light.kind);
+  if (sphere != nullptr && sphere->radius == 0) sphere->radius = tiny;
+  if (const auto* point = std::get_if<PointLight>(&light.kind))
     light.kind = SphereLight{point->position, tiny, grid, point->attenuation};
-  }
 }
 
 Cost median_of(const std::vector<Cost>& costs) {

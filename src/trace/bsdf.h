@@ -1,9 +1,9 @@
 #pragma once
 // How a surface scatters light at a path vertex: a BSDF that can be evaluated and sampled.
 
+#include "math/sampling.h"
 #include "trace/event.h"
 #include "trace/optics.h"
-#include "trace/sampling.h"
 
 #include <array>
 #include <optional>

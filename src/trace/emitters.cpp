@@ -1,6 +1,6 @@
 #include "trace/emitters.h"
 
-#include "trace/sampling.h"
+#include "math/sampling.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,6 +4,10 @@
 #include "trace/kernel.h"
 #include "trace/tracer.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace raywalk::detail {
 
 template <class Policy, class T>
@@ -36,39 +40,49 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
   return run_tracer<Policy<T, NoObserver, Set>>(world, camera, block, put, no_observer);
 }
 
-/// There is no refraction without reflection (total internal reflection), nor lobes without it, nor nesting without
-/// refraction: seven sets.
-template <class T, bool Textures, bool Penumbra, bool Shadows>
-Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
-                      const PutPixel<T>& put) {
-  const HitEffects set = hit_effects(world.effects, !world.bodies.empty());
-  const auto run = [&]<bool Reflection, bool Refraction, bool Lobes, bool Nesting = false>() {
-    return run_kernel<T, HitEffects{Reflection, Refraction, Textures, Penumbra, Lobes, Shadows, Nesting}>(world, camera,
-                                                                                                          block, put);
+/// Each set that a kernel is compiled for. There is no refraction without reflection (total internal reflection), nor
+/// lobes without it, nor nesting without refraction: seven sets; each with or without textures, and with shadows,
+/// shadows and penumbras, or neither: forty-two. Nesting is a set of its own: where nothing nests, a mere test at each
+/// hit would cost more than 0.1%.
+inline constexpr auto kernel_sets = [] {
+  constexpr bool no = false, yes = true;
+  struct Scattering {
+    bool reflection, refraction, lobes, nesting;
   };
-  if (set.nesting)
-    return set.lobes ? run.template operator()<true, true, true, true>()
-                     : run.template operator()<true, true, false, true>();
-  if (set.lobes)
-    return set.refraction ? run.template operator()<true, true, true>() : run.template operator()<true, false, true>();
-  if (set.refraction) return run.template operator()<true, true, false>();
-  if (set.reflection) return run.template operator()<true, false, false>();
-  return run.template operator()<false, false, false>();
+  constexpr std::array<Scattering, 7> scatterings{{{no, no, no, no},
+                                                   {yes, no, no, no},
+                                                   {yes, yes, no, no},
+                                                   {yes, no, yes, no},
+                                                   {yes, yes, yes, no},
+                                                   {yes, yes, no, yes},
+                                                   {yes, yes, yes, yes}}};
+  constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
+  std::array<HitEffects, 2 * scatterings.size() * lights.size()> sets{};
+  std::size_t at = 0;
+  for (const Scattering& to : scatterings)
+    for (const auto& [shadows, penumbra] : lights)
+      for (const bool textures : {no, yes})
+        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting};
+  return sets;
+}();
+
+/// The smallest of these that holds a world's effects.
+[[nodiscard]] inline std::size_t kernel_set_for(HitEffects set) {
+  set.refraction = set.refraction || set.nesting;
+  set.reflection = set.reflection || set.refraction || set.lobes;
+  set.shadows = set.shadows || set.penumbra;
+  return static_cast<std::size_t>(std::find(kernel_sets.begin(), kernel_sets.end(), set) - kernel_sets.begin());
 }
 
-/// Each with or without textures, and with shadows, shadows and penumbras, or neither: forty-two sets. Nesting is a set
-/// of its own: where nothing nests, a mere test at each hit would cost more than 0.1%.
 template <class T>
 Statistics run_fitting_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put) {
   if (world.numerics == Numerics::naive) return run_naive_kernel(world, camera, block, put);
-  const HitEffects set = hit_effects(world.effects, !world.bodies.empty());
-  const auto run = [&]<bool Penumbra, bool Shadows>() {
-    return set.textures ? run_kernel<T, true, Penumbra, Shadows>(world, camera, block, put)
-                        : run_kernel<T, false, Penumbra, Shadows>(world, camera, block, put);
-  };
-  if (set.penumbra) return run.template operator()<true, true>();
-  return set.shadows ? run.template operator()<false, true>() : run.template operator()<false, false>();
+  using Kernel = Statistics (*)(const World<T>&, const RayGenerator<T>&, const PixelBlock&, const PutPixel<T>&);
+  static constexpr auto kernels = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<Kernel, sizeof...(I)>{&run_kernel<T, kernel_sets[I]>...};
+  }(std::make_index_sequence<kernel_sets.size()>());
+  return kernels[kernel_set_for(hit_effects(world.effects, !world.bodies.empty()))](world, camera, block, put);
 }
 
 template <class T>

@@ -20,7 +20,7 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
   if (static_cast<unsigned>(index) % unasked == unasked - 1) stop_.check();
   const bool object = index == static_cast<int>(world_.lights.size());
   const typename World<T>::Light* light = object ? nullptr : &world_.lights[static_cast<std::size_t>(index)];
-  LightSample light_sample{Ray{}, 0, light, {}, Rgb<T>(0), 0, 0, 1};
+  LightSample light_sample{Ray{raywalk::Ray<T>{}}, 0, light, {}, Rgb<T>(0), 0, 0, 1};
   const auto not_formed = [&](Ending why) {
     ++statistics_.ends(why);
     note(Line::path_form_shadow_ray, ray.length, [&] {
@@ -45,7 +45,7 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
                      Vec3d(light_sample.ray.direction),
                      Rgbd(at.throughput),
                      light ? light->index : -1,
-                     !light || !light->directional};
+                     !light || !light->is_distant};
   });
   return light_sample;
 }
@@ -56,25 +56,22 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
   const typename World<T>::Light& light = *light_sample.light;
   light_sample.medium = at.medium;  // only lights in front of the surface illuminate it
   Vec3<T>& to_light = light_sample.ray.direction;
-  if (light.directional) {
-    to_light = light.place;
-  } else if (light.extent == World<T>::Extent::none) {
-    to_light = light.place - at.position;
-  } else {
+  Vec3<T> point = light.place;
+  if (!light.is_delta) {
     const RandomKey key = key_at(at.length, light.first_dimension, Effect::penumbra);
     const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
     statistics_.drew(Effect::penumbra, 2);
-    to_light = light.point_at(unit) - at.position;
+    point = light.sample(unit);
   }
+  to_light = light.direction_to(point, at.position);
   const Bsdf<T>& bsdf = at.bsdf;
   if (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0))
     return Ending::facing_away;
-  if (light.spot && !light.shines_along(to_light)) return Ending::outside_cone;
-  const T distance = light.directional ? T(1) : length(to_light);
-  const T attenuation = light.constant + distance * (light.linear + distance * light.quadratic);
+  if (!light.shines_along(to_light)) return Ending::outside_cone;
+  const T distance = light.distance(to_light);
   const Vec3<T> l = to_light * (1 / distance);
-  Rgb<T> radiance = light.strength * (1 / attenuation);
-  if (light.spot) radiance *= spot_falloff(-dot(l, light.axis), light.cos_inner, light.cos_outer);
+  Rgb<T> radiance = light.strength * (1 / light.attenuation(distance));
+  if (!light.is_isotropic) radiance *= light.falloff(l);
   Rgb<T> answers = bsdf.diffuse * dot(bsdf.shading_normal, l);
   if (!is_black(at.specular)) {
     const Vec3<T> h = l - bsdf.incident;
@@ -130,7 +127,7 @@ auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample
   Rgb<T> visible{0};
   Nearest blocker;
   if (light_sample.light) {
-    const T t_max = light_sample.light->directional ? infinity<T> : T(1);
+    const T t_max = light_sample.light->t_far();
     visible =
         shadow_transmittance(world_, light_sample.ray, t_max, statistics_.tests, filters_met_, {}, light_sample.medium)
             .value_or(Rgb<T>(0));
@@ -143,7 +140,7 @@ auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample
   ++statistics_.ends(ending);
   note(Line::path_find_intersection, ray.length, [&] {
     if (light_sample.light && ending == Ending::blocked)
-      blocker = first_blocker(world_, light_sample.ray, light_sample.light->directional ? infinity<T> : T(1));
+      blocker = first_blocker(world_, light_sample.ray, light_sample.light->t_far());
     Found found = blocker ? detail::describe(light_sample.number, ending, world_, light_sample.ray, *blocker)
                           : Found{light_sample.number, ending};
     found.transmittance = Rgbd(visible);

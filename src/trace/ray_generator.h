@@ -2,9 +2,9 @@
 
 #include "math/ray.h"
 #include "math/sampler.h"
+#include "math/sampling.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
-#include "trace/sampling.h"
 #include "trace/statistics.h"
 
 #include <algorithm>

@@ -41,24 +41,24 @@ template <class Policy>
 inline auto Tracer<Policy>::light_point(const ShadingPoint& at, const TreeRay& ray, const Light& light, int sample)
     -> Vec3<T> {
   if constexpr (Policy::effects.penumbra) {
-    if (light.extent != World<T>::Extent::none) {
+    if (!light.is_delta) {
       const T edge = static_cast<T>(light.grid);
       const Vec2<T> cell(static_cast<T>(sample % light.grid), static_cast<T>(sample / light.grid));
-      if (!world_.draws) return light.point_at((cell + T(0.5)) / edge);
+      if (!world_.draws) return light.sample((cell + T(0.5)) / edge);
       const auto number = static_cast<std::uint32_t>(sample);
       constexpr std::uint32_t unasked = 256;  // samples
       if (number % unasked == unasked - 1) stop_.check();
       statistics_.drew(Effect::penumbra, 2);
       if (light.grid > 1 && camera_.sampler() != Sampler::sobol) {
         const Vec2<T> unit = at.light_pairs.template draw<T>(light.first_dimension + 2 * number);
-        return light.point_at(camera_.sampler() == Sampler::jittered ? (cell + unit) / edge : unit);
+        return light.sample(camera_.sampler() == Sampler::jittered ? (cell + unit) / edge : unit);
       }
       RandomKey key = light_key(ray);
       key.dimension = light.first_dimension;
       // With Sobol's points, all samples of the pixel share one sequence: each takes a range of it.
       key.sample = key.sample * static_cast<std::uint32_t>(light.samples()) + number;
       const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
-      return light.point_at(unit);
+      return light.sample(unit);
     }
   }
   return light.place;

@@ -138,14 +138,14 @@ template <class Policy>
 inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, const TreeRay& ray, const Light& light,
                                             int sample) -> std::optional<Shadow> {
   // Towards a point light the direction is not normalised: the light is at t = 1.
-  Vec3<T> to_light = light.directional ? light.place : light_point(at, ray, light, sample) - at.position;
+  Vec3<T> to_light = light.direction_to(light_point(at, ray, light, sample), at.position);
   inject(Fault::shadow_ray_misaimed, [&] {
-    if (!light.directional) to_light += at.position;
+    if (!light.is_distant) to_light += at.position;
   });
   const bool before =
       dot(at.shading_normal, to_light) > 0 && (!at.smoothed || dot(at.geometric_normal(), to_light) > 0);
   const bool faces = before || at.surface->lit_from_behind;
-  if (!faces || (light.spot && !light.shines_along(to_light))) {
+  if (!faces || !light.shines_along(to_light)) {
     const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
     ++statistics_.ends(why);
     note(Line::form_shadow_ray, depth, [&] {
@@ -161,7 +161,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, c
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
     RayFormed event{shadow.number,   ray.number,           RayKind::shadow, Vec3d(shadow.ray.origin),
-                    Vec3d(to_light), Rgbd(ray.throughput), light.index,     !light.directional};
+                    Vec3d(to_light), Rgbd(ray.throughput), light.index,     !light.is_distant};
     event.light_sample = sample;
     return event;
   });
@@ -171,7 +171,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, c
 /// The visibility of the light: 0 behind an opaque object.
 template <class Policy>
 inline auto Tracer<Policy>::find_intersection(int depth, const Shadow& shadow, const Light& light) -> Rgb<T> {
-  const T t_max = light.directional ? infinity<T> : T(1);
+  const T t_max = light.t_far();
   const Medium* medium = nullptr;
   if constexpr (Policy::effects.refraction) medium = shadow.in.medium;
   const std::optional<Rgb<T>> transmittance =
@@ -197,13 +197,13 @@ template <class Policy>
 inline void Tracer<Policy>::add_light(DirectLighting& direct, const ShadingPoint& at, const TreeRay& ray,
                                       const Light& light, const Ray& shadow, const Rgb<T>& visible) {
   if (is_black(visible)) return add_unlit(direct, light);
-  const T distance = light.directional ? T(1) : length(shadow.direction);
-  T attenuation = light.constant + distance * (light.linear + distance * light.quadratic);
+  const T distance = light.distance(shadow.direction);
+  T attenuation = light.attenuation(distance);
   inject(Fault::attenuation_forgotten, [&] { attenuation = 1; });
   Rgb<T> radiance = visible * light.strength;
   if (attenuation != 1) radiance *= 1 / attenuation;
   const Vec3<T> l = shadow.direction * (1 / distance);
-  if (light.spot) radiance *= spot_falloff(-dot(l, light.axis), light.cos_inner, light.cos_outer);
+  if (!light.is_isotropic) radiance *= light.falloff(l);
   if constexpr (Policy::effects.penumbra) radiance *= light.sample_weight;
   const T n_l = std::max(dot(at.shading_normal, l), T(0));  // below 0 only where lights behind may show
   Rgb<T> specular{0};

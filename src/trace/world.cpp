@@ -55,57 +55,33 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator) 
 }
 
 template <class T>
-void set(typename World<T>::Light& light, const Attenuation& attenuation) {
-  light.constant = static_cast<T>(attenuation.constant);
-  light.linear = static_cast<T>(attenuation.linear);
-  light.quadratic = static_cast<T>(attenuation.quadratic);
-}
-
-// One overload per kind: a kind without one does not compile.
-template <class T>
-void set(typename World<T>::Light& light, const PointLight& given) {
-  set<T>(light, given.attenuation);
-}
-template <class T>
-void set(typename World<T>::Light& light, const DirectionalLight& given) {
-  light.directional = true;
-  light.place = Vec3<T>(normalize(given.direction));
-}
-template <class T>
-void set(typename World<T>::Light& light, const SpotLight& given) {
-  light.spot = true;
-  light.axis = Vec3<T>(normalize(given.look_at - given.position));
-  light.cos_inner = static_cast<T>(std::cos(given.inner_angle / 2 * degree));
-  light.cos_outer = static_cast<T>(std::cos(given.angle / 2 * degree));
-  set<T>(light, given.attenuation);
-}
-template <class T>
-void set(typename World<T>::Light& light, const SphereLight& given) {
-  light.extent = World<T>::Extent::sphere;
-  light.reach = light.radius = static_cast<T>(given.radius);
-  set<T>(light, given.attenuation);
-}
-template <class T>
-void set(typename World<T>::Light& light, const RectangleLight& given) {
-  light.extent = World<T>::Extent::rectangle;
-  light.corner = Vec3<T>(given.corner);
-  light.u = Vec3<T>(given.u);
-  light.v = Vec3<T>(given.v);
-  light.reach = static_cast<T>(std::max(length(given.u + given.v), length(given.u - given.v)) / 2);
-  set<T>(light, given.attenuation);
+PreparedLight<T> prepared(const AnyLight& light) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) -> PreparedLight<T> { return typename Kind::template Prepared<T>(kind); },
+      light);
 }
 
 template <class T>
 typename World<T>::Light traced_light(int index, const Scene& scene, bool draws) {
   const Light& given = scene.lights[static_cast<std::size_t>(index)];
-  typename World<T>::Light light{index, Rgb<T>(given.strength), false, Vec3<T>(0), 1, 0, 0};
-  if (const auto middle = middle_of(given)) light.place = Vec3<T>(*middle);
-  std::visit([&](const auto& kind) { set<T>(light, kind); }, given.kind);
-  light.grid = light_grid_of(scene, given);
-  light.sample_weight = T(1) / static_cast<T>(light.samples());
-  // Without random numbers, an area light with one sample is a point light at its centre.
-  if (!is_area(given) || (!draws && light.grid == 1)) light.extent = World<T>::Extent::none;
-  return light;
+  const std::optional<Vec3d> middle = middle_of(given);
+  const Attenuation attenuation = attenuation_of(given);
+  const int grid = light_grid_of(scene, given);
+  PreparedLight<T> kind = prepared<T>(given.kind);
+  return {.index = index,
+          .strength = Rgb<T>(given.strength),
+          .is_distant = !middle,
+          // Without random numbers, an area light with one sample is a point light at its centre.
+          .is_delta = !is_area(given) || (!draws && grid == 1),
+          .is_isotropic = std::visit([](const auto& its) { return its.isotropic; }, kind),
+          .place = Vec3<T>(middle ? *middle : -normalize(*axis_of(given))),
+          .constant = static_cast<T>(attenuation.constant),
+          .linear = static_cast<T>(attenuation.linear),
+          .quadratic = static_cast<T>(attenuation.quadratic),
+          .reach = static_cast<T>(reach_of(given)),
+          .kind = kind,
+          .grid = grid,
+          .sample_weight = T(1) / static_cast<T>(grid * grid)};
 }
 
 /// Flattens a scene's objects, with all instances expanded.

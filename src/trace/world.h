@@ -5,16 +5,28 @@
 #include "scene/scene.h"
 #include "trace/bodies.h"
 #include "trace/fault.h"
-#include "trace/sampling.h"
 #include "trace/texture.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace raywalk {
+
+namespace detail {
+template <class T, class Kinds>
+struct PreparedKinds;
+template <class T, class... Kinds>
+struct PreparedKinds<T, std::variant<Kinds...>> {
+  using type = std::variant<typename Kinds::template Prepared<T>...>;
+};
+}  // namespace detail
+/// A light of any kind, prepared for tracing.
+template <class T>
+using PreparedLight = typename detail::PreparedKinds<T, AnyLight>::type;
 
 /// A scene prepared for tracing in scalar type T: every number rounded once, primitives in their accelerator. The
 /// nested types are those of the scene in T. An object becomes primitives: a shape, the triangles of a mesh or the
@@ -58,43 +70,57 @@ struct World {
     T gloss = 0, translucency = 0;
   };
 
-  enum class Extent : std::uint8_t { none, sphere, rectangle };
-
+  /// A light in T, with the answers of its kind (scene/light.h) that every ray needs.
   struct Light {
-    int index;        ///< in Scene::lights
-    Rgb<T> strength;  ///< not black: black lights are left out
-    bool directional;
-    Vec3<T> place;  ///< position, or unit direction from any surface to a directional light
+    int index;          ///< in Scene::lights
+    Rgb<T> strength;    ///< not black: black lights are left out
+    bool is_distant;    ///< infinitely far away
+    bool is_delta;      ///< also an area light that its centre represents
+    bool is_isotropic;  ///< shines everywhere with the same strength
+    Vec3<T> place;      ///< its centre, or the unit direction from any surface to a distant light
     T constant, linear, quadratic;
+    T reach;  ///< radius of a bounding sphere about `place`, its centre
+    PreparedLight<T> kind;
 
-    bool spot = false;
-    Vec3<T> axis{0};  ///< of a spot, unit length, along its beam
-    T cos_inner = 0, cos_outer = 0;
-    /// Whether a spot illuminates a point; `to_light`: from there to the light.
-    [[nodiscard]] bool shines_along(const Vec3<T>& to_light) const {
-      return -dot(to_light, axis) > cos_outer * length(to_light);
-    }
-
-    Extent extent = Extent::none;       ///< none also where its centre represents the whole light
     int grid = 1;                       ///< grid * grid points are sampled at a hit
     T sample_weight = 1;                ///< of each: 1 / samples()
     std::uint32_t first_dimension = 0;  ///< of its draws, two per sample
-    T radius = 0;
-    Vec3<T> corner{0}, u{0}, v{0};
-    T reach = 0;  ///< radius of a bounding sphere about `place`, its centre
 
     [[nodiscard]] int samples() const { return grid * grid; }
     /// Maps the unit square to the light, uniformly in area.
-    [[nodiscard]] Vec3<T> point_at(const Vec2<T>& unit) const {
-      switch (extent) {
-        case Extent::none:
-          break;
-        case Extent::sphere:
-          return place + radius * sample_uniform_sphere(unit);
-        case Extent::rectangle:
-          return corner + unit.x * u + unit.y * v;
-      }
-      return place;
+    [[nodiscard]] Vec3<T> sample(const Vec2<T>& unit) const {
+      return std::visit(
+          [&](const auto& light) {
+            if constexpr (requires { light.sample(unit); }) return light.sample(unit);
+            return place;
+          },
+          kind);
+    }
+    /// From a surface to a point of the light, which is at t = 1; to a distant one, of unit length.
+    [[nodiscard]] Vec3<T> direction_to(const Vec3<T>& point, const Vec3<T>& from) const {
+      return is_distant ? place : point - from;
+    }
+    [[nodiscard]] T t_far() const { return is_distant ? infinity<T> : T(1); }
+    [[nodiscard]] T distance(const Vec3<T>& to_light) const { return is_distant ? T(1) : length(to_light); }
+    [[nodiscard]] T attenuation(T distance) const { return constant + distance * (linear + distance * quadratic); }
+    /// Whether it illuminates the point that `to_light` leads from.
+    [[nodiscard]] bool shines_along(const Vec3<T>& to_light) const {
+      if (is_isotropic) return true;
+      return std::visit(
+          [&](const auto& light) {
+            if constexpr (requires { light.shines_along(to_light); }) return light.shines_along(to_light);
+            return true;
+          },
+          kind);
+    }
+    /// The fraction of its strength that goes there; `l`: unit length.
+    [[nodiscard]] T falloff(const Vec3<T>& l) const {
+      return std::visit(
+          [&](const auto& light) {
+            if constexpr (requires { light.falloff(l); }) return light.falloff(l);
+            return T(1);
+          },
+          kind);
     }
   };
 

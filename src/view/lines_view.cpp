@@ -176,15 +176,13 @@ class Lines {
       if (!middle) continue;  // infinitely far away
       const Target target{TargetKind::light, i};
       const Stroke stroke = painter_.outline(target, painter_.colours.light, 1.4);
-      if (const auto* area = std::get_if<RectangleLight>(&light.kind)) {
-        const Vec3d a = area->corner, b = a + area->u, c = b + area->v, d = a + area->v;
-        for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) line(from, to, stroke, target);
-      }
+      const std::vector<Vec3d> corners = outline_of(light);
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        line(corners[k], corners[(k + 1) % corners.size()], stroke, target);
       const auto at = seen_.point(*middle);
       if (!at) continue;
-      const auto* ball = std::get_if<SphereLight>(&light.kind);
       const double least = 6 * painter_.sizes.unit;
-      const double radius = ball ? std::max(ball->radius * seen_.pixels_per_unit(*middle), least) : least;
+      const double radius = corners.empty() ? std::max(reach_of(light) * seen_.pixels_per_unit(*middle), least) : least;
       painter_.add(CircleItem{*at, least, painter_.colours.light, std::nullopt}, target);
       if (radius > least) painter_.add(CircleItem{*at, radius, std::nullopt, stroke}, target);
       constexpr int beams = 8;

@@ -4,8 +4,8 @@
 #include "trace/emitters.h"
 
 #include "math/sampler.h"
+#include "math/sampling.h"
 #include "trace/pictures.h"
-#include "trace/sampling.h"
 
 #include <utility>
 #include <vector>

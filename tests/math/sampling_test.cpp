@@ -1,7 +1,7 @@
 // Each map of the unit square against its density: the density integrates to 1 and the drawn directions follow it cell
 // by cell (chi-square); then the limits: radius 0, the narrowest cones, the farthest lights.
 
-#include "trace/sampling.h"
+#include "math/sampling.h"
 
 #include "math/sampler.h"
 

@@ -1,4 +1,4 @@
-#include "trace/sampling.h"
+#include "math/sampling.h"
 
 namespace raywalk {
 
