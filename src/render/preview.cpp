@@ -2,7 +2,7 @@
 
 #include "image/srgb.h"
 #include "render/parallel.h"
-#include "trace/path_kernel.h"
+#include "render/picture.h"
 #include "trace/recursion.h"
 
 #include <algorithm>
@@ -124,30 +124,26 @@ class Preview::WorkIn final : public Preview::Work {
   WorkIn(const Scene& scene, const PreviewSettings& settings, WorldCache& worlds, const Stop& stop)
       : Work(scene, settings),
         world_(worlds.of<T>(scene, settings.accelerator, settings.fault, stop)),
-        kernel_(scene, *world_),
-        centres_(scene, settings.size, settings.size),
-        spread_(scene, settings.size, settings.size, Sampling{std::max(samples_to_take(), 1)}),
+        centres_(scene, *world_, settings.size, settings.size, {}),
         encoding_(scene.encoding),
-        first_(settings.size),
-        mean_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}),
-        squares_(settings.heat == Heat::noise ? first_.pixels().size() : 0) {
+        squares_(settings.heat == Heat::noise ? centres_.film().pixels().size() : 0) {
+    if (samples_to_take() > 0)
+      spread_.emplace(scene, *world_, settings.size, settings.size, Sampling{samples_to_take()});
     begin_pass();
   }
 
-  [[nodiscard]] const Film<T>& film() const { return finished() && samples_to_take() > 0 ? mean_ : first_; }
+  [[nodiscard]] const Film<T>& film() const { return finished() && spread_ ? spread_->film() : centres_.film(); }
 
  private:
   Statistics trace_centres(int row, int stride, const Stop& stop) override {
     // In a row of the previous grid every second pixel is already traced.
     const bool old_row = stride < coarsest && row % (2 * stride) == 0;
     const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride, 1, stop};
-    const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) { first_.add(p.column, p.row, 0, shade); };
-    if (settings().heat == Heat::none || settings().heat == Heat::noise) return kernel_(centres_, block, put);
+    if (settings().heat == Heat::none || settings().heat == Heat::noise) return centres_.trace(block);
     Statistics sum;
     for (const Pixel& pixel : block) {
       const auto begun = Clock::now();
-      const Statistics own =
-          kernel_(centres_, {pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0, 1, 1, stop}, put);
+      const Statistics own = centres_.trace({pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0, 1, 1, stop});
       const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - begun).count();
       note_cost(pixel.column, pixel.row, cost_of(settings().heat, own, microseconds));
       sum += own;
@@ -157,13 +153,14 @@ class Preview::WorkIn final : public Preview::Work {
 
   Statistics trace_sample(int row, int sample, const Stop& stop) override {
     std::vector<Rgb<T>> shades(static_cast<std::size_t>(size().width));  // a cancelled row is traced again
-    const Statistics statistics =
-        kernel_(spread_, {0, size().width, row, row + 1, sample, 1, 1, stop},
-                [&shades](const Pixel& p, const Rgb<T>& shade) { shades[static_cast<std::size_t>(p.column)] = shade; });
+    Film<T>& mean = spread_->film();
+    const Statistics statistics = spread_->trace_into(
+        {0, size().width, row, row + 1, sample, 1, 1, stop},
+        [&shades](const Pixel& p, const Rgb<T>& shade) { shades[static_cast<std::size_t>(p.column)] = shade; });
     for (int column = 0; column < size().width; ++column) {
       const Rgb<T>& shade = shades[static_cast<std::size_t>(column)];
-      const Rgb<T> before = sample > 0 ? mean_.at(column, row) : shade;
-      mean_.add(column, row, sample, shade);
+      const Rgb<T> before = sample > 0 ? mean.at(column, row) : shade;
+      mean.add(column, row, sample, shade);
       if (settings().heat == Heat::noise) note_scatter(column, row, sample, shade, before);
     }
     return statistics;
@@ -173,25 +170,24 @@ class Preview::WorkIn final : public Preview::Work {
   void note_scatter(int column, int row, int sample, const Rgb<T>& shade, const Rgb<T>& before) {
     const auto grey = [](const Rgb<T>& c) { return (Rgbd(c).x + Rgbd(c).y + Rgbd(c).z) / 3; };
     double& squares = squares_[index_of(column, row)];
-    squares += grey(shade - before) * grey(shade - mean_.at(column, row));
+    squares += grey(shade - before) * grey(shade - spread_->film().at(column, row));
     if (sample > 0) note_cost(column, row, std::sqrt(std::max(squares, 0.0) / sample));
   }
 
   /// While samples are missing, the centre counts as one more: the first samples alone may lie in one corner of the
   /// pixel.
   [[nodiscard]] Rgba shown(int column, int row, int samples_taken) const override {
-    const Rgb<T>& centre = first_.at(column, row);
+    const Rgb<T>& centre = centres_.film().at(column, row);
     if (samples_taken == 0) return rgba_of(centre, encoding_);
-    const Rgb<T>& mean = mean_.at(column, row);
+    const Rgb<T>& mean = spread_->film().at(column, row);
     if (samples_taken == samples_to_take()) return rgba_of(mean, encoding_);
     return rgba_of(mean + (centre - mean) / static_cast<T>(samples_taken + 1), encoding_);
   }
 
   std::shared_ptr<const World<T>> world_;
-  SceneKernel<T> kernel_;
-  RayGenerator<T> centres_, spread_;
+  Picture<T> centres_;
+  std::optional<Picture<T>> spread_;  ///< where samples are to be taken after the centres
   Encoding encoding_;
-  Film<T> first_, mean_;
   std::vector<double> squares_;  ///< of a noise map, per pixel
 };
 

@@ -1,9 +1,8 @@
 #include "render/render.h"
 
-#include "render/adaptive.h"
 #include "render/memory_need.h"
 #include "render/parallel.h"
-#include "trace/path_kernel.h"
+#include "render/picture.h"
 #include "trace/recursion.h"
 
 #include <algorithm>
@@ -66,12 +65,10 @@ class Reporter {
 /// `size` pixels, which are the image `whole` or a strip of it.
 template <class T>
 Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
-  Film<T> film(size);
   const auto build_start = Clock::now();
   World<T> world(scene, settings.accelerator, settings.fault, settings.stop);
   world.shadow_cache = settings.shadow_cache.value_or(world.accelerator.kind() != AcceleratorKind::none);
-  const SceneKernel<T> kernel(scene, world);
-  const RayGenerator<T> camera(scene, size, whole, settings.sampling);
+  Picture<T> picture(scene, world, size, whole, settings.sampling, settings.tolerance);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);
   rendering.accelerator = world.accelerator.kind();
@@ -79,7 +76,8 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   rendering.build_seconds = seconds_since(build_start);
 
   if (settings.endless && scene.render.integrator != Integrator::path)  // paths do not branch
-    if (const auto tree = endless_tree(world, kernel, camera, size, settings.sampling.per_pixel, settings.stop))
+    if (const auto tree =
+            endless_tree(world, picture.kernel(), picture.camera(), size, settings.sampling.per_pixel, settings.stop))
       settings.endless(*tree);
 
   const auto trace_start = Clock::now();
@@ -93,7 +91,6 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   std::map<std::thread::id, double> busy;
   Reporter reporter(settings, trace_start);
   constexpr double almost = 0.9999;  // completion is reported once, when no thread is working any more
-  Adaptive<T> adaptive(size, settings.sampling.per_pixel, settings.tolerance);
   // A ray through a long list takes long, and the tracer asks whether it is cancelled only where a pixel has many rays.
   constexpr int long_list = 1000;
   const bool slow = rendering.accelerator == AcceleratorKind::none && world.accelerator.primitives().size() > long_list;
@@ -103,37 +100,29 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     const auto tile_start = Clock::now();
     Statistics statistics;
     const PixelBlock tile = tiles.block(order[static_cast<std::size_t>(position)]);
-    struct Target {
-      Film<T>& film;
-      Adaptive<T>& adaptive;
-      std::uint64_t put;  // pixels of a row that is cancelled half-way count too
-    } target{film, adaptive, 0};
-    const PutPixel<T> put = [&target](const Pixel& p, const Rgb<T>& shade) {  // one pointer: std::function holds it
-      target.adaptive.add(target.film, p.column, p.row, p.sample, shade);
-      ++target.put;
-    };
+    std::uint64_t put_here = 0;  // pixels of a row that is cancelled half-way count too
+    const auto count = [&put_here] { ++put_here; };
     PixelBlock run = tile;
     run.stop = settings.stop;
     const int max_samples = slow ? 1 : 16, max_columns = slow ? 1 : tile.column_end;
     const auto trace_rows = [&] {
-      run.samples = std::min(max_samples, adaptive.to() - run.sample);
+      run.samples = std::min(max_samples, picture.to() - run.sample);
       for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end; ++run.row_begin) {
         run.row_end = run.row_begin + 1;
-        adaptive.for_each_run(run.row_begin, tile.column_begin, tile.column_end, [&](int begin, int end) {
-          for (run.column_begin = begin; run.column_begin < end; run.column_begin = run.column_end) {
-            settings.stop.check();
-            run.column_end = std::min(end, run.column_begin + max_columns);
-            statistics += kernel(camera, run, put);
-          }
-        });
-        const double all = static_cast<double>(adaptive.expected());
-        reporter.report(std::min(almost, static_cast<double>(taken += std::exchange(target.put, 0)) / all));
+        for (run.column_begin = tile.column_begin; run.column_begin < tile.column_end;
+             run.column_begin = run.column_end) {
+          settings.stop.check();
+          run.column_end = std::min(tile.column_end, run.column_begin + max_columns);
+          statistics += picture.trace(run, count);
+        }
+        const double all = static_cast<double>(picture.expected());
+        reporter.report(std::min(almost, static_cast<double>(taken += std::exchange(put_here, 0)) / all));
       }
     };
     try {
-      for (run.sample = adaptive.from(); run.sample < adaptive.to(); run.sample += run.samples) trace_rows();
+      for (run.sample = picture.from(); run.sample < picture.to(); run.sample += run.samples) trace_rows();
     } catch (const Stopped&) {
-      taken += target.put;
+      taken += put_here;
     }
     const std::lock_guard lock(results_mutex);
     rendering.statistics += statistics;
@@ -142,15 +131,15 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   const std::size_t stack = std::max(default_stack, stack_for(scene.limits.depth));
   do {
     rendering.threads = std::max(rendering.threads, parallel_for(tiles.count(), settings.threads, trace_tile, stack));
-  } while (!settings.stop.asked() && adaptive.next(film));
+  } while (!settings.stop.asked() && picture.next());
 
-  rendering.finished = taken == adaptive.expected();
-  rendering.done = static_cast<double>(taken) / static_cast<double>(adaptive.expected());
+  rendering.finished = taken == picture.expected();
+  rendering.done = static_cast<double>(taken) / static_cast<double>(picture.expected());
   rendering.trace_seconds = seconds_since(trace_start);
   for (const auto& [thread, seconds] : busy) rendering.busy_seconds.push_back(seconds);
   if (rendering.finished) reporter.report(1);
+  Film<T> film = settings.sampling.corners ? mean_of_corners(picture.film()) : std::move(picture.film());
   const bool pixel_is_sample = settings.sampling.per_pixel == 1 && !settings.sampling.corners;
-  if (settings.sampling.corners) film = mean_of_corners(film);
   rendering.not_finite_pixels = pixel_is_sample ? rendering.statistics.not_finite : not_finite(film);
   rendering.film = std::move(film);
   return rendering;

@@ -1,40 +1,30 @@
 #include "study/shot.h"
 
 #include "math/random.h"
-#include "trace/path_kernel.h"
+#include "render/picture.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raywalk::study {
 
 Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled,
            const std::optional<PathSettings>& paths, const Stop& stop) {
   const World<double> world(scene, AcceleratorKind::automatic, {}, stop);
-  const SceneKernel<double> kernel(scene, world);
-  std::optional<Emitters<double>> emitters;
-  if (paths) emitters.emplace(world);
-  const auto run = [&](const RayGenerator<double>& camera, const PixelBlock& block, const PutPixel<double>& put) {
-    return paths ? trace_paths(world, *emitters, *paths, camera, block, put) : kernel(camera, block, put);
-  };
-  RayGenerator<double> camera(scene, size, size, sampling);
-  Shot shot{Film<double>(size), {}, 0};
+  Picture<double> picture(scene, world, size, size, sampling, 0, paths);
   Statistics statistics;
-  const PutPixel<double> put = [&](const Pixel& p, const Rgbd& shade) {
-    shot.film.add(p.column, p.row, p.sample, shade);
-  };
   const double start = thread_seconds();
   for (int sample = 0; sample < sampling.per_pixel; ++sample) {
     if (shuffled) {
       Sampling other = sampling;
       other.seed = detail::mix(sampling.seed + static_cast<std::uint64_t>(sample) * 7919);
-      camera = RayGenerator<double>(scene, size, size, other);
+      picture.set_camera(RayGenerator<double>(scene, size, size, other));
     }
-    statistics += run(camera, {0, size.width, 0, size.height, sample, 1, 1, stop}, put);
+    statistics += picture.trace({0, size.width, 0, size.height, sample, 1, 1, stop});
   }
-  shot.shadow_rays = statistics.formed(RayKind::shadow);
-  shot.cost = cost_of(statistics, thread_seconds() - start);
-  return shot;
+  const double seconds = thread_seconds() - start;
+  return {std::move(picture.film()), cost_of(statistics, seconds), statistics.formed(RayKind::shadow)};
 }
 
 ImageSize shrunk(ImageSize size, double pixels) {

@@ -1,7 +1,6 @@
 #include "study/workbench.h"
 
-#include "render/adaptive.h"
-#include "trace/path_kernel.h"
+#include "render/picture.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,8 +26,8 @@ double rms(const std::vector<Rgbd>& differences) {
 class Workbench::Development {
  public:
   virtual ~Development() = default;
-  /// Traces one row at one sample. Returns whether anything is left. Throws Stopped when `stop` is asked: the next call
-  /// traces the row anew, and the counts are as if it had not been interrupted.
+  /// Traces the rest of one row at one sample. Returns whether anything is left. Throws Stopped when `stop` is asked:
+  /// the next call traces the interrupted pixel anew, and the counts are as if it had not been interrupted.
   virtual bool step(const Stop& stop) = 0;
   [[nodiscard]] virtual double done() const = 0;
   [[nodiscard]] virtual Image image() const = 0;
@@ -47,49 +46,34 @@ class DevelopmentIn final : public Workbench::Development {
  public:
   DevelopmentIn(const Scene& scene, const Setup& setup, ImageSize size, std::uint64_t seed, const Stop& stop)
       : world_(scene, setup.accelerator, {}, stop),
-        kernel_(scene, world_),
-        camera_(scene, size, size, Sampling{setup.samples, seed}),
-        film_(size),
-        adaptive_(size, setup.samples, setup.tolerance),
-        sample_(adaptive_.from()) {}
+        picture_(scene, world_, size, size, Sampling{setup.samples, seed}, setup.tolerance),
+        sample_(picture_.from()) {}
 
   bool step(const Stop& stop) override {
-    const ImageSize size = film_.size();
-    const PutPixel<T> put = [this](const Pixel& p, const Rgb<T>& shade) {
-      if (p.column < column_) return;  // put before the row was interrupted
-      adaptive_.add(film_, p.column, p.row, p.sample, shade);
-      column_ = p.column + 1;
-    };
-    Statistics statistics;
-    std::uint64_t taken = 0;
-    adaptive_.for_each_run(row_, 0, size.width, [&](int begin, int end) {
-      statistics += kernel_(camera_, {begin, end, row_, row_ + 1, sample_, 1, 1, stop}, put);
-      taken += static_cast<std::uint64_t>(end - begin);
-    });
-    statistics_ += statistics;
-    taken_ += taken;
+    const ImageSize size = picture_.film().size();
+    for (; column_ < size.width; ++column_)
+      statistics_ += picture_.trace({column_, column_ + 1, row_, row_ + 1, sample_, 1, 1, stop}, [this] { ++taken_; });
     column_ = 0;
     if (++row_ < size.height) return true;
     row_ = 0;
-    if (++sample_ < adaptive_.to()) return true;
-    const bool goes_on = adaptive_.next(film_);
-    sample_ = adaptive_.from();
+    if (++sample_ < picture_.to()) return true;
+    const bool goes_on = picture_.next();
+    sample_ = picture_.from();
     return goes_on;
   }
   [[nodiscard]] double done() const override {
-    return static_cast<double>(taken_) / static_cast<double>(adaptive_.expected());
+    return static_cast<double>(taken_) / static_cast<double>(picture_.expected());
   }
-  [[nodiscard]] Image image() const override { return image_of(film_); }
-  [[nodiscard]] std::vector<Rgbd> pixels() const override { return {film_.pixels().begin(), film_.pixels().end()}; }
+  [[nodiscard]] Image image() const override { return image_of(picture_.film()); }
+  [[nodiscard]] std::vector<Rgbd> pixels() const override {
+    const auto& means = picture_.film().pixels();
+    return {means.begin(), means.end()};
+  }
 
  private:
   World<T> world_;
-  SceneKernel<T> kernel_;
-  RayGenerator<T> camera_;
-  Film<T> film_;
-  Adaptive<T> adaptive_;
-  int sample_, row_ = 0;
-  int column_ = 0;  ///< pixels of the row before this one are in the film
+  Picture<T> picture_;
+  int sample_, row_ = 0, column_ = 0;  ///< of the next pixel
   std::uint64_t taken_ = 0;
 };
 

@@ -30,10 +30,11 @@ Statistics trace_paths_watched(const World<double>& world, const Emitters<double
 template <class T>
 class SceneKernel {
  public:
-  /// `world` is the scene's, and outlives this.
-  SceneKernel(const Scene& scene, const World<T>& world) : world_(world) {
-    if (scene.render.integrator == Integrator::path && !world.fault)
-      emitters_.emplace(world), settings_ = path_settings_of(scene);
+  /// `world` is the scene's, and outlives this. `paths`: traces paths so, whatever the scene's integrator.
+  SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths = std::nullopt)
+      : world_(world) {
+    if (paths || (scene.render.integrator == Integrator::path && !world.fault))
+      emitters_.emplace(world), settings_ = paths.value_or(path_settings_of(scene));
   }
   [[nodiscard]] Statistics operator()(const RayGenerator<T>& camera, const PixelBlock& block,
                                       const PutPixel<T>& put) const {
