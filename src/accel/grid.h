@@ -124,7 +124,8 @@ class Grid {
     return static_cast<int>(std::clamp(std::floor(cell), T(0), static_cast<T>(cells_[axis] - 1)));
   }
   /// t at which the ray leaves column `i` of an axis; infinite without slope.
-  [[nodiscard]] double leave_at(const Ray<T>& ray, int axis, int i) const {
+  template <class AnyRay>
+  [[nodiscard]] double leave_at(const AnyRay& ray, int axis, int i) const {
     const double slope = ray.direction[axis];
     if (slope == 0) return infinity<double>;
     return (plane(axis, slope > 0 ? i + 1 : i) - static_cast<double>(ray.origin[axis])) / slope;

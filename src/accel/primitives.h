@@ -121,7 +121,7 @@ class Primitives {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::intersect(*sphere, ray, t_max, no_part, explain);
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::intersect(*plane, ray, t_max, no_part, explain);
     const Motion* motion = motion_of(id);
-    const NaiveRay<T> rest = motion ? NaiveRay<T>{at_rest(*motion, ray)} : ray;
+    const NaiveRay<T> rest = motion ? NaiveRay<T>(at_rest(*motion, ray.plain())) : ray;
     if (id >= shape_count()) return triangles_.intersect(id - shape_count(), rest, t_max, no_part, explain);
     const ObjectTransform<T>* transform = transform_of(id);
     return raywalk::intersect(own(id), transform ? into_object_space(*transform, rest) : rest, t_max, no_part, explain);
@@ -148,7 +148,7 @@ class Primitives {
   }
   /// Where rounding put it: not projected back onto the surface.
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const NaiveRay<T>& ray, Intersection<T> intersection) const {
-    return {ray.at(intersection.t), surface_at(id, static_cast<const Ray<T>&>(ray), intersection).normal};
+    return {ray.at(intersection.t), surface_at(id, ray.plain(), intersection).normal};
   }
   /// Of a point at `time`.
   [[nodiscard]] Vec2<T> uv_at(int id, const SurfacePoint<T>& at, int part, T time = 0) const {

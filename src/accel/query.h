@@ -70,8 +70,8 @@ class Query {
  public:
   Query(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
       : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {
-    constexpr bool naive = std::is_same_v<AnyRay, NaiveRay<T>>;
-    if (!naive && primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
+    if constexpr (std::is_same_v<AnyRay, Ray<T>>)
+      if (primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
   }
   void enter_node() { ++counts_.nodes; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< previous searches included

@@ -32,6 +32,10 @@ template <class T>
 Ray<double> wide_ray(const Ray<T>& ray) {
   return {wide(ray.origin), wide(ray.direction), ray.departure, static_cast<double>(ray.time)};
 }
+template <class T>
+Ray<double> wide_ray(const NaiveRay<T>& ray) {
+  return wide_ray(ray.plain());
+}
 
 /// Views along the axis that is least aligned with surface and ray; the last one if equal.
 DrawnAxes axes_for(const Vec3d& normal, const Vec3d& direction) {
@@ -133,7 +137,7 @@ Reading Microscope::PreparedScene<T>::read(const AnyRay& ray, const HitSurface& 
   reading.object = world->object(found.hit.primitive);
   reading.point = wide(found.point.position);
   reading.off = surfaces->distance(found.hit.primitive, reading.point, wide(found.point.normal), spacing);
-  if (const auto t = surfaces->crossing(found.hit.primitive, wide_ray<T>(ray), spacing))
+  if (const auto t = surfaces->crossing(found.hit.primitive, wide_ray(ray), spacing))
     reading.t_error = static_cast<double>(DoubleDouble(reading.t) - *t) / spacing_in<T>(reading.t);
   return reading;
 }
@@ -235,7 +239,7 @@ std::shared_ptr<const Specimen> Microscope::PreparedScene<T>::examine(int number
   specimen->robust = reading(twins->robust, robust);
   specimen->naive = reading(twins->naive, naive);
 
-  const Ray<T>& ray = robust ? twins->robust : static_cast<const Ray<T>&>(twins->naive);
+  const Ray<T> ray = robust ? twins->robust : twins->naive.plain();
   const Ray<double> line = wide_ray(ray);
   specimen->origin = line.origin, specimen->direction = line.direction;
   specimen->focus = wide(best.point.position);

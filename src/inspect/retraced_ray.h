@@ -51,14 +51,14 @@ template <class T>
   Statistics uncounted;
   const Ray<T> primary = camera.primary_ray({pixel.column, pixel.row, pixel.sample}, uncounted);
   const bool is_naive = world.numerics == Numerics::naive;
-  RayTwins<T> twins{primary, {primary}};
+  RayTwins<T> twins{primary, NaiveRay<T>(primary)};
   for (std::size_t i = way.size() - 1; i-- > 0;) {
     const auto found = is_naive ? find_surface(world, twins.naive) : find_surface(world, twins.robust);
     if (!found) return std::nullopt;
     const Vec3<T> direction(record(way[i]).direction);
     if (is_naive) {
       const Ray<T> formed{Vec3<T>(record(way[i]).origin), direction, {}, primary.time};
-      twins = {formed, {formed}};
+      twins = {formed, NaiveRay<T>(formed)};
       continue;
     }
     const Departure from{found->hit.primitive, found->hit.part};

@@ -97,7 +97,7 @@ std::shared_ptr<const RaySearches> SearchWalks::search(int ray) const {
         searches->ray = ray;
         searches->kind = record.kind;
         const bool naive = prepared->world.numerics == Numerics::naive;
-        const Ray<T>& line = naive ? twins->naive : twins->robust;
+        const Ray<T> line = naive ? twins->naive.plain() : twins->robust;
         searches->origin = wide(line.origin), searches->direction = wide(line.direction);
         for (std::size_t i = 0; i < watched_count; ++i)
           searches->in[i] = naive ? prepared->search(i, twins->naive, shadow, t_far)

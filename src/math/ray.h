@@ -26,10 +26,20 @@ struct Ray {
   [[nodiscard]] Vec3<T> at(T t) const { return origin + t * direction; }
 };
 
-/// A ray whose intersections are computed as textbooks give them (shape/naive.h); its departure is ignored.
+/// A ray whose intersections are computed as textbooks give them (shape/naive.h): it knows no departure. No Ray, so
+/// that a shape without a naive form does not compile.
 template <class T>
-struct NaiveRay : Ray<T> {
+struct NaiveRay {
+  Vec3<T> origin;
+  Vec3<T> direction;
+  T time = 0;
   bool near_root_only = false;  ///< a deliberate mistake: the far side of what it starts inside of is missed
+
+  explicit NaiveRay(const Ray<T>& ray) : origin(ray.origin), direction(ray.direction), time(ray.time) {}
+
+  [[nodiscard]] Vec3<T> at(T t) const { return origin + t * direction; }
+  /// The same ray, for what is computed in one way only.
+  [[nodiscard]] Ray<T> plain() const { return {origin, direction, {}, time}; }
 };
 
 template <class T>

@@ -47,7 +47,7 @@ template <class T, class Explain = NoExplanation>
 
 /// t at which the ray meets the plane through `point`; infinite or NaN when it runs along it.
 template <class T, class Explain>
-[[nodiscard]] T intersect_plane_naively(const Vec3<T>& normal, const Vec3<T>& point, const Ray<T>& ray,
+[[nodiscard]] T intersect_plane_naively(const Vec3<T>& normal, const Vec3<T>& point, const NaiveRay<T>& ray,
                                         Explain& explain) {
   const T numerator = dot(normal, point - ray.origin), denominator = dot(normal, ray.direction);
   explain.plane(static_cast<double>(numerator), static_cast<double>(denominator));
@@ -212,7 +212,9 @@ template <class T, class Explain = NoExplanation>
 
 template <class T>
 [[nodiscard]] NaiveRay<T> into_object_space(const ObjectTransform<T>& place, const NaiveRay<T>& ray) {
-  return {into_object_space(place, static_cast<const Ray<T>&>(ray)), ray.near_root_only};
+  NaiveRay<T> inside(into_object_space(place, ray.plain()));
+  inside.near_root_only = ray.near_root_only;
+  return inside;
 }
 
 }  // namespace raywalk

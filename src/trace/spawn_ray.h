@@ -13,7 +13,7 @@ template <class AnyRay, class T>
 [[nodiscard]] AnyRay spawn_ray(const World<T>& world, const Vec3<T>& position, const Vec3<T>& normal,
                                Departure departure, const Vec3<T>& direction, T time) {
   if constexpr (std::is_same_v<AnyRay, NaiveRay<T>>)
-    return {{position + std::copysign(world.epsilon, dot(normal, direction)) * normal, direction, {}, time}};
+    return NaiveRay<T>({position + std::copysign(world.epsilon, dot(normal, direction)) * normal, direction, {}, time});
   else
     return {position, direction, departure, time};
 }

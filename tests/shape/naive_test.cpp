@@ -79,11 +79,11 @@ TEST_CASE("naive crossings end at t_max, and hand out the numbers that they comp
   for (const Shape<double>& shape : one_of_each()) {
     INFO(shape_name(shape));
     Numbers any(5);
-    NaiveRay<double> ray_that_hits;
+    NaiveRay<double> ray_that_hits(Ray<double>{});
     Explained of_shape;
     std::optional<Intersection<double>> intersection;
     while (!intersection) {
-      ray_that_hits = {{any.in_box<double>(2), any.unit<double>()}};
+      ray_that_hits = NaiveRay<double>{{any.in_box<double>(2), any.unit<double>()}};
       of_shape = {};
       intersection = intersect(shape, ray_that_hits, infinity<double>, no_part, of_shape);
     }
@@ -91,6 +91,31 @@ TEST_CASE("naive crossings end at t_max, and hand out the numbers that they comp
     CHECK_FALSE(intersect(shape, ray_that_hits, intersection->t));
   }
 }
+
+namespace {
+
+/// Whether a shape's intersections can be asked for with a ray.
+template <class S, class AnyRay>
+concept Intersects = requires(const S& shape, const AnyRay& ray) { intersect(shape, ray, infinity<double>); };
+
+/// A shape that has no naive form yet.
+struct OnlyRobust {};
+[[maybe_unused]] std::optional<Intersection<double>> intersect(const OnlyRobust&, const Ray<double>&, double,
+                                                               int = no_part) {
+  return std::nullopt;
+}
+
+template <class AnyShape>
+struct AllIntersect;
+template <class... S>
+struct AllIntersect<std::variant<S...>>
+    : std::bool_constant<((Intersects<S, Ray<double>> && Intersects<S, NaiveRay<double>>) && ...)> {};
+
+static_assert(AllIntersect<Shape<double>>::value);
+static_assert(Intersects<OnlyRobust, Ray<double>>);
+static_assert(!Intersects<OnlyRobust, NaiveRay<double>>, "a robust intersection must not answer for a naive one");
+
+}  // namespace
 
 TEST_CASE("the textbook's failures are there to be shown") {
   // A ball that is touched, from 2^30 radii away: the discriminant drowns.
