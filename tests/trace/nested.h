@@ -59,12 +59,12 @@ inline std::vector<RayFormed> secondary_rays(Scene scene, Integrator integrator,
     if (ray.kind == RayKind::reflect || ray.kind == RayKind::refract) secondary.push_back(ray);
   return secondary;
 }
-inline constexpr std::array integrators{Integrator::whitted, Integrator::distributed, Integrator::path};
+inline constexpr std::array bending_integrators{Integrator::whitted, Integrator::distributed, Integrator::path};
 
 // The indices on both sides of every surface that the ray is refracted at.
 using Indices = std::vector<std::pair<double, double>>;
 inline void check_indices(const Scene& scene, const Vec3d& eye, const Vec3d& target, const Indices& expected) {
-  for (const Integrator integrator : integrators) {
+  for (const Integrator integrator : bending_integrators) {
     Indices met;
     for (const RayFormed& ray : secondary_rays(scene, integrator, eye, target))
       if (ray.snell) met.emplace_back(ray.snell->n1, ray.snell->n2);

@@ -24,7 +24,7 @@ TEST_CASE("slabs in slabs bend from each to the next") {
     check_indices(scene, {-2, -1, 0}, {0, 0, 0}, expected);
     // n sin stays what it was, and so does the direction behind all of them.
     const double sine = 1 / std::sqrt(5.0);
-    for (const Integrator integrator : integrators) {
+    for (const Integrator integrator : bending_integrators) {
       const auto rays = secondary_rays(scene, integrator, {-2, -1, 0}, {0, 0, 0});
       REQUIRE(rays.size() == layers.size());
       for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -84,7 +84,7 @@ TEST_CASE("balls in balls turn a ray by Bouguer's rule") {
     in.insert(in.end(), out.begin(), out.end());
     const Vec3d eye(-9, aside, 0), target(0, aside, 0);
     check_indices(scene, eye, target, in);
-    for (const Integrator integrator : integrators) {
+    for (const Integrator integrator : bending_integrators) {
       const auto rays = secondary_rays(scene, integrator, eye, target);
       REQUIRE(rays.size() == in.size());
       const Vec3d& direction = rays.back().direction;
@@ -107,7 +107,7 @@ TEST_CASE("total reflection at a bubble, and none at what is nearly as dense") {
                    object("Bubble", Sphere<double>{{0, 0, 0}, 1}, clear(1))};
   const auto first_inside = [&](double aside) {
     std::vector<RayKind> kinds;
-    for (const Integrator integrator : integrators)
+    for (const Integrator integrator : bending_integrators)
       kinds.push_back(secondary_rays(scene, integrator, {-9, aside, 0}, {0, aside, 0})[1].kind);
     CHECK(kinds[0] == kinds[1]);
     CHECK(kinds[0] == kinds[2]);
