@@ -1,13 +1,13 @@
 #include "view/action_text.h"
 
-#include "view/action_arguments.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <locale>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -15,34 +15,41 @@ namespace raywalk {
 
 namespace {
 
-using namespace action_text;
-
 class ActionWriter {
  public:
   explicit ActionWriter(std::string_view word) : line_(word) {}
   [[nodiscard]] std::string take() { return std::move(line_); }
 
-  template <class Number>
-  void number(const Number& value) {
-    line_ += fmt::format(" {}", value);
+  void operator()(int value) { add(fmt::format("{}", value)); }
+  void operator()(double value, Number = Number::finite) { add(fmt::format("{}", value)); }
+  void operator()(const std::string& text) { add(text); }
+  void operator()(const std::string& path, FilePath) { add(path); }
+  void operator()(bool value, Either words) { add(value ? words.yes : words.no); }
+  void operator()(bool value, Flag flag) {
+    if (value) add(flag.word);
+  }
+  void operator()(Line value) { add(fmt::format("{}", static_cast<int>(value) + 1)); }
+  void operator()(const std::optional<Line>& value) { value ? (*this)(*value) : add("none"); }
+  template <Worded E>
+  void operator()(E value) {
+    for (const auto& [each, word] : words_of<E>)
+      if (each == value) add(word);
+  }
+  template <Worded E>
+  void operator()(const std::optional<E>& value) {
+    if (value) (*this)(*value);
   }
   template <class Value>
-  void choice(const Value& value, Words<Value> words) {
-    for (const auto& [each, word] : words)
-      if (each == value) rest(std::string(word));
-  }
+  void operator()(const Value&, Unwritten) {}
   template <class Value>
-  void maybe_choice(const std::optional<Value>& value, Words<Value> words) {
-    if (value) choice(*value, words);
+    requires std::is_class_v<Value>
+  void operator()(const Value& value) {
+    each_field(*this, value);
   }
-  void line(Line value) { number(static_cast<int>(value) + 1); }
-  void maybe_line(const std::optional<Line>& value) { value ? line(*value) : rest("none"); }
-  void flag(bool value, std::string_view word) {
-    if (value) rest(std::string(word));
-  }
-  void rest(const std::string& text) { line_ += " " + text; }
 
  private:
+  void add(std::string_view word) { line_.append(" ").append(word); }
+
   std::string line_;
 };
 
@@ -57,7 +64,7 @@ class ActionReader {
     return error_;
   }
 
-  void number(int& value) {
+  void operator()(int& value) {
     double number = 0;
     const std::string_view before = text_;
     if (!parse(number) || number != std::floor(number) || std::abs(number) > 1e9) {
@@ -66,44 +73,51 @@ class ActionReader {
     }
     value = static_cast<int>(number);
   }
-  void number(double& value) {
+  void operator()(double& value, Number = Number::finite) {
     if (!parse(value)) fail("a number");
   }
-  template <class Value>
-  void choice(Value& value, Words<Value> words) {
-    if (try_choice(value, words)) return;
-    std::string expected;
-    for (const auto& [each, word] : words) expected += (expected.empty() ? "" : ", ") + std::string(word);
-    fail("one of " + expected);
-  }
-  template <class Value>
-  void maybe_choice(std::optional<Value>& value, Words<Value> words) {
-    Value found{};
-    if (try_choice(found, words)) value = found;
-  }
-  void line(Line& value) {
-    int row = 0;
-    number(row);
-    if (row < 1 || row > line_count + path_line_count)
-      return fail(fmt::format("a line's number from 1 to {}", line_count + path_line_count));
-    value = static_cast<Line>(row - 1);
-  }
-  void maybe_line(std::optional<Line>& value) {
-    value.reset();
-    if (peek() == "none") return static_cast<void>(next());
-    Line found{};
-    line(found);
-    value = found;
-  }
-  void flag(bool& value, std::string_view word) {
-    value = peek() == word;
-    if (value) static_cast<void>(next());
-  }
-  void rest(std::string& text) {
+  void operator()(std::string& text) {
     static_cast<void>(peek());
     text = text_;
     text_ = {};
     if (text.empty()) fail("a text");
+  }
+  void operator()(std::string& path, FilePath) { (*this)(path); }
+  void operator()(bool& value, Either words) {
+    const Word<bool> both[] = {{true, words.yes}, {false, words.no}};
+    choose(value, std::span(both));
+  }
+  void operator()(bool& value, Flag flag) {
+    value = peek() == flag.word;
+    if (value) static_cast<void>(next());
+  }
+  void operator()(Line& value) {
+    int row = 0;
+    (*this)(row);
+    if (row < 1 || row > line_count + path_line_count)
+      return fail(fmt::format("a line's number from 1 to {}", line_count + path_line_count));
+    value = static_cast<Line>(row - 1);
+  }
+  void operator()(std::optional<Line>& value) {
+    value.reset();
+    if (peek() == "none") return static_cast<void>(next());
+    (*this)(value.emplace());
+  }
+  template <Worded E>
+  void operator()(E& value) {
+    choose(value, std::span(words_of<E>));
+  }
+  template <Worded E>
+  void operator()(std::optional<E>& value) {
+    E found{};
+    if (try_choice(found, std::span(words_of<E>))) value = found;
+  }
+  template <class Value>
+  void operator()(Value&, Unwritten) {}
+  template <class Value>
+    requires std::is_class_v<Value>
+  void operator()(Value& value) {
+    each_field(*this, value);
   }
 
  private:
@@ -127,8 +141,15 @@ class ActionReader {
     static_cast<void>(next());
     return true;
   }
-  template <class Value>
-  bool try_choice(Value& value, Words<Value> words) {
+  template <class Words>
+  void choose(auto& value, Words words) {
+    if (try_choice(value, words)) return;
+    std::string expected;
+    for (const auto& [each, word] : words) expected += (expected.empty() ? "" : ", ") + std::string(word);
+    fail("one of " + expected);
+  }
+  template <class Words>
+  bool try_choice(auto& value, Words words) {
     for (const auto& [each, word] : words)
       if (peek() == word) {
         value = each;
@@ -160,9 +181,9 @@ tl::unexpected<Error> wrong(std::string message, std::string hint) {
 }
 
 template <class A>
-Action read_arguments(ActionReader& reader) {
+Action read_fields(ActionReader& reader) {
   A value{};
-  arguments(reader, value);
+  each_field(reader, value);
   return value;
 }
 
@@ -175,18 +196,18 @@ template <class Actions = std::make_index_sequence<std::variant_size_v<Action>>>
 struct ActionTable;
 template <std::size_t... Is>
 struct ActionTable<std::index_sequence<Is...>> {
-  static constexpr std::array rows{ActionRow{word_of<std::variant_alternative_t<Is, Action>>,
-                                             &read_arguments<std::variant_alternative_t<Is, Action>>}...};
+  static constexpr std::array rows{ActionRow{word_of<std::variant_alternative_t<Is, Action>>(),
+                                             &read_fields<std::variant_alternative_t<Is, Action>>}...};
 };
 
 }  // namespace
 
 std::string write_action(const Action& action) {
   return std::visit(
-      []<class A>(A copy) {
-        if (word_of<A>.empty()) return std::string();
-        ActionWriter writer(word_of<A>);
-        arguments(writer, copy);
+      []<class A>(const A& each) {
+        if (word_of<A>().empty()) return std::string();
+        ActionWriter writer(word_of<A>());
+        each_field(writer, each);
         return writer.take();
       },
       action);

@@ -43,8 +43,6 @@ std::optional<Line> marked_line(const State& state) {
   return state.bugs.hunt ? state.bugs.hunt->marked : state.lessons.shown ? state.lessons.guess.line : std::nullopt;
 }
 
-namespace detail {
-
 namespace {
 
 /// The first pixel of the strip that the bug changes visibly, as index in the walk's pixels.
@@ -79,19 +77,19 @@ void set_bug(State& state, std::optional<Fault> fault) {
   record_again(state);
 }
 
-void show_bugs(State& state, bool shown) {
+void action::ShowBugs::apply(State& state) const {
   if (!shown) {
     state.bugs.shown = false;
     return leave_hunt(state);
   }
-  show_lessons(state, false);
+  ShowLessons{false}.apply(state);
   state.bugs.shown = true;
   if (state.mode == Mode::help) state.mode = Mode::trace;
 }
 
-void hunt_bug(State& state, const action::HuntBug& wanted) {
-  if (wanted.number < 1 || wanted.number > static_cast<int>(all_faults.size())) return;
-  const Fault fault = all_faults[static_cast<std::size_t>(wanted.number - 1)];
+void action::HuntBug::apply(State& state) const {
+  if (number < 1 || number > static_cast<int>(all_faults.size())) return;
+  const Fault fault = all_faults[static_cast<std::size_t>(number - 1)];
   auto document = stage_scene(std::string(bug_scene(fault)), {}, state.lessons.scenes_folder);
   if (!document) return complain(state, document.error().text());
   std::shared_ptr<const State> before;
@@ -101,7 +99,7 @@ void hunt_bug(State& state, const action::HuntBug& wanted) {
     autosave(state, autosave_every);  // the hunt does not autosave
     before = std::make_shared<const State>(state);
   }
-  show_bugs(state, true);
+  ShowBugs{true}.apply(state);
   state.bugs.hunt = BugHunt{};  // before the scene, so that the autosave is not touched
   state.image.single_precision = false;
   state.image.integrator.reset();
@@ -111,8 +109,8 @@ void hunt_bug(State& state, const action::HuntBug& wanted) {
   show_document(state, std::move(*document), {});
   set_bug(state, fault);
   BugHunt& hunt = *state.bugs.hunt;
-  hunt.number = wanted.number;
-  hunt.surprise = wanted.surprise;
+  hunt.number = number;
+  hunt.surprise = surprise;
   hunt.before = std::move(before);
   hunt.first_pixel = first_spoilt(*state.timeline, *state.bug->other);
   const auto& pixels = state.timeline->pixels();
@@ -123,7 +121,7 @@ void hunt_bug(State& state, const action::HuntBug& wanted) {
   go_to(state, pixel.begun_at);
 }
 
-void mark_line(State& state, Line line) {
+void action::MarkLine::apply(State& state) const {
   if (!asks_for_line(state) || static_cast<int>(line) >= line_count) return;
   if (!state.bugs.hunt) {
     state.lessons.guess.line = line;
@@ -133,26 +131,28 @@ void mark_line(State& state, Line line) {
   state.bugs.hunt->acquitted.reset();
 }
 
-void judge_line(State& state) {
+void action::JudgeLine::apply(State& state) const {
   if (!state.bugs.hunt || !state.bugs.hunt->marked || state.bugs.hunt->end != BugEnd::open) return;
   BugHunt& hunt = *state.bugs.hunt;
   if (*hunt.marked == faulty_line(state.bug->fault)) return end_hunt(state, BugEnd::found);
   hunt.acquitted = std::exchange(hunt.marked, std::nullopt);
 }
 
-void show_cure(State& state) {
+void action::ShowCure::apply(State& state) const {
   if (!state.bugs.hunt || state.bugs.hunt->end != BugEnd::open) return;
   state.bugs.hunt->marked = faulty_line(state.bug->fault);
   state.bugs.hunt->acquitted.reset();
   end_hunt(state, BugEnd::given_up);
 }
 
-void mend_bug(State& state, bool mended) {
+void action::MendBug::apply(State& state) const {
   if (!state.bug || !state.bug->known || state.bug->mended == mended) return;
   state.bug->mended = mended;
   ++state.image_revision;
   record_again(state);
 }
+
+void action::LeaveHunt::apply(State& state) const { leave_hunt(state); }
 
 void leave_hunt(State& state) {
   if (!state.bugs.hunt) return;
@@ -174,9 +174,7 @@ void leave_hunt(State& state) {
   back.notice.reset();
   if (back.camera.fitted) back.camera = fitted(back);
   state = std::move(back);
-  if (state.bugs.shown && state.lessons.shown) show_lessons(state, false);  // there is room for one
+  if (state.bugs.shown && state.lessons.shown) action::ShowLessons{false}.apply(state);  // there is room for one
 }
-
-}  // namespace detail
 
 }  // namespace raywalk

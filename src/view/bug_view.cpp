@@ -3,7 +3,7 @@
 #include "view/bug_panel.h"
 #include "view/painter.h"
 
-namespace raywalk::detail {
+namespace raywalk {
 
 void draw_other_rays(Painter& painter) {
   for (const RayRecord& ray : other_rays(painter.state)) {
@@ -16,4 +16,4 @@ void draw_other_rays(Painter& painter) {
   }
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

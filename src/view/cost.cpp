@@ -4,6 +4,7 @@
 #include "render/heat.h"
 #include "study/shot.h"
 #include "view/choice_text.h"
+#include "view/cost/actions.h"
 #include "view/state.h"
 #include "view/text.h"
 
@@ -48,9 +49,9 @@ Setup cost_knobs(const State& state) {
 
 ImageSize cost_size(ImageSize image) { return study::shrunk(image, 12000); }
 
-void detail::set_cost_knobs(State& state, const Setup& knobs) { state.cost.knobs = within_limits(knobs); }
+void action::SetCostKnobs::apply(State& state) const { state.cost.knobs = within_limits(knobs); }
 
-void detail::try_cost(State& state, bool ladder) {
+void action::TryCost::apply(State& state) const {
   CostState& cost = state.cost;
   std::vector<Setup> wanted;
   if (ladder)
@@ -69,23 +70,23 @@ void detail::try_cost(State& state, bool ladder) {
   }
 }
 
-void detail::choose_cost(State& state, const action::ChooseCost& choice) {
+void action::ChooseCost::apply(State& state) const {
   CostState& cost = state.cost;
-  if (choice.against && (choice.index == -1 || was_tried(cost, choice.index))) cost.against = choice.index;
-  if (!choice.against && was_tried(cost, choice.index)) cost.chosen = choice.index;
+  if (against && (index == -1 || was_tried(cost, index))) cost.against = index;
+  if (!against && was_tried(cost, index)) cost.chosen = index;
 }
 
-void detail::forget_costs(State& state) {
+void action::ForgetCosts::apply(State& state) const {
   state.cost.tried.clear();
   state.cost.chosen = state.cost.against = -1;
 }
 
-void detail::show_cost_page(State& state, CostPage page) { state.cost.page = page; }
+void action::ShowCostPage::apply(State& state) const { state.cost.page = page; }
 
-void detail::show_costs(State& state, const action::ShowCosts& what) {
-  state.cost.picture = what.picture;
-  state.cost.axis = what.axis;
-  state.cost.split = std::clamp(what.split, 0.0, 1.0);
+void action::ShowCosts::apply(State& state) const {
+  state.cost.picture = picture;
+  state.cost.axis = axis;
+  state.cost.split = std::clamp(split, 0.0, 1.0);
 }
 
 std::string setup_text(const Setup& setup, const Setup& usual, Language language) {

@@ -6,6 +6,7 @@
 #include "study/workbench.h"
 #include "text/language.h"
 #include "view/display_list.h"
+#include "view/words.h"
 
 #include <optional>
 #include <string>
@@ -18,11 +19,16 @@ enum class CostPicture {
   split,       ///< two pictures side by side, separated by a movable line
   difference,  ///< their difference, from dark to light
 };
+template <>
+inline constexpr Word<CostPicture> words_of<CostPicture>[] = {{CostPicture::split, "split"},
+                                                              {CostPicture::difference, "difference"}};
 
 enum class CostPage {
   tries,    ///< settings compared with each other
   effects,  ///< what each effect of the scene adds
 };
+template <>
+inline constexpr Word<CostPage> words_of<CostPage>[] = {{CostPage::tries, "tries"}, {CostPage::effects, "effects"}};
 
 /// For this session only; not stored in the scene's file.
 struct CostState {
@@ -40,37 +46,6 @@ struct CostState {
 };
 
 struct State;
-
-namespace action {
-struct SetCostKnobs {
-  study::Setup knobs;
-};  ///< clamped to their limits
-struct TryCost {
-  bool ladder = false;
-};  ///< the current knobs; a ladder: also with 1, 4, 16, 64 samples. If tried already, it is chosen
-struct ForgetCosts {};
-struct ChooseCost {
-  int index;  ///< in CostState::tried
-  bool against = false;
-};  ///< against: -1 is the reference
-struct ShowCosts {
-  CostPicture picture;
-  study::CostAxis axis;
-  double split;  ///< clamped to 0..1
-};
-struct ShowCostPage {
-  CostPage page;
-};
-}  // namespace action
-
-namespace detail {
-void set_cost_knobs(State& state, const study::Setup& knobs);
-void try_cost(State& state, bool ladder);
-void forget_costs(State& state);
-void choose_cost(State& state, const action::ChooseCost& choice);
-void show_costs(State& state, const action::ShowCosts& what);
-void show_cost_page(State& state, CostPage page);
-}  // namespace detail
 
 /// What TryCost will try.
 [[nodiscard]] study::Setup cost_knobs(const State& state);

@@ -4,6 +4,7 @@
 
 #include "math/vec.h"
 #include "view/theme.h"
+#include "view/words.h"
 
 #include <array>
 #include <optional>
@@ -29,11 +30,28 @@ enum class TargetKind {
   light,            ///< index: in Scene::lights
   ray,              ///< index: in Timeline::rays()
 };
+template <>
+inline constexpr Word<TargetKind> words_of<TargetKind>[] = {
+    {TargetKind::nothing, "nothing"},
+    {TargetKind::eye, "eye"},
+    {TargetKind::view_direction, "view-direction"},
+    {TargetKind::screen_height, "screen-height"},
+    {TargetKind::screen_distance, "screen-distance"},
+    {TargetKind::cell, "cell"},
+    {TargetKind::object, "object"},
+    {TargetKind::radius, "radius"},
+    {TargetKind::corner, "corner"},
+    {TargetKind::edge, "edge"},
+    {TargetKind::rotation, "rotation"},
+    {TargetKind::light, "light"},
+    {TargetKind::ray, "ray"},
+};
 
 struct Target {
   TargetKind kind = TargetKind::nothing;
   int index = -1;
   int part = -1;
+  static void fields(auto& f, auto& t) { f(t.kind), f(t.index), f(t.part); }
   friend bool operator==(const Target&, const Target&) = default;
   [[nodiscard]] explicit operator bool() const { return kind != TargetKind::nothing; }
 };

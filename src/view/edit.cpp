@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -110,22 +110,22 @@ Prism<double>* prism_of(Scene& scene, int object) {
 
 }  // namespace
 
-void add_object(State& state, action::ObjectKind kind) {
+void action::AddObject::apply(State& state) const {
   const double seen = std::min(state.viewport.width, state.viewport.height) / state.camera.pixels_per_unit;
   const double grid = grid_step(state.camera);
   const double size = std::max(std::round(0.09 * seen / grid), 1.0) * grid;
-  const Vec2d place = to_grid(free_place(state, kind == action::ObjectKind::light ? size / 2 : size), grid);
+  const Vec2d place = to_grid(free_place(state, kind == ObjectKind::light ? size / 2 : size), grid);
 
   Scene next = state.scene();
   const std::string name = unique_name(next, std::string(text(name_of(kind), state.language)));
   Target added;
-  if (kind == action::ObjectKind::light) {
+  if (kind == ObjectKind::light) {
     added = {TargetKind::light, static_cast<int>(next.lights.size())};
     next.lights.push_back({name, Rgbd(0.6), PointLight{Vec3d(place, 0), {}}});
   } else {
     added = {TargetKind::object, static_cast<int>(next.objects.size())};
     Shape<double> shape = Sphere<double>{Vec3d(place, 0), size};
-    if (kind == action::ObjectKind::polygon) shape = new_polygon(place, size);
+    if (kind == ObjectKind::polygon) shape = new_polygon(place, size);
     next.objects.push_back({name, shape, material_of(kind)});
   }
   const bool is_light = added.kind == TargetKind::light;
@@ -135,13 +135,13 @@ void add_object(State& state, action::ObjectKind kind) {
   state.selected = added;
 }
 
-void remove_selected(State& state) {
+void action::RemoveSelected::apply(State& state) const {
   const Target target = state.selected;
   if (!exists(state, target)) return;
   Scene next = state.scene();
   switch (target.kind) {
     case TargetKind::corner:
-      return remove_corner(state, target.index, target.part);
+      return RemoveCorner{target.index, target.part}.apply(state);
     case TargetKind::object:
     case TargetKind::radius:
     case TargetKind::edge:
@@ -165,20 +165,19 @@ void remove_selected(State& state) {
   commit(state, std::move(next));
 }
 
-void insert_corner(State& state, const action::InsertCorner& insert) {
+void action::InsertCorner::apply(State& state) const {
   Scene next = state.scene();
-  Prism<double>* prism = prism_of(next, insert.object);
-  if (prism == nullptr || insert.edge < 0 || insert.edge >= prism->sides()) return;
+  Prism<double>* prism = prism_of(next, object);
+  if (prism == nullptr || edge < 0 || edge >= prism->sides()) return;
   // On the edge itself, so that the shape is unchanged; not too near its ends.
-  const Vec2d first = prism->corner(insert.edge), along = prism->corner_after(insert.edge) - first;
-  const double t = dot(insert.at - first, along) / dot(along, along);
+  const Vec2d first = prism->corner(edge), along = prism->corner_after(edge) - first;
+  const double t = dot(at - first, along) / dot(along, along);
   const Vec2d corner = first + std::clamp(std::isfinite(t) ? t : 0.5, 0.05, 0.95) * along;
-  prism->corners.insert(prism->corners.begin() + insert.edge + 1, corner);
-  if (commit_if_valid(state, std::move(next), insert.object, -1))
-    state.selected = {TargetKind::corner, insert.object, insert.edge + 1};
+  prism->corners.insert(prism->corners.begin() + edge + 1, corner);
+  if (commit_if_valid(state, std::move(next), object, -1)) state.selected = {TargetKind::corner, object, edge + 1};
 }
 
-void remove_corner(State& state, int object, int corner) {
+void action::RemoveCorner::apply(State& state) const {
   Scene next = state.scene();
   Prism<double>* prism = prism_of(next, object);
   if (prism == nullptr || corner < 0 || corner >= prism->sides()) return;
@@ -187,19 +186,80 @@ void remove_corner(State& state, int object, int corner) {
   if (commit_if_valid(state, std::move(next), object, -1)) state.selected = {TargetKind::object, object};
 }
 
-void rename(State& state, const action::Rename& rename) {
-  if (!exists(state, rename.target)) return;
-  const bool is_object = rename.target.kind == TargetKind::object;
-  if (!is_object && rename.target.kind != TargetKind::light) return;
+void action::Rename::apply(State& state) const {
+  if (!exists(state, target)) return;
+  const bool is_object = target.kind == TargetKind::object;
+  if (!is_object && target.kind != TargetKind::light) return;
   Scene next = state.scene();
-  const auto index = static_cast<std::size_t>(rename.target.index);
-  std::string& name = is_object ? next.objects[index].name : next.lights[index].name;
-  if (rename.name == name) return;
-  if (rename.name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.language)));
-  if (unique_name(next, rename.name) != rename.name)
-    return complain(state, fill("notice.refused_name_taken", state.language, {{"name", rename.name}}));
-  name = rename.name;
-  commit_if_valid(state, std::move(next), is_object ? rename.target.index : -1, is_object ? -1 : rename.target.index);
+  const auto index = static_cast<std::size_t>(target.index);
+  std::string& current = is_object ? next.objects[index].name : next.lights[index].name;
+  if (name == current) return;
+  if (name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.language)));
+  if (unique_name(next, name) != name)
+    return complain(state, fill("notice.refused_name_taken", state.language, {{"name", name}}));
+  current = name;
+  commit_if_valid(state, std::move(next), is_object ? target.index : -1, is_object ? -1 : target.index);
 }
 
-}  // namespace raywalk::detail
+namespace {
+
+/// Commits `next` as this edit, unless its object or light is invalid.
+template <class Edit>
+void commit_edit(State& state, const Edit& edit, Scene next, int object = -1, int light = -1) {
+  commit_if_valid(state, std::move(next), object, light, {Action(edit).index(), std::max(object, light)},
+                  edit.continues);
+}
+
+}  // namespace
+
+void action::SetMaterial::apply(State& state) const {
+  if (!exists(state, {TargetKind::object, object})) return;
+  Scene next = state.scene();
+  next.objects[static_cast<std::size_t>(object)].material = material;
+  commit_edit(state, *this, std::move(next), object);
+}
+
+void action::SetShape::apply(State& state) const {
+  if (!exists(state, {TargetKind::object, object})) return;
+  Scene next = state.scene();
+  next.objects[static_cast<std::size_t>(object)].shape = shape;
+  commit_edit(state, *this, std::move(next), object);
+}
+
+void action::SetLight::apply(State& state) const {
+  if (!exists(state, {TargetKind::light, light})) return;
+  Scene next = state.scene();
+  Light& changed = next.lights[static_cast<std::size_t>(light)];
+  const std::string name = changed.name;  // a name changes through Rename, which keeps it unique
+  changed = value;
+  changed.name = name;
+  commit_edit(state, *this, std::move(next), -1, light);
+}
+
+void action::SetCamera::apply(State& state) const {
+  Scene next = state.scene();
+  next.camera = camera;
+  commit_edit(state, *this, std::move(next));
+}
+
+void action::SetLimits::apply(State& state) const {
+  Scene next = state.scene();
+  next.limits = limits;
+  commit_edit(state, *this, std::move(next));
+}
+
+void action::SetNumerics::apply(State& state) const {
+  Scene next = state.scene();
+  next.render.numerics = numerics;
+  next.render.epsilon = epsilon;
+  commit_edit(state, *this, std::move(next));
+}
+
+void action::SetSurroundings::apply(State& state) const {
+  Scene next = state.scene();
+  next.background = background;
+  next.ambient = ambient;
+  commit_edit(state, *this, std::move(next));
+}
+
+}  // namespace raywalk

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -71,4 +71,4 @@ void draw_hit_notes(Painter& painter) {
   painter.note(places, notes.t);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

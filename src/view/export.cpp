@@ -110,7 +110,7 @@ std::vector<int> film_positions(const State& state) {
   const int last = whole ? timeline.steps() : timeline.next_pixel(state.position);
   std::vector<int> positions{state.position};
   while (positions.back() < last) {
-    const int next = std::min(detail::stepped(timeline, positions.back(), state.grain, true), last);
+    const int next = std::min(stepped(timeline, positions.back(), state.grain, true), last);
     positions.push_back(next);
   }
   if (static_cast<int>(positions.size()) > max_frames) {
@@ -142,7 +142,7 @@ Result<void> write_steps_json(const Scene& scene, const Timeline& timeline, cons
 
 }  // namespace raywalk
 
-namespace raywalk::detail {
+namespace raywalk {
 
 void export_over(State& state, const std::string& path) {
   const ExportKind kind = *export_kind_of(path);
@@ -160,22 +160,24 @@ void export_over(State& state, const std::string& path) {
   }
   const auto text = exported(state, kind);
   const auto written = text ? write_file_atomically(path, *text) : tl::unexpected(text.error());
-  finish_export(state, written ? "" : written.error().text());
+  action::FinishExport{written ? "" : written.error().text()}.apply(state);
   if (written) inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
 }
 
-void export_walk(State& state, const std::string& path) {
+void action::AskExport::apply(State& state) const { ask_path(state, PathPrompt::export_walk); }
+
+void action::Export::apply(State& state) const {
   if (path.empty()) return;
   if (state.prompt == PathPrompt::export_walk) state.notice.reset();
   if (!export_kind_of(path)) return complain(state, fill("notice.export_endings", state.language, {{"file", path}}));
   if (!asks_to_overwrite(state, path, PathPrompt::export_walk)) export_over(state, path);
 }
 
-void finish_export(State& state, const std::string& why_not) {
+void action::FinishExport::apply(State& state) const {
   const auto done = std::exchange(state.window_export, std::nullopt);
   if (!why_not.empty()) return complain(state, why_not);
   state.prompt = PathPrompt::none;
   if (done) inform(state, fill("notice.saved_as", state.language, {{"file", done->path}}));
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -55,27 +55,13 @@ struct WindowExport {
 inline constexpr int max_frames = 500;
 [[nodiscard]] std::vector<int> film_positions(const State& state);
 
-namespace action {
-struct AskExport {};
-struct Export {
-  std::string path;
-};  ///< its extension selects what
-struct FinishExport {
-  std::string why_not;
-};  ///< the window has written the export, or says why not
-}  // namespace action
-
 /// All steps as one JSON object, `head` first. Printed in parts: a strip's may be hundreds of megabytes. Stops when
 /// `print` fails.
 [[nodiscard]] Result<void> write_steps_json(const Scene& scene, const Timeline& timeline,
                                             const nlohmann::ordered_json& head,
                                             const std::function<Result<void>(const std::string&)>& print);
 
-namespace detail {
-void export_walk(State& state, const std::string& path);
 /// Overwrites an existing file.
 void export_over(State& state, const std::string& path);
-void finish_export(State& state, const std::string& why_not);
-}  // namespace detail
 
 }  // namespace raywalk

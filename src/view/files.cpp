@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <memory>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
-void complain(State& state, const Error& error) { detail::complain(state, error.text()); }
+void complain(State& state, const Error& error) { complain(state, error.text()); }
 
 void open_file(State& state, const std::string& path) {
   // A reader cannot be cancelled; its result is then dropped.
@@ -147,7 +147,27 @@ void ask_path(State& state, PathPrompt prompt) {
   if (state.notice && state.notice->kind == Notice::Kind::error) state.notice.reset();
 }
 
-void open(State& state, const std::string& path) {
+void action::New::apply(State& state) const { ask_or_do(state, Intent::new_scene, {}); }
+
+void action::AskOpen::apply(State& state) const { ask_path(state, PathPrompt::open); }
+
+void action::AskSaveAs::apply(State& state) const { ask_path(state, PathPrompt::save_as); }
+
+void action::CancelPrompt::apply(State& state) const {
+  state.prompt = PathPrompt::none;
+  state.after_save.reset();
+}
+
+void action::Quit::apply(State& state) const {
+  if (state.question) {
+    state.quit = true;
+    return;
+  }
+  state.prompt = PathPrompt::none;
+  ask_or_do(state, Intent::quit, {});
+}
+
+void action::Open::apply(State& state) const {
   const bool asked = std::exchange(state.prompt, PathPrompt::none) == PathPrompt::open;
   ask_or_do(state, Intent::open, path);
   // If it cannot be opened, the dialog stays and says why.
@@ -174,7 +194,7 @@ bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
   return true;
 }
 
-void save(State& state) {
+void action::Save::apply(State& state) const {
   // A scene of another format is saved in ours, under a new name.
   const bool is_ours = !state.path.empty() && scene_format_of(state.path) == SceneFormat::toml;
   if (!is_ours) return ask_path(state, PathPrompt::save_as);
@@ -185,7 +205,7 @@ void save(State& state) {
   static_cast<void>(write_to(state, state.path));
 }
 
-void save_as(State& state, const std::string& path) {
+void action::SaveAs::apply(State& state) const {
   if (path.empty()) return;
   // The path dialog stays until the file is written, and shows errors.
   if (state.prompt == PathPrompt::save_as) state.notice.reset();
@@ -195,28 +215,28 @@ void save_as(State& state, const std::string& path) {
   if (is_own || !asks_to_overwrite(state, whole, PathPrompt::save_as)) static_cast<void>(write_to(state, whole));
 }
 
-void answer(State& state, action::Answer answer) {
+void action::AnswerQuestion::apply(State& state) const {
   if (!state.question) return;
   const Question question = *state.question;
   switch (question.kind) {
     case Question::Kind::unsaved:
-      if (answer == action::Answer::recover) return;
+      if (answer == Answer::recover) return;
       state.question.reset();
-      if (answer == action::Answer::discard) carry_out(state, question.intent, question.path);
-      if (answer != action::Answer::save) return;
+      if (answer == Answer::discard) carry_out(state, question.intent, question.path);
+      if (answer != Answer::save) return;
       state.after_save = question.intent;
       state.after_save_path = question.path;
-      return save(state);
+      return Save{}.apply(state);
     case Question::Kind::recover:
-      if (answer == action::Answer::save) return;
+      if (answer == Answer::save) return;
       state.question.reset();
-      if (answer == action::Answer::recover) return recover(state, question.path, question.autosave);
-      if (answer == action::Answer::discard) discard_autosave(state, question.autosave);
+      if (answer == Answer::recover) return recover(state, question.path, question.autosave);
+      if (answer == Answer::discard) discard_autosave(state, question.autosave);
       return;
     case Question::Kind::overwrite:
-      if (answer == action::Answer::discard || answer == action::Answer::recover) return;
+      if (answer == Answer::discard || answer == Answer::recover) return;
       state.question.reset();
-      if (answer == action::Answer::save) {
+      if (answer == Answer::save) {
         overwrite(state, question);
       } else if (state.prompt == PathPrompt::none) {  // else the dialog asks for another path
         state.after_save.reset();
@@ -225,4 +245,4 @@ void answer(State& state, action::Answer answer) {
   }
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -48,12 +48,12 @@ Ghosts ghosts_of(const State& state) {
 
   // Two rays, their shadow rays and the lines between, per ray of the previous level.
   constexpr double worst_growth = 4;
-  const int samples = detail::samples_of_pixel(timeline, pixel);
+  const int samples = samples_of_pixel(timeline, pixel);
   for (double events = static_cast<double>(record.done_at - record.begun_at) * samples;
        ghosts.levels < Ghosts::max_levels; ++ghosts.levels)
-    if ((events *= worst_growth) > detail::max_events) break;
+    if ((events *= worst_growth) > max_events) break;
   const Timeline deep =
-      detail::record_under(state, record.column, samples, {std::max(deepest, deepest_cut + ghosts.levels), 0});
+      record_under(state, record.column, samples, {std::max(deepest, deepest_cut + ghosts.levels), 0});
   // The two trees are equal down to the stubs, in the same order: a stub corresponds to its parent's ray of its kind.
   std::map<int, int> same;  // deep walk's ray -> the state's
   std::map<int, int> ghost_of;
@@ -80,7 +80,7 @@ Ghosts ghosts_of(const State& state) {
   return ghosts;
 }
 
-void detail::follow_with_ghosts(State& state) {
+void follow_with_ghosts(State& state) {
   if (!state.shows_ghosts || state.mode != Mode::trace) return state.ghosts.reset();
   const int pixel = state.timeline->current_pixel(state.position);
   if (state.ghosts && state.ghosts->of == state.timeline && state.ghosts->pixel == pixel) return;

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 void draw_ghosts(Painter& painter) {
   const State& state = painter.state;
@@ -42,4 +42,4 @@ void draw_ghosts(Painter& painter) {
                state.ghosts->rays.empty() ? std::string(text("ghosts.none", state.language)) : total);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

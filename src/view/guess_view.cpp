@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -52,4 +52,4 @@ void draw_guess(Painter& painter) {
   draw_predictions(painter);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -70,4 +70,4 @@ void draw_handles(Painter& painter) {
   draw_dot(painter, {TargetKind::screen_height, -1, 1});
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

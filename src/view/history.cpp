@@ -1,7 +1,7 @@
 #include "view/text.h"
 #include "view/update_parts.h"
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -79,12 +79,12 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
   return true;
 }
 
-void undo(State& state) {
+void action::Undo::apply(State& state) const {
   // Once all edits in a hunt are undone, undo leaves the hunt.
   if (state.undo.empty() && state.bugs.hunt) return leave_hunt(state);
   step_history(state, state.undo, state.redo, "notice.nothing_to_undo");
 }
 
-void redo(State& state) { step_history(state, state.redo, state.undo, "notice.nothing_to_redo"); }
+void action::Redo::apply(State& state) const { step_history(state, state.redo, state.undo, "notice.nothing_to_redo"); }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

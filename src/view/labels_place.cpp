@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -369,4 +369,4 @@ std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std:
   return line_to(*own, thing.at, place.box(), unit);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 /// A filled drawing of an object, and the box around it.
 struct DrawnBody {
@@ -61,4 +61,4 @@ struct LabelPlace {
                                                             const std::vector<DrawnBody>& bodies, const Labelled& thing,
                                                             const LabelPlace& place);
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -136,4 +136,4 @@ void draw_labels(Painter& painter) {
   }
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

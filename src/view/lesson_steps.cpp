@@ -11,7 +11,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -115,7 +115,7 @@ void stage(State& state) {
 
 }  // namespace
 
-void show_lessons(State& state, bool shown) {
+void action::ShowLessons::apply(State& state) const {
   const bool opens = shown && !state.lessons.shown;
   state.lessons.shown = shown;
   if (!shown) {
@@ -152,8 +152,8 @@ void begin_lesson(State& state, const std::string& name) {
   stage(state);
 }
 
-void open_lesson(State& state, const std::string& name) {
-  show_lessons(state, true);
+void action::OpenLesson::apply(State& state) const {
+  ShowLessons{true}.apply(state);
   const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
   if (row == rows.end()) return complain(state, fill("lesson.unknown", state.language, {{"name", name}}));
@@ -171,7 +171,7 @@ void close_lesson(State& state) {
   state.lessons.revealed = false;
 }
 
-void leave_lesson(State& state) {
+void action::LeaveLesson::apply(State& state) const {
   if (state.lessons.open) ask_or_do(state, Intent::leave_lesson, {});
 }
 
@@ -183,7 +183,7 @@ void end_lesson(State& state) {
   state.mode = own->mode;
 }
 
-void go_to_lesson_step(State& state, int step) {
+void action::GoToLessonStep::apply(State& state) const {
   LessonSitting& sitting = state.lessons;
   if (!sitting.open || step < 0) return;
   const LessonPanel panel = lesson_panel(state);
@@ -192,12 +192,12 @@ void go_to_lesson_step(State& state, int step) {
   int& done = sitting.done[name];
   done = std::max(done, std::min(step, panel.steps));
   write_progress(state);
-  if (step >= panel.steps) return leave_lesson(state);
+  if (step >= panel.steps) return LeaveLesson{}.apply(state);
   sitting.step = step;
   stage(state);
 }
 
-void guess_choice(State& state, int choice) {
+void action::GuessChoice::apply(State& state) const {
   LessonSitting& sitting = state.lessons;
   const LessonPanel panel = lesson_panel(state);
   if (panel.asks != Asks::choice || sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size()))
@@ -205,17 +205,17 @@ void guess_choice(State& state, int choice) {
   sitting.guess.choice = choice;
 }
 
-void show_hands(State& state, const action::ShowHands& shown) {
+void action::ShowHands::apply(State& state) const {
   constexpr int most = 999;
   LessonSitting& sitting = state.lessons;
   const LessonPanel panel = lesson_panel(state);
-  if (sitting.revealed || shown.choice < 0 || shown.choice >= static_cast<int>(panel.choices.size())) return;
+  if (sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size())) return;
   sitting.hands.resize(panel.choices.size());
-  int& hands = sitting.hands[static_cast<std::size_t>(shown.choice)];
-  hands = std::clamp(hands + std::clamp(shown.hands, -most, most), 0, most);
+  int& up = sitting.hands[static_cast<std::size_t>(choice)];
+  up = std::clamp(up + std::clamp(hands, -most, most), 0, most);
 }
 
-void guess_number(State& state, double number) {
+void action::GuessNumber::apply(State& state) const {
   if (lesson_panel(state).asks != Asks::number || state.lessons.revealed) return;
   state.lessons.guess.number = std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
@@ -227,7 +227,7 @@ void guess_arrow(State& state, const Vec2d& towards) {
   if (length(arrow) > 0) state.lessons.guess.arrow = arrow;
 }
 
-void reveal_lesson(State& state) {
+void action::RevealLesson::apply(State& state) const {
   LessonSitting& sitting = state.lessons;
   if (!lesson_panel(state).can_reveal) return;
   sitting.revealed = true;
@@ -253,17 +253,17 @@ void reveal_lesson(State& state) {
 bool answered_by_step(State& state) {
   if (!question_waits(state)) return false;
   if (lesson_panel(state).can_reveal)
-    reveal_lesson(state);
+    action::RevealLesson{}.apply(state);
   else
     inform(state, std::string(text("lesson.predict_first", state.language)));
   return true;
 }
 
-void set_lesson_options(State& state, const action::SetLessonOptions& options) {
-  state.lessons.presenter = options.presenter;
-  state.lessons.unlocked = options.unlocked;
-  state.lessons.notes = !options.without_notes;
+void action::SetLessonOptions::apply(State& state) const {
+  state.lessons.presenter = presenter;
+  state.lessons.unlocked = unlocked;
+  state.lessons.notes = !without_notes;
   write_progress(state);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

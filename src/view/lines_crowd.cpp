@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -22,7 +22,7 @@ double extent(const Object& object) {
 }
 
 /// A pseudo-random order, independent of the scene's.
-std::uint64_t scrambled(int index) { return mix(static_cast<std::uint64_t>(index)); }
+std::uint64_t scrambled(int index) { return detail::mix(static_cast<std::uint64_t>(index)); }
 
 }  // namespace
 
@@ -65,4 +65,4 @@ std::shared_ptr<const Crowd> crowd_of(const State& state) {
   return kept.crowd;
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

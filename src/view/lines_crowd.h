@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 /// At most this many objects are drawn, unless rays have hit more.
 inline constexpr std::size_t max_drawn = 1500;
@@ -25,4 +25,4 @@ struct Crowd {
 /// Computed for this scene.
 [[nodiscard]] Crowd chosen(const Scene& scene);
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -118,4 +118,4 @@ void draw_object_names(Painter& painter, const Projection& seen) {
   for (const Named& thing : things) name_one(painter, thing, things);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

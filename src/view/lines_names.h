@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 /// Draws a centred name, unless it would cover another one.
 void draw_name(Painter& painter, const std::string& what, const Vec2d& at);
@@ -14,4 +14,4 @@ void draw_name(Painter& painter, const std::string& what, const Vec2d& at);
 /// Draws the objects' names, each on its own body unless a smaller one is there, else beside it.
 void draw_object_names(Painter& painter, const Projection& seen);
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -17,8 +17,6 @@ namespace raywalk {
 
 namespace {
 
-using namespace detail;
-
 /// With more objects than this, those that no ray has hit are simplified.
 constexpr std::size_t detailed_objects = 300;
 
@@ -92,7 +90,7 @@ class Lines {
       const auto at = seen_.point(middle);
       if (!at) return;
       const double radius = length(box.max - box.min) / (2 * std::sqrt(3.0)) * seen_.pixels_per_unit(middle);
-      const detail::PixelRect around{*at - radius, *at + radius};
+      const PixelRect around{*at - radius, *at + radius};
       if (around.overlap(painter_.pane()) > 0)
         painter_.add(CircleItem{*at, std::max(radius, 0.5), std::nullopt, stroke}, target);
       return;
@@ -280,7 +278,7 @@ class Lines {
 
 Camera lines_camera(const State& state, const Viewport& viewport) {
   if (state.lines_camera) return *state.lines_camera;
-  const auto crowd = detail::crowd_of(state);
+  const auto crowd = crowd_of(state);
   return crowd ? overlooking(state.scene(), viewport, crowd->at_first) : overlooking(state.scene(), viewport);
 }
 

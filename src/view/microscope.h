@@ -15,13 +15,6 @@ namespace raywalk {
 struct State;
 struct Viewport;
 
-namespace action {
-struct Magnify {
-  double part;
-};  ///< of the way from the whole scene, 0, to single numbers of the precision, 1; powers of ten in equal steps.
-    ///< Clamped
-}  // namespace action
-
 /// What is under the microscope; none before the first hit.
 [[nodiscard]] std::shared_ptr<const Specimen> specimen_of(Microscope& microscope, const State& state);
 

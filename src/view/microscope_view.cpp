@@ -3,6 +3,7 @@
 
 #include "view/microscope.h"
 
+#include "view/microscope/actions.h"
 #include "view/painter.h"
 #include "view/text.h"
 
@@ -93,7 +94,7 @@ class Drawing {
   void point_at(const PointMark& mark);
   void label(const Vec2d& at, double clear, const std::string& words);
 
-  detail::Painter painter_;
+  Painter painter_;
   const Specimen& specimen_;
   double scale_;  ///< pixels per scene unit
   Vec2d middle_;  ///< where the focus is, pixels
@@ -200,7 +201,7 @@ void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
     if (rays.hit_own > 0) {
       const Vec2d stopped = at + 34 * unit_ * towards;
       painter_.add_clipped({at, stopped, stroke});
-      detail::draw_blocked(painter_, stopped, towards, stroke);
+      draw_blocked(painter_, stopped, towards, stroke);
       continue;
     }
     const double far = rays.kind == RayKind::shadow ? std::min(size * scale_, across()) : across();
@@ -298,7 +299,7 @@ void Drawing::draw_marks() {
 void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
   const double size = painter_.sizes.text;
   const Vec2d half(text_width(words, size) / 2 + 0.2 * size, 0.6 * size);
-  const detail::PixelRect pane = painter_.pane();
+  const PixelRect pane = painter_.pane();
   std::optional<Vec2d> best;
   double least = 0;
   for (const double farther : {1.0, 2.2, 3.6})
@@ -308,10 +309,10 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
       for (const int axis : {0, 1})  // whole, where the pane is large enough for that
         if (half[axis] <= middle_[axis])
           middle[axis] = std::clamp(middle[axis], half[axis], 2 * middle_[axis] - half[axis]);
-      const detail::PixelRect box{middle - half, middle + half};
+      const PixelRect box{middle - half, middle + half};
       double covered = 4 * half.x * half.y - box.overlap(pane);
       covered *= 10;
-      for (const detail::PixelRect& kept : painter_.kept_free) covered += box.overlap(kept);
+      for (const PixelRect& kept : painter_.kept_free) covered += box.overlap(kept);
       covered += farther;  // if equal, the nearest
       if (best && covered >= least) continue;
       best = middle, least = covered;
@@ -370,7 +371,7 @@ void Drawing::draw_factor() {
       magnification_text(magnification(painter_.state, specimen_, painter_.viewport), painter_.state.language);
   const Vec2d half(text_width(factor, size) / 2 + 0.2 * size, 0.6 * size);
   const Vec2d at(12 * unit_ + half.x, 0.9 * size + 4 * unit_);
-  const auto covers = [&](const detail::PixelRect& kept) { return kept.overlap({at - half, at + half}) > 0; };
+  const auto covers = [&](const PixelRect& kept) { return kept.overlap({at - half, at + half}) > 0; };
   if (std::none_of(painter_.kept_free.begin(), painter_.kept_free.end(), covers)) painter_.note(at, factor);
 }
 
@@ -392,5 +393,7 @@ std::shared_ptr<const Specimen> specimen_of(Microscope& microscope, const State&
   return microscope.look(state.timeline, state.position, *walked_scene(state),
                          state.image.single_precision ? Precision::float_ : Precision::double_);
 }
+
+void action::Magnify::apply(State& state) const { state.magnified = std::clamp(part, 0.0, 1.0); }
 
 }  // namespace raywalk

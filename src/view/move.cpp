@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::optional<Scene> dragged(const Grip& grip) {
   return std::nullopt;
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 std::string unique_name(const Scene& scene, const std::string& wanted) {
   const auto taken = [&](const std::string& name) {
@@ -45,4 +45,4 @@ Scene new_scene(Language language) {
   return scene;
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -176,4 +176,4 @@ void draw_grid(Painter& painter) {
   }
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -65,7 +65,7 @@ std::vector<Vec3d> outermost(const Scene& scene) {
       for (int z = -1; z <= 1; ++z)
         if (x != 0 || y != 0 || z != 0) all.push_back({normalize(Vec3d(x, y, z)), Vec3d(0.0)});
   for (const Object& object : scene.objects) {
-    const std::optional<Bounds<double>> box = detail::footprint_of(object);
+    const std::optional<Bounds<double>> box = footprint_of(object);
     if (!box) continue;
     for (Furthest& one : all) {
       const Vec3d corner(one.way.x > 0 ? box->max.x : box->min.x, one.way.y > 0 ? box->max.y : box->min.y,
@@ -102,7 +102,7 @@ Bounds<double> room_of(const Scene& scene) {
   Bounds<double> box;
   box.include(scene.camera.eye);
   for (const Object& object : scene.objects)
-    if (const std::optional<Bounds<double>> own = detail::footprint_of(object)) box.include(*own);
+    if (const std::optional<Bounds<double>> own = footprint_of(object)) box.include(*own);
   for (const Light& light : scene.lights)
     if (const std::optional<Vec3d> middle = middle_of(light)) box.include(*middle);
   return thick(box);

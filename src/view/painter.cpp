@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 double PixelRect::overlap(const PixelRect& other) const {
   const double width = std::min(max.x, other.max.x) - std::max(min.x, other.min.x);
@@ -100,4 +100,4 @@ Vec2d Painter::seen_middle(Vec2d from, Vec2d to) const {
   return (inside(from) + inside(to)) / 2.0;
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

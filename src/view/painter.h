@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 /// An axis-parallel rectangle in pixels.
 struct PixelRect {
@@ -119,4 +119,4 @@ void draw_other_rays(Painter& painter);
 // labels_view.cpp
 void draw_labels(Painter& painter);
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

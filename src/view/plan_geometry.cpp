@@ -8,7 +8,7 @@
 
 #include "view/update_parts.h"
 
-namespace raywalk::detail {
+namespace raywalk {
 
 ScreenPlace screen_place(const Camera& camera) {
   const Vec3d forward = normalize(camera.look_at - camera.eye);
@@ -176,4 +176,4 @@ Vec2d turned(const Vec2d& from, const Vec2d& pivot, double angle) {
   return pivot + Vec2d(c * arm.x - s * arm.y, s * arm.x + c * arm.y);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 /// SCREEN as seen from above. `forward` and `left` are the plan parts of unit vectors: of unit length in planar scenes.
 struct ScreenPlace {
@@ -65,4 +65,4 @@ struct Grip {
 /// that cross): the caller must check why_refused.
 [[nodiscard]] std::optional<Scene> dragged(const Grip& grip);
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -21,7 +21,7 @@ Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& 
 PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   Bounds<double> box;
   const auto include = [&](const Vec2d& p) { box.include(Vec3d(p, 0)); };
-  const detail::ScreenPlace screen = detail::screen_place(scene.camera);
+  const ScreenPlace screen = screen_place(scene.camera);
   include(plan(scene.camera.eye));
   include(screen.first);
   include(screen.last);
@@ -29,9 +29,9 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
     if (const auto middle = middle_of(light)) include(plan(*middle));
   for (const Object& object : scene.objects) {
     if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape); sphere && object.transform.empty()) {
-      include(plan(sphere->centre) - detail::plan_radius(*sphere));
-      include(plan(sphere->centre) + detail::plan_radius(*sphere));
-    } else if (const auto footprint = detail::footprint_of(object)) {
+      include(plan(sphere->centre) - plan_radius(*sphere));
+      include(plan(sphere->centre) + plan_radius(*sphere));
+    } else if (const auto footprint = footprint_of(object)) {
       include(plan(footprint->min));
       include(plan(footprint->max));
     }
@@ -41,7 +41,7 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   const double near = length(plan(box.max - box.min));
   for (const Object& object : scene.objects)
     if (const auto* plane = std::get_if<Plane<double>>(&object.shape); plane && object.transform.empty())
-      if (const auto line = detail::plan_line(*plane)) {
+      if (const auto line = plan_line(*plane)) {
         const Vec2d nearest = line->point + dot(middle - line->point, line->along) * line->along;
         if (length(nearest - middle) < near) include(nearest);
       }
@@ -64,22 +64,22 @@ Sizes::Sizes(const State& state)
       reach(6 * unit) {}
 
 DisplayList plan_view(const State& state, const Viewport& viewport) {
-  detail::Painter painter(state, viewport);
+  Painter painter(state, viewport);
   const bool moving = state.mode == Mode::move;
-  if (moving) detail::draw_grid(painter);
-  detail::draw_objects(painter);
-  detail::draw_screen(painter);
-  if (!moving) detail::draw_structure(painter);
-  if (!moving) detail::draw_rays(painter);
-  if (!moving) detail::draw_ghosts(painter);
-  if (!moving) detail::draw_samples(painter);
-  if (!moving) detail::draw_other_rays(painter);
-  detail::draw_eye(painter);
-  detail::draw_lights(painter);
-  if (moving) detail::draw_handles(painter);
-  detail::draw_hit_notes(painter);
-  detail::draw_labels(painter);
-  detail::draw_guess(painter);
+  if (moving) draw_grid(painter);
+  draw_objects(painter);
+  draw_screen(painter);
+  if (!moving) draw_structure(painter);
+  if (!moving) draw_rays(painter);
+  if (!moving) draw_ghosts(painter);
+  if (!moving) draw_samples(painter);
+  if (!moving) draw_other_rays(painter);
+  draw_eye(painter);
+  draw_lights(painter);
+  if (moving) draw_handles(painter);
+  draw_hit_notes(painter);
+  draw_labels(painter);
+  draw_guess(painter);
   return std::move(painter.list);
 }
 

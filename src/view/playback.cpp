@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 int stepped(const Timeline& timeline, int position, Grain grain, bool forward) {
   switch (grain) {
@@ -51,30 +51,88 @@ void go_to(State& state, int position) {
   state.position = std::clamp(position, 0, state.timeline->steps());
 }
 
-void walk(State& state, const action::Step& step) {
+void action::Step::apply(State& state) const {
+  if (forward && answered_by_step(state)) return;
   // Releasing a held button does not step again.
   if (state.hold) return go_to(state, state.position);
-  const int to = stepped(*state.timeline, state.position, step.grain.value_or(state.grain), step.forward);
-  go_to(state, step.forward ? stopped(state, to) : to);
+  const int to = stepped(*state.timeline, state.position, grain.value_or(state.grain), forward);
+  go_to(state, forward ? stopped(state, to) : to);
 }
 
-void run_to_line(State& state, Line line) {
+void action::Jump::apply(State& state) const { go_to(state, position); }
+
+void action::JumpToRay::apply(State& state) const {
+  if (exists(state, {TargetKind::ray, ray}))
+    go_to(state, state.timeline->rays()[static_cast<std::size_t>(ray)].formed_at);
+}
+
+void action::JumpToCell::apply(State& state) const {
+  walk_strip(state);
+  for (const PixelRecord& pixel : state.timeline->pixels())
+    if (pixel.column == cell) return go_to(state, pixel.begun_at);
+}
+
+void action::RunToLine::apply(State& state) const {
   int position = state.position;
   do ++position;
   while (position < state.timeline->steps() && state.timeline->just_run(position)->line != line);
   go_to(state, stopped(state, std::min(position, state.timeline->steps())));
 }
 
-void run_on(State& state, bool forward) {
+void action::RunOn::apply(State& state) const {
   const Timeline& timeline = *state.timeline;
   go_to(state, forward ? stopped(state, timeline.steps())
                        : previous_stop(breakpoints_in_force(state), state.scene(), timeline, state.position));
 }
 
-void toggle_breakpoint(State& state, Line line) {
+void action::ToggleBreakpoint::apply(State& state) const {
   bool& before = state.breakpoints.before[static_cast<std::size_t>(line)];
   before = !before;
 }
+
+void action::SetBreakpoints::apply(State& state) const { state.breakpoints = breakpoints; }
+
+void action::SetMode::apply(State& state) const {
+  if (mode == Mode::help && state.mode != Mode::help) state.before_help = state.mode;
+  state.mode = mode;
+  if (mode != Mode::trace) {
+    state.playing = false;
+    state.hold.reset();
+  }
+  hover(state);
+}
+
+void action::Hold::apply(State& state) const {
+  if (forward && question_waits(state)) return;
+  go_to(state, state.position);
+  state.hold = raywalk::Hold{forward};
+}
+
+void action::Release::apply(State& state) const { state.hold.reset(); }
+
+void action::PlayPause::apply(State& state) const {
+  if (!state.playing && answered_by_step(state)) return;
+  state.owed = 0;
+  state.hold.reset();
+  state.mode = Mode::trace;
+  const bool at_end = state.position == state.timeline->steps();
+  state.playing = !state.playing && !at_end;
+}
+
+void action::SetSpeed::apply(State& state) const {
+  state.lines_per_second = std::clamp(lines_per_second, min_speed, max_speed);
+}
+
+void action::SetGrain::apply(State& state) const { state.grain = grain; }
+
+void action::Clear::apply(State& state) const { go_to(state, 0); }
+
+void action::ShowGhosts::apply(State& state) const {
+  state.shows_ghosts = shown;
+  if (shown) state.mode = Mode::trace;
+}
+
+void action::SetTweens::apply(State& state) const { state.tweens = on; }
 
 namespace {
 
@@ -94,8 +152,7 @@ void play_held(State& state, double seconds) {
   if (state.position == end) state.hold.reset();
 }
 
-}  // namespace
-
+/// AUTO, or a button that is held down.
 void play(State& state, double seconds) {
   // After a long delay, not all of it is made up for.
   seconds = std::min(seconds, 1.0);
@@ -111,9 +168,13 @@ void play(State& state, double seconds) {
   }
 }
 
-}  // namespace raywalk::detail
+}  // namespace
 
-namespace raywalk {
+void action::Tick::apply(State& state) const {
+  if (state.tween) state.tween->seconds += seconds;
+  play(state, seconds);
+  autosave(state, seconds);
+}
 
 double hold_rate(double seconds) {
   // Starts at clicking speed, doubled every second.

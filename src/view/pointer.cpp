@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -68,47 +68,51 @@ Vec2d near_pane(const Vec2d& at) { return {std::clamp(at.x, -1e6, 1e6), std::cla
 void click(State& state, const Target& target) {
   if (state.mode != Mode::trace) return;
   if (const auto asked = prediction_asked(state); asked && asked->what == PredictionKind::end)
-    return guess_end(state, body_at(state, *state.pointer));
+    return action::GuessEnd{body_at(state, *state.pointer)}.apply(state);
   if (target.kind == TargetKind::cell) update(state, action::JumpToCell{target.index});
   if (target.kind == TargetKind::ray) update(state, action::JumpToRay{target.index});
 }
 
 }  // namespace
 
+void refit(State& state) {
+  if (state.camera.fitted) state.camera = fitted(state);
+}
+
 void hover(State& state) {
   state.hovered = state.pointer ? pick(state, *state.pointer) : Target{};
   state.hovered_ray = state.hovered.kind == TargetKind::ray ? state.hovered.index : -1;
 }
 
-void pointer_pressed(State& state, const action::PointerPressed& pressed) {
+void action::PointerPressed::apply(State& state) const {
   if (state.drag) return;
-  const Vec2d at = near_pane(pressed.at);
-  state.pointer = at;
+  const Vec2d pixel = near_pane(at);
+  state.pointer = pixel;
   hover(state);
-  const bool left = pressed.button == action::Button::left;
+  const bool left = button == Button::left;
   const Target target = left ? state.hovered : Target{};
   if (left) state.selected = selection_of(target, state.mode);
-  const Vec2d place = clamped(to_scene(state.camera, state.viewport, at));
+  const Vec2d place = clamped(to_scene(state.camera, state.viewport, pixel));
   if (left && aim_origin(state)) {
-    state.drag = Drag{{}, false, at, place, state.camera};
+    state.drag = Drag{{}, false, pixel, place, state.camera};
     state.drag->aims = true;
-    return guess_way(state, place);
+    return GuessWay{place}.apply(state);
   }
-  if (left && pressed.double_click && state.mode == Mode::move && target.kind == TargetKind::edge)
-    return insert_corner(state, {target.index, target.part, place});
+  if (left && double_click && state.mode == Mode::move && target.kind == TargetKind::edge)
+    return InsertCorner{target.index, target.part, place}.apply(state);
   const bool pans = state.mode != Mode::move || !target;
-  state.drag = Drag{target, pans, at, place, state.camera};
+  state.drag = Drag{target, pans, pixel, place, state.camera};
 }
 
-void pointer_moved(State& state, const action::PointerMoved& moved) {
-  const Vec2d at = near_pane(moved.at);
-  state.pointer = at;
+void action::PointerMoved::apply(State& state) const {
+  const Vec2d pixel = near_pane(at);
+  state.pointer = pixel;
   if (!state.drag) return hover(state);
   Drag& drag = *state.drag;
-  if (!drag.moved && length(at - drag.grabbed_px) < click_tremble * state.ui_scale) return;
+  if (!drag.moved && length(pixel - drag.grabbed_px) < click_tremble * state.ui_scale) return;
   drag.moved = true;
-  const Vec2d to = clamped(to_scene(state.camera, state.viewport, at));
-  if (drag.aims) return guess_way(state, to);
+  const Vec2d to = clamped(to_scene(state.camera, state.viewport, pixel));
+  if (drag.aims) return GuessWay{to}.apply(state);
   if (drag.pans) {
     state.camera.centre = clamped(state.camera.centre + drag.grabbed - to);
     state.camera.fitted = false;
@@ -116,8 +120,8 @@ void pointer_moved(State& state, const action::PointerMoved& moved) {
   }
   if (!drag.scene) drag.scene = std::make_shared<const Scene>(state.scene());
   Grip grip = grip_of(state, *drag.scene, drag.target, drag.grabbed, to);
-  grip.constrain = moved.modifiers.shift;
-  grip.snap = moved.modifiers.control;
+  grip.constrain = modifiers.shift;
+  grip.snap = modifiers.control;
   // If the scene would be invalid, it is not changed.
   std::optional<Scene> next = checked(state, grip);
   if (!next) return;
@@ -125,11 +129,18 @@ void pointer_moved(State& state, const action::PointerMoved& moved) {
   if (*next != state.scene()) replace_scene(state, std::move(*next));
 }
 
-void pointer_released(State& state, const action::PointerReleased& released) {
+void action::PointerReleased::apply(State& state) const {
   if (!state.drag) return;
-  pointer_moved(state, {released.at, released.modifiers});
+  PointerMoved{at, modifiers}.apply(state);
   end_drag(state);
   hover(state);
+}
+
+void action::PointerLeft::apply(State& state) const {
+  state.pointer.reset();
+  if (state.drag) return;
+  state.hovered = {};
+  state.hovered_ray = -1;
 }
 
 void end_drag(State& state) {
@@ -143,7 +154,7 @@ void end_drag(State& state) {
   remember(state, *drag.scene);
 }
 
-void cancel_drag(State& state) {
+void action::CancelDrag::apply(State& state) const {
   if (!state.drag) return;
   Drag drag = std::move(*state.drag);
   state.drag.reset();
@@ -157,29 +168,46 @@ void cancel_drag(State& state) {
   hover(state);
 }
 
-void zoom(State& state, const Vec2d& where, double factor) {
-  const Vec2d at = near_pane(where);
-  const Vec2d kept = to_scene(state.camera, state.viewport, at);
+void action::Zoom::apply(State& state) const {
+  const Vec2d pixel = near_pane(at);
+  const Vec2d kept = to_scene(state.camera, state.viewport, pixel);
   state.camera.pixels_per_unit = std::clamp(state.camera.pixels_per_unit * factor, least_zoom, max_zoom);
   state.camera.fitted = false;
-  state.camera.centre = clamped(state.camera.centre + kept - to_scene(state.camera, state.viewport, at));
+  state.camera.centre = clamped(state.camera.centre + kept - to_scene(state.camera, state.viewport, pixel));
 }
 
-void pan(State& state, const Vec2d& by) {
+void action::Pan::apply(State& state) const {
   const Vec2d units = Vec2d(by.x, -by.y) / state.camera.pixels_per_unit;
   state.camera.centre = clamped(state.camera.centre - units);
   state.camera.fitted = false;
 }
 
-void nudge(State& state, const action::Nudge& nudge) {
+void action::FitView::apply(State& state) const { state.camera = fitted(state); }
+
+void action::ResizePlan::apply(State& state) const {
+  state.viewport = {std::clamp(viewport.width, 1.0, 1e5), std::clamp(viewport.height, 1.0, 1e5)};
+  refit(state);
+}
+
+void action::HoverRay::apply(State& state) const {
+  state.hovered_ray = exists(state, {TargetKind::ray, ray}) ? ray : -1;
+}
+
+void action::HoverLine::apply(State& state) const { state.hovered_line = line; }
+
+void action::Select::apply(State& state) const {
+  if (exists(state, target)) state.selected = target;
+}
+
+void action::Nudge::apply(State& state) const {
   if (!state.selected || !exists(state, state.selected))
     return inform(state, std::string(text("notice.select_first", state.language)));
   const Vec2d from = place_of(state, state.selected, state.viewport);
-  const double step = grid_step(state.camera) * (nudge.coarse ? 1.0 : 0.1);
-  const Vec2d direction = {std::clamp(nudge.direction.x, -1e3, 1e3), std::clamp(nudge.direction.y, -1e3, 1e3)};
+  const double step = grid_step(state.camera) * (coarse ? 1.0 : 0.1);
+  const Vec2d towards = {std::clamp(direction.x, -1e3, 1e3), std::clamp(direction.y, -1e3, 1e3)};
   std::optional<Scene> next =
-      checked(state, grip_of(state, state.scene(), state.selected, from, from + step * direction));
+      checked(state, grip_of(state, state.scene(), state.selected, from, from + step * towards));
   if (next) commit(state, std::move(*next));
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

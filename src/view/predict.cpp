@@ -146,22 +146,22 @@ std::string prediction_table(const Predictions& predictions) {
 
 }  // namespace raywalk
 
-namespace raywalk::detail {
+namespace raywalk {
 
-void set_predictions(State& state, bool on) {
+void action::SetPredictions::apply(State& state) const {
   state.predictions.on = on;
   state.predictions.open.reset();
   if (on) state.mode = Mode::trace;
 }
 
-void guess_way(State& state, const Vec2d& towards) {
+void action::GuessWay::apply(State& state) const {
   if (arrow_origin(state)) return guess_arrow(state, towards);
   const auto origin = aim_origin(state);
   if (!origin || !(length(towards - *origin) > 0)) return;
   state.predictions.open = Prediction{*prediction_asked(state), towards - *origin};
 }
 
-void guess_end(State& state, const Target& met) {
+void action::GuessEnd::apply(State& state) const {
   const auto asked = prediction_asked(state);
   const bool can_be_met = !met || met.kind == TargetKind::object || met.kind == TargetKind::light;
   if (!asked || asked->what != PredictionKind::end || !can_be_met || !exists(state, met)) return;
@@ -173,13 +173,13 @@ void forget_aim(State& state) {
   state.predictions.open.reset();
 }
 
-void ask_save_predictions(State& state) {
+void action::AskSavePredictions::apply(State& state) const {
   if (state.predictions.made.empty())
     return inform(state, std::string(text("predict.nothing_to_save", state.language)));
   ask_path(state, PathPrompt::save_predictions);
 }
 
-void save_predictions(State& state, const std::string& path) {
+void action::SavePredictions::apply(State& state) const {
   if (path.empty()) return;
   if (state.prompt == PathPrompt::save_predictions) state.notice.reset();
   if (!asks_to_overwrite(state, path, PathPrompt::save_predictions)) write_predictions(state, path);
@@ -218,4 +218,4 @@ void follow_with_predictions(State& state) {
       {state.path, answered_at(state, asked), ray.kind, asked.what, judged.degrees, judged.right});
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

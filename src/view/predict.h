@@ -60,22 +60,6 @@ struct Predictions {
   [[nodiscard]] int right() const;
 };
 
-namespace action {
-struct SetPredictions {
-  bool on;
-};
-struct GuessWay {
-  Vec2d towards;
-};  ///< the arrow's tip, scene units; only if a direction is asked for, by a lesson or here
-struct GuessEnd {
-  Target met;
-};  ///< an object, a light or nothing; only if asked for
-struct AskSavePredictions {};
-struct SavePredictions {
-  std::string path;
-};  ///< as comma-separated values
-}  // namespace action
-
 /// What can be predicted at this position; nothing while a lesson or a hunt asks, while AUTO plays, or if the plan does
 /// not show the walk.
 [[nodiscard]] std::optional<PredictionAsked> prediction_asked(const State& state);
@@ -90,17 +74,10 @@ struct SavePredictions {
 /// The origin of the arrow that can be drawn now: of a lesson's question, or of a prediction.
 [[nodiscard]] std::optional<Vec2d> aim_origin(const State& state);
 
-namespace detail {
-void set_predictions(State& state, bool on);
-void guess_way(State& state, const Vec2d& towards);
-void guess_end(State& state, const Target& met);
 void forget_aim(State& state);
-void ask_save_predictions(State& state);
-void save_predictions(State& state, const std::string& path);
 /// Overwrites an existing file.
 void write_predictions(State& state, const std::string& path);
 /// Judges the guess whose answer is now shown, and forgets those of another walk.
 void follow_with_predictions(State& state);
-}  // namespace detail
 
 }  // namespace raywalk

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -194,4 +194,4 @@ void draw_rays(Painter& painter) {
   }
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -119,4 +119,4 @@ void record_again(State& state) {
   if (state.position == state.timeline->steps()) state.playing = false;
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -124,4 +124,4 @@ void draw_samples(Painter& painter) {
   if (line.points.size() > 1) painter.add(line);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

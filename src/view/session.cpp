@@ -13,8 +13,6 @@
 
 namespace raywalk {
 
-namespace detail {
-
 namespace {
 
 constexpr std::size_t max_recent = 10;
@@ -156,24 +154,22 @@ void add_recent(State& state, const std::string& path) {
   static_cast<void>(write_in_folder(state, recent_path(state), lines));
 }
 
-}  // namespace detail
-
 void restore_session(State& state) {
   if (state.state_dir.empty()) return;
-  const Result<std::string> recent = read_file(detail::recent_path(state), detail::max_bytes);
+  const Result<std::string> recent = read_file(recent_path(state), max_bytes);
   std::size_t start = 0;
-  while (recent && start < recent->size() && state.recent.size() < detail::max_recent) {
+  while (recent && start < recent->size() && state.recent.size() < max_recent) {
     const std::size_t end = std::min(recent->find('\n', start), recent->size());
     if (end > start) state.recent.push_back(recent->substr(start, end - start));
     start = end + 1;
   }
   // An undecided autosave is never overwritten.
-  for (int i = 1; i <= detail::max_autosaves; ++i) {
-    state.autosave_file = detail::autosave_name(i);
+  for (int i = 1; i <= max_autosaves; ++i) {
+    state.autosave_file = autosave_name(i);
     std::error_code failed;
-    if (!std::filesystem::exists(detail::autosave_path(state), failed)) break;
+    if (!std::filesystem::exists(autosave_path(state), failed)) break;
   }
-  detail::ask_to_recover(state);
+  ask_to_recover(state);
 }
 
 }  // namespace raywalk

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -53,17 +53,16 @@ void walk_something(State& state, std::optional<PixelWalk> walk) {
 
 }  // namespace
 
-void walk_pixel(State& state, const action::WalkPixel& wanted) {
-  const ImageSize size = wanted.size;
+void action::WalkPixel::apply(State& state) const {
   constexpr int most = 1 << 16;
   if (size.width < 1 || size.height < 1 || size.width > most || size.height > most) return;
-  if (wanted.column < 0 || wanted.row < 0 || wanted.column >= size.width || wanted.row >= size.height) return;
+  if (column < 0 || row < 0 || column >= size.width || row >= size.height) return;
   const int cells = state.scene().camera.screen.cells;
   // The row of the strip, as wide as a cell.
   const int near = std::max(size.width / std::max(cells, 1) / 2, 1);
-  if (state.planar && !state.image_camera && std::abs(2 * wanted.row + 1 - size.height) / 2 < near)
-    return update(state, action::JumpToCell{wanted.column * cells / size.width});
-  walk_something(state, PixelWalk{size, wanted.column, wanted.row, state.image_camera});
+  if (state.planar && !state.image_camera && std::abs(2 * row + 1 - size.height) / 2 < near)
+    return update(state, JumpToCell{column * cells / size.width});
+  walk_something(state, PixelWalk{size, column, row, state.image_camera});
   state.lines_wanted.reset();
   state.tab = Tab::tree;
   go_to(state, state.timeline->steps());
@@ -75,26 +74,28 @@ void walk_strip(State& state) {
   state.lines_wanted.reset();
 }
 
-void orbit(State& state, const action::Orbit& by) {
-  const Camera camera = camera_of(state, by.view);
-  const Vec2d angles{std::clamp(by.angles.x, -10.0, 10.0), std::clamp(by.angles.y, -10.0, 10.0)};
-  set_camera(state, by.view, orbited(camera, pivot(state, by.view, camera), angles));
+void action::WalkStrip::apply(State& state) const { walk_strip(state); }
+
+void action::Orbit::apply(State& state) const {
+  const Camera camera = camera_of(state, view);
+  const Vec2d by{std::clamp(angles.x, -10.0, 10.0), std::clamp(angles.y, -10.0, 10.0)};
+  set_camera(state, view, orbited(camera, pivot(state, view, camera), by));
 }
 
-void shift(State& state, const action::Shift& by) {
-  const Camera camera = camera_of(state, by.view);
-  const Vec2d parts{std::clamp(by.parts.x, -10.0, 10.0), std::clamp(by.parts.y, -10.0, 10.0)};
+void action::Shift::apply(State& state) const {
+  const Camera camera = camera_of(state, view);
+  const Vec2d by{std::clamp(parts.x, -10.0, 10.0), std::clamp(parts.y, -10.0, 10.0)};
   Camera centred = camera;
-  centred.look_at = pivot(state, by.view, camera);
-  set_camera(state, by.view, shifted(centred, centred.look_at, parts));
+  centred.look_at = pivot(state, view, camera);
+  set_camera(state, view, shifted(centred, centred.look_at, by));
 }
 
-void approach(State& state, const action::Approach& by) {
-  const Camera camera = camera_of(state, by.view);
-  set_camera(state, by.view, approached(camera, pivot(state, by.view, camera), std::clamp(by.factor, 0.01, 100.0)));
+void action::Approach::apply(State& state) const {
+  const Camera camera = camera_of(state, view);
+  set_camera(state, view, approached(camera, pivot(state, view, camera), std::clamp(factor, 0.01, 100.0)));
 }
 
-void reset_view(State& state, SpaceView view) {
+void action::ResetView::apply(State& state) const {
   state.turned_last = view;
   switch (view) {
     case SpaceView::image:
@@ -107,26 +108,32 @@ void reset_view(State& state, SpaceView view) {
   }
 }
 
-void use_image_camera(State& state) {
+void action::ShowLines::apply(State& state) const {
+  state.lines_wanted = shown;
+  if (shown) state.mode = Mode::trace;
+}
+
+void action::UseImageCamera::apply(State& state) const {
   if (!state.image_camera) return inform(state, std::string(text("notice.camera_is_the_scenes", state.language)));
   Scene next = state.scene();
   next.camera = *state.image_camera;
   if (!commit_if_valid(state, std::move(next), -1, -1)) return;
-  reset_view(state, SpaceView::image);
+  ResetView{SpaceView::image}.apply(state);
   inform(state, std::string(text("notice.camera_taken", state.language)));
 }
 
-void set_image_settings(State& state, ImageSettings settings) {
-  settings.samples = std::clamp(settings.samples, 1, max_image_samples);
-  settings.walk_samples = std::clamp(settings.walk_samples, 1, max_walk_samples);
-  if (settings == state.image) return;
+void action::SetImageSettings::apply(State& state) const {
+  ImageSettings next = settings;
+  next.samples = std::clamp(next.samples, 1, max_image_samples);
+  next.walk_samples = std::clamp(next.walk_samples, 1, max_walk_samples);
+  if (next == state.image) return;
   const auto of_walk = [](const ImageSettings& s) {
     return std::tie(s.single_precision, s.integrator, s.walk_samples);
   };
-  const bool other_walk = of_walk(settings) != of_walk(state.image);
-  state.image = settings;
+  const bool other_walk = of_walk(next) != of_walk(state.image);
+  state.image = next;
   ++state.image_revision;
   if (other_walk) record_again(state);
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

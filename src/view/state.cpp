@@ -13,7 +13,7 @@ State make_state(SceneDocument document, std::string path, std::string state_dir
   state.timeline = std::make_shared<const Timeline>();
   state.state_dir = std::move(state_dir);
   state.structure.kind = watched_accelerators.front();
-  detail::show_document(state, std::move(document), std::move(path));
+  show_document(state, std::move(document), std::move(path));
   state.notice.reset();
   return state;
 }

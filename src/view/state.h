@@ -18,6 +18,7 @@
 #include "view/predict.h"
 #include "view/scene_seen.h"
 #include "view/structure.h"
+#include "view/words.h"
 
 #include <cstdint>
 #include <memory>
@@ -28,10 +29,19 @@
 namespace raywalk {
 
 enum class Mode { move, trace, help };
+template <>
+inline constexpr Word<Mode> words_of<Mode>[] = {{Mode::move, "move"}, {Mode::trace, "trace"}, {Mode::help, "help"}};
 /// The length of a step: a line of pseudocode, to the next ray, to the next pixel; over a line and any SHADE that it
 /// calls, out of the current SHADE.
 enum class Grain { line, ray, pixel, over, out };
+template <>
+inline constexpr Word<Grain> words_of<Grain>[] = {
+    {Grain::line, "line"}, {Grain::ray, "ray"}, {Grain::pixel, "pixel"}, {Grain::over, "over"}, {Grain::out, "out"}};
 enum class Tab { image, tree, stack, legend, equation, cost, microscope, structure };
+template <>
+inline constexpr Word<Tab> words_of<Tab>[] = {
+    {Tab::image, "image"}, {Tab::tree, "tree"},         {Tab::stack, "stack"},           {Tab::legend, "legend"},
+    {Tab::cost, "cost"},   {Tab::equation, "equation"}, {Tab::microscope, "microscope"}, {Tab::structure, "structure"}};
 
 /// The pane that shows the plan, in pixels.
 struct Viewport {
@@ -64,6 +74,8 @@ enum class SpaceView {
   image,  ///< the 3-D picture
   lines,  ///< the scene as lines in space, instead of the plan
 };
+template <>
+inline constexpr Word<SpaceView> words_of<SpaceView>[] = {{SpaceView::image, "image"}, {SpaceView::lines, "lines"}};
 
 /// The visible part of the plan.
 struct PlanCamera {

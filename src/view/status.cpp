@@ -46,7 +46,7 @@ std::string ray_text(const State& state, int index) {
 /// The name of an object or a light, or EYE or SCREEN.
 std::string short_name(const State& state, const Target& target) {
   if (target.kind == TargetKind::light) return state.scene().lights[static_cast<std::size_t>(target.index)].name;
-  if (detail::belongs_to_object(target)) return object_name(state, target.index);
+  if (belongs_to_object(target)) return object_name(state, target.index);
   return str(state, target.kind == TargetKind::eye || target.kind == TargetKind::view_direction ? "object.eye"
                                                                                                 : "object.screen");
 }
@@ -69,7 +69,7 @@ std::string view_hint(const State& state) {
   constexpr double tiny = 0.15;  // of the size that fits
   if (state.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(state, "plan.shown_tiny");
   if (!state.selected || !exists(state, state.selected) || state.drag) return {};
-  const Vec2d at = to_pixels(state.camera, state.viewport, detail::place_of(state, state.selected, state.viewport));
+  const Vec2d at = to_pixels(state.camera, state.viewport, place_of(state, state.selected, state.viewport));
   const bool inside = at.x >= 0 && at.y >= 0 && at.x <= state.viewport.width && at.y <= state.viewport.height;
   return inside ? std::string()
                 : fill("plan.out_of_view", state.language, {{"name", short_name(state, state.selected)}});

@@ -3,6 +3,7 @@
 // it was built. All of it observes the renderer's own searches and structures.
 
 #include "math/bounds.h"
+#include "view/words.h"
 
 #include <memory>
 #include <string>
@@ -16,6 +17,9 @@ struct RaySearches;          // timeline/search_walk.h
 struct State;
 
 enum class StructurePage { search, build };
+template <>
+inline constexpr Word<StructurePage> words_of<StructurePage>[] = {{StructurePage::search, "search"},
+                                                                  {StructurePage::build, "build"}};
 
 /// What the Structure tab shows.
 struct StructureSitting {

@@ -29,8 +29,6 @@ bool is_off_plan(const State& state, const Bounds<double>& box) {
   return state.planar && !state.walk && !box.empty() && (box.min.z > 0 || box.max.z < 0);
 }
 
-namespace detail {
-
 namespace {
 
 /// The current ray, if it was formed. None while a lesson asks: its search would reveal the answer.
@@ -65,20 +63,20 @@ void follow_with_structure(State& state) {
   sitting.step = to_end && sitting.page == StructurePage::search ? structure_steps(state) : 0;
 }
 
-void choose_structure(State& state, AcceleratorKind kind) {
+void action::ChooseStructure::apply(State& state) const {
   StructureSitting& sitting = state.structure;
   const bool to_end = structure_step(state) > 0 && structure_step(state) == structure_steps(state);
   sitting.kind = watched_accelerators[watched_index(kind)];
   sitting.step = sitting.build_step = 0;
-  if (to_end) go_in_structure(state, structure_steps(state));
+  if (to_end) GoInStructure{structure_steps(state)}.apply(state);
 }
 
-void go_in_structure(State& state, int step) {
+void action::ShowStructurePage::apply(State& state) const { state.structure.page = page; }
+
+void action::GoInStructure::apply(State& state) const {
   StructureSitting& sitting = state.structure;
   int& at = sitting.page == StructurePage::search ? sitting.step : sitting.build_step;
   at = std::clamp(step, 0, structure_steps(state));
 }
-
-}  // namespace detail
 
 }  // namespace raywalk

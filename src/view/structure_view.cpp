@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::vector<StructureEdge> structure_edges(const Painter& painter) {
   return edges;
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 namespace {
 
@@ -147,4 +147,4 @@ void draw_lights(Painter& painter) {
   }
 }
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

@@ -6,6 +6,7 @@
 #include "math/vec.h"
 #include "scene/scene.h"
 #include "trace/event.h"
+#include "view/words.h"
 
 #include <array>
 #include <cstdint>
@@ -29,6 +30,8 @@ enum class Theme {
   dark,
   projector,  ///< light and large, for lit rooms and distant viewers
 };
+template <>
+inline constexpr Word<Theme> words_of<Theme>[] = {{Theme::dark, "dark"}, {Theme::projector, "projector"}};
 
 /// Alternating lengths of dashes and gaps, in pixels before scaling; count 0: solid.
 struct DashPattern {

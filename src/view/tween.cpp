@@ -35,8 +35,6 @@ std::optional<Growth> growth_of(const State& state, int ray) {
   return Growth{record.formed_at > state.tween->from, 1 - left * left};
 }
 
-namespace detail {
-
 void follow_with_tween(State& state, const Timeline* timeline, int position) {
   if (state.timeline.get() != timeline || state.position != position) {
     state.tween.reset();
@@ -47,7 +45,5 @@ void follow_with_tween(State& state, const Timeline* timeline, int position) {
     state.tween.reset();
   }
 }
-
-}  // namespace detail
 
 }  // namespace raywalk

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace raywalk::detail {
+namespace raywalk {
 
 inline void inform(State& state, std::string text) { state.notice = Notice{Notice::Kind::info, std::move(text)}; }
 inline void complain(State& state, std::string text) { state.notice = Notice{Notice::Kind::error, std::move(text)}; }
@@ -39,63 +39,33 @@ void replace_scene(State& state, Scene next);
 void commit(State& state, Scene next, EditMark mark = {}, bool continues = false);
 /// Adds an undo entry that restores `before`.
 void remember(State& state, Scene before);
-void undo(State& state);
-void redo(State& state);
 /// Why `scene` cannot be saved because of the given parts; empty if it can. -1: not checked.
 [[nodiscard]] std::string why_refused(const Scene& scene, int object, int light);
 /// Commits `next` unless the changed part is invalid; then reports why.
 bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark = {}, bool continues = false);
 
 // playback.cpp
-void walk(State& state, const action::Step& step);
 void go_to(State& state, int position);
-void run_to_line(State& state, Line line);
-void run_on(State& state, bool forward);
-void toggle_breakpoint(State& state, Line line);
-void play(State& state, double seconds);
 /// The position after one step of `grain`.
 [[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);
 
 // pointer.cpp
-void pointer_moved(State& state, const action::PointerMoved& moved);
-void pointer_pressed(State& state, const action::PointerPressed& pressed);
-void pointer_released(State& state, const action::PointerReleased& released);
 void end_drag(State& state);
-void cancel_drag(State& state);
-void zoom(State& state, const Vec2d& at, double factor);
-void pan(State& state, const Vec2d& by);
-void nudge(State& state, const action::Nudge& nudge);
 void hover(State& state);
+/// After a change of the pane, or of what is as wide as the theme wants it.
+void refit(State& state);
 
 // space.cpp
-void walk_pixel(State& state, const action::WalkPixel& wanted);
 void walk_strip(State& state);
-void orbit(State& state, const action::Orbit& by);
-void shift(State& state, const action::Shift& by);
-void approach(State& state, const action::Approach& by);
-void reset_view(State& state, SpaceView view);
-void use_image_camera(State& state);
-void set_image_settings(State& state, ImageSettings settings);
-
-// edit.cpp
-void add_object(State& state, action::ObjectKind kind);
-void remove_selected(State& state);
-void insert_corner(State& state, const action::InsertCorner& insert);
-void remove_corner(State& state, int object, int corner);
-void rename(State& state, const action::Rename& rename);
 
 // files.cpp
 void show_document(State& state, SceneDocument document, std::string path);
 /// Opens the dialog for a path.
 void ask_path(State& state, PathPrompt prompt);
-void open(State& state, const std::string& path);
 void ask_or_do(State& state, Intent intent, const std::string& path);
 /// Asks before overwriting an existing file, and refuses if it is in use. Returns whether it did either: then the file
 /// must not be written now.
 [[nodiscard]] bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what);
-void save(State& state);
-void save_as(State& state, const std::string& path);
-void answer(State& state, action::Answer answer);
 
 // session.cpp
 void autosave(State& state, double seconds);
@@ -106,40 +76,22 @@ void recover(State& state, const std::string& original, const std::string& autos
 void add_recent(State& state, const std::string& path);
 
 // lesson_steps.cpp
-void show_lessons(State& state, bool shown);
-void open_lesson(State& state, const std::string& name);
-/// The same, once unsaved work is settled.
+/// Opens the lesson, once unsaved work is settled.
 void begin_lesson(State& state, const std::string& name);
-/// Back to the list, and to the previous scene.
-void leave_lesson(State& state);
-/// The same, once unsaved work is settled.
+/// Back to the list, and to the previous scene, once unsaved work is settled.
 void end_lesson(State& state);
 /// Back to the list, when another scene is about to replace the lesson's.
 void close_lesson(State& state);
-void go_to_lesson_step(State& state, int step);
-void guess_choice(State& state, int choice);
-void show_hands(State& state, const action::ShowHands& shown);
-void guess_number(State& state, double number);
 /// The arrow from the ray's origin to `towards`, in scene units.
 void guess_arrow(State& state, const Vec2d& towards);
-void reveal_lesson(State& state);
 /// STEP while a lesson's question waits: shows the answer, once there is a prediction. Returns whether it did.
 [[nodiscard]] bool answered_by_step(State& state);
-void set_lesson_options(State& state, const action::SetLessonOptions& options);
 
 // structure_steps.cpp
 /// Updates the Structure tab for the current ray.
 void follow_with_structure(State& state);
-void choose_structure(State& state, AcceleratorKind kind);
-void go_in_structure(State& state, int step);
 
 // bug_steps.cpp
-void show_bugs(State& state, bool shown);
-void hunt_bug(State& state, const action::HuntBug& hunt);
-void mark_line(State& state, Line line);
-void judge_line(State& state);
-void show_cure(State& state);
-void mend_bug(State& state, bool mended);
 /// Restores the state before the hunt.
 void leave_hunt(State& state);
 /// Injects a fault, or removes it; records again.
@@ -149,4 +101,4 @@ void set_bug(State& state, std::optional<Fault> fault);
 [[nodiscard]] Scene new_scene(Language language);
 [[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted);
 
-}  // namespace raywalk::detail
+}  // namespace raywalk

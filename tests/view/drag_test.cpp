@@ -94,7 +94,7 @@ TEST_CASE("Shift keeps a body on one axis, Control puts it on the grid") {
   CHECK(sphere(state, 0).centre.x == Approx(before.x + 40 * unit(state)));
   CHECK(sphere(state, 0).centre.y == before.y);
   drag_by(state, {TargetKind::object, 0}, {13, 44}, control);
-  const double grid = detail::grid_step(state.camera);
+  const double grid = grid_step(state.camera);
   const Vec2d steps = plan(sphere(state, 0).centre) / grid;
   CHECK(steps.x == Approx(std::round(steps.x)).margin(1e-9));
   CHECK(steps.y == Approx(std::round(steps.y)).margin(1e-9));
@@ -139,16 +139,16 @@ TEST_CASE("a refused corner says why") {
 
 TEST_CASE("the rotation handle turns the polygon about its middle, with Shift by multiples of 15 degrees") {
   State state = busy_state();
-  const Vec2d centre = detail::centroid(prism(state, 2));
+  const Vec2d centre = centroid(prism(state, 2));
   const Prism<double> before = prism(state, 2);
   const Vec2d from = pixels_of(state, {TargetKind::rotation, 2});
   const Vec2d pivot = to_pixels(state, centre);
   const double arm = length(from - pivot);
   // A quarter turn clockwise, not quite hit.
   drag(state, from, pivot + Vec2d(arm, 0.04 * arm), shift);
-  CHECK(length(detail::centroid(prism(state, 2)) - centre) < 1e-9);
+  CHECK(length(centroid(prism(state, 2)) - centre) < 1e-9);
   for (int i = 0; i < before.sides(); ++i) {
-    const Vec2d there = detail::turned(before.corner(i), centre, -std::numbers::pi / 2);
+    const Vec2d there = turned(before.corner(i), centre, -std::numbers::pi / 2);
     CHECK(length(prism(state, 2).corner(i) - there) < 1e-9);
   }
 }

@@ -89,7 +89,7 @@ Vec2d to_pixels(const State& state, const Vec2d& point) {
 }
 
 Vec2d pixels_of(const State& state, const Target& target) {
-  return to_pixels(state, detail::place_of(state, target, state.viewport));
+  return to_pixels(state, place_of(state, target, state.viewport));
 }
 
 std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target) {

@@ -89,12 +89,12 @@ TEST_CASE("of very many objects those that rays have met are drawn in full") {
 
 TEST_CASE("what is drawn of very many objects is chosen once, and anew when the scene has changed") {
   State state = lines_of(crowd(2000));
-  const auto first = detail::crowd_of(state);
+  const auto first = crowd_of(state);
   REQUIRE(first);
-  CHECK(detail::crowd_of(state) == first);
+  CHECK(crowd_of(state) == first);
   update(state, action::AddObject{action::ObjectKind::solid_sphere});
-  CHECK(detail::crowd_of(state) != first);
-  CHECK(detail::crowd_of(lines_of(crowd(1500))) == nullptr);
+  CHECK(crowd_of(state) != first);
+  CHECK(crowd_of(lines_of(crowd(1500))) == nullptr);
 }
 
 TEST_CASE("a scene of very many objects stands in the middle of the pane, as large as fits") {

@@ -40,7 +40,7 @@ int first_ray(const State& state, RayKind kind, Ending ending) {
 
 TEST_CASE("a primary ray goes through the middle of its cell") {
   for (const State& state : {classic_state(), busy_state()}) {
-    const detail::ScreenPlace screen = detail::screen_place(state.scene().camera);
+    const ScreenPlace screen = screen_place(state.scene().camera);
     for (const RayRecord& ray : state.timeline->rays()) {
       if (ray.kind != RayKind::primary) continue;
       const int column = state.timeline->pixels()[static_cast<std::size_t>(ray.pixel)].column;

@@ -1,0 +1,19 @@
+#pragma once
+// Actions of the Microscope panel.
+
+#include "view/fields.h"
+
+namespace raywalk::action {
+
+struct Magnify {
+  static constexpr std::string_view word = "magnify";
+  /// Of the way from the whole scene, 0, to single numbers of the precision, 1; powers of ten in equal steps. Clamped.
+  double part;
+  static void fields(auto& f, auto& a) { f(a.part); }
+  static constexpr Traits traits{.keeps_drag = true};
+  void apply(State& state) const;
+};
+
+using OfMicroscope = Types<Magnify>;
+
+}  // namespace raywalk::action
