@@ -5,7 +5,7 @@
 #include "lesson/check.h"
 #include "text/file.h"
 #include "text/spelling.h"
-#include "view/lesson_script.h"
+#include "view/export/lesson_script.h"
 
 #include <fmt/format.h>
 

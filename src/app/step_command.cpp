@@ -4,9 +4,9 @@
 #include "app/texts.h"
 #include "timeline/recorder.h"
 #include "trace/recursion.h"
-#include "view/export.h"
-#include "view/slides.h"
-#include "view/text.h"
+#include "view/export/export.h"
+#include "view/export/slides.h"
+#include "view/text/text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

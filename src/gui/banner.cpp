@@ -3,7 +3,7 @@
 
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/bug_panel.h"
+#include "view/bugs/bug_panel.h"
 
 #include <algorithm>
 

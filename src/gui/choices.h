@@ -4,7 +4,7 @@
 #include "accel/accelerator.h"
 #include "gui/form.h"
 #include "text/language.h"
-#include "view/choice_text.h"
+#include "view/text/choice_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "gui/dialogs.h"
 
 #include "gui/widgets.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/document/question.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "view/equation.h"
+#include "view/walk/equation.h"
 #include "gui/broken_lines.h"
 #include "gui/command.h"
 #include "gui/panes.h"

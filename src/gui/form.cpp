@@ -4,7 +4,7 @@
 #include "gui/widgets.h"
 #include "image/srgb.h"
 #include "text/language.h"
-#include "view/typed_number.h"
+#include "view/lesson/typed_number.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gui/ui.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <string>
 #include <variant>

@@ -1,7 +1,7 @@
 #include "gui/command.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 

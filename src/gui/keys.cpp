@@ -1,7 +1,7 @@
 #include "gui/command.h"
 #include "gui/dialogs.h"
 #include "gui/panes.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <map>

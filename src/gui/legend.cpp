@@ -1,8 +1,8 @@
+#include "view/legend/legend.h"
 #include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/panels.h"
 
 #include <algorithm>
 #include <cmath>

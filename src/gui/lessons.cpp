@@ -3,8 +3,8 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "text/language.h"
-#include "view/lesson_panel.h"
-#include "view/typed_number.h"
+#include "view/lesson/lesson_panel.h"
+#include "view/lesson/typed_number.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "text/language.h"
-#include "view/lines_view.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
+#include "view/space/lines_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "gui/session.h"
 #include "gui/style.h"
 #include "gui/ui.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <cstdint>
 #include <filesystem>

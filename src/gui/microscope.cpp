@@ -5,7 +5,7 @@
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <array>

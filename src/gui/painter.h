@@ -2,7 +2,7 @@
 
 #include "gui/fonts.h"
 #include "gui/layout.h"
-#include "view/display_list.h"
+#include "view/drawing/display_list.h"
 
 #include <imgui.h>
 

@@ -4,7 +4,7 @@
 #include "gui/form.h"
 #include "gui/key.h"
 #include "gui/ui.h"
-#include "view/microscope.h"
+#include "view/microscope/microscope.h"
 
 #include <cstdint>
 

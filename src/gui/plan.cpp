@@ -2,8 +2,7 @@
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/panels.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
 
 #include <algorithm>
 #include <cmath>

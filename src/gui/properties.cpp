@@ -3,7 +3,7 @@
 #include "gui/panes.h"
 #include "gui/schema_form.h"
 #include "gui/widgets.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <utility>

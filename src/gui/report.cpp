@@ -1,8 +1,8 @@
 #include "gui/report.h"
 
 #include "gui/names.h"
-#include "view/panels.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
+#include "view/walk/status.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #include "gui/command.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/stack/stack_panel.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "inspect/search_walk.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "gui/broken_lines.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/text/text.h"
+#include "view/walk/status.h"
 
 #include <algorithm>
 #include <cmath>

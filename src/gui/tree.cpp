@@ -2,8 +2,8 @@
 #include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/text/text.h"
+#include "view/tree/tree_panel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "gui/fonts.h"
 #include "gui/layout.h"
 #include "view/action.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <imgui.h>
 

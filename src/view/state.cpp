@@ -1,9 +1,9 @@
 #include "view/state.h"
 
 #include "inspect/search_walk.h"
-#include "view/plan_view.h"
-#include "view/text.h"
-#include "view/update_parts.h"
+#include "view/document/document.h"
+#include "view/plan/plan_view.h"
+#include "view/text/text.h"
 
 namespace raywalk {
 

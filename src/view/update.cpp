@@ -1,5 +1,9 @@
 #include "view/action.h"
-#include "view/update_parts.h"
+#include "view/bugs/bugs.h"
+#include "view/document/document.h"
+#include "view/plan/pointer.h"
+#include "view/structure/structure.h"
+#include "view/walk/walk.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "app/process.h"
 #include "io/scene_file.h"
 #include "timeline/recorder.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -7,7 +7,6 @@
 #include "gui/bench.h"
 #include "gui/report.h"
 #include "support/catch.h"
-#include "view/lesson_panel.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -5,7 +5,9 @@
 #include "support/languages.h"
 #include "text/file.h"
 #include "view/action_text.h"
-#include "view/bug_panel.h"
+#include "view/bugs/bug_panel.h"
+#include "view/bugs/bugs.h"
+#include "view/walk/fault.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -8,8 +8,7 @@
 #include "support/catch.h"
 #include "support/languages.h"
 #include "text/file.h"
-#include "view/lesson_panel.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -4,8 +4,11 @@
 
 #include "gui/bench.h"
 #include "support/catch.h"
-#include "view/panels.h"
-#include "view/plan_view.h"
+#include "view/document/question.h"
+#include "view/legend/legend.h"
+#include "view/plan/plan_view.h"
+#include "view/stack/stack_panel.h"
+#include "view/tree/tree_panel.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -1,6 +1,6 @@
 // Predictions by mouse and keys, on the bench.
 
-#include "view/predict.h"
+#include "view/predict/predict.h"
 #include "gui/bench.h"
 #include "support/catch.h"
 

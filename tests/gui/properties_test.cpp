@@ -5,7 +5,7 @@
 #include "io/key_reference.h"
 #include "support/catch.h"
 #include "support/languages.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

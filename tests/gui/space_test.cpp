@@ -2,7 +2,7 @@
 
 #include "gui/bench.h"
 #include "support/catch.h"
-#include "view/lines_view.h"
+#include "view/space/lines_view.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -58,6 +58,11 @@ TEST_CASE("every floor of the tree stands on what it includes, and on no more") 
   CHECK(report(check_edges(declared_floors(read("CMakeLists.txt")), files_of({"src"}))) == "");
 }
 
+TEST_CASE("no feature of the tree includes another") {
+  const auto files = files_of({"src/view"});
+  CHECK(breaches(files, check_rooms) == "");
+}
+
 TEST_CASE("no floor of the tree below app prints or ends the program") {
   const auto files = files_of({"src"});
   CHECK(breaches(files, check_names) == "");

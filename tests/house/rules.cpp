@@ -237,6 +237,37 @@ std::vector<Breach> check_edges(const Floors& floors, const std::vector<SourceFi
   return breaches;
 }
 
+std::vector<Breach> check_rooms(const SourceFile& file) {
+  constexpr std::array<std::string_view, 8> shared{"appearance", "document", "drawing", "picture",
+                                                   "plan",       "space",    "text",    "walk"};
+  // The room of a path below src: "view/cost/cost.h" is in "cost"; "" outside of rooms.
+  const auto room_of = [](std::string_view path) -> std::string_view {
+    constexpr std::string_view view = "view/";
+    if (!path.starts_with(view)) return {};
+    path.remove_prefix(view.size());
+    return path.substr(0, path.find('/') == std::string_view::npos ? 0 : path.find('/'));
+  };
+  const auto is_feature = [&](std::string_view room) {
+    return !room.empty() && std::find(shared.begin(), shared.end(), room) == shared.end();
+  };
+  constexpr std::string_view source = "src/";
+  if (!file.path.starts_with(source) || !is_cpp(file.path)) return {};
+  const std::string_view here = room_of(std::string_view(file.path).substr(source.size()));
+  if (!is_feature(here)) return {};
+  std::vector<Breach> breaches;
+  int number = 0;
+  for (const std::string& line : lines_of(without_comments(file.text, true))) {
+    ++number;
+    const auto header = included(line);
+    const std::string_view there = header ? room_of(std::string_view(*header).substr(1)) : std::string_view();
+    if (there == here || !is_feature(there)) continue;
+    breaches.push_back({file.path, number,
+                        "room " + std::string(here) + " may not include room " + std::string(there) +
+                            ": what two features need stands in a shared room"});
+  }
+  return breaches;
+}
+
 std::vector<Breach> check_names(const SourceFile& file) {
   const std::string here = floor_of(file.path);
   if (here.empty() || here == "app" || !is_cpp(file.path)) return {};

@@ -7,8 +7,8 @@
 
 #include "lesson_state.h"
 #include "support/catch.h"
-#include "view/panels.h"
-#include "view/typed_number.h"
+#include "view/lesson/typed_number.h"
+#include "view/walk/code_panel.h"
 
 using namespace raywalk;
 

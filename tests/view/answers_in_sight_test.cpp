@@ -10,12 +10,16 @@
 #include "lesson_state.h"
 #include "support/catch.h"
 #include "support/languages.h"
-#include "view/equation.h"
-#include "view/microscope.h"
-#include "view/panels.h"
-#include "view/plan_geometry.h"
-#include "view/plan_view.h"
-#include "view/text.h"
+#include "view/legend/legend.h"
+#include "view/microscope/microscope.h"
+#include "view/plan/plan_geometry.h"
+#include "view/plan/plan_view.h"
+#include "view/stack/stack_panel.h"
+#include "view/text/text.h"
+#include "view/tree/tree_panel.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/equation.h"
+#include "view/walk/status.h"
 
 using namespace raywalk;
 

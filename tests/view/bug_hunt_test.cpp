@@ -8,9 +8,12 @@
 #include "fixtures.h"
 #include "support/catch.h"
 #include "support/languages.h"
-#include "view/bug_panel.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/bugs/bug_panel.h"
+#include "view/bugs/bugs.h"
+#include "view/text/text.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/fault.h"
+#include "view/walk/status.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

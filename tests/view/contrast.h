@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view/theme.h"
+#include "view/drawing/theme.h"
 
 #include <algorithm>
 #include <cmath>

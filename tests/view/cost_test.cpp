@@ -1,5 +1,5 @@
 // The Cost panel without a window.
-#include "view/cost.h"
+#include "view/cost/cost.h"
 
 #include "fixtures.h"
 #include "support/catch.h"

@@ -1,4 +1,4 @@
-#include "view/display_list.h"
+#include "view/drawing/display_list.h"
 
 #include <limits>
 #include <numbers>

@@ -1,5 +1,5 @@
 #include "fixtures.h"
-#include "view/plan_geometry.h"
+#include "view/plan/plan_geometry.h"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 #include "fixtures.h"
-#include "view/text.h"
+#include "view/text/text.h"
 
 #include <functional>
 #include <limits>

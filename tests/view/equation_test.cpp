@@ -1,9 +1,9 @@
 // The live equation, held against the trace: no number that is not the trace's own.
-#include "view/equation.h"
+#include "view/walk/equation.h"
 
 #include "fixtures.h"
 #include "timeline/event_json.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,14 +1,14 @@
 // What is exported, by the ending of the file's name, and that nothing is written over unasked.
-#include "view/export.h"
+#include "view/export/export.h"
 
 #include "fixtures.h"
 #include "support/catch.h"
 #include "support/languages.h"
 #include "text/file.h"
 #include "text/markup.h"
-#include "view/lesson_script.h"
-#include "view/slides.h"
-#include "view/text.h"
+#include "view/export/lesson_script.h"
+#include "view/export/slides.h"
+#include "view/text/text.h"
 
 #include <nlohmann/json.hpp>
 

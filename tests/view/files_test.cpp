@@ -1,7 +1,7 @@
 #include "fixtures.h"
 #include "text/file.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/document/question.h"
+#include "view/text/text.h"
 
 #include "support/catch.h"
 #include "support/languages.h"

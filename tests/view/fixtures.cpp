@@ -1,8 +1,9 @@
 #include "fixtures.h"
+#include "view/tree/tree_panel.h"
+#include "view/walk/status.h"
 
-#include "view/lines_view.h"
-#include "view/panels.h"
-#include "view/plan_geometry.h"
+#include "view/plan/plan_geometry.h"
+#include "view/space/lines_view.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "view/action.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
 
 #include <filesystem>
 #include <string>

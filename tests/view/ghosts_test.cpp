@@ -1,11 +1,11 @@
 // What the limits cut off: drawn where it was forbidden, and worth what a deeper trace adds.
-#include "view/ghosts.h"
+#include "view/walk/ghosts.h"
 
 #include "fixtures.h"
 #include "support/catch.h"
 #include "timeline/recorder.h"
 #include "view/action.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
 
 #include <cmath>
 

@@ -3,14 +3,15 @@
 #include "fixtures.h"
 #include "lesson_state.h"
 #include "timeline/recorder.h"
-#include "view/choice_text.h"
-#include "view/equation.h"
-#include "view/lesson_panel.h"
-#include "view/lesson_script.h"
-#include "view/panels.h"
-#include "view/plan_view.h"
-#include "view/slides.h"
-#include "view/text.h"
+#include "view/document/question.h"
+#include "view/export/lesson_script.h"
+#include "view/export/slides.h"
+#include "view/lesson/lesson_panel.h"
+#include "view/plan/plan_view.h"
+#include "view/text/choice_text.h"
+#include "view/text/text.h"
+#include "view/walk/equation.h"
+#include "view/walk/status.h"
 
 #include <algorithm>
 #include <cctype>

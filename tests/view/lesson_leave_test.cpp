@@ -1,11 +1,11 @@
 // What a lesson gives back.
-#include "view/lesson_panel.h"
 
 #include <string>
 
 #include "fixtures.h"
 #include "support/catch.h"
 #include "view/action.h"
+#include "view/lesson/lesson_panel.h"
 
 using namespace raywalk;
 using raywalk::test::make_dirty;

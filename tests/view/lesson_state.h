@@ -3,7 +3,8 @@
 
 #include "fixtures.h"
 #include "support/languages.h"
-#include "view/lesson_panel.h"
+#include "view/lesson/lesson_panel.h"
+#include "view/walk/asked.h"
 
 namespace raywalk::test {
 

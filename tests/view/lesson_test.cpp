@@ -1,6 +1,9 @@
 // Lessons as a student goes through them, without a window.
-#include "view/lesson_panel.h"
-#include "view/text.h"
+#include "view/lesson/lesson_panel.h"
+#include "view/text/text.h"
+#include "view/tree/tree_panel.h"
+#include "view/walk/asked.h"
+#include "view/walk/status.h"
 
 #include <cmath>
 #include <filesystem>
@@ -9,8 +12,7 @@
 #include "support/catch.h"
 #include "support/languages.h"
 #include "view/action.h"
-#include "view/panels.h"
-#include "view/plan_view.h"
+#include "view/plan/plan_view.h"
 
 using namespace raywalk;
 using raywalk::test::make_dirty;

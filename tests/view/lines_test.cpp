@@ -1,9 +1,9 @@
 // The line view: scenes of very many objects, and the names of few.
-#include "view/lines_view.h"
+#include "view/space/lines_view.h"
 
 #include "fixtures.h"
-#include "view/lines_crowd.h"
-#include "view/orbit.h"
+#include "view/space/lines_crowd.h"
+#include "view/space/orbit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The Microscope panel without a window: its drawing, its table, and the scene's numerics.
-#include "view/microscope.h"
+#include "view/microscope/microscope.h"
 
 #include "fixtures.h"
 

@@ -1,4 +1,4 @@
-#include "view/orbit.h"
+#include "view/space/orbit.h"
 #include "fixtures.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // Meshes and groups as lines in space.
 
-#include "view/outlines.h"
+#include "view/space/outlines.h"
 
 #include <cmath>
 

@@ -1,6 +1,10 @@
-#include "view/panels.h"
 #include "fixtures.h"
-#include "view/text.h"
+#include "view/legend/legend.h"
+#include "view/stack/stack_panel.h"
+#include "view/text/text.h"
+#include "view/tree/tree_panel.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/status.h"
 
 #include <algorithm>
 #include <set>

@@ -1,10 +1,10 @@
 // Pixels of the 3-D picture: walked, drawn as lines in space, and the picture's own camera.
 #include "fixtures.h"
 #include "render/render.h"
-#include "view/lines_view.h"
-#include "view/orbit.h"
-#include "view/outlines.h"
-#include "view/panels.h"
+#include "view/space/lines_view.h"
+#include "view/space/orbit.h"
+#include "view/space/outlines.h"
+#include "view/tree/tree_panel.h"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #include "fixtures.h"
-#include "view/plan_geometry.h"
-#include "view/text.h"
+#include "view/plan/plan_geometry.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,9 @@
 #include "fixtures.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/stack/stack_panel.h"
+#include "view/text/text.h"
+#include "view/tree/tree_panel.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/status.h"
 
 #include "support/catch.h"
 

@@ -1,11 +1,9 @@
 // Predictions on any walk: when they are asked for, how they are judged, and what is kept of them.
-#include "view/predict.h"
+#include "view/predict/predict.h"
 
 #include "fixtures.h"
 #include "support/catch.h"
 #include "text/file.h"
-#include "view/lesson_panel.h"
-#include "view/panels.h"
 
 #include <cmath>
 #include <numbers>

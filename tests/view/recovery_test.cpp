@@ -1,8 +1,8 @@
 // What is found at the start of work that was lost.
 #include "fixtures.h"
 #include "text/file.h"
-#include "view/panels.h"
-#include "view/text.h"
+#include "view/document/question.h"
+#include "view/text/text.h"
 
 #include "support/catch.h"
 

@@ -5,8 +5,8 @@
 #include "support/languages.h"
 #include "timeline/recorder.h"
 #include "view/action.h"
-#include "view/plan_view.h"
-#include "view/text.h"
+#include "view/plan/plan_view.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <cmath>

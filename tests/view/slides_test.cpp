@@ -1,13 +1,14 @@
 // The page that steps offline holds what the window shows at each step; the drawing is well-formed.
-#include "view/slides.h"
+#include "view/export/slides.h"
+#include "view/walk/status.h"
 
 #include "fixtures.h"
 #include "text/markup.h"
 #include "timeline/recorder.h"
-#include "view/equation.h"
-#include "view/panels.h"
-#include "view/plan_view.h"
-#include "view/svg.h"
+#include "view/drawing/svg.h"
+#include "view/plan/plan_view.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/equation.h"
 
 #include <nlohmann/json.hpp>
 

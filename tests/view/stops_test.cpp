@@ -1,6 +1,6 @@
 // Breakpoints and steps by calls, as a person uses them.
 #include "fixtures.h"
-#include "view/panels.h"
+#include "view/walk/code_panel.h"
 
 #include "support/catch.h"
 

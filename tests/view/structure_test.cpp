@@ -1,5 +1,5 @@
 // The Structure tab without a window: its steps, its words and its boxes in the plan.
-#include "view/structure.h"
+#include "view/structure/structure.h"
 
 #include <algorithm>
 #include <set>
@@ -8,8 +8,8 @@
 #include "inspect/search_walk.h"
 #include "support/catch.h"
 #include "support/languages.h"
-#include "view/lines_view.h"
-#include "view/text.h"
+#include "view/space/lines_view.h"
+#include "view/text/text.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

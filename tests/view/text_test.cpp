@@ -1,4 +1,4 @@
-#include "view/text.h"
+#include "view/text/text.h"
 #include "fixtures.h"
 #include "timeline/recorder.h"
 

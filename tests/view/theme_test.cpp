@@ -1,4 +1,4 @@
-#include "view/theme.h"
+#include "view/drawing/theme.h"
 
 #include "contrast.h"
 

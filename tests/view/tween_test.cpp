@@ -1,12 +1,12 @@
 // Steps in motion: a ray grows when it is formed and shrinks to its end when that is found, and then stands exactly
 // where it would have stood at once.
-#include "view/tween.h"
+#include "view/walk/tween.h"
 
 #include "fixtures.h"
 #include "support/catch.h"
 #include "view/action.h"
-#include "view/plan_view.h"
-#include "view/svg.h"
+#include "view/drawing/svg.h"
+#include "view/plan/plan_view.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

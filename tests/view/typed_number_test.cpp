@@ -1,5 +1,5 @@
 // Numbers as people type them.
-#include "view/typed_number.h"
+#include "view/lesson/typed_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Actions of the Cost panel.
 
-#include "view/cost.h"
+#include "view/cost/cost.h"
 #include "view/fields.h"
 
 namespace raywalk::action {

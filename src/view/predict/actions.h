@@ -1,7 +1,7 @@
 #pragma once
 // Predictions on any walk.
 
-#include "view/display_list.h"
+#include "view/drawing/display_list.h"
 #include "view/fields.h"
 
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "accel/accelerator.h"
 #include "view/fields.h"
-#include "view/structure.h"
+#include "view/structure/structure.h"
 
 namespace raywalk::action {
 

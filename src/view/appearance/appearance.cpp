@@ -1,0 +1,40 @@
+// Implements the actions on the appearance.
+
+#include "view/action.h"
+#include "view/document/document.h"
+#include "view/plan/pointer.h"
+#include "view/text/text.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+void action::SetTheme::apply(State& state) const {
+  state.theme = theme;
+  refit(state);
+}
+
+void action::SetLanguage::apply(State& state) const {
+  const std::optional<Language> found = state.language.others().find(code);
+  if (!found) return complain(state, fill("notice.no_language", state.language, {{"language", code}}));
+  state.language = *found;
+  state.notice.reset();  // it is in the old language
+}
+
+void action::SetUiScale::apply(State& state) const {
+  state.ui_scale = std::clamp(scale, min_ui_scale, max_ui_scale);
+  refit(state);
+}
+
+void action::SetTab::apply(State& state) const {
+  state.tab = tab;
+  if (tab == Tab::structure) {  // it draws into the plan of a walk
+    end_drag(state);
+    state.mode = Mode::trace;
+  }
+  if (tab == Tab::image) state.turned_last = SpaceView::image;  // keys turn the selected view
+}
+
+void action::DismissNotice::apply(State& state) const { state.notice.reset(); }
+
+}  // namespace raywalk

@@ -1,0 +1,157 @@
+
+#include "view/bugs/bug_panel.h"
+#include "view/bugs/bugs.h"
+#include "view/text/text.h"
+#include "view/walk/fault.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+namespace raywalk {
+
+namespace {
+
+std::string line_text(Line line) { return std::string(pseudocode_of(line).text); }
+
+}  // namespace
+
+std::string_view duty_of(Line line) {
+  switch (line) {
+    case Line::for_each_pixel:
+      return "duty.for_each_pixel";
+    case Line::form_primary_ray:
+      return "duty.form_primary_ray";
+    case Line::find_closest_intersection:
+      return "duty.find_closest_intersection";
+    case Line::if_intersect_something:
+      return "duty.if_intersect_something";
+    case Line::shade_final:
+      return "duty.shade_final";
+    case Line::put_final_shade:
+      return "duty.put_final_shade";
+    case Line::form_shadow_ray:
+      return "duty.form_shadow_ray";
+    case Line::find_intersection:
+      return "duty.find_intersection";
+    case Line::if_reflective:
+      return "duty.if_reflective";
+    case Line::form_reflect_ray:
+      return "duty.form_reflect_ray";
+    case Line::find_reflect_intersect:
+      return "duty.find_reflect_intersect";
+    case Line::shade_reflect:
+      return "duty.shade_reflect";
+    case Line::if_transparent:
+      return "duty.if_transparent";
+    case Line::form_refract_ray:
+      return "duty.form_refract_ray";
+    case Line::find_refract_intersect:
+      return "duty.find_refract_intersect";
+    case Line::shade_refract:
+      return "duty.shade_refract";
+    case Line::compute_rtnshade:
+      return "duty.compute_rtnshade";
+    case Line::path_for_each_pixel:
+    case Line::path_form_primary_ray:
+    case Line::follow_path:
+    case Line::path_put_final_shade:
+    case Line::while_ray:
+    case Line::path_find_closest_intersection:
+    case Line::if_intersect_nothing:
+    case Line::add_background:
+    case Line::add_emission:
+    case Line::path_form_shadow_ray:
+    case Line::path_find_intersection:
+    case Line::add_light:
+    case Line::choose_direction:
+    case Line::if_path_survives:
+    case Line::form_next_ray:
+      break;  // paths have no faults
+  }
+  return {};
+}
+
+BugPanel bug_panel(const State& state) {
+  const BugSitting& bugs = state.bugs;
+  const Language language = state.language;
+  const auto say = [&](std::string_view id, const TextArguments& arguments = {}) {
+    return fill(id, language, arguments);
+  };
+  BugPanel panel;
+  const auto found = std::count(bugs.ends.begin(), bugs.ends.end(), BugEnd::found);
+  if (found > 0) panel.tally = say("bug.tally", {{"found", found}, {"all", all_faults.size()}});
+  panel.hunting = bugs.hunt.has_value();
+  if (!bugs.hunt) {
+    panel.heading = say("bug.title");
+    panel.said.push_back({{}, say("bug.intro")});
+    for (std::size_t i = 0; i < bugs.ends.size(); ++i) panel.rows.push_back({static_cast<int>(i) + 1, bugs.ends[i]});
+    return panel;
+  }
+  const BugHunt& hunt = *bugs.hunt;
+  const auto know = [&](std::string_view what) {
+    return say(fmt::format("fault.{}.{}", fault_name(state.bug->fault), what));
+  };
+  panel.heading = hunt.surprise && hunt.end == BugEnd::open ? say("bug.surprise_title")
+                                                            : say("bug.number", {{"number", hunt.number}});
+  panel.said.push_back({say("bug.seen"), know("symptom")});
+  switch (hunt.end) {
+    case BugEnd::open:
+      panel.said.push_back({{}, say("bug.task", {{"pixel", hunt.pixel}})});
+      panel.marked =
+          hunt.marked ? say("bug.line_marked", {{"line", line_text(*hunt.marked)}}) : say("bug.no_line_marked");
+      panel.can_judge = hunt.marked.has_value();
+      panel.can_give_up = true;
+      if (!hunt.acquitted) return panel;
+      panel.verdict = say("bug.not_right", {{"duty", say(duty_of(*hunt.acquitted))}});
+      panel.learnt.push_back({say("bug.hint"), know("hint")});
+      return panel;
+    case BugEnd::found:
+    case BugEnd::given_up:
+      panel.is_right = hunt.end == BugEnd::found;
+      panel.verdict =
+          say(panel.is_right ? "bug.right" : "bug.was", {{"line", line_text(faulty_line(state.bug->fault))}});
+      panel.learnt = {{say("bug.wrong"), know("wrong")}, {say("bug.cure"), know("cure")}};
+      if (!other_rays(state).empty())
+        panel.learnt.push_back({{}, say(state.bug->mended ? "bug.other_rays_broken" : "bug.other_rays_whole")});
+      panel.can_mend = true;
+      return panel;
+  }
+  return panel;
+}
+
+int surprising_bug(const BugSitting& bugs, unsigned draw) {
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < bugs.ends.size(); ++i)
+    if (bugs.ends[i] != BugEnd::found) numbers.push_back(static_cast<int>(i) + 1);
+  if (numbers.empty()) return 1 + static_cast<int>(draw % bugs.ends.size());
+  return numbers[draw % numbers.size()];
+}
+
+std::vector<RayRecord> other_rays(const State& state) {
+  const std::optional<Bug>& bug = state.bug;
+  if (!bug || !bug->known || !bug->other) return {};
+  const int pixel = state.timeline->current_pixel(state.position);
+  if (pixel < 0 || pixel >= static_cast<int>(bug->other->pixels().size())) return {};
+  const auto rays_of = [&](const Timeline& timeline) {
+    const auto [first, last] = timeline.rays_of_pixel(pixel);
+    return std::span(timeline.rays()).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+  };
+  const auto own = rays_of(*state.timeline);
+  std::vector<RayRecord> others;
+  for (const RayRecord& ray : rays_of(*bug->other)) {
+    const auto same_way = [&](const RayRecord& a) {
+      return a.formed && a.kind == ray.kind && a.origin == ray.origin && a.end == ray.end && a.endless == ray.endless;
+    };
+    if (ray.formed && std::none_of(own.begin(), own.end(), same_way)) others.push_back(ray);
+  }
+  return others;
+}
+
+std::string bug_banner(const State& state) {
+  if (!state.bug) return {};
+  return std::string(text(state.bug->mended ? "bug.banner_mended" : "bug.banner", state.language));
+}
+
+}  // namespace raywalk

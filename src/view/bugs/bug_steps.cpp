@@ -1,0 +1,170 @@
+// Implements the actions of spot the bug.
+
+#include "lesson/staging.h"
+#include "view/action.h"
+#include "view/bugs/bugs.h"
+#include "view/document/document.h"
+#include "view/plan/plan_view.h"
+#include "view/walk/fault.h"
+#include "view/walk/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace raywalk {
+
+std::string_view bug_scene(Fault fault) {
+  switch (fault) {
+    case Fault::shadow_ray_misaimed:
+    case Fault::reflection_flipped:
+    case Fault::epsilon_wrong_side:
+    case Fault::second_root_dropped:
+    case Fault::epsilon_too_small:
+      return "classic";
+    case Fault::refraction_inverted:
+      return "glass";
+    case Fault::attenuation_forgotten:
+      return "shadows";
+    case Fault::depth_not_counted:
+      return "mirrors";
+  }
+  return {};
+}
+
+bool asks_for_line(const State& state) {
+  if (state.bugs.hunt) return state.bugs.hunt->end == BugEnd::open;
+  const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
+  return step != nullptr && step->step->question && std::holds_alternative<LineQuestion>(*step->step->question) &&
+         !state.lessons.revealed;
+}
+
+std::optional<Line> marked_line(const State& state) {
+  return state.bugs.hunt ? state.bugs.hunt->marked : state.lessons.shown ? state.lessons.guess.line : std::nullopt;
+}
+
+namespace {
+
+/// The first pixel of the strip that the bug changes visibly, as index in the walk's pixels.
+int first_spoilt(const Timeline& broken, const Timeline& whole) {
+  constexpr double seen = 0.03;
+  const auto alike = [](const PixelRecord& a, const PixelRecord& b) {
+    const Rgbd off = a.shade - b.shade;
+    return std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) < seen;
+  };
+  const auto at = std::mismatch(broken.pixels().begin(), broken.pixels().end(), whole.pixels().begin(),
+                                whole.pixels().end(), alike);
+  return at.first == broken.pixels().end() ? 0 : static_cast<int>(at.first - broken.pixels().begin());
+}
+
+void end_hunt(State& state, BugEnd end) {
+  BugHunt& hunt = *state.bugs.hunt;
+  hunt.end = end;
+  BugEnd& best = state.bugs.ends[static_cast<std::size_t>(hunt.number - 1)];
+  if (best != BugEnd::found) best = end;
+  state.bug->known = true;
+}
+
+}  // namespace
+
+void action::ShowBugs::apply(State& state) const {
+  if (!shown) {
+    state.bugs.shown = false;
+    return leave_hunt(state);
+  }
+  ShowLessons{false}.apply(state);
+  state.bugs.shown = true;
+  if (state.mode == Mode::help) state.mode = Mode::trace;
+}
+
+void action::HuntBug::apply(State& state) const {
+  if (number < 1 || number > static_cast<int>(all_faults.size())) return;
+  const Fault fault = all_faults[static_cast<std::size_t>(number - 1)];
+  auto document = stage_scene(std::string(bug_scene(fault)), {}, state.lessons.scenes_folder);
+  if (!document) return complain(state, document.error().text());
+  std::shared_ptr<const State> before;
+  if (state.bugs.hunt) {
+    before = state.bugs.hunt->before;
+  } else {
+    autosave(state, autosave_every);  // the hunt does not autosave
+    before = std::make_shared<const State>(state);
+  }
+  ShowBugs{true}.apply(state);
+  state.bugs.hunt = BugHunt{};  // before the scene, so that the autosave is not touched
+  state.image.single_precision = false;
+  state.image.integrator.reset();
+  state.image.walk_samples = 1;
+  state.image.heat = Heat::none;
+  state.lessons.open.reset();
+  show_document(state, std::move(*document), {});
+  set_bug(state, fault);
+  BugHunt& hunt = *state.bugs.hunt;
+  hunt.number = number;
+  hunt.surprise = surprise;
+  hunt.before = std::move(before);
+  hunt.first_pixel = first_spoilt(*state.timeline, *state.bug->other);
+  const auto& pixels = state.timeline->pixels();
+  if (hunt.first_pixel >= static_cast<int>(pixels.size())) return;
+  const PixelRecord& pixel = pixels[static_cast<std::size_t>(hunt.first_pixel)];
+  hunt.pixel = pixel.column;
+  state.tab = Tab::image;
+  go_to(state, pixel.begun_at);
+}
+
+void action::MarkLine::apply(State& state) const {
+  if (!asks_for_line(state) || static_cast<int>(line) >= line_count) return;
+  if (!state.bugs.hunt) {
+    state.lessons.guess.line = line;
+    return;
+  }
+  state.bugs.hunt->marked = line;
+  state.bugs.hunt->acquitted.reset();
+}
+
+void action::JudgeLine::apply(State& state) const {
+  if (!state.bugs.hunt || !state.bugs.hunt->marked || state.bugs.hunt->end != BugEnd::open) return;
+  BugHunt& hunt = *state.bugs.hunt;
+  if (*hunt.marked == faulty_line(state.bug->fault)) return end_hunt(state, BugEnd::found);
+  hunt.acquitted = std::exchange(hunt.marked, std::nullopt);
+}
+
+void action::ShowCure::apply(State& state) const {
+  if (!state.bugs.hunt || state.bugs.hunt->end != BugEnd::open) return;
+  state.bugs.hunt->marked = faulty_line(state.bug->fault);
+  state.bugs.hunt->acquitted.reset();
+  end_hunt(state, BugEnd::given_up);
+}
+
+void action::MendBug::apply(State& state) const {
+  if (!state.bug || !state.bug->known || state.bug->mended == mended) return;
+  state.bug->mended = mended;
+  ++state.image_revision;
+  record_again(state);
+}
+
+void action::LeaveHunt::apply(State& state) const { leave_hunt(state); }
+
+void leave_hunt(State& state) {
+  if (!state.bugs.hunt) return;
+  State back = *state.bugs.hunt->before;
+  // Appearance and progress are kept.
+  back.theme = state.theme;
+  back.ui_scale = state.ui_scale;
+  back.viewport = state.viewport;
+  back.language = state.language;
+  back.bugs = std::move(state.bugs);
+  back.bugs.hunt.reset();
+  const bool autosaved = back.autosaved_revision == back.revision;
+  back.revision = state.revision + 1;
+  if (autosaved) back.autosaved_revision = back.revision;
+  back.autosave_in = state.autosave_in;
+  back.image_revision = state.image_revision + 1;
+  back.playing = false;
+  back.hold.reset();
+  back.notice.reset();
+  if (back.camera.fitted) back.camera = fitted(back);
+  state = std::move(back);
+  if (state.bugs.shown && state.lessons.shown) action::ShowLessons{false}.apply(state);  // there is room for one
+}
+
+}  // namespace raywalk

@@ -1,0 +1,96 @@
+#pragma once
+// The Cost panel without a window: the knobs, the attempts, and the plot of error against cost. Their results are
+// computed outside the state (study/workbench.h) and passed in.
+
+#include "study/effect_costs.h"
+#include "study/workbench.h"
+#include "text/language.h"
+#include "view/drawing/display_list.h"
+#include "view/words.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+enum class CostPicture {
+  split,       ///< two pictures side by side, separated by a movable line
+  difference,  ///< their difference, from dark to light
+};
+template <>
+inline constexpr Word<CostPicture> words_of<CostPicture>[] = {{CostPicture::split, "split"},
+                                                              {CostPicture::difference, "difference"}};
+
+enum class CostPage {
+  tries,    ///< settings compared with each other
+  effects,  ///< what each effect of the scene adds
+};
+template <>
+inline constexpr Word<CostPage> words_of<CostPage>[] = {{CostPage::tries, "tries"}, {CostPage::effects, "effects"}};
+
+/// For this session only; not stored in the scene's file.
+struct CostState {
+  static constexpr int max_tries = 64, max_samples = 4096, max_grid = 16, max_depth = 50;
+
+  CostPage page = CostPage::tries;
+  std::optional<study::Setup> knobs{};  ///< absent: the scene's own
+  std::vector<study::Setup> tried{};    ///< without duplicates, at most `max_tries`
+  int chosen = -1;                      ///< in `tried`: the picture on the left; -1: none yet
+  int against = -1;                     ///< in `tried`: the picture on the right; -1: the reference
+  CostPicture picture = CostPicture::split;
+  study::CostAxis axis = study::CostAxis::rays;
+  double split = 0.5;  ///< of the picture's width, 0..1
+  friend bool operator==(const CostState&, const CostState&) = default;
+};
+
+struct State;
+
+/// What TryCost will try.
+[[nodiscard]] study::Setup cost_knobs(const State& state);
+/// The size of the attempts' pictures: small, with the image's aspect ratio.
+[[nodiscard]] ImageSize cost_size(ImageSize image);
+
+/// What the workbench has found so far.
+struct CostFindings {
+  const std::vector<study::Attempt>& attempts;
+  double floor = 0;  ///< of the reference
+  int reference_samples = 0;
+};
+
+/// Error against cost, both logarithmic: one mark per attempt, the Pareto front, and the floor below which differences
+/// mean nothing. In pixels of an area of this size; `unit`: a pixel at scale 1.
+struct CostPlot {
+  DisplayList list;
+  struct Mark {
+    int attempt;
+    Vec2d at;
+  };
+  std::vector<Mark> marks;
+};
+[[nodiscard]] CostPlot cost_plot(const State& state, const CostFindings& findings, double width, double height,
+                                 double unit);
+
+/// Each effect's share of the rays and of the time as two bars, the interval of the time as a whisker, and below them
+/// the total cost and the cost of computing every effect regardless. As cost_plot. `survey`: empty during the first
+/// round.
+[[nodiscard]] DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width,
+                                      double height, double unit);
+/// "12.3 k rays in 0.05 s; every effect regardless: 9.1 times the rays, 7.5 times the time".
+[[nodiscard]] std::string survey_text(const std::optional<study::SceneCost>& survey, double done, Language language);
+
+/// "64 samples, sobol, depth 3": how a setup differs from `usual`.
+[[nodiscard]] std::string setup_text(const study::Setup& setup, const study::Setup& usual, Language language);
+/// One line on an attempt's cost and error.
+[[nodiscard]] std::string attempt_text(const State& state, const CostFindings& findings, int index);
+/// How good the reference is so far.
+[[nodiscard]] std::string reference_text(const CostFindings& findings, Language language);
+
+/// The pictures for display, width * height pixels of four bytes. `right` is left out if its size differs (not yet
+/// available). `largest`: for a difference, the value of the last colour; a quarter of it has the middle one, so that
+/// small differences are visible too.
+[[nodiscard]] std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right,
+                                                     Encoding encoding, double& largest);
+
+}  // namespace raywalk

@@ -1,0 +1,176 @@
+// Persistent data: the autosave and the list of recent files.
+
+#include "text/file.h"
+#include "view/action.h"
+#include "view/document/document.h"
+#include "view/text/text.h"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace raywalk {
+
+namespace {
+
+constexpr std::size_t max_recent = 10;
+constexpr std::size_t max_bytes = 64 << 20;
+/// First line of an autosave: the file that it belongs to. A comment for scene readers.
+constexpr std::string_view autosave_head = "# autosave of: ";
+constexpr std::string_view time_head = "# written on: ";  ///< its second line
+
+std::string file_in(const State& state, const char* name) {
+  return (std::filesystem::path(state.state_dir) / name).string();
+}
+std::string autosave_path(const State& state) { return file_in(state, state.autosave_file.c_str()); }
+constexpr int max_autosaves = 99;
+/// The name of the autosave of this number, from 1 on.
+std::string autosave_name(int number) {
+  return number == 1 ? "autosave.toml" : "autosave-" + std::to_string(number) + ".toml";
+}
+
+/// The current time as text: "2026-11-21 at 14:05".
+std::string now_text() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  std::array<char, 64> text{};
+  if (localtime_r(&now, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%d at %H:%M", &parts);
+  return text.data();
+}
+
+/// The rest of the line at `begin` after `head`, and the start of the next line; nothing if there is no such line.
+struct HeadLine {
+  std::string value;
+  std::size_t next;
+};
+std::optional<HeadLine> head_line(const std::string& text, std::size_t begin, std::string_view head) {
+  if (text.compare(begin, head.size(), head) != 0) return std::nullopt;
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  return HeadLine{text.substr(begin + head.size(), end - begin - head.size()), std::min(end + 1, text.size())};
+}
+
+/// Offers to recover the latest autosave of earlier sessions, if any.
+void ask_to_recover(State& state) {
+  std::filesystem::file_time_type latest{};
+  std::string found;
+  for (int i = 1; i <= max_autosaves; ++i) {
+    std::error_code missing;
+    const std::filesystem::path path = file_in(state, autosave_name(i).c_str());
+    const auto written = std::filesystem::last_write_time(path, missing);
+    if (missing || (!found.empty() && written <= latest)) continue;
+    latest = written;
+    found = autosave_name(i);
+  }
+  if (found.empty()) return;
+  const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), max_bytes);
+  if (!autosaved) return;
+  state.question = Question{Question::Kind::recover, Intent::open, {}, found, {}};
+  std::size_t next = 0;
+  if (const auto line = head_line(*autosaved, 0, autosave_head)) {
+    state.question->path = line->value;
+    next = line->next;
+  }
+  if (const auto line = head_line(*autosaved, next, time_head)) state.question->when = line->value;
+}
+std::string recent_path(const State& state) { return file_in(state, "recent.txt"); }
+
+Result<void> write_in_folder(const State& state, const std::string& path, const std::string& bytes) {
+  std::error_code failed;
+  std::filesystem::create_directories(state.state_dir, failed);  // a failure shows on writing
+  return write_file_atomically(path, bytes);
+}
+
+Result<void> write_autosave(const State& state) {
+  const std::string path = autosave_path(state);
+  const Result<std::string> written =
+      with_names_from(state.scene(), state.document.path, path).and_then([&](const Scene& scene) {
+        return format_scene(scene, state.document.text);
+      });
+  if (!written) return tl::unexpected(written.error());
+  return write_in_folder(
+      state, path,
+      std::string(autosave_head) + state.path + "\n" + std::string(time_head) + now_text() + "\n" + written.value());
+}
+
+}  // namespace
+
+void autosave(State& state, double seconds) {
+  state.autosave_in = std::max(0.0, state.autosave_in - seconds);
+  if (!wants_autosave(state) || state.autosave_in > 0) return;
+  state.autosave_in = autosave_every;
+  state.autosaved_revision = state.revision;
+  const Result<void> written = write_autosave(state);
+  if (!written) complain(state, fill("notice.autosave_failed", state.language, {{"why", written.error().text()}}));
+}
+
+void forget_autosave(State& state) {
+  if (state.bugs.hunt) return;  // it belongs to the suspended scene
+  state.autosaved_revision = state.revision;
+  if (state.state_dir.empty()) return;
+  std::error_code failed;  // if absent, nothing to remove
+  std::filesystem::remove(autosave_path(state), failed);
+}
+
+void discard_autosave(State& state, const std::string& autosave) {
+  std::error_code failed;  // if absent, nothing to remove
+  std::filesystem::remove(file_in(state, autosave.c_str()), failed);
+  ask_to_recover(state);
+}
+
+void recover(State& state, const std::string& original, const std::string& autosave) {
+  Result<SceneDocument> document = read_scene(file_in(state, autosave.c_str()));
+  if (!document) return complain(state, document.error().text());
+  std::string& text = document->text;
+  if (const auto line = head_line(text, 0, autosave_head)) text.erase(0, line->next);
+  if (const auto line = head_line(text, 0, time_head)) text.erase(0, line->next);
+  // Its meshes and textures are relative to the autosave folder; makes them relative to the scene's own.
+  if (auto home = with_names_from(document->scene, document->path, original); home && !original.empty()) {
+    document->scene = std::move(*home);
+    document->path = original;
+  }
+  const Result<SceneDocument> file = read_scene(original);
+  state.autosave_file = autosave;  // it holds this session's work now
+  show_document(state, std::move(*document), original);
+  // Without a file to compare with, everything is unsaved.
+  state.dirty = !file || file->scene != state.scene();
+  if (state.dirty) state.saved = file ? file->scene : Scene{};
+  state.autosaved_revision = 0;
+  inform(state, fill("notice.recovered", state.language, {{"file", document_title(state)}}));
+}
+
+void add_recent(State& state, const std::string& path) {
+  std::error_code failed;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
+  const std::string entry = failed ? path : absolute.lexically_normal().string();
+  std::erase(state.recent, entry);
+  state.recent.insert(state.recent.begin(), entry);
+  if (state.recent.size() > max_recent) state.recent.resize(max_recent);
+  if (state.state_dir.empty()) return;
+  std::string lines;
+  for (const std::string& recent : state.recent) lines += recent + "\n";
+  // A convenience: failures are ignored.
+  static_cast<void>(write_in_folder(state, recent_path(state), lines));
+}
+
+void restore_session(State& state) {
+  if (state.state_dir.empty()) return;
+  const Result<std::string> recent = read_file(recent_path(state), max_bytes);
+  std::size_t start = 0;
+  while (recent && start < recent->size() && state.recent.size() < max_recent) {
+    const std::size_t end = std::min(recent->find('\n', start), recent->size());
+    if (end > start) state.recent.push_back(recent->substr(start, end - start));
+    start = end + 1;
+  }
+  // An undecided autosave is never overwritten.
+  for (int i = 1; i <= max_autosaves; ++i) {
+    state.autosave_file = autosave_name(i);
+    std::error_code failed;
+    if (!std::filesystem::exists(autosave_path(state), failed)) break;
+  }
+  ask_to_recover(state);
+}
+
+}  // namespace raywalk

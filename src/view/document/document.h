@@ -1,0 +1,53 @@
+#pragma once
+// What all rooms do with the scene, its file, and the notice to the user.
+
+#include "io/scene_file.h"
+#include "view/document/actions.h"
+#include "view/state.h"
+
+#include <string>
+#include <utility>
+
+namespace raywalk {
+
+inline void inform(State& state, std::string text) { state.notice = Notice{Notice::Kind::info, std::move(text)}; }
+inline void complain(State& state, std::string text) { state.notice = Notice{Notice::Kind::error, std::move(text)}; }
+
+// history.cpp
+
+/// Replaces the scene by `next` without an undo entry; records again, and drops references to what no longer exists.
+void replace_scene(State& state, Scene next);
+/// The same with one undo entry; none if nothing changed.
+void commit(State& state, Scene next, EditMark mark = {}, bool continues = false);
+/// Adds an undo entry that restores `before`.
+void remember(State& state, Scene before);
+/// Why `scene` cannot be saved because of the given parts; empty if it can. -1: not checked.
+[[nodiscard]] std::string why_refused(const Scene& scene, int object, int light);
+/// Commits `next` unless the changed part is invalid; then reports why.
+bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark = {}, bool continues = false);
+
+// files.cpp
+
+void show_document(State& state, SceneDocument document, std::string path);
+/// Opens the dialog for a path.
+void ask_path(State& state, PathPrompt prompt);
+void ask_or_do(State& state, Intent intent, const std::string& path);
+/// Asks before overwriting an existing file, and refuses if it is in use. Returns whether it did either: then the file
+/// must not be written now.
+[[nodiscard]] bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what);
+
+// autosave.cpp
+
+void autosave(State& state, double seconds);
+void forget_autosave(State& state);
+/// Removes an autosave of an earlier session, and asks about the next one.
+void discard_autosave(State& state, const std::string& autosave);
+void recover(State& state, const std::string& original, const std::string& autosave);
+void add_recent(State& state, const std::string& path);
+
+// new_scene.cpp
+
+[[nodiscard]] Scene new_scene(Language language);
+[[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted);
+
+}  // namespace raywalk

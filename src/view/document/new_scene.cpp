@@ -1,0 +1,48 @@
+#include "view/document/document.h"
+#include "view/text/text.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+std::string unique_name(const Scene& scene, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& o) { return o.name == name; }) ||
+           std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& l) { return l.name == name; });
+  };
+  std::string name = wanted;
+  for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
+  return name;
+}
+
+/// The initial scene: EYE, SCREEN, a light, a sphere, and a floor below the plan for the picture.
+Scene new_scene(Language language) {
+  Scene scene;
+  scene.title = text("scene.new_title", language);
+  scene.background = Rgbd(0.16, 0.20, 0.30);
+  scene.camera.eye = Vec3d(-7, 0, 0);
+  scene.camera.look_at = Vec3d(0.0);
+  scene.camera.screen = Screen{2.5, 2.5, 21};
+
+  Light light;
+  light.name = text("object.light_source", language);
+  light.kind = PointLight{Vec3d(-2.5, 4.2, 0), {}};
+  scene.lights.push_back(light);
+
+  Object sphere;
+  sphere.name = text("object.solid_sphere", language);
+  sphere.shape = Sphere<double>{Vec3d(1, 0.5, 0), 1.4};
+  sphere.material.ambient = Rgbd(0.09, 0.02, 0.01);
+  sphere.material.diffuse = Rgbd(0.65, 0.16, 0.08);
+  scene.objects.push_back(sphere);
+
+  Object floor;
+  floor.name = text("object.plane", language);
+  floor.shape = Plane<double>{Vec3d(0, 0, -1.4), Vec3d(0, 0, 1)};
+  floor.material.ambient = Rgbd(0.1);
+  floor.material.checker = Checker{Rgbd(0.95, 0.93, 0.88), Rgbd(0.35, 0.42, 0.40), 1.0};
+  scene.objects.push_back(floor);
+  return scene;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,80 @@
+#include "view/document/question.h"
+
+#include "view/text/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace raywalk {
+
+namespace {
+
+std::string said(const State& state, std::string_view id) { return std::string(text(id, state.language)); }
+
+/// A lesson as in the list: "5 Refraction and total reflection".
+std::string lesson_title(const State& state, const std::string& name) {
+  const std::vector<LessonEntry>& list = state.lessons.list;
+  const auto entry = std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == name; });
+  if (entry == list.end()) return name;
+  return fmt::format("{} {}", entry - list.begin() + 1, entry->title(state.language));
+}
+
+}  // namespace
+
+QuestionPanel question_panel(const State& state) {
+  using action::Answer;
+  QuestionPanel panel;
+  if (!state.question) return panel;
+  const Question& question = *state.question;
+  const auto choice = [&](Answer answer, std::string_view label) {
+    panel.choices.push_back({answer, said(state, label)});
+  };
+  const std::string file =
+      state.path.empty() ? said(state, "scene.untitled") : std::filesystem::path(state.path).filename().string();
+  switch (question.kind) {
+    case Question::Kind::unsaved:
+      switch (question.intent) {
+        case Intent::new_scene:
+          panel.text = fill("question.unsaved_new", state.language, {{"file", file}});
+          break;
+        case Intent::lesson:
+          panel.text = fill("question.unsaved_open", state.language,
+                            {{"file", file}, {"other", lesson_title(state, question.path)}});
+          break;
+        case Intent::open:
+          panel.text = fill("question.unsaved_open", state.language, {{"file", file}, {"other", question.path}});
+          break;
+        case Intent::leave_lesson:
+          panel.text = said(state, "question.unsaved_lesson");
+          break;
+        case Intent::quit:
+          panel.text = fill("question.unsaved_quit", state.language, {{"file", file}});
+          break;
+      }
+      choice(Answer::save, "answer.save");
+      choice(Answer::discard, "answer.discard");
+      choice(Answer::cancel, "answer.cancel");
+      break;
+    case Question::Kind::recover:
+      panel.text = question.path == state.path
+                       ? fill("question.recover", state.language, {{"file", file}, {"when", question.when}})
+                       : fill("question.recover_other", state.language,
+                              {{"file", question.path.empty() ? said(state, "scene.untitled") : question.path},
+                               {"when", question.when},
+                               {"other", file}});
+      choice(Answer::recover, "answer.recover");
+      choice(Answer::cancel, "answer.later");
+      choice(Answer::discard, "answer.throw_away");
+      break;
+    case Question::Kind::overwrite:
+      panel.text = fill("question.overwrite", state.language, {{"file", question.path}});
+      choice(Answer::cancel, "answer.cancel");
+      choice(Answer::save, "answer.overwrite");
+      break;
+  }
+  return panel;
+}
+
+}  // namespace raywalk

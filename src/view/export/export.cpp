@@ -1,0 +1,186 @@
+#include "view/export/export.h"
+
+#include "text/file.h"
+#include "timeline/event_json.h"
+#include "timeline/message.h"
+#include "view/action.h"
+#include "view/document/document.h"
+#include "view/drawing/svg.h"
+#include "view/export/lesson_script.h"
+#include "view/export/slides.h"
+#include "view/plan/plan_view.h"
+#include "view/plan/pointer.h"
+#include "view/text/text.h"
+#include "view/walk/walk.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+/// Exports that need no window.
+Result<std::string> exported(const State& state, ExportKind kind) {
+  const Scene& scene = state.scene();
+  switch (kind) {
+    case ExportKind::plan:
+      return svg_file(plan_view(state, state.viewport), state.viewport.width, state.viewport.height,
+                      palette(state.theme).plan, scene.title.empty() ? "Raywalk" : scene.title);
+    case ExportKind::slides:
+      if (state.timeline->steps() > max_slides)
+        return tl::unexpected(
+            Error{"", 0, 0, fill("notice.too_many_slides", state.language, {{"most", max_slides}}), ""});
+      return slides_page(scene, state.timeline, state.language, state.theme);
+    case ExportKind::transcript:
+      return transcript(scene, *state.timeline, state.language);
+    case ExportKind::steps: {
+      std::string all;
+      const auto written = write_steps_json(scene, *state.timeline,
+                                            {{"scene", state.path},
+                                             {"title", scene.title},
+                                             {"depth", scene.limits.depth},
+                                             {"threshold", scene.limits.threshold}},
+                                            [&](const std::string& part) -> Result<void> {
+                                              all += part;
+                                              return {};
+                                            });
+      if (!written) return tl::unexpected(written.error());
+      return all;
+    }
+    case ExportKind::script:
+      if (!state.lessons.open)
+        return tl::unexpected(Error{"", 0, 0, std::string(text("lesson.no_lesson", state.language)), ""});
+      return lesson_script(state.lessons.open->played, state.language, ScriptForm::page);
+    case ExportKind::picture:
+    case ExportKind::film:
+      break;
+  }
+  return std::string();
+}
+
+/// The longest matching extension of a path; null if none.
+const ExportEnding* ending_in(std::string_view path) {
+  std::string name = std::filesystem::path(path).filename().string();
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const ExportEnding* best = nullptr;
+  for (const ExportEnding& each : kinds_of_export)
+    if (name.size() > each.ending.size() && name.ends_with(each.ending) &&
+        (best == nullptr || each.ending.size() > best->ending.size()))
+      best = &each;
+  return best;
+}
+
+/// The length of a foreign extension: a few letters and digits. "1. Casting" has none.
+std::size_t foreign_ending(const std::string& path) {
+  constexpr std::size_t most = 5;  // with its dot
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const auto is = [](int (*what)(int)) { return [what](char c) { return what(static_cast<unsigned char>(c)) != 0; }; };
+  const bool fits = ending.size() > 1 && ending.size() <= most && is(std::isalpha)(ending[1]);
+  return fits && std::all_of(ending.begin() + 1, ending.end(), is(std::isalnum)) ? ending.size() : 0;
+}
+
+}  // namespace
+
+std::optional<ExportKind> export_kind_of(std::string_view path) {
+  const ExportEnding* ending = ending_in(path);
+  return ending == nullptr ? std::nullopt : std::optional(ending->kind);
+}
+
+std::string with_ending(const std::string& path, ExportKind kind) {
+  const std::string ending(std::find_if(kinds_of_export.begin(), kinds_of_export.end(), [&](const ExportEnding& each) {
+                             return each.kind == kind;
+                           })->ending);
+  const ExportEnding* has = ending_in(path);
+  std::string stem = path.substr(0, path.size() - (has != nullptr ? has->ending.size() : foreign_ending(path)));
+  // The rest may combine to a longer extension: notes.script and .html.
+  while (export_kind_of(stem + ending).value_or(kind) != kind) {
+    const std::size_t more = std::filesystem::path(stem).extension().string().size();
+    if (more == 0) break;  // there is no name yet: a folder is being typed
+    stem.resize(stem.size() - more);
+  }
+  return stem + ending;
+}
+
+std::vector<int> film_positions(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  const bool whole = state.grain == Grain::pixel;
+  const int last = whole ? timeline.steps() : timeline.next_pixel(state.position);
+  std::vector<int> positions{state.position};
+  while (positions.back() < last) {
+    const int next = std::min(stepped(timeline, positions.back(), state.grain, true), last);
+    positions.push_back(next);
+  }
+  if (static_cast<int>(positions.size()) > max_frames) {
+    positions.resize(max_frames - 1);
+    positions.push_back(last);
+  }
+  return positions;
+}
+
+Result<void> write_steps_json(const Scene& scene, const Timeline& timeline, const nlohmann::ordered_json& head,
+                              const std::function<Result<void>(const std::string&)>& print) {
+  using Json = nlohmann::ordered_json;
+  const auto dump = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
+  std::string text = dump(head);
+  text.pop_back();  // its closing brace
+  text += ",\"steps\":[";
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    Json step{{"step", position}};
+    step.update(event_json(scene, timeline.event(position - 1)));
+    step["sentence"] = sentence_of(describe(scene, timeline, position), Language());
+    text += (position == 1 ? "\n" : ",\n") + dump(step);
+    constexpr std::size_t enough = 1 << 16;
+    if (text.size() < enough) continue;
+    if (auto printed = print(text); !printed) return printed;
+    text.clear();
+  }
+  return print(text + "\n]}\n");
+}
+
+}  // namespace raywalk
+
+namespace raywalk {
+
+void export_over(State& state, const std::string& path) {
+  const ExportKind kind = *export_kind_of(path);
+  if (kind == ExportKind::picture || kind == ExportKind::film) {
+    // The window without the dialog and without hover effects.
+    state.prompt = PathPrompt::none;
+    state.notice.reset();
+    state.playing = false;
+    state.pointer.reset();
+    state.hovered_line.reset();
+    hover(state);
+    if (kind == ExportKind::film) state.mode = Mode::trace;
+    state.window_export = WindowExport{kind, path};
+    return;
+  }
+  const auto text = exported(state, kind);
+  const auto written = text ? write_file_atomically(path, *text) : tl::unexpected(text.error());
+  action::FinishExport{written ? "" : written.error().text()}.apply(state);
+  if (written) inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
+}
+
+void action::AskExport::apply(State& state) const { ask_path(state, PathPrompt::export_walk); }
+
+void action::Export::apply(State& state) const {
+  if (path.empty()) return;
+  if (state.prompt == PathPrompt::export_walk) state.notice.reset();
+  if (!export_kind_of(path)) return complain(state, fill("notice.export_endings", state.language, {{"file", path}}));
+  if (!asks_to_overwrite(state, path, PathPrompt::export_walk)) export_over(state, path);
+}
+
+void action::FinishExport::apply(State& state) const {
+  const auto done = std::exchange(state.window_export, std::nullopt);
+  if (!why_not.empty()) return complain(state, why_not);
+  state.prompt = PathPrompt::none;
+  if (done) inform(state, fill("notice.saved_as", state.language, {{"file", done->path}}));
+}
+
+}  // namespace raywalk

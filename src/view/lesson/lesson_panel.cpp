@@ -1,0 +1,190 @@
+
+#include "view/lesson/lesson_panel.h"
+#include "lesson/script.h"
+#include "view/plan/plan_geometry.h"
+#include "view/text/text.h"
+#include "view/walk/asked.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace raywalk {
+
+namespace {
+
+/// A value of the step's answer.
+Outcome answer_of(const LessonSitting& sitting, const Expression& expression) {
+  return value_at(sitting.open->played, static_cast<std::size_t>(sitting.step), sitting.at()->shown, expression);
+}
+
+std::optional<double> number_of(const LessonSitting& sitting, const NumberQuestion& question) {
+  const Outcome value = answer_of(sitting, question.answer.expression);
+  const double* number = value ? std::get_if<double>(&*value) : nullptr;
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+/// The correct direction of an arrow, in the plan.
+std::optional<Vec2d> direction_of(const LessonSitting& sitting) {
+  const PlayedStep& step = *sitting.at();
+  const EventDetail& detail = step.walk->timeline.event(step.shown - 1).detail;
+  if (const auto* formed = std::get_if<RayFormed>(&detail)) return plan(formed->direction);
+  if (const auto* stub = std::get_if<RayNotFormed>(&detail)) return plan(stub->direction);
+  return std::nullopt;
+}
+
+bool choice_holds(const LessonSitting& sitting, const Formula& choice) {
+  const Outcome value = answer_of(sitting, choice.expression);
+  return value && holds(*value);
+}
+
+/// A question that the walk itself will answer, not yet answered.
+/// When a presenter finishes the step, and the total time.
+std::string time_of(const LessonSitting& sitting, const LessonWords& words, Language language) {
+  const Lesson& lesson = sitting.open->lesson;
+  const auto step = static_cast<std::size_t>(sitting.step);
+  if (lesson.steps[step].extra) return std::string(text("lesson.extra", language));
+  return fill("lesson.time", language,
+              {{"end", minutes_text(script_time(lesson, words, step).end)},
+               {"all", minutes_text(script_time(lesson, words, lesson.steps.size() - 1).end)}});
+}
+
+}  // namespace
+
+const std::string& LessonEntry::title(Language language) const {
+  const auto own = titles.find(language.code());
+  return own == titles.end() ? titles.find("en")->second : own->second;
+}
+
+std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language) {
+  std::vector<LessonRow> rows;
+  bool before_done = true;
+  for (const LessonEntry& entry : sitting.list) {
+    const auto done = sitting.done.find(entry.name);
+    LessonRow row{entry.name, entry.title(language),
+                  done == sitting.done.end() ? 0 : std::min(done->second, entry.steps), entry.steps, false};
+    row.locked = !before_done && !sitting.unlocked && !sitting.presenter && row.done == 0;
+    before_done = row.done == row.steps;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::optional<LessonVerdict> judge(const LessonSitting& sitting) {
+  const PlayedStep* step = sitting.at();
+  if (step == nullptr || !step->step->question) return std::nullopt;
+  const LessonQuestion& question = *step->step->question;
+  if (const auto* choices = std::get_if<ChoiceQuestion>(&question)) {
+    if (!sitting.guess.choice) return std::nullopt;
+    const bool right = choice_holds(sitting, choices->choices[static_cast<std::size_t>(*sitting.guess.choice)]);
+    return LessonVerdict{right, right ? 0.0 : 1.0};
+  }
+  if (const auto* number = std::get_if<NumberQuestion>(&question)) {
+    const std::optional<double> truth = number_of(sitting, *number);
+    if (!truth || !sitting.guess.number) return std::nullopt;
+    const double error = std::abs(*sitting.guess.number - *truth);
+    return LessonVerdict{error <= number->tolerance, error};
+  }
+  if (std::holds_alternative<LineQuestion>(question)) {
+    if (!sitting.guess.line || !step->walk->fault) return std::nullopt;
+    const bool right = *sitting.guess.line == faulty_line(*step->walk->fault);
+    return LessonVerdict{right, right ? 0.0 : 1.0};
+  }
+  const std::optional<Vec2d> truth = direction_of(sitting);
+  if (!truth || !sitting.guess.arrow) return std::nullopt;
+  const double degrees = degrees_between(*truth, *sitting.guess.arrow);
+  return LessonVerdict{degrees <= std::get<ArrowQuestion>(question).tolerance, degrees};
+}
+
+LessonPanel lesson_panel(const State& state) {
+  const LessonSitting& sitting = state.lessons;
+  const Language language = state.language;
+  LessonPanel panel;
+  const auto word = [&](std::string_view w) { return std::string(text(w, language)); };
+  if (sitting.judged > 0)
+    panel.score = fmt::format("{} {} {} {}", sitting.right, word("lesson.of"), sitting.judged, word("lesson.score"));
+  const PlayedStep* step = sitting.at();
+  if (step == nullptr) {
+    panel.rows = lesson_rows(sitting, language);
+    return panel;
+  }
+  const Lesson& lesson = sitting.open->lesson;
+  const LessonWords& words = lesson.told(language);
+  const Language told_in = lesson.told_in(language);
+  if (told_in != language) panel.told_in = fill("lesson.in_english", language, {{"language", language.name()}});
+  panel.lesson = words.title;
+  panel.step = sitting.step + 1;
+  panel.steps = static_cast<int>(sitting.open->played.steps.size());
+  const StepWords* said = words.find(step->step->id);
+  if (said == nullptr) return panel;
+  const auto said_at = [&](const Passage& passage, int position) {
+    return filled(sitting.open->played, static_cast<std::size_t>(sitting.step), position, passage, told_in)
+        .value_or(passage.text);
+  };
+  panel.heading = said->heading;
+  if (sitting.step == 0) panel.summary = words.summary.text;
+  panel.text = said_at(said->text, step->asked);
+  panel.is_last = panel.step == panel.steps;
+  panel.can_go_back = sitting.step > 0;
+  const bool answered = !step->step->question || sitting.revealed;
+  panel.can_go_on = answered || sitting.unlocked || sitting.presenter;
+  if (step->step->question) {
+    const LessonQuestion& question = *step->step->question;
+    panel.question = said_at(said->question, step->asked);
+    const auto* choices = std::get_if<ChoiceQuestion>(&question);
+    const auto* number = std::get_if<NumberQuestion>(&question);
+    panel.asks = choices != nullptr                               ? Asks::choice
+                 : number != nullptr                              ? Asks::number
+                 : std::holds_alternative<LineQuestion>(question) ? Asks::line
+                                                                  : Asks::arrow;
+    if (panel.asks == Asks::line)
+      panel.marked = sitting.guess.line ? fill("bug.line_marked", language,
+                                               {{"line", std::string(pseudocode_of(*sitting.guess.line).text)}})
+                                        : std::string(text("bug.task_of_lesson", language));
+    int hands = 0, hands_right = 0;
+    for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i) {
+      std::string text = said_at(said->choices[i], step->asked);
+      std::erase(text, '`');
+      LessonChoice choice{std::move(text), sitting.guess.choice == static_cast<int>(i),
+                          answered && choice_holds(sitting, choices->choices[i])};
+      if (i < sitting.hands.size()) choice.hands = sitting.hands[i];
+      hands += choice.hands;
+      hands_right += choice.right ? choice.hands : 0;
+      panel.choices.push_back(std::move(choice));
+    }
+    if (answered && hands > 0) panel.hands = fill("lesson.hands", language, {{"right", hands_right}, {"all", hands}});
+    if (number != nullptr) panel.unit = number->unit;
+    const std::optional<LessonVerdict> verdict = judge(sitting);
+    panel.can_reveal = !sitting.revealed && (verdict || sitting.unlocked || sitting.presenter);
+    if (sitting.revealed && verdict) {
+      panel.is_right = verdict->right;
+      panel.verdict = word(verdict->right ? "lesson.right" : "lesson.wrong");
+      const char mark = language.decimal_mark();
+      if (panel.asks == Asks::arrow)
+        panel.verdict += ": " + word("lesson.error") + " " + text_of(verdict->error, 1, mark) + "°";
+      if (panel.asks == Asks::number && verdict->error > 0)
+        panel.verdict += ": " + word("lesson.error") + " " +
+                         text_of(verdict->error, decimals_of(*number, verdict->error), mark) + panel.unit;
+    }
+  }
+  panel.astray = is_open_question(sitting) && !question_waits(state);
+  if (answered) {
+    panel.reveal = said_at(said->reveal, step->shown);
+    panel.change = said_at(said->change, step->shown);
+  }
+  if (sitting.presenter) {
+    panel.time = time_of(sitting, words, language);
+  }
+  if (sitting.presenter && sitting.notes) {
+    const std::string script = said_at(said->presenter, step->shown);
+    panel.presenter = answered ? script : parts_of_script(script).before;
+    if (answered) panel.teacher = said_at(said->teacher, step->shown);
+    if (answered && panel.is_last) panel.notes = words.teacher.text, panel.sources = words.sources.text;
+  }
+  return panel;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,61 @@
+#pragma once
+// What the lesson pane shows, as data.
+
+#include "view/state.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raywalk {
+
+struct LessonRow {
+  std::string name, title;
+  int done = 0, steps = 0;
+  bool locked = false;
+};
+struct LessonChoice {
+  std::string text;
+  bool guessed = false;
+  bool right = false;  ///< known only once the answer is shown
+  int hands = 0;       ///< of a class
+};
+/// The control that asks.
+enum class Asks { nothing, choice, number, arrow, line };
+
+struct LessonPanel {
+  std::vector<LessonRow> rows;  ///< the list, if no lesson is open
+  std::string lesson, heading;
+  std::string told_in;      ///< a note that it is in English, if it has no words in the language of the interface
+  int step = 0, steps = 0;  ///< from 1
+  std::string summary;      ///< of the lesson: at its first step
+  std::string text;         ///< paragraphs between empty lines; items of lists begin with "- "
+  Asks asks = Asks::nothing;
+  std::string question;
+  std::vector<LessonChoice> choices;
+  std::string unit;
+  std::string marked;   ///< of a line: which one, or how to mark it
+  std::string verdict;  ///< after the answer: whether right, and the error
+  bool is_right = false;
+  std::string reveal, change;      ///< after the answer, or if nothing was asked
+  std::string presenter, teacher;  ///< if shown; before the answer only what leads to it
+  std::string time;                ///< of a presentation, at the end of this step; empty for students
+  std::string notes, sources;      ///< of the whole lesson: for presenters, at its end
+  std::string hands;               ///< a class's choices; empty without a show of hands
+  std::string score;               ///< of this session; empty before the first prediction
+  bool astray = false;             ///< a question waits at another position, or in another scene
+  bool can_reveal = false, can_go_on = false, can_go_back = false, is_last = false;
+};
+/// The list: a lesson is available once the previous one is finished.
+[[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language);
+[[nodiscard]] LessonPanel lesson_panel(const State& state);
+
+/// Whether a guess counts as right, and its error: in degrees for an arrow, else in the question's unit; 0 or 1 for a
+/// choice.
+struct LessonVerdict {
+  bool right = false;
+  double error = 0;
+};
+[[nodiscard]] std::optional<LessonVerdict> judge(const LessonSitting& sitting);
+
+}  // namespace raywalk

@@ -1,0 +1,267 @@
+// Implements the lesson actions.
+
+#include "text/file.h"
+#include "view/action.h"
+#include "view/document/document.h"
+#include "view/lesson/lesson.h"
+#include "view/lesson/lesson_panel.h"
+#include "view/text/text.h"
+#include "view/walk/asked.h"
+#include "view/walk/fault.h"
+#include "view/walk/walk.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace raywalk {
+
+namespace {
+
+constexpr std::size_t max_progress = 1 << 16;  // bytes
+
+std::string progress_path(const State& state) { return state.state_dir + "/lessons.json"; }
+
+/// Progress is a convenience: failures are ignored.
+void read_progress(State& state) {
+  if (state.state_dir.empty()) return;
+  const auto bytes = read_file(progress_path(state), max_progress);
+  if (!bytes) return;
+  const auto json = nlohmann::json::parse(*bytes, nullptr, false);
+  if (!json.is_object()) return;
+  if (const auto done = json.find("done"); done != json.end() && done->is_object())
+    for (const auto& [name, steps] : done->items())
+      if (steps.is_number_integer()) state.lessons.done[name] = std::clamp(steps.get<int>(), 0, 1000);
+  if (const auto unlocked = json.find("unlocked"); unlocked != json.end() && unlocked->is_boolean())
+    state.lessons.unlocked = unlocked->get<bool>();
+}
+
+void write_progress(const State& state) {
+  if (state.state_dir.empty()) return;
+  const nlohmann::json json{{"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}};
+  std::error_code error;
+  std::filesystem::create_directories(state.state_dir, error);
+  static_cast<void>(write_file_atomically(progress_path(state), json.dump(2) + "\n"));
+}
+
+void read_list(State& state) {
+  LessonSitting& sitting = state.lessons;
+  if (!sitting.list.empty() || sitting.folder.empty()) return;
+  read_progress(state);
+  for (const std::string& name : lesson_names(sitting.folder)) {
+    const auto lesson = read_lesson(sitting.folder + "/" + name);
+    if (!lesson) {
+      complain(state, lesson.error().text());
+      continue;
+    }
+    LessonEntry entry{name, {}, static_cast<int>(lesson->steps.size())};
+    for (const auto& [code, words] : lesson->words) entry.titles[code] = words.title;
+    sitting.list.push_back(std::move(entry));
+  }
+}
+
+/// The first pixel of this step's walk: its own, or that of an earlier step in the same walk.
+int first_pixel(const LessonSitting& sitting) {
+  const std::vector<PlayedStep>& steps = sitting.open->played.steps;
+  for (int i = sitting.step; i >= 0; --i) {
+    const PlayedStep& step = steps[static_cast<std::size_t>(i)];
+    if (step.walk != sitting.at()->walk) break;
+    if (step.step->pixel) return step.step->pixel->column;
+  }
+  return 0;
+}
+
+/// Shows the step's walk, at the position of the question.
+void stage(State& state) {
+  const PlayedStep& step = *state.lessons.at();
+  const LessonWalk& walk = *step.walk;
+  std::optional<PixelWalk> pixel;
+  if (walk.pixel) pixel = PixelWalk{walk.document.scene.image, walk.pixel->column, walk.pixel->row, {}};
+  const bool stays = state.scene() == walk.document.scene && state.walk == pixel && !state.image.single_precision &&
+                     !state.image.integrator && state.image.walk_samples == 1 && fault_at_work(state) == walk.fault &&
+                     !(state.bug && state.bug->mended);
+  if (!stays) {
+    state.image.single_precision = false;
+    state.image.integrator.reset();
+    state.image.walk_samples = 1;
+    show_document(state, walk.document, {});
+    state.walk = pixel;
+    if (pixel && !walk.fault) record_again(state);
+    set_bug(state, walk.fault);
+  }
+  if (state.bug) state.bug->known = false;
+  if (step.step->pixel || !stays) state.lessons.first_pixel = pixel ? 0 : first_pixel(state.lessons);
+  state.lessons.guess = {};
+  state.lessons.hands.clear();
+  state.lessons.revealed = false;
+  switch (step.step->pane) {
+    case LessonBeside::unchanged:
+      break;
+    case LessonBeside::picture:
+      state.tab = Tab::image;
+      break;
+    case LessonBeside::tree:
+      state.tab = Tab::tree;
+      break;
+    case LessonBeside::stack:
+      state.tab = Tab::stack;
+      break;
+    case LessonBeside::equation:
+      state.tab = Tab::equation;
+      break;
+    case LessonBeside::structure:
+      state.tab = Tab::structure;
+      break;
+  }
+  go_to(state, step.asked);
+}
+
+}  // namespace
+
+void action::ShowLessons::apply(State& state) const {
+  const bool opens = shown && !state.lessons.shown;
+  state.lessons.shown = shown;
+  if (!shown) {
+    // A fault without its lesson would be confusing.
+    if (state.lessons.at() != nullptr) set_bug(state, std::nullopt);
+    return;
+  }
+  state.bugs.shown = false;
+  if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
+  if (state.mode == Mode::help) state.mode = Mode::trace;
+  read_list(state);
+}
+
+void begin_lesson(State& state, const std::string& name) {
+  LessonSitting& sitting = state.lessons;
+  auto lesson = read_lesson(sitting.folder + "/" + name);
+  if (!lesson) return complain(state, lesson.error().text());
+  const Mode mode = state.mode;
+  const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
+  opened->played = play_lesson(opened->lesson, sitting.scenes_folder);
+  if (opened->played.steps.empty())
+    return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
+  if (!sitting.open && !saved_scene(state).objects.empty()) {
+    // Unsaved work was asked about, and discarded.
+    OwnScene own{state.document, state.path, mode};
+    own.document.scene = saved_scene(state);
+    sitting.own = std::make_shared<const OwnScene>(std::move(own));
+  }
+  sitting.open = opened;
+  const auto done = sitting.done.find(name);
+  const int steps = static_cast<int>(opened->played.steps.size());
+  sitting.step = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
+  sitting.shown = true;
+  stage(state);
+}
+
+void action::OpenLesson::apply(State& state) const {
+  ShowLessons{true}.apply(state);
+  const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.language);
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
+  if (row == rows.end()) return complain(state, fill("lesson.unknown", state.language, {{"name", name}}));
+  if (row->locked) return inform(state, std::string(text("lesson.locked", state.language)));
+  // Changes during a lesson belong to the lesson.
+  if (state.lessons.open) state.dirty = false;
+  ask_or_do(state, Intent::lesson, name);
+}
+
+void close_lesson(State& state) {
+  if (state.lessons.open) set_bug(state, std::nullopt);
+  state.lessons.open.reset();
+  state.lessons.own.reset();
+  state.lessons.guess = {};
+  state.lessons.revealed = false;
+}
+
+void action::LeaveLesson::apply(State& state) const {
+  if (state.lessons.open) ask_or_do(state, Intent::leave_lesson, {});
+}
+
+void end_lesson(State& state) {
+  const std::shared_ptr<const OwnScene> own = state.lessons.own;
+  close_lesson(state);
+  if (!own) return;
+  show_document(state, own->document, own->path);
+  state.mode = own->mode;
+}
+
+void action::GoToLessonStep::apply(State& state) const {
+  LessonSitting& sitting = state.lessons;
+  if (!sitting.open || step < 0) return;
+  const LessonPanel panel = lesson_panel(state);
+  if (step > sitting.step && !panel.can_go_on) return;
+  const std::string& name = sitting.open->lesson.name;
+  int& done = sitting.done[name];
+  done = std::max(done, std::min(step, panel.steps));
+  write_progress(state);
+  if (step >= panel.steps) return LeaveLesson{}.apply(state);
+  sitting.step = step;
+  stage(state);
+}
+
+void action::GuessChoice::apply(State& state) const {
+  LessonSitting& sitting = state.lessons;
+  const LessonPanel panel = lesson_panel(state);
+  if (panel.asks != Asks::choice || sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size()))
+    return;
+  sitting.guess.choice = choice;
+}
+
+void action::ShowHands::apply(State& state) const {
+  constexpr int most = 999;
+  LessonSitting& sitting = state.lessons;
+  const LessonPanel panel = lesson_panel(state);
+  if (sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size())) return;
+  sitting.hands.resize(panel.choices.size());
+  int& up = sitting.hands[static_cast<std::size_t>(choice)];
+  up = std::clamp(up + std::clamp(hands, -most, most), 0, most);
+}
+
+void action::GuessNumber::apply(State& state) const {
+  if (lesson_panel(state).asks != Asks::number || state.lessons.revealed) return;
+  state.lessons.guess.number = std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+void action::RevealLesson::apply(State& state) const {
+  LessonSitting& sitting = state.lessons;
+  if (!lesson_panel(state).can_reveal) return;
+  sitting.revealed = true;
+  const bool is_first = sitting.counted.emplace(sitting.open->lesson.name, sitting.step).second;
+  if (const auto verdict = judge(sitting); verdict && is_first) {
+    ++sitting.judged;
+    sitting.right += verdict->right ? 1 : 0;
+  }
+  // A student may have walked elsewhere, or changed the scene.
+  const LessonGuess guess = sitting.guess;
+  if (state.scene() != sitting.at()->walk->document.scene || fault_at_work(state) != sitting.at()->walk->fault) {
+    stage(state);
+    sitting.guess = guess;
+    sitting.revealed = true;
+  }
+  if (state.bug) state.bug->known = true;
+  // An answer over several pixels shows the rays of all.
+  const PlayedStep& step = *sitting.at();
+  if (state.timeline->current_pixel(step.shown) != state.timeline->current_pixel(step.asked)) sitting.first_pixel = 0;
+  go_to(state, step.shown);
+}
+
+bool answered_by_step(State& state) {
+  if (!question_waits(state)) return false;
+  if (lesson_panel(state).can_reveal)
+    action::RevealLesson{}.apply(state);
+  else
+    inform(state, std::string(text("lesson.predict_first", state.language)));
+  return true;
+}
+
+void action::SetLessonOptions::apply(State& state) const {
+  state.lessons.presenter = presenter;
+  state.lessons.unlocked = unlocked;
+  state.lessons.notes = !without_notes;
+  write_progress(state);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,165 @@
+// Compares robust and naive numerics at a hit, as text.
+
+#include "view/microscope/microscope.h"
+#include "view/state.h"
+#include "view/text/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+/// "2.3e11"
+std::string in_powers(double large, Language language) {
+  const int power = static_cast<int>(std::floor(std::log10(large)));
+  return typeset_number(fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power), language);
+}
+
+std::string off_text(const Specimen& specimen, const std::optional<double>& off, Language language) {
+  if (!off) return std::string(text("microscope.none", language));
+  const double ulps = specimen.in_ulps(*off);
+  if (ulps == 0) return std::string(text("microscope.on_surface", language));
+  return fill(ulps > 0 ? "microscope.outside" : "microscope.inside", language,
+              {{"ulps", ulps_text(std::abs(ulps), language)}});
+}
+
+/// All digits that distinguish it from its neighbours; if many, the first and the last.
+std::string number_of(double t, Precision precision, Language language) {
+  const bool single = precision == Precision::float_;
+  const std::string digits = typeset_number(single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t), language);
+  constexpr std::size_t most = 13, first = 7, last = 5;
+  if (digits.size() <= most) return digits;
+  return digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
+}
+
+std::string leaving_text(const SpawnedRays& rays, Language language) {
+  if (rays.hit_own == 0 && rays.astray == 0) return std::string(text("microscope.leaves", language));
+  if (rays.count == 1)
+    return std::string(text(rays.hit_own > 0 ? "microscope.hits_own" : "microscope.goes_astray", language));
+  const bool own = rays.hit_own > 0;
+  return fill(own ? "microscope.some_hit_own" : "microscope.some_astray", language,
+              {{"some", own ? rays.hit_own : rays.astray}, {"all", rays.count}});
+}
+
+const SpawnedRays* of_kind(const std::optional<Reading>& reading, RayKind kind) {
+  if (!reading) return nullptr;
+  const auto found = std::find_if(reading->spawned.begin(), reading->spawned.end(),
+                                  [kind](const SpawnedRays& rays) { return rays.kind == kind; });
+  return found == reading->spawned.end() ? nullptr : &*found;
+}
+
+std::string_view short_name(RayKind kind, Language language) {
+  switch (kind) {
+    case RayKind::primary:
+      return text("ray.short_primary", language);
+    case RayKind::shadow:
+      return text("ray.short_shadow", language);
+    case RayKind::reflect:
+      return text("ray.short_reflect", language);
+    case RayKind::refract:
+      return text("ray.short_refract", language);
+  }
+  return {};
+}
+
+bool goes_wrong(const SpawnedRays& rays) { return rays.hit_own > 0 || rays.astray > 0; }
+
+std::string sentence_on(const Specimen& specimen, Language language) {
+  const std::optional<Reading>&robust = specimen.robust, &naive = specimen.naive;
+  if (!naive) return std::string(text("microscope.says_missed", language));
+  if (!robust) return std::string(text("microscope.says_invented", language));
+  const SpawnPoint& start = naive->starts.front();
+  const std::string starts = off_text(specimen, start.off, language);
+  for (const SpawnedRays& rays : naive->spawned)
+    if (rays.hit_own > 0)
+      return fill("microscope.says_acne", language,
+                  {{"starts", starts}, {"ray", std::string(text(rays.kind, language))}});
+  if (std::any_of(naive->spawned.begin(), naive->spawned.end(), goes_wrong))
+    return fill("microscope.says_astray", language, {{"starts", starts}});
+  if (!start.right_side()) return fill("microscope.says_wrong_side", language, {{"starts", starts}});
+  const double apart = specimen.in_ulps(length(naive->point - robust->point));
+  constexpr double far_apart = 8;  // ulps
+  if (apart > far_apart)
+    return fill("microscope.says_apart", language, {{"ulps", ulps_text(apart, language)}, {"starts", starts}});
+  if (!start.off || specimen.in_ulps(*start.off) == 0)
+    return std::string(text("microscope.says_alike_at_surface", language));
+  return fill("microscope.says_alike", language, {{"starts", starts}});
+}
+
+}  // namespace
+
+std::string ulps_text(double ulps, Language language) {
+  if (ulps < 0.05) return typeset_number(fmt::format("{:.1g}", ulps), language);
+  if (ulps < 9.95) return typeset_number(fmt::format("{:.1f}", ulps), language);
+  if (ulps < 99999.5) return fmt::format("{:.0f}", ulps);
+  return in_powers(ulps, language);
+}
+
+std::string magnification_text(double factor, Language language) {
+  return "\u00d7 " + (factor < 9999.5 ? number_text(factor, language) : in_powers(factor, language));
+}
+
+MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
+  const Language language = state.language;
+  const auto name_of = [&](const std::optional<Reading>& reading) {
+    return reading ? state.scene().objects[static_cast<std::size_t>(reading->object)].name
+                   : std::string(text("microscope.nothing", language));
+  };
+  MicroscopeTable table;
+  std::string ray(text(specimen.kind, language));
+  if (!ray.empty()) ray[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(ray[0])));
+  table.title = fill("microscope.title", language,
+                     {{"ray", ray}, {"object", name_of(specimen.robust ? specimen.robust : specimen.naive)}});
+  table.sentence = sentence_on(specimen, language);
+  const auto add = [&](std::string what, const auto& of, bool wrong) {
+    const auto said = [&](const std::optional<Reading>& reading) {
+      return reading ? of(*reading) : std::string(text("microscope.none", language));
+    };
+    table.rows.push_back({std::move(what), said(specimen.robust), said(specimen.naive), wrong});
+  };
+  // If both hit the same, the title says so.
+  const bool alike = specimen.robust && specimen.naive && specimen.robust->object == specimen.naive->object;
+  if (!alike)
+    table.rows.push_back(
+        {std::string(text("microscope.row_hit", language)), name_of(specimen.robust), name_of(specimen.naive), true});
+  add(
+      std::string(text("microscope.row_t", language)),
+      [&](const Reading& r) { return number_of(r.t, specimen.precision, language); }, false);
+  add(
+      std::string(text("microscope.row_t_error", language)),
+      [&](const Reading& r) {
+        return r.t_error ? fill("microscope.ulp", language, {{"ulps", ulps_text(std::abs(*r.t_error), language)}})
+                         : std::string(text("microscope.none", language));
+      },
+      false);
+  add(
+      std::string(text("microscope.row_point", language)),
+      [&](const Reading& r) { return off_text(specimen, r.off, language); }, false);
+  add(
+      std::string(text("microscope.row_start", language)),
+      [&](const Reading& r) {
+        const SpawnPoint& start = r.starts.front();
+        // A robust ray knows its source surface, on whichever side rounding put the point.
+        const bool knows = specimen.robust && &r == &*specimen.robust;
+        return start.place == r.point && (knows || start.right_side())
+                   ? std::string(text("microscope.at_point", language))
+                   : off_text(specimen, start.off, language);
+      },
+      specimen.naive && !specimen.naive->starts.front().right_side());
+  for (const RayKind kind : {RayKind::shadow, RayKind::reflect, RayKind::refract}) {
+    const SpawnedRays *robust = of_kind(specimen.robust, kind), *naive = of_kind(specimen.naive, kind);
+    if (robust == nullptr && naive == nullptr) continue;
+    const auto said = [&](const SpawnedRays* rays) {
+      return rays != nullptr ? leaving_text(*rays, language) : std::string(text("microscope.none", language));
+    };
+    table.rows.push_back(
+        {std::string(short_name(kind, language)), said(robust), said(naive), naive != nullptr && goes_wrong(*naive)});
+  }
+  return table;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,73 @@
+#include "math/overloaded.h"
+#include "view/plan/painter.h"
+
+#include <numbers>
+
+namespace raywalk {
+
+namespace {
+
+/// With more objects than this, only those selected or hovered show handles.
+constexpr std::size_t few_handled = 12;
+
+void draw_dot(Painter& painter, const Target& target) {
+  const bool hovered = painter.state.hovered == target || (painter.state.drag && painter.state.drag->target == target);
+  const bool selected = painter.state.selected == target;
+  const Vec2d at = painter.pixels(place_of(painter.state, target, painter.viewport));
+  const Colour fill = hovered ? painter.colours.hovered : selected ? painter.colours.selected : painter.colours.plan;
+  const double radius = painter.sizes.handle * (hovered ? 1.35 : 1);
+  painter.add(CircleItem{at, radius, fill, painter.stroke(painter.colours.handle)}, target);
+  painter.keep_free(at, painter.sizes.handle);
+}
+
+/// A ring on a stalk: rotates its object.
+void draw_rotation(Painter& painter, const Target& target, const Prism<double>& prism) {
+  const Vec2d centre = painter.pixels(centroid(prism));
+  const Vec2d at = painter.pixels(place_of(painter.state, target, painter.viewport));
+  const Stroke stalk{painter.colours.handle.with_alpha(120), painter.sizes.unit, painter.scaled({{2, 3}, 2})};
+  painter.add(LineItem{centre, at, stalk});
+  draw_dot(painter, target);
+  painter.add(ArcItem{at, 2 * painter.sizes.handle, -0.75 * std::numbers::pi, 0.5 * std::numbers::pi,
+                      painter.stroke(painter.colours.handle)});
+}
+
+void draw_view_direction(Painter& painter) {
+  const Target target{TargetKind::view_direction};
+  const Vec2d from = painter.pixels(place_of(painter.state, {TargetKind::screen_distance}, painter.viewport));
+  const Vec2d to = painter.pixels(place_of(painter.state, target, painter.viewport));
+  painter.add(LineItem{from, to, painter.outline(target, painter.colours.handle), 8 * painter.sizes.unit});
+  // Keeps names off the arrow.
+  constexpr int pieces = 4;
+  for (int i = 0; i <= pieces; ++i)
+    painter.keep_free(from + static_cast<double>(i) / pieces * (to - from), length(to - from) / pieces / 2);
+  draw_dot(painter, target);
+}
+
+}  // namespace
+
+void draw_handles(Painter& painter) {
+  const Scene& scene = painter.scene();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const int index = static_cast<int>(i);
+    const auto concerns = [&](const Target& target) { return belongs_to_object(target) && target.index == index; };
+    if (scene.objects.size() > few_handled && !concerns(painter.state.selected) && !concerns(painter.state.hovered))
+      continue;
+    if (!scene.objects[i].transform.empty()) continue;  // its handles would be elsewhere
+    std::visit(Overloaded{
+                   [&](const Sphere<double>&) { draw_dot(painter, {TargetKind::radius, index}); },
+                   [](const auto&) {},
+                   [&](const Prism<double>& prism) {
+                     draw_rotation(painter, {TargetKind::rotation, index}, prism);
+                     for (int corner = 0; corner < prism.sides(); ++corner)
+                       draw_dot(painter, {TargetKind::corner, index, corner});
+                   },
+               },
+               scene.objects[i].shape);
+  }
+  draw_view_direction(painter);
+  draw_dot(painter, {TargetKind::screen_distance});
+  draw_dot(painter, {TargetKind::screen_height, -1, 0});
+  draw_dot(painter, {TargetKind::screen_height, -1, 1});
+}
+
+}  // namespace raywalk

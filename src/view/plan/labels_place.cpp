@@ -1,0 +1,372 @@
+// Places each name where a reader looks for it: on its body, else beside it, in two lines or at the end of a leader
+// line if one line beside it would cover something or seem to name a neighbour.
+
+#include "view/plan/labels_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+PixelRect box_of(const Vec2d& middle, const Vec2d& half) { return {middle - half, middle + half}; }
+
+/// The distance of two boxes, 0 if they touch.
+double apart(const PixelRect& a, const PixelRect& b) {
+  const double dx = std::max({a.min.x - b.max.x, b.min.x - a.max.x, 0.0});
+  const double dy = std::max({a.min.y - b.max.y, b.min.y - a.max.y, 0.0});
+  return std::hypot(dx, dy);
+}
+
+struct Filled {
+  PixelRect box;
+  Colour fill;
+};
+
+std::optional<Filled> filled(const Shape2d& shape) {
+  if (const auto* circle = std::get_if<CircleItem>(&shape); circle != nullptr && circle->fill)
+    return Filled{box_of(circle->centre, Vec2d(circle->radius)), *circle->fill};
+  const auto* polygon = std::get_if<PolygonItem>(&shape);
+  if (polygon == nullptr || !polygon->fill || polygon->points.empty()) return std::nullopt;
+  PixelRect box{polygon->points.front(), polygon->points.front()};
+  for (const Vec2d& p : polygon->points)
+    box = {{std::min(box.min.x, p.x), std::min(box.min.y, p.y)}, {std::max(box.max.x, p.x), std::max(box.max.y, p.y)}};
+  return Filled{box, *polygon->fill};
+}
+
+/// The width of a text in the window's font, slightly overestimated. text_width() is 50% more, for other fonts, which
+/// would keep names off bodies that they fit on.
+double width_of(const std::string& text, double size) {
+  const auto letter = [](char c) {
+    switch (c) {
+      case 'i':
+      case 'j':
+      case 'l':
+      case ' ':
+      case '.':
+        return 0.24;
+      case 'f':
+      case 'r':
+      case 't':
+      case 'I':
+        return 0.34;
+      case 'm':
+      case 'w':
+      case 'M':
+      case 'W':
+        return 0.76;
+      default:
+        return c >= 'A' && c <= 'Z' ? 0.58 : 0.5;
+    }
+  };
+  double width = 0;
+  for (const char c : text)
+    if ((c & 0xC0) != 0x80) width += letter(c) * size;
+  return std::min(width, text_width(text, size));
+}
+
+/// Fraction of a label's box that a body covers, by samples.
+double covered(const DrawnBody& body, const PixelRect& label) {
+  if (body.box.overlap(label) <= 0) return 0;
+  constexpr int columns = 8, rows = 2;
+  int inside = 0;
+  for (int i = 0; i <= columns; ++i)
+    for (int j = 0; j <= rows; ++j) {
+      const Vec2d size = label.max - label.min;
+      const Vec2d sample = label.min + Vec2d(size.x * i / columns, size.y * j / rows);
+      inside += distance_to(body.item, sample) == 0 ? 1 : 0;
+    }
+  return static_cast<double>(inside) / ((columns + 1) * (rows + 1));
+}
+
+/// Distance in pixels from a label's box to a body's drawing, 0 if they touch; any value above `most` if it exceeds
+/// that.
+double distance_to_box(const DrawnBody& body, const PixelRect& label, double most) {
+  if (const double least = apart(body.box, label); least > most) return least;
+  constexpr int columns = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= columns; ++i)
+    for (const double y : {label.min.y, (label.min.y + label.max.y) / 2, label.max.y})
+      least = std::min(least, distance_to(body.item, {label.min.x + (label.max.x - label.min.x) * i / columns, y}));
+  return least;
+}
+
+/// A label's distance from its own body, and from the nearest other one.
+struct Distances {
+  double own = 0, other = std::numeric_limits<double>::infinity();
+};
+
+Distances distances(const std::vector<DrawnBody>& bodies, const Target& own, const PixelRect& label, double crowded) {
+  Distances all;
+  if (own) all.own = std::numeric_limits<double>::infinity();
+  for (const DrawnBody& body : bodies) {
+    const bool is_own = own && body.item.target == own;
+    double& least = is_own ? all.own : all.other;
+    least = std::min(least, distance_to_box(body, label, is_own ? least : std::min(least, crowded)));
+  }
+  if (!std::isfinite(all.own)) all.own = 0;
+  return all;
+}
+
+/// From the edge of a label into a body, far enough that the body is unambiguous.
+std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const PixelRect& label, double unit) {
+  const Vec2d from(std::clamp(middle.x, label.min.x, label.max.x), std::clamp(middle.y, label.min.y, label.max.y));
+  const Vec2d way = middle - from;
+  const double whole = length(way);
+  constexpr int steps = 64;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    if (distance_to(body.item, from + t * way) > 0) continue;
+    return {from, from + std::min(t + (whole > 0 ? 5 * unit / whole : 0), 1.0) * way};
+  }
+  return {from, middle};
+}
+
+class Places {
+ public:
+  Places(const Painter& painter, const std::vector<DrawnBody>& bodies, const Labelled& thing,
+         std::vector<PixelRect> names)
+      : painter_(painter),
+        bodies_(bodies),
+        thing_(thing),
+        names_(std::move(names)),
+        unit_(painter.sizes.unit),
+        letterings_(letterings(thing.text, painter.sizes.text)),
+        area_(area(letterings_.front())) {}
+
+  /// Its place on its own body, if it fits.
+  [[nodiscard]] LabelPlace on_body() {
+    for (const NameLines& letters : letterings_) {
+      if (thing_.body && thing_.solid && covers_own(box_of(thing_.at, letters.half + 2 * unit_)) == 1)
+        consider({thing_.at, letters, true}, 0);
+      if (best_.on_body && good()) break;
+    }
+    return best_;
+  }
+
+  [[nodiscard]] LabelPlace best() {
+    if (on_body().on_body && good()) return best_;
+    // Two lines and distant places only if nothing simpler is good.
+    constexpr double near = 5;
+    for (const double gap : {near, 4 * near, 8 * near, 12 * near})
+      for (const NameLines& letters : letterings_) {
+        if (good()) return best_;
+        const double extra_cost = (letters.lines.size() > 1 ? 0.05 : 0) + (gap > near ? 0.1 + 0.006 * gap : 0);
+        beside(letters, gap * unit_, extra_cost * area_, gap > near);
+        if (!thing_.body) break;
+      }
+    return best_;
+  }
+
+ private:
+  static double area(const NameLines& letters) { return 4 * letters.half.x * letters.half.y; }
+  /// Nothing is covered, and no other body is near.
+  [[nodiscard]] bool good() const { return best_.cost < 0.3 * area_; }
+
+  [[nodiscard]] double covers_own(const PixelRect& label) const {
+    double most = 0;
+    for (const DrawnBody& body : bodies_)
+      if (body.item.target == thing_.body) most = std::max(most, covered(body, label));
+    return most;
+  }
+
+  /// Whether a name on its own body may lie on this one too: it is the same, or surrounds it, like a floor.
+  [[nodiscard]] bool is_ground(const DrawnBody& body) const {
+    if (body.item.target == thing_.body) return true;
+    const Vec2d low = thing_.at - thing_.half, high = thing_.at + thing_.half;
+    const Vec2d size = body.box.max - body.box.min, own = high - low;
+    const bool around =
+        body.box.min.x <= low.x && body.box.min.y <= low.y && body.box.max.x >= high.x && body.box.max.y >= high.y;
+    return around && size.x * size.y > 2 * own.x * own.y;
+  }
+
+  [[nodiscard]] double hidden_at(const LabelPlace& place) const {
+    const PixelRect box = place.box();
+    const double own_area = area(place.letters);
+    double hidden = 4 * (own_area - box.overlap(painter_.pane()));
+    for (const PixelRect& taken : painter_.kept_free) hidden += box.overlap(taken);
+    for (const PixelRect& name : names_) hidden += 4 * box.overlap(name);
+    for (const DrawnBody& body : bodies_)
+      if (!place.on_body || !is_ground(body)) {
+        hidden += 1.5 * own_area * covered(body, box);
+        // A small thing covers little of a name, but the name may hide all of it.
+        const Vec2d size = body.box.max - body.box.min;
+        hidden += own_area * body.box.overlap(box) / std::max(size.x * size.y, 1.0);
+      }
+    return hidden;
+  }
+
+  /// How easily a label is mistaken for that of another body, 0..1: high if another is nearer than its own, low if
+  /// another is near at all.
+  [[nodiscard]] double mistakable(const PixelRect& label) const {
+    const double crowded = 60 * unit_;
+    const Distances away = distances(bodies_, thing_.body, label, crowded);
+    const double enough = 2 * away.own + 4 * unit_;
+    return std::max(away.other < enough ? 0.9 * (1 - away.other / enough) : 0.0,
+                    0.3 * std::max(0.0, 1 - away.other / crowded));
+  }
+
+  /// The same at the end of a line, which is unambiguous unless the name almost touches another body.
+  [[nodiscard]] double touching(const PixelRect& label) const {
+    const double near = 12 * unit_;
+    return 0.5 * std::max(0.0, 1 - distances(bodies_, thing_.body, label, near).other / near);
+  }
+
+  /// Whether its leader line crosses another body, which it would then seem to name.
+  [[nodiscard]] bool crosses(const PixelRect& label) const {
+    const auto own =
+        std::find_if(bodies_.begin(), bodies_.end(), [&](const DrawnBody& b) { return b.item.target == thing_.body; });
+    if (own == bodies_.end()) return false;
+    const auto [from, to] = line_to(*own, thing_.at, label, unit_);
+    constexpr int steps = 12;
+    for (const DrawnBody& body : bodies_)
+      for (int i = 0; i < steps && !is_ground(body); ++i)
+        if (distance_to(body.item, from + static_cast<double>(i) / steps * (to - from)) == 0) return true;
+    return false;
+  }
+
+  void consider(LabelPlace place, double extra_cost, bool led = false) {
+    const double hidden = hidden_at(place);
+    place.hidden = hidden / area(place.letters);
+    place.cost = hidden + extra_cost;
+    if (place.cost >= best_.cost) return;
+    if (!place.on_body) place.cost += area_ * (led ? touching(place.box()) : mistakable(place.box()));
+    if (led && place.cost < best_.cost && crosses(place.box())) {
+      place.cost += area_;
+      place.hidden += 1;
+    }
+    if (place.cost < best_.cost) best_ = std::move(place);
+  }
+
+  /// The distance from the middle of its thing, in this direction, at which a label is clear of it, relative to that
+  /// beside its bounding box. A slanted wall's box is mostly empty, so its label may be nearer.
+  [[nodiscard]] double clear_at(const Vec2d& half, const Vec2d& way) const {
+    if (!thing_.body) return 1;
+    constexpr int steps = 16;
+    constexpr double most = 1.5;
+    for (int i = 0; i < most * steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      if (covers_own(box_of(thing_.at + t * way, half)) == 0) return t;
+    }
+    return most;
+  }
+
+  /// Beside the thing, in order of preference: below or above, at the sides, with aligned edges, and at the corners.
+  void beside(const NameLines& letters, double gap, double extra_cost, bool led) {
+    const Vec2d half = letters.half;
+    const double dx = thing_.half.x + half.x + gap, dy = thing_.half.y + half.y + gap;
+    const double first = thing_.above ? -1 : 1;
+    const double in_line_x = std::abs(thing_.half.x - half.x), in_line_y = std::abs(thing_.half.y - half.y);
+    double order = 0;
+    // At the end of a leader line all sides are nearly equal.
+    const double weight = led ? 0.2 : 1;
+    const auto try_all = [&](const std::vector<Vec2d>& ways, double more) {
+      for (const Vec2d& way : ways)
+        consider({thing_.at + clear_at(half + gap, way) * way, letters},
+                 extra_cost + weight * (0.02 * ++order + more) * area_, led);
+    };
+    try_all({{0, first * dy}, {0, -first * dy}, {dx, 0}, {-dx, 0}}, 0);
+    try_all({{in_line_x, first * dy},
+             {-in_line_x, first * dy},
+             {in_line_x, -first * dy},
+             {-in_line_x, -first * dy},
+             {dx, in_line_y},
+             {dx, -in_line_y},
+             {-dx, in_line_y},
+             {-dx, -in_line_y}},
+            0);
+    // A name at a corner is easily read as the caption of what lies below or above it.
+    try_all({{0.7 * dx, 0.8 * dy}, {-0.7 * dx, 0.8 * dy}, {0.7 * dx, -0.8 * dy}, {-0.7 * dx, -0.8 * dy}},
+            thing_.body ? 0.1 : 0);
+  }
+
+  const Painter& painter_;
+  const std::vector<DrawnBody>& bodies_;
+  const Labelled& thing_;
+  std::vector<PixelRect> names_;  ///< of the others
+  double unit_;
+  std::vector<NameLines> letterings_;
+  double area_;  ///< of the name in one line, in pixels: the unit of costs
+  LabelPlace best_;
+};
+
+}  // namespace
+
+std::vector<NameLines> letterings(const std::string& text, double size) {
+  std::vector<NameLines> all{{{text}, {width_of(text, size) / 2, size / 2}}};
+  double narrowest = all.front().half.x;
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
+    const std::string first = text.substr(0, at), second = text.substr(at + 1);
+    const double half = std::max(width_of(first, size), width_of(second, size)) / 2;
+    if (first.empty() || second.empty() || half >= narrowest) continue;
+    narrowest = half;
+    all.resize(1);
+    all.push_back({{first, second}, {half, size}});
+  }
+  return all;
+}
+
+void draw_letters(Painter& painter, const Vec2d& middle, const NameLines& letters, Colour colour) {
+  const double size = painter.sizes.text;
+  const auto count = static_cast<double>(letters.lines.size());
+  double line = 0;
+  for (const std::string& words : letters.lines)
+    painter.add(
+        TextItem{middle + Vec2d(0, (line++ - (count - 1) / 2) * size), words, size, colour, TextAnchor::middle});
+}
+
+std::vector<DrawnBody> drawn_bodies(const DisplayList& list) {
+  std::vector<DrawnBody> bodies;
+  for (const DisplayItem& item : list)
+    if (item.target.kind == TargetKind::object)
+      if (const auto drawn = filled(item.shape)) bodies.push_back({item, drawn->box, drawn->fill});
+  return bodies;
+}
+
+bool is_shown(const Labelled& thing, const LabelPlace& place) {
+  return !place.letters.lines.empty() && (place.on_body || thing.wanted || place.hidden <= 0.6);
+}
+
+std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<DrawnBody>& bodies,
+                                     const std::vector<Labelled>& things) {
+  std::vector<LabelPlace> places(things.size());
+  const double margin = 2.5 * painter.sizes.unit;
+  const auto names_but = [&](std::size_t own) {
+    std::vector<PixelRect> names;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (k != own && is_shown(things[k], places[k]))
+        names.push_back({places[k].box().min - margin, places[k].box().max + margin});
+    return names;
+  };
+  // Names that fit onto their bodies first, then long names, which have the fewest places. Two passes: in the first,
+  // the later places are not yet known.
+  std::vector<std::size_t> order(things.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<double> turn;
+  for (const Labelled& thing : things) {
+    const bool fits = Places(painter, bodies, thing, {}).on_body().on_body;
+    turn.push_back(!thing.body ? -2e9 : fits ? -1e9 : -width_of(thing.text, painter.sizes.text));
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return turn[a] < turn[b]; });
+  constexpr int rounds = 2;
+  for (int round = 0; round < rounds; ++round)
+    for (const std::size_t i : order) places[i] = Places(painter, bodies, things[i], names_but(i)).best();
+  return places;
+}
+
+std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std::vector<DrawnBody>& bodies,
+                                              const Labelled& thing, const LabelPlace& place) {
+  const double unit = painter.sizes.unit;
+  if (!thing.body || place.on_body) return std::nullopt;
+  const auto own =
+      std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == thing.body; });
+  if (own == bodies.end()) return std::nullopt;
+  const Distances away = distances(bodies, thing.body, place.box(), 60 * unit);
+  if (away.own <= 14 * unit && away.other > away.own + 2 * unit) return std::nullopt;
+  return line_to(*own, thing.at, place.box(), unit);
+}
+
+}  // namespace raywalk

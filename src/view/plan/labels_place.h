@@ -1,0 +1,64 @@
+#pragma once
+// The placement of names in the plan. Included only by the files of this folder that draw it.
+
+#include "view/plan/painter.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// A filled drawing of an object, and the box around it.
+struct DrawnBody {
+  DisplayItem item;
+  PixelRect box;
+  Colour fill;
+};
+
+[[nodiscard]] std::vector<DrawnBody> drawn_bodies(const DisplayList& list);
+
+/// A thing with a name to be placed on or beside it.
+struct Labelled {
+  std::string text;
+  Vec2d at;            ///< middle of the thing, pixels
+  Vec2d half;          ///< half its extent
+  bool above = false;  ///< preferably above
+  Target body{};       ///< the filled drawing that the label may be placed on, if it fits
+  bool solid = false;  ///< no ray runs through the body, and through letters on it
+  bool wanted = true;  ///< shown wherever there is room, even if it hides others
+};
+
+/// A typeset name, in one line or two.
+struct NameLines {
+  std::vector<std::string> lines;
+  Vec2d half;  ///< half its extent, pixels
+};
+
+/// The name in one line, and in two if it has a space to break at.
+[[nodiscard]] std::vector<NameLines> letterings(const std::string& text, double size);
+void draw_letters(Painter& painter, const Vec2d& middle, const NameLines& letters, Colour colour);
+
+struct LabelPlace {
+  Vec2d at{0.0};  ///< its middle
+  NameLines letters;
+  bool on_body = false;
+  double cost = std::numeric_limits<double>::infinity();  ///< in pixels; lower is better
+  double hidden = 0;  ///< fraction covered or covering, 1: all of it; more if its line misleads
+
+  [[nodiscard]] PixelRect box() const { return {at - letters.half, at + letters.half}; }
+};
+
+/// False if there is no room: the name would only hide others, or seem to be theirs.
+[[nodiscard]] bool is_shown(const Labelled& thing, const LabelPlace& place);
+
+/// A place for each name, chosen jointly.
+[[nodiscard]] std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<DrawnBody>& bodies,
+                                                   const std::vector<Labelled>& things);
+
+/// The leader line from a name to its body, if it is ambiguous or far away.
+[[nodiscard]] std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter,
+                                                            const std::vector<DrawnBody>& bodies, const Labelled& thing,
+                                                            const LabelPlace& place);
+
+}  // namespace raywalk

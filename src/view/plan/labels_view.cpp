@@ -1,0 +1,139 @@
+// Names beside the things of the plan.
+
+#include "view/plan/labels_place.h"
+#include "view/text/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+/// With more objects than this, only those selected or hovered are named.
+constexpr std::size_t few_objects = 40;
+
+/// Relative luminance and contrast as defined in WCAG 2.1.
+double luminance(Colour c) {
+  const auto linear = [](std::uint8_t byte) {
+    const double v = byte / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+
+double contrast(Colour a, Colour b) {
+  const double x = luminance(a), y = luminance(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+/// The colour there without rays: the plan's background under the bodies, which may be translucent.
+Colour ground_at(const Painter& painter, const std::vector<DrawnBody>& bodies, const Vec2d& at) {
+  Colour ground = painter.colours.plan;
+  for (const DrawnBody& body : bodies)
+    if (distance_to(body.item, at) == 0) ground = mix(ground, body.fill.with_alpha(255), body.fill.a / 255.0);
+  return ground;
+}
+
+/// Black or white, whichever is more legible on the background of a label.
+Colour readable_on(const Painter& painter, const std::vector<DrawnBody>& bodies, const PixelRect& label) {
+  constexpr Colour black{0, 0, 0}, white{255, 255, 255};
+  double on_black = 1e9, on_white = 1e9;
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const Vec2d at(label.min.x + part * (label.max.x - label.min.x), (label.min.y + label.max.y) / 2);
+    const Colour ground = ground_at(painter, bodies, at);
+    on_black = std::min(on_black, contrast(black, ground));
+    on_white = std::min(on_white, contrast(white, ground));
+  }
+  return on_black > on_white ? black : white;
+}
+
+void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, std::vector<Labelled>& things) {
+  const State& state = painter.state;
+  for (std::size_t i = 0; i < painter.scene().objects.size(); ++i) {
+    const Object& object = painter.scene().objects[i];
+    const Target target{TargetKind::object, static_cast<int>(i)};
+    if (painter.scene().objects.size() > few_objects && state.selected != target && state.hovered != target) continue;
+    Labelled thing{object.name,
+                   Vec2d(0.0),
+                   Vec2d(0.0),
+                   false,
+                   target,
+                   !object.material.transmits(),
+                   state.selected == target || state.hovered == target};  // its name is still shown on hover
+    const auto body =
+        std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == target; });
+    if (body != bodies.end()) {
+      thing.at = painter.pixels(place_of(state, target, painter.viewport));
+      thing.half = {std::max(body->box.max.x - thing.at.x, thing.at.x - body->box.min.x),
+                    std::max(body->box.max.y - thing.at.y, thing.at.y - body->box.min.y)};
+    } else {
+      // A wall; objects drawn neither as body nor as wall have no name here.
+      const auto* plane = std::get_if<Plane<double>>(&object.shape);
+      const auto line = plane != nullptr && object.transform.empty() ? plan_line(*plane) : std::nullopt;
+      if (!line) continue;
+      const Vec2d middle = state.camera.centre;
+      thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
+      thing.half = Vec2d(14 * painter.sizes.unit);
+    }
+    things.push_back(std::move(thing));
+  }
+}
+
+std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<DrawnBody>& bodies) {
+  const double unit = painter.sizes.unit;
+  const Camera& camera = painter.scene().camera;
+  const ScreenPlace screen = screen_place(camera);
+  const Vec2d first = painter.pixels(screen.first), last = painter.pixels(screen.last);
+  const Vec2d eye = painter.pixels(plan(camera.eye));
+  const Vec2d back = eye - (first + last) / 2.0;
+  const double distance = length(back);
+  const Vec2d middle_of_eye = distance > 0 ? eye + 12 * unit / distance * back : eye;
+  const Vec2d screen_half(std::abs(first.x - last.x) / 2 + 10 * unit, std::abs(first.y - last.y) / 2 + 10 * unit);
+  std::vector<Labelled> things;
+  things.push_back({std::string(text("object.eye", painter.state.language)), middle_of_eye, Vec2d(17 * unit)});
+  things.push_back({std::string(text("object.screen", painter.state.language)), (first + last) / 2.0, screen_half});
+  for (const Light& light : painter.scene().lights)
+    things.push_back({light.name, painter.pixels(light_place(light, painter.state.camera, painter.viewport)),
+                      Vec2d(14 * unit), true});
+  add_objects(painter, bodies, things);
+  return things;
+}
+
+}  // namespace
+
+void draw_labels(Painter& painter) {
+  const double gap = 5 * painter.sizes.unit;
+  const std::vector<DrawnBody> bodies = drawn_bodies(painter.list);
+  std::vector<Labelled> things = labelled_things(painter, bodies);
+  std::erase_if(things, [&](const Labelled& thing) {
+    return thing.text.empty() || PixelRect{thing.at - thing.half, thing.at + thing.half}.overlap(painter.pane()) <= 0;
+  });
+  const std::vector<LabelPlace> places = place_labels(painter, bodies, things);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const Labelled& thing = things[i];
+    const LabelPlace& place = places[i];
+    if (!is_shown(thing, place)) continue;
+    const PixelRect box = place.box();
+    painter.kept_free.push_back({box.min - gap / 2, box.max + gap / 2});
+    if (place.on_body) {
+      draw_letters(painter, place.at, place.letters, readable_on(painter, bodies, box));
+      continue;
+    }
+    if (const auto leader = leader_of(painter, bodies, thing, place)) {
+      const auto [from, to] = *leader;
+      painter.add(LineItem{from, to, painter.stroke(painter.colours.text.with_alpha(190), 0.7)});
+      painter.add(CircleItem{to, 1.8 * painter.sizes.unit, painter.colours.text, std::nullopt});
+    }
+    // A plate that keeps the letters readable across rays.
+    painter.add(PolygonItem{{{box.min.x - gap, box.min.y},
+                             {box.max.x + gap, box.min.y},
+                             {box.max.x + gap, box.max.y},
+                             {box.min.x - gap, box.max.y}},
+                            painter.colours.plan.with_alpha(150),
+                            std::nullopt});
+    draw_letters(painter, place.at, place.letters, painter.colours.text);
+  }
+}
+
+}  // namespace raywalk

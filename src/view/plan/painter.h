@@ -1,0 +1,122 @@
+#pragma once
+// Painting of the plan. Included only by the files of this folder that draw.
+
+#include "view/plan/plan_geometry.h"
+#include "view/plan/plan_view.h"
+
+#include <array>
+#include <optional>
+
+namespace raywalk {
+
+/// An axis-parallel rectangle in pixels.
+struct PixelRect {
+  Vec2d min, max;
+  [[nodiscard]] double overlap(const PixelRect& other) const;  ///< area in common
+};
+
+class Painter {
+ public:
+  Painter(const State& the_state, const Viewport& the_viewport)
+      : state(the_state), viewport(the_viewport), sizes(the_state), colours(palette(the_state.theme)) {}
+
+  const State& state;
+  const Viewport& viewport;
+  const Sizes sizes;
+  const Palette& colours;
+  DisplayList list;
+  std::vector<PixelRect> kept_free;  ///< not used by labels
+
+  [[nodiscard]] const Scene& scene() const { return state.scene(); }
+  [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.camera, viewport, point); }
+  [[nodiscard]] double pixels(double scene_units) const { return scene_units * state.camera.pixels_per_unit; }
+  [[nodiscard]] PixelRect pane() const { return {Vec2d(0.0), {viewport.width, viewport.height}}; }
+  [[nodiscard]] Stroke stroke(Colour colour, double width = 1) const { return {colour, width * sizes.line}; }
+  [[nodiscard]] DashPattern scaled(DashPattern dash) const;
+  /// Outline of something that can be selected and pointed at.
+  [[nodiscard]] Stroke outline(const Target& target, Colour colour, double width = 1) const;
+
+  void add(Shape2d shape, const Target& target = {}) { list.push_back({std::move(shape), target}); }
+  /// A line clipped to the pane, with its dashes in place and its arrowhead on the visible part, if any.
+  void add_clipped(LineItem line, const Target& target = {});
+  /// A text on its own background, which labels avoid; `at`: its middle.
+  void note(const Vec2d& at, const std::string& text);
+  /// The same at the first of these places that is in the pane and not kept free; else at the first one. Not empty.
+  void note(const std::vector<Vec2d>& places, const std::string& text);
+  /// Where the segment between two points leaves the pane, with a margin; `to` if it does not.
+  [[nodiscard]] Vec2d seen_end(const Vec2d& from, const Vec2d& to) const;
+  /// The middle of the visible part of a segment, whose ends may be far outside.
+  [[nodiscard]] Vec2d seen_middle(Vec2d from, Vec2d to) const;
+  void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
+
+ private:
+  /// The visible part of a segment, with a margin: from and to, 0..1.
+  [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to) const;
+};
+
+// objects_view.cpp
+void draw_grid(Painter& painter);
+void draw_objects(Painter& painter);
+/// The colour of a material in the plan; its alpha is its opacity.
+[[nodiscard]] Colour body_colour(const Scene& scene, const Material& material);
+
+// symbols_view.cpp
+void draw_screen(Painter& painter);
+void draw_eye(Painter& painter);
+void draw_lights(Painter& painter);
+
+// rays_view.cpp: how rays look, in the plan and in space
+/// A ray's prominence: the current ray, others of its pixel, and those of earlier pixels.
+enum class Prominence { earlier, of_pixel, current };
+struct RayLook {
+  Prominence prominence;
+  bool hovered;
+};
+[[nodiscard]] Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look);
+/// A ray on the screen: its start, its drawn end, and its unit direction.
+struct RayWay {
+  Vec2d from, to, along;
+  bool open = false;  ///< its end is not known yet
+};
+/// `known`: whether its end is known. Nothing for a vertical ray, which is a point in the plan.
+[[nodiscard]] std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool known);
+[[nodiscard]] double ray_arrow(const Painter& painter, const RayLook& look);
+/// A cross where a shadow ray is blocked.
+void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray);
+/// A ray that was not formed: a short piece that ends in a bar.
+void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target);
+void draw_rays(Painter& painter);
+
+// ghosts_view.cpp
+void draw_ghosts(Painter& painter);
+
+// structure_view.cpp
+/// The boxes of the current accelerator, and what its search has tested.
+void draw_structure(Painter& painter);
+/// The boxes' edges in space.
+struct StructureEdge {
+  Vec3d from, to;
+  Stroke stroke;
+};
+[[nodiscard]] std::vector<StructureEdge> structure_edges(const Painter& painter);
+
+// samples_view.cpp
+void draw_samples(Painter& painter);
+
+// handles_view.cpp
+void draw_handles(Painter& painter);
+
+// equation_view.cpp
+void draw_hit_notes(Painter& painter);
+
+// lesson_view.cpp
+void draw_guess(Painter& painter);
+
+// bug_view.cpp
+/// The pixel's rays without the bug (or with it, once fixed), once it is known.
+void draw_other_rays(Painter& painter);
+
+// labels_view.cpp
+void draw_labels(Painter& painter);
+
+}  // namespace raywalk

@@ -1,0 +1,146 @@
+#include "view/plan/plan_view.h"
+
+#include "view/plan/painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+Vec2d to_pixels(const PlanCamera& camera, const Viewport& viewport, const Vec2d& point) {
+  const Vec2d from_centre = (point - camera.centre) * camera.pixels_per_unit;
+  return {viewport.width / 2 + from_centre.x, viewport.height / 2 - from_centre.y};
+}
+
+Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& pixels) {
+  const Vec2d from_centre(pixels.x - viewport.width / 2, viewport.height / 2 - pixels.y);
+  return camera.centre + from_centre / camera.pixels_per_unit;
+}
+
+PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
+  Bounds<double> box;
+  const auto include = [&](const Vec2d& p) { box.include(Vec3d(p, 0)); };
+  const ScreenPlace screen = screen_place(scene.camera);
+  include(plan(scene.camera.eye));
+  include(screen.first);
+  include(screen.last);
+  for (const Light& light : scene.lights)
+    if (const auto middle = middle_of(light)) include(plan(*middle));
+  for (const Object& object : scene.objects) {
+    if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape); sphere && object.transform.empty()) {
+      include(plan(sphere->centre) - plan_radius(*sphere));
+      include(plan(sphere->centre) + plan_radius(*sphere));
+    } else if (const auto footprint = footprint_of(object)) {
+      include(plan(footprint->min));
+      include(plan(footprint->max));
+    }
+  }
+  // For a wall, its nearest point, unless it is far away from everything.
+  const Vec2d middle = plan(box.min + box.max) / 2.0;
+  const double near = length(plan(box.max - box.min));
+  for (const Object& object : scene.objects)
+    if (const auto* plane = std::get_if<Plane<double>>(&object.shape); plane && object.transform.empty())
+      if (const auto line = plan_line(*plane)) {
+        const Vec2d nearest = line->point + dot(middle - line->point, line->along) * line->along;
+        if (length(nearest - middle) < near) include(nearest);
+      }
+  const Vec2d size = plan(box.max) - plan(box.min);
+  // The margins are for symbols, labels and handles.
+  const auto room = [&](double pixels) {
+    return pixels - 2 * std::min(std::max(0.07 * pixels, 34 * unit), 0.2 * pixels);
+  };
+  const double widest = std::max({size.x / room(viewport.width), size.y / room(viewport.height), 1e-9});
+  return {plan(box.min) + size / 2.0, std::clamp(1 / widest, 1e-6, 1e9), true};
+}
+
+PlanCamera fitted(const State& state) { return fit(state.scene(), state.viewport, Sizes(state).unit); }
+
+Sizes::Sizes(const State& state)
+    : unit(state.ui_scale * theme_scale(state.theme)),
+      text(15 * unit),
+      line(1.5 * unit),
+      handle(4.5 * unit),
+      reach(6 * unit) {}
+
+DisplayList plan_view(const State& state, const Viewport& viewport) {
+  Painter painter(state, viewport);
+  const bool moving = state.mode == Mode::move;
+  if (moving) draw_grid(painter);
+  draw_objects(painter);
+  draw_screen(painter);
+  if (!moving) draw_structure(painter);
+  if (!moving) draw_rays(painter);
+  if (!moving) draw_ghosts(painter);
+  if (!moving) draw_samples(painter);
+  if (!moving) draw_other_rays(painter);
+  draw_eye(painter);
+  draw_lights(painter);
+  if (moving) draw_handles(painter);
+  draw_hit_notes(painter);
+  draw_labels(painter);
+  draw_guess(painter);
+  return std::move(painter.list);
+}
+
+namespace {
+
+/// Small things take precedence over what surrounds them.
+int rank_of(TargetKind kind) {
+  switch (kind) {
+    case TargetKind::radius:
+    case TargetKind::corner:
+    case TargetKind::rotation:
+    case TargetKind::view_direction:
+    case TargetKind::screen_height:
+    case TargetKind::screen_distance:
+      return 5;
+    case TargetKind::eye:
+    case TargetKind::light:
+      return 4;
+    case TargetKind::edge:
+      return 3;
+    case TargetKind::cell:
+      return 2;
+    case TargetKind::ray:
+      return 1;
+    case TargetKind::object:
+    case TargetKind::nothing:
+      return 0;
+  }
+  return 0;
+}
+
+/// The topmost of what `wanted` says yes to.
+template <class Wanted>
+Target topmost(const State& state, const Viewport& viewport, const Vec2d& at, Wanted wanted) {
+  const DisplayList list = plan_view(state, viewport);
+  const double reach = Sizes(state).reach;
+  Target best;
+  int best_rank = -1;
+  double best_distance = 0;
+  for (const DisplayItem& item : list) {
+    if (!item.target || !wanted(item.target.kind)) continue;
+    const double distance = distance_to(item, at);
+    const int rank = rank_of(item.target.kind);
+    if (!(distance <= reach) || rank < best_rank) continue;
+    // What is drawn later lies on top, so it wins where both are equally near.
+    if (rank == best_rank && distance > best_distance) continue;
+    best = item.target;
+    best_rank = rank;
+    best_distance = distance;
+  }
+  return best;
+}
+
+}  // namespace
+
+Target pick(const State& state, const Viewport& viewport, const Vec2d& at) {
+  return topmost(state, viewport, at, [](TargetKind) { return true; });
+}
+
+Target body_at(const State& state, const Vec2d& at) {
+  return topmost(state, state.viewport, at,
+                 [](TargetKind kind) { return kind == TargetKind::object || kind == TargetKind::light; });
+}
+
+}  // namespace raywalk

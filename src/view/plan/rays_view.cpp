@@ -1,0 +1,197 @@
+#include "view/plan/painter.h"
+#include "view/text/text.h"
+#include "view/walk/lit.h"
+#include "view/walk/tween.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+/// The drawn end of the ray, in scene units, where its end may not be known yet; none if it is infinite.
+std::optional<Vec2d> drawn_end(const RayRecord& ray, const Scene& scene, bool known) {
+  if (known) return ray.endless ? std::nullopt : std::optional(plan(ray.end));
+  const bool to_a_place = ray.light >= 0 && ray.light < static_cast<int>(scene.lights.size()) &&
+                          middle_of(scene.lights[static_cast<std::size_t>(ray.light)]).has_value();
+  return to_a_place ? std::optional(plan(ray.origin + ray.direction)) : std::nullopt;
+}
+
+/// A point beyond the pane, from any start in it; from outside, measured from its middle.
+Vec2d beyond_pane(const Painter& painter, const Vec2d& from, const Vec2d& along) {
+  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
+  return from + (painter.viewport.width + painter.viewport.height + length(middle - from)) * along;
+}
+
+/// Growth outside the pane takes no time.
+Vec2d grown_end(const Painter& painter, const RayRecord& ray, const RayWay& way, const Growth& growth) {
+  const auto before = growth.from_start ? RayWay{way.from, way.from, way.along} : *ray_way(painter, ray, false);
+  const Vec2d start = painter.seen_end(before.from, before.to), end = painter.seen_end(way.from, way.to);
+  return start + growth.part * (end - start);
+}
+
+/// Why the ray was not formed, beside its stub. In a narrow pane the sentence below it has to suffice.
+void draw_why_not(Painter& painter, const RayRecord& ray, const Vec2d& from, const Vec2d& along) {
+  const std::string why(text(ray.ending, painter.state.language));
+  const double half = text_width(why, painter.sizes.text) / 2 + 14 * painter.sizes.unit;
+  if (2 * half > 0.5 * painter.viewport.width) return;
+  const Vec2d tip = from + 24 * painter.sizes.unit * along;
+  const bool to_the_right = along.x >= 0 ? tip.x + 2 * half < painter.viewport.width : tip.x - 2 * half < 0;
+  painter.note(tip + Vec2d(to_the_right ? half : -half, 0), why);
+}
+
+/// A ray whose end is not known yet fades towards the border of the pane, so as not to seem to pass through objects.
+void add_fading(Painter& painter, LineItem line, const Target& target) {
+  constexpr int pieces = 8;
+  constexpr double whole = 0.5, faintest = 0.25;  // of the length, of the colour
+  const Vec2d from = line.from, to = painter.seen_end(line.from, line.to);
+  const double alpha = line.stroke.colour.a, phase = line.stroke.phase, size = length(to - from);
+  const auto piece = [&](double begin, double end, double share) {
+    LineItem part = line;
+    part.from = from + begin * (to - from);
+    part.to = from + end * (to - from);
+    part.stroke.phase = phase + begin * size;
+    part.stroke.colour.a = static_cast<std::uint8_t>(alpha * share);
+    painter.add_clipped(part, target);
+    line.arrow = 0;  // only the first piece has one
+  };
+  piece(0, whole, 1);
+  for (int i = 0; i < pieces; ++i)
+    piece(whole + (1 - whole) * i / pieces, whole + (1 - whole) * (i + 1) / pieces,
+          1 - (1 - faintest) * (i + 1) / pieces);
+}
+
+void draw_ray(Painter& painter, int index, const RayLook& look) {
+  const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
+  const bool known = ray.found_at <= painter.state.position;
+  const std::optional<RayWay> way = ray_way(painter, ray, known);
+  if (!way) return;
+  const auto& [from, end, along, open] = *way;
+  const Stroke stroke = ray_stroke(painter, ray, look);
+  const Target target{TargetKind::ray, index};
+  if (!ray.formed) {
+    draw_stub(painter, from, along, stroke, target);
+    if (look.prominence == Prominence::current) draw_why_not(painter, ray, from, along);
+    return;
+  }
+  const std::optional<Growth> growth = growth_of(painter.state, index);
+  const Vec2d to = growth ? grown_end(painter, ray, *way, *growth) : end;
+  if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
+  LineItem line{from, to, stroke, ray_arrow(painter, look), 0.55};
+  const double visible = length(to - from);
+  if (visible < 3 * line.arrow) line.arrow = visible / 3;
+  if (open && !growth)
+    add_fading(painter, line, target);
+  else
+    painter.add_clipped(line, target);
+  if (known && ray.ending == Ending::blocked && !growth) draw_blocked(painter, to, along, stroke);
+}
+
+void draw_normal(Painter& painter, const RayRecord& ray) {
+  const Vec2d normal(ray.normal.x, -ray.normal.y);
+  if (!(length(normal) > 1e-6)) return;
+  const Vec2d at = painter.pixels(plan(ray.end));
+  LineItem line{at, at + 26 * painter.sizes.unit * normal, painter.stroke(painter.colours.normal),
+                5 * painter.sizes.unit};
+  painter.add_clipped(line);
+}
+
+}  // namespace
+
+std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool known) {
+  const Vec2d towards(ray.direction.x, -ray.direction.y);  // on the screen
+  const double size = length(towards);
+  if (!(size > 0)) return std::nullopt;
+  const Vec2d along = towards / size;
+  const Vec2d from = painter.pixels(plan(ray.origin));
+  const std::optional<Vec2d> end = drawn_end(ray, painter.scene(), known);
+  return RayWay{from, end ? painter.pixels(*end) : beyond_pane(painter, from, along), along, !known && !end};
+}
+
+Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look) {
+  const RayStyle& style = ray_style(painter.state.theme, ray.kind);
+  Stroke stroke{style.colour, painter.sizes.unit, painter.scaled(style.dash)};
+  switch (look.prominence) {
+    case Prominence::earlier:
+      stroke.colour.a = 100;
+      break;
+    case Prominence::of_pixel:
+      stroke.width = 1.7 * painter.sizes.unit;
+      stroke.colour.a = 225;
+      break;
+    case Prominence::current:
+      stroke.width = 3.2 * painter.sizes.unit;
+      break;
+  }
+  if (look.hovered) {
+    stroke.width = std::max(stroke.width, 3.2 * painter.sizes.unit);
+    stroke.colour.a = 255;
+  }
+  return stroke;
+}
+
+double ray_arrow(const Painter& painter, const RayLook& look) {
+  if (look.hovered || look.prominence == Prominence::current) return 12 * painter.sizes.unit;
+  return (look.prominence == Prominence::of_pixel ? 8 : 6) * painter.sizes.unit;
+}
+
+/// A cross where a shadow ray is blocked.
+void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray) {
+  const Vec2d across(-along.y, along.x);
+  const double size = 5 * painter.sizes.unit;
+  const Stroke stroke{ray.colour, std::max(ray.width, 1.6 * painter.sizes.unit)};
+  painter.add_clipped({at - size * (along + across), at + size * (along + across), stroke});
+  painter.add_clipped({at - size * (along - across), at + size * (along - across), stroke});
+}
+
+/// A ray that was not formed: a short piece that ends in a bar.
+void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target) {
+  const double size = 24 * painter.sizes.unit, bar = 6 * painter.sizes.unit;
+  const Vec2d to = from + size * along, across(-along.y, along.x);
+  painter.add_clipped({from, to, stroke}, target);
+  painter.add_clipped(
+      {to - bar * across, to + bar * across, {stroke.colour, std::max(stroke.width, 1.6 * painter.sizes.unit)}},
+      target);
+}
+
+void draw_rays(Painter& painter) {
+  const Timeline& timeline = *painter.state.timeline;
+  const int position = painter.state.position;
+  const auto count = static_cast<int>(timeline.rays_at(position).size());
+  const int pixel = timeline.current_pixel(position);
+  const int current = timeline.current_ray(position);
+
+  const BugSitting& bugs = painter.state.bugs;
+  const int wished = bugs.hunt                               ? bugs.hunt->first_pixel
+                     : painter.state.lessons.at() != nullptr ? painter.state.lessons.first_pixel
+                                                             : 0;
+  const int first_pixel = std::min(wished, pixel);
+
+  const auto is_drawn = [&](int index) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+    if (ray.pixel < first_pixel) return false;
+    // A light that cannot reach the surface is not a limit: its stub is shown only with its pixel.
+    return ray.pixel == pixel || ray.formed ||
+           (ray.ending != Ending::facing_away && ray.ending != Ending::outside_cone);
+  };
+  for (int index = 0; index < count; ++index) {
+    if (index == current || is_lit(painter.state, index) || !is_drawn(index)) continue;
+    const bool of_pixel = timeline.rays()[static_cast<std::size_t>(index)].pixel == pixel;
+    draw_ray(painter, index, {of_pixel ? Prominence::of_pixel : Prominence::earlier, false});
+  }
+  for (int index = 0; index < count; ++index) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+    if (ray.pixel == pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= position &&
+        !growth_of(painter.state, index))
+      draw_normal(painter, ray);
+  }
+  if (current >= 0 && current < count && !is_lit(painter.state, current))
+    draw_ray(painter, current, {Prominence::current, false});
+  for (int index = 0; index < count; ++index) {
+    if (!is_lit(painter.state, index)) continue;
+    draw_ray(painter, index, {index == current ? Prominence::current : Prominence::of_pixel, true});
+  }
+}
+
+}  // namespace raywalk

@@ -1,0 +1,17 @@
+#pragma once
+// Names in the line view. Included only by the files of this folder that draw it.
+
+#include "view/plan/painter.h"
+#include "view/space/orbit.h"
+
+#include <string>
+
+namespace raywalk {
+
+/// Draws a centred name, unless it would cover another one.
+void draw_name(Painter& painter, const std::string& what, const Vec2d& at);
+
+/// Draws the objects' names, each on its own body unless a smaller one is there, else beside it.
+void draw_object_names(Painter& painter, const Projection& seen);
+
+}  // namespace raywalk

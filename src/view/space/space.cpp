@@ -1,0 +1,141 @@
+// Actions on the 3-D picture and the line view, and the choice of the walked pixel.
+
+#include "view/action.h"
+#include "view/document/document.h"
+#include "view/space/lines_view.h"
+#include "view/space/orbit.h"
+#include "view/text/text.h"
+#include "view/walk/walk.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace raywalk {
+
+namespace {
+
+/// Sets a camera turned by hand; ignored if not finite.
+void set_camera(State& state, SpaceView view, const Camera& camera) {
+  state.turned_last = view;
+  if (!is_finite(camera.eye) || !is_finite(camera.look_at) || camera.eye == camera.look_at) return;
+  switch (view) {
+    case SpaceView::image:
+      if (camera == image_camera(state)) return;
+      state.image_camera = camera;
+      ++state.image_revision;
+      return;
+    case SpaceView::lines:
+      state.lines_camera = camera;
+      return;
+  }
+}
+
+Camera camera_of(const State& state, SpaceView view) {
+  switch (view) {
+    case SpaceView::image:
+      return image_camera(state);
+    case SpaceView::lines:
+      return lines_camera(state, state.viewport);
+  }
+  return {};
+}
+
+/// A view's pivot: once turned, the camera keeps looking at it.
+Vec3d pivot(const State& state, SpaceView view, const Camera& camera) {
+  const bool is_scenes_own = view == SpaceView::image && !state.image_camera;
+  return is_scenes_own ? pivot_of(state.scene(), camera) : camera.look_at;
+}
+
+void walk_something(State& state, std::optional<PixelWalk> walk) {
+  state.playing = false;
+  state.walk = std::move(walk);
+  state.position = 0;
+  record_again(state);
+}
+
+}  // namespace
+
+void action::WalkPixel::apply(State& state) const {
+  constexpr int most = 1 << 16;
+  if (size.width < 1 || size.height < 1 || size.width > most || size.height > most) return;
+  if (column < 0 || row < 0 || column >= size.width || row >= size.height) return;
+  const int cells = state.scene().camera.screen.cells;
+  // The row of the strip, as wide as a cell.
+  const int near = std::max(size.width / std::max(cells, 1) / 2, 1);
+  if (state.planar && !state.image_camera && std::abs(2 * row + 1 - size.height) / 2 < near)
+    return update(state, JumpToCell{column * cells / size.width});
+  walk_something(state, PixelWalk{size, column, row, state.image_camera});
+  state.lines_wanted.reset();
+  state.tab = Tab::tree;
+  go_to(state, state.timeline->steps());
+}
+
+void walk_strip(State& state) {
+  if (!state.walk) return;
+  walk_something(state, std::nullopt);
+  state.lines_wanted.reset();
+}
+
+void action::WalkStrip::apply(State& state) const { walk_strip(state); }
+
+void action::Orbit::apply(State& state) const {
+  const Camera camera = camera_of(state, view);
+  const Vec2d by{std::clamp(angles.x, -10.0, 10.0), std::clamp(angles.y, -10.0, 10.0)};
+  set_camera(state, view, orbited(camera, pivot(state, view, camera), by));
+}
+
+void action::Shift::apply(State& state) const {
+  const Camera camera = camera_of(state, view);
+  const Vec2d by{std::clamp(parts.x, -10.0, 10.0), std::clamp(parts.y, -10.0, 10.0)};
+  Camera centred = camera;
+  centred.look_at = pivot(state, view, camera);
+  set_camera(state, view, shifted(centred, centred.look_at, by));
+}
+
+void action::Approach::apply(State& state) const {
+  const Camera camera = camera_of(state, view);
+  set_camera(state, view, approached(camera, pivot(state, view, camera), std::clamp(factor, 0.01, 100.0)));
+}
+
+void action::ResetView::apply(State& state) const {
+  state.turned_last = view;
+  switch (view) {
+    case SpaceView::image:
+      if (state.image_camera) ++state.image_revision;
+      state.image_camera.reset();
+      return;
+    case SpaceView::lines:
+      state.lines_camera.reset();
+      return;
+  }
+}
+
+void action::ShowLines::apply(State& state) const {
+  state.lines_wanted = shown;
+  if (shown) state.mode = Mode::trace;
+}
+
+void action::UseImageCamera::apply(State& state) const {
+  if (!state.image_camera) return inform(state, std::string(text("notice.camera_is_the_scenes", state.language)));
+  Scene next = state.scene();
+  next.camera = *state.image_camera;
+  if (!commit_if_valid(state, std::move(next), -1, -1)) return;
+  ResetView{SpaceView::image}.apply(state);
+  inform(state, std::string(text("notice.camera_taken", state.language)));
+}
+
+void action::SetImageSettings::apply(State& state) const {
+  ImageSettings next = settings;
+  next.samples = std::clamp(next.samples, 1, max_image_samples);
+  next.walk_samples = std::clamp(next.walk_samples, 1, max_walk_samples);
+  if (next == state.image) return;
+  const auto of_walk = [](const ImageSettings& s) {
+    return std::tie(s.single_precision, s.integrator, s.walk_samples);
+  };
+  const bool other_walk = of_walk(next) != of_walk(state.image);
+  state.image = next;
+  ++state.image_revision;
+  if (other_walk) record_again(state);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,83 @@
+// Implements the actions of the Structure tab.
+
+#include "inspect/search_walk.h"
+#include "view/action.h"
+#include "view/structure/structure.h"
+#include "view/walk/asked.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+bool shows_structure(const State& state) { return state.mode == Mode::trace && state.tab == Tab::structure; }
+
+int structure_steps(const State& state) {
+  const StructureSitting& sitting = state.structure;
+  switch (sitting.page) {
+    case StructurePage::search:
+      return sitting.searches ? static_cast<int>(sitting.searches->in[watched_index(sitting.kind)].events.size()) : 0;
+    case StructurePage::build:
+      return sitting.walks ? static_cast<int>(sitting.walks->build(sitting.kind).steps.size()) : 0;
+  }
+  return 0;
+}
+
+int structure_step(const State& state) {
+  return state.structure.page == StructurePage::search ? state.structure.step : state.structure.build_step;
+}
+
+bool is_off_plan(const State& state, const Bounds<double>& box) {
+  return state.planar && !state.walk && !box.empty() && (box.min.z > 0 || box.max.z < 0);
+}
+
+namespace {
+
+/// The current ray, if it was formed. None while a lesson asks: its search would reveal the answer.
+int ray_in_hand(const State& state) {
+  if (question_waits(state)) return -1;
+  const int ray = state.timeline->current_ray(state.position);
+  return ray >= 0 && state.timeline->rays()[static_cast<std::size_t>(ray)].formed ? ray : -1;
+}
+
+}  // namespace
+
+void follow_with_structure(State& state) {
+  StructureSitting& sitting = state.structure;
+  if (!shows_structure(state)) {
+    sitting.walks.reset();
+    sitting.searches.reset();
+    sitting.step = sitting.build_step = 0;
+    return;
+  }
+  const bool anew = !sitting.walks || sitting.walks->timeline() != state.timeline;
+  const int ray = ray_in_hand(state);
+  if (!anew && (sitting.searches ? sitting.searches->ray : -1) == ray) return;
+  // If a search was shown to its end, so is the next one.
+  const bool to_end = sitting.searches && sitting.step > 0 && sitting.step == structure_steps(state);
+  if (anew) {
+    const Precision precision = state.image.single_precision ? Precision::float_ : Precision::double_;
+    sitting.walks = std::make_shared<const SearchWalks>(*walked_scene(state), state.timeline, precision);
+    sitting.build_step =
+        std::min(sitting.build_step, static_cast<int>(sitting.walks->build(sitting.kind).steps.size()));
+  }
+  sitting.searches = ray >= 0 ? sitting.walks->search(ray) : nullptr;
+  sitting.step = to_end && sitting.page == StructurePage::search ? structure_steps(state) : 0;
+}
+
+void action::ChooseStructure::apply(State& state) const {
+  StructureSitting& sitting = state.structure;
+  const bool to_end = structure_step(state) > 0 && structure_step(state) == structure_steps(state);
+  sitting.kind = watched_accelerators[watched_index(kind)];
+  sitting.step = sitting.build_step = 0;
+  if (to_end) GoInStructure{structure_steps(state)}.apply(state);
+}
+
+void action::ShowStructurePage::apply(State& state) const { state.structure.page = page; }
+
+void action::GoInStructure::apply(State& state) const {
+  StructureSitting& sitting = state.structure;
+  int& at = sitting.page == StructurePage::search ? sitting.step : sitting.build_step;
+  at = std::clamp(step, 0, structure_steps(state));
+}
+
+}  // namespace raywalk

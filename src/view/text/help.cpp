@@ -1,0 +1,98 @@
+// The text of help mode.
+
+#include "view/text/text.h"
+
+namespace raywalk {
+
+namespace {
+
+struct Entry {
+  std::string_view term, text;  ///< ids; a paragraph has no term
+};
+struct Section {
+  std::string_view title;  ///< the id
+  std::vector<Entry> entries;
+};
+
+/// In reading order.
+const std::vector<Section>& sections() {
+  static const std::vector<Section> all{
+      {"help.what.title", {{"", "help.what.text"}}},
+      {"help.plan.title",
+       {{"object.eye", "help.plan.eye"},
+        {"object.screen", "help.plan.screen"},
+        {"object.solid_sphere", "help.plan.solid_sphere"},
+        {"object.transparent_sphere", "help.plan.transparent_sphere"},
+        {"object.polygon", "help.plan.polygon"},
+        {"object.light_source", "help.plan.light_source"}}},
+      {"help.modes.title",
+       {{"command.mode_move.label", "help.modes.move"},
+        {"command.mode_trace.label", "help.modes.trace"},
+        {"command.mode_help.label", "help.modes.help"}}},
+      {"help.buttons.title",
+       {{"command.step.label", "help.buttons.step"},
+        {"command.step_back.label", "help.buttons.back"},
+        {"command.play.label", "help.buttons.auto"},
+        {"command.clear.label", "help.buttons.clear"},
+        {"help.buttons.the_bar_term", "help.buttons.the_bar"},
+        {"help.buttons.over_out_term", "help.buttons.over_out"},
+        {"command.predict.label", "help.buttons.predict"},
+        {"command.tab_structure.label", "help.buttons.structure"},
+        {"help.buttons.breakpoints_term", "help.buttons.breakpoints"}}},
+      {"help.lessons.title", {{"", "help.lessons.text"}}},
+      {"help.bugs.title", {{"", "help.bugs.text"}}},
+      {"help.panels.title",
+       {{"help.panels.code_term", "help.panels.code"},
+        {"command.tab_image.label", "help.panels.image"},
+        {"command.lines.label", "help.panels.lines_in_space"},
+        {"command.tab_tree.label", "help.panels.ray_tree"},
+        {"command.tab_equation.label", "help.panels.equation"},
+        {"command.tab_microscope.label", "help.panels.microscope"},
+        {"command.tab_stack.label", "help.panels.stack"},
+        {"command.tab_legend.label", "help.panels.legend"},
+        {"command.tab_cost.label", "help.panels.cost"}}},
+      {"help.numbers.title",
+       {{"property.ambient", "explanation.ambient"},
+        {"property.diffuse", "explanation.diffuse"},
+        {"property.specular", "explanation.specular"},
+        {"property.shininess", "explanation.shininess"},
+        {"property.reflection", "explanation.reflection"},
+        {"property.transmission", "explanation.transmission"},
+        {"property.ior", "explanation.ior"},
+        {"property.dielectric", "explanation.dielectric"},
+        {"property.shadow", "explanation.shadow"},
+        {"property.emission", "explanation.emission"},
+        {"property.checker", "explanation.checker"},
+        {"property.strength", "explanation.strength"},
+        {"property.attenuation", "explanation.attenuation"},
+        {"property.background", "explanation.background"},
+        {"property.scene_ambient", "explanation.scene_ambient"},
+        {"property.limits_depth", "explanation.limits_depth"},
+        {"property.threshold", "explanation.threshold"}}},
+      {"help.endings.title",
+       {{"ending.hit", "help.endings.hit"},
+        {"ending.missed", "help.endings.left_the_scene"},
+        {"ending.blocked", "help.endings.blocked"},
+        {"ending.reached_light", "help.endings.reached_the_light"},
+        {"help.endings.depth_limit_term", "help.endings.depth_limit"},
+        {"help.endings.share_too_small_term", "help.endings.share_too_small"},
+        {"help.endings.total_internal_reflection_term", "help.endings.total_internal_reflection"},
+        {"help.endings.faces_away_term", "help.endings.faces_away"}}},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::vector<HelpSection> help(Language language) {
+  std::vector<HelpSection> all;
+  for (const Section& section : sections()) {
+    HelpSection& said = all.emplace_back(HelpSection{fill(section.title, language), {}});
+    for (const Entry& entry : section.entries)
+      said.entries.push_back(
+          {entry.term.empty() ? std::string() : fill(entry.term, language), fill(entry.text, language)});
+  }
+  return all;
+}
+
+}  // namespace raywalk

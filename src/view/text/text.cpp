@@ -1,0 +1,133 @@
+#include "view/text/text.h"
+
+#include "math/overloaded.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+std::string met_text(const HitObject& met, Language language) {
+  std::string name = met.object;
+  if (!met.member.empty()) name = fill("object.member_of", language, {{"member", met.member}, {"group", name}});
+  if (met.triangle >= 0) name = fill("object.triangle_of", language, {{"number", met.triangle}, {"mesh", name}});
+  return name;
+}
+
+std::string value_text(const Argument& argument, Language language) {
+  return std::visit(Overloaded{
+                        [](int value) { return std::to_string(value); },
+                        [&](double value) { return number_text(value, language); },
+                        [&](const Rgbd& colour) { return colour_text(colour, language); },
+                        [&](Fraction share) { return percent_text(share.value, language); },
+                        [&](RayKind kind) { return std::string(text(kind, language)); },
+                        [](const std::string& name) { return name; },
+                        [&](const HitObject& met) { return met_text(met, language); },
+                    },
+                    argument.value);
+}
+
+}  // namespace
+
+std::string_view text(RayKind kind, Language language) { return family_text("ray", ray_kind_name(kind), language); }
+
+std::string_view text(Ending ending, Language language) { return family_text("ending", ending_name(ending), language); }
+
+/// Only characters that every font has.
+std::string_view symbol(Ending ending) {
+  switch (ending) {
+    case Ending::hit:
+      return "o";
+    case Ending::missed:
+      return "~";
+    case Ending::blocked:
+      return "x";
+    case Ending::reached_light:
+      return "*";
+    case Ending::depth:
+      return "D";
+    case Ending::threshold:
+      return "%";
+    case Ending::total_internal_reflection:
+      return "T";
+    case Ending::path_length:
+      return "L";
+    case Ending::facing_away:
+      return "/";
+    case Ending::outside_cone:
+      return "v";
+  }
+  return "";
+}
+
+std::string typeset_number(std::string digits, Language language) {
+  constexpr std::string_view minus = "\u2212";
+  std::replace(digits.begin(), digits.end(), '.', language.decimal_mark());
+  for (std::size_t at = 0; (at = digits.find('-', at)) != std::string::npos;) digits.replace(at, 1, minus);
+  return digits;
+}
+
+std::string number_text(double value, Language language) {
+  if (value == 0) return "0";
+  const double size = std::abs(value);
+  const bool whole = size >= 999.5 && size < 999999.5;
+  return typeset_number(whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value), language);
+}
+
+std::string percent_text(double share, Language language) {
+  const double percent = 100 * share;
+  if (percent == 0) return "0%";
+  constexpr double least = 0.001;
+  if (percent < least) return fill("number.percent_under", language, {{"percent", number_text(least, language)}});
+  return typeset_number(percent < 1 ? fmt::format("{:.1g}%", percent) : fmt::format("{:.0f}%", percent), language);
+}
+
+std::string colour_text(const Rgbd& c, Language language) {
+  // Values below what a display can show are shown as 0.
+  const auto part = [&](double value) { return number_text(value < 5e-5 ? 0 : value, language); };
+  if (c.x == c.y && c.y == c.z) return part(c.x);
+  const std::string_view between = language.separator();
+  return fmt::format("({}{}{}{}{})", part(c.x), between, part(c.y), between, part(c.z));
+}
+
+std::string sentence_of(const Message& message, Language language) {
+  TextArguments arguments;
+  for (const Argument& argument : message.arguments) {
+    if (const int* const number = std::get_if<int>(&argument.value))
+      arguments.emplace_back(argument.name, *number);  // may select a plural form
+    else
+      arguments.emplace_back(argument.name, value_text(argument, language));
+  }
+  return fill(message.id, language, arguments);
+}
+
+std::string_view explanation(std::string_view property, Language language) {
+  const std::string_view name = property.substr(property.rfind('.') + 1);
+  const std::string* const said = language.catalogue().find("explanation." + std::string(name));
+  return said == nullptr ? std::string_view() : std::string_view(*said);
+}
+
+std::string step_text(const Scene& scene, const Timeline& timeline, int position, Language language) {
+  const std::string said = sentence_of(describe(scene, timeline, position), language);
+  const Event* event = timeline.just_run(position);
+  if (event == nullptr) return said;
+  const PseudocodeLine& line = pseudocode_of(event->line);
+  // Nested calls are indented; a path continues within the same call.
+  const int level = line.procedure == Procedure::follow_path ? 1 : std::min(event->depth, 20);
+  const std::string indented(static_cast<std::size_t>(2 * level + 2 * line.indent), ' ');
+  const std::string depth = event->depth > 0 ? fmt::format("[{}]", event->depth) : "";
+  return fmt::format("{:>5} {:>4}  {:<38}  {}", position, depth, indented + std::string(line.text), said);
+}
+
+std::string transcript(const Scene& scene, const Timeline& timeline, Language language) {
+  std::string lines;
+  for (int position = 1; position <= timeline.steps(); ++position)
+    lines += step_text(scene, timeline, position, language) + "\n";
+  return lines;
+}
+
+}  // namespace raywalk

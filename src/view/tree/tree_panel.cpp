@@ -1,0 +1,116 @@
+#include "view/tree/tree_panel.h"
+#include "view/text/text.h"
+#include "view/walk/asked.h"
+#include "view/walk/lit.h"
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+std::string name_of(const Scene& scene, const RayRecord& ray) {
+  if (ray.object >= 0) return scene.objects[static_cast<std::size_t>(ray.object)].name;
+  if (ray.light >= 0) return scene.lights[static_cast<std::size_t>(ray.light)].name;
+  return {};
+}
+
+std::string label_of(const State& state, const RayRecord& ray) {
+  std::string name = name_of(state.scene(), ray);
+  switch (ray.ending) {
+    case Ending::hit:
+    case Ending::reached_light:
+      return name;
+    case Ending::blocked:
+    case Ending::missed:
+    case Ending::depth:
+    case Ending::threshold:
+    case Ending::total_internal_reflection:
+    case Ending::path_length:
+    case Ending::facing_away:
+    case Ending::outside_cone:
+      break;
+  }
+  const std::string why(text(ray.ending, state.language));
+  return ray.ending == Ending::blocked ? why + ": " + name : why;
+}
+
+/// Assigns columns from the leaves up: leaves are in the order of their formation, a parent above the middle of its
+/// children.
+void lay_out(TreePanel& panel) {
+  std::vector<std::vector<std::size_t>> children(panel.nodes.size());
+  for (std::size_t i = 0; i < panel.nodes.size(); ++i) {
+    TreeNode& node = panel.nodes[i];
+    if (node.parent < 0) continue;
+    children[static_cast<std::size_t>(node.parent)].push_back(i);
+    node.y = panel.nodes[static_cast<std::size_t>(node.parent)].y + 1;
+    panel.levels = std::max(panel.levels, static_cast<int>(node.y) + 1);
+  }
+  // Nodes are in depth-first order, so a backward pass visits children before their parents; leaves are counted from
+  // the right and mirrored at the end.
+  double leaves = 0;
+  for (std::size_t i = panel.nodes.size(); i-- > 0;) {
+    const auto& below = children[i];
+    panel.nodes[i].x = below.empty() ? leaves++ : (panel.nodes[below.front()].x + panel.nodes[below.back()].x) / 2;
+  }
+  panel.columns = leaves;
+  for (TreeNode& node : panel.nodes) node.x = leaves - 1 - node.x;
+}
+
+}  // namespace
+
+std::string node_text(const State& state, const TreeNode& node) {
+  std::string what(text(node.kind, state.language));
+  if (node.future) return fill("tree.node_future", state.language, {{"ray", what}});
+  if (!node.throughput.empty())
+    what = fill("tree.node_share", state.language, {{"ray", what}, {"share", node.throughput}});
+  if (!node.ending) return what + "\n" + std::string(text("tree.node_under_way", state.language));
+  const bool named = *node.ending == Ending::hit || *node.ending == Ending::reached_light;
+  const std::string end = named ? std::string(text(*node.ending, state.language)) + ": " + node.label : node.label;
+  return what + "\n" + node.symbol + "   " + end;
+}
+
+TreePanel tree_panel(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  TreePanel panel;
+  const int pixel = timeline.current_pixel(state.position);
+  if (pixel < 0) return panel;
+  panel.cell = current_cell(state);
+  panel.levels = 1;
+  const Timeline::Range range = timeline.rays_of_pixel(pixel);
+  const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
+  const int current = timeline.current_ray(state.position);
+  // During predictions, future rays would reveal the answer.
+  const bool foretells = question_waits(state) || state.predictions.on;
+  const int last = foretells ? std::min(range.last, formed) : range.last;
+  for (int i = range.first; i < last; ++i) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
+    TreeNode node{};
+    node.ray = i;
+    node.parent = ray.parent < 0 ? -1 : ray.parent - range.first;
+    node.kind = ray.kind;
+    node.formed = ray.formed;
+    node.future = i >= formed;
+    node.known = !node.future && ray.found_at <= state.position;
+    node.current = i == current;
+    node.hovered = i == state.hovered_ray || is_lit(state, i);
+    node.colour = ray_style(state.theme, ray.kind).colour;
+    node.shade = palette(state.theme).empty_cell;
+    if (node.known) {
+      node.ending = ray.ending;
+      node.symbol = symbol(ray.ending);
+      node.label = label_of(state, ray);
+    }
+    if (!node.future) node.throughput = percent_text(max_component(ray.throughput), state.language);
+    if (ray.shade >= 0) {
+      const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
+      node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
+      if (node.returned) node.shade = display_colour(frame.returned, state.scene().encoding);
+    }
+    panel.nodes.push_back(std::move(node));
+  }
+  lay_out(panel);
+  return panel;
+}
+
+}  // namespace raywalk

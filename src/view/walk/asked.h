@@ -1,0 +1,32 @@
+#pragma once
+// What a lesson asks at this position of the walk.
+
+#include "view/state.h"
+
+#include <optional>
+
+namespace raywalk {
+
+/// Whether the open step asks, and its answer is not shown yet. (While searching a faulty line one walks freely.)
+[[nodiscard]] bool is_open_question(const LessonSitting& sitting);
+
+/// Whether the walk is where a lesson asks, and the prediction is still missing. (While searching a faulty line one
+/// walks freely.)
+[[nodiscard]] bool question_waits(const State& state);
+
+/// Whether the plan takes an arrow from the mouse now, and where it starts.
+[[nodiscard]] std::optional<Vec2d> arrow_origin(const State& state);
+
+/// The origin of a guess's arrow, as long as its step is shown.
+[[nodiscard]] std::optional<Vec2d> guess_origin(const State& state);
+
+/// The angle between two arrows, 0 to 180.
+[[nodiscard]] double degrees_between(const Vec2d& a, const Vec2d& b);
+
+/// The number of decimals shown of a question's answer, or of its error.
+[[nodiscard]] int decimals_of(const NumberQuestion& question, double number);
+
+/// The open lesson's guess becomes the arrow from the ray's origin to `towards`, in scene units.
+void guess_arrow(State& state, const Vec2d& towards);
+
+}  // namespace raywalk

@@ -1,0 +1,360 @@
+#include "view/walk/equation.h"
+
+#include "view/text/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace raywalk {
+
+namespace {
+
+using Kind = EquationRow::Kind;
+
+/// A text between signs and letters, which are independent of language.
+struct Word {
+  std::string_view id;
+};
+
+double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
+double angle_between(const Vec3d& u, const Vec3d& v) {
+  const double sizes = length(u) * length(v);
+  return sizes > 0 ? degrees(dot(u, v) / sizes) : 0;
+}
+
+/// Writes the rows of one event. A row's numbers go through number(), so that what is shown is what is kept.
+class EquationWriter {
+ public:
+  explicit EquationWriter(const State& state) : state_(state), timeline_(*state.timeline) {}
+
+  [[nodiscard]] EquationPanel panel() {
+    const Event* event = timeline_.just_run(state_.position);
+    if (event == nullptr) return {};
+    event_ = event;
+    panel_.title = pseudocode_of(event->line).text;
+    std::visit([&](const auto& detail) { write(detail); }, event->detail);
+    return std::move(panel_);
+  }
+
+ private:
+  // ---- Rows
+
+  /// The current row: text and numbers in turn.
+  class Row {
+   public:
+    Row(Kind kind, Language language) : language_(language) { row_.kind = kind; }
+    Row& operator<<(std::string_view text) {
+      row_.text += text;
+      return *this;
+    }
+    Row& operator<<(const Word& word) { return *this << text(word.id, language_); }
+    Row& operator<<(double value) {
+      row_.text += equation_number(value, language_);
+      row_.values.push_back(value);
+      return *this;
+    }
+    /// In a planar scene two components suffice.
+    Row& operator<<(const Vec3d& v) {
+      const std::string_view between = language_.separator();
+      *this << "(" << v.x << between << v.y;
+      if (v.z != 0) *this << between << v.z;
+      return *this << ")";
+    }
+    [[nodiscard]] EquationRow take() { return std::move(row_); }
+
+   private:
+    Language language_;
+    EquationRow row_;
+  };
+  template <class... Parts>
+  void row(Kind kind, const Parts&... parts) {
+    Row row(kind, state_.language);
+    static_cast<void>((row << ... << parts));
+    panel_.rows.push_back(row.take());
+  }
+  /// `name`: in one piece or several.
+  template <class... Name>
+  void light(Kind kind, const Rgbd& colour, const Name&... name) {
+    Row row(kind, state_.language);
+    static_cast<void>((row << ... << name));
+    row << " ";
+    const std::string_view between = state_.language.separator();
+    if (colour.x == colour.y && colour.y == colour.z)
+      row << colour.x;
+    else
+      row << "(" << colour.x << between << colour.y << between << colour.z << ")";
+    panel_.rows.push_back(row.take());
+    panel_.rows.back().light = colour;
+  }
+
+  // ---- What the rows speak of
+
+  [[nodiscard]] const Scene& scene() const { return state_.scene(); }
+  [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(state_.position)); }
+  [[nodiscard]] const RayRecord* parent() const { return current().parent < 0 ? nullptr : &ray(current().parent); }
+  /// The normal where `ray` ended, facing the ray.
+  static Vec3d facing(const RayRecord& ray) { return dot(ray.normal, ray.direction) > 0 ? -ray.normal : ray.normal; }
+  [[nodiscard]] std::string light_name(int light) const {
+    return light < 0 ? std::string() : scene().lights[static_cast<std::size_t>(light)].name;
+  }
+
+  void line(std::string_view origin, const Vec3d& from, std::string_view direction, const Vec3d& along) {
+    row(Kind::formula, "P(t) = ", origin, " + t ", direction);
+    row(Kind::numbers, origin, " = ", from);
+    row(Kind::numbers, direction, " = ", along);
+  }
+
+  // ---- Events
+
+  void write(const PixelBegun& begun) {
+    if (timeline_.of_strip())
+      row(Kind::numbers, Word{"equation.pixel"}, " ", static_cast<double>(begun.column), " ", Word{"equation.of"}, " ",
+          static_cast<double>(scene().camera.screen.cells));
+    else
+      row(Kind::numbers, Word{"equation.pixel"}, " ", static_cast<double>(begun.column), ", ",
+          static_cast<double>(begun.row));
+  }
+
+  void write(const RayFormed& formed) {
+    switch (formed.kind) {
+      case RayKind::primary:
+        line("EYE", formed.origin, "D", formed.direction);
+        return row(Kind::note, Word{"equation.unit_direction"});
+      case RayKind::shadow:
+        return shadow(formed);
+      case RayKind::reflect:
+        if (event_->line == Line::form_next_ray) return line("P", formed.origin, "D", formed.direction);
+        return reflect(formed);
+      case RayKind::refract:
+        if (event_->line == Line::form_next_ray) return line("P", formed.origin, "D", formed.direction);
+        return refract(formed);
+    }
+  }
+
+  void shadow(const RayFormed& formed) {
+    line("P", formed.origin, "L", formed.direction);
+    if (formed.light_at_end) row(Kind::note, light_name(formed.light), " ", Word{"equation.stands_at"}, " t = ", 1.0);
+    if (parent() == nullptr) return;
+    const Vec3d normal = facing(*parent());
+    row(Kind::formula, "cos θ = N·L / |L|");
+    row(Kind::numbers, "N = ", normal, state_.language.separator(), "|L| = ", length(formed.direction));
+    row(Kind::numbers, "θ = ", angle_between(normal, formed.direction), "°");
+  }
+
+  void reflect(const RayFormed& formed) {
+    if (parent() == nullptr) return;
+    const Vec3d normal = facing(*parent()), in = parent()->direction;
+    row(Kind::formula, "R = D − 2 (N·D) N");
+    row(Kind::numbers, "D = ", in);
+    row(Kind::numbers, "N = ", normal, state_.language.separator(), "N·D = ", dot(normal, in));
+    row(Kind::numbers, "R = ", formed.direction);
+    row(Kind::note, Word{"equation.as_far_from_normal"}, " ", angle_between(normal, formed.direction), "°");
+  }
+
+  void refract(const RayFormed& formed) {
+    if (!formed.snell) return line("P", formed.origin, "T", formed.direction);
+    const SnellNumbers& s = *formed.snell;
+    row(Kind::formula, "n₁ ", Word{"equation.sine"}, " θ₁ = n₂ ", Word{"equation.sine"}, " θ₂");
+    row(Kind::numbers, s.n1, " · ", Word{"equation.sine"}, " ", degrees(s.cos_in), "° = ", s.n2, " · ",
+        Word{"equation.sine"}, " ", degrees(s.cos_out), "°");
+    row(Kind::note, s.n2 > s.n1   ? Word{"equation.slower_beyond"}
+                    : s.n2 < s.n1 ? Word{"equation.faster_beyond"}
+                                  : Word{"equation.as_fast_beyond"});
+    const int object = parent() == nullptr ? -1 : parent()->object;
+    if (object >= 0 && scene().objects[static_cast<std::size_t>(object)].material.dielectric) {
+      row(Kind::formula, Word{"equation.fresnel"});
+      row(Kind::numbers, "F = ", s.fresnel);
+    }
+    row(Kind::numbers, "T = ", formed.direction);
+  }
+
+  void write(const RayNotFormed& stub) {
+    switch (stub.why) {
+      case Ending::depth: {
+        const double deepest = scene().limits.depth;
+        row(Kind::formula, Word{"equation.depth_allowed"});
+        row(Kind::numbers, static_cast<double>(event_->depth), " + ", 1.0, " > ", deepest);
+        return row(Kind::note, Word{"equation.no_ray"});
+      }
+      case Ending::threshold:
+        row(Kind::formula, Word{"equation.share_allowed"});
+        row(Kind::numbers, max_component(stub.throughput), " < ", scene().limits.threshold);
+        return row(Kind::note, Word{"equation.no_ray"});
+      case Ending::facing_away: {
+        row(Kind::formula, "N·L > 0?");
+        if (parent() != nullptr)
+          row(Kind::numbers, "θ = ", angle_between(facing(*parent()), stub.direction), "° ≥ ", 90.0, "°");
+        return row(Kind::note, Word{"equation.light_behind"});
+      }
+      case Ending::outside_cone:
+        return row(Kind::note, Word{"equation.spot_elsewhere"});
+      case Ending::path_length:
+      case Ending::total_internal_reflection:
+      case Ending::hit:
+      case Ending::missed:
+      case Ending::blocked:
+      case Ending::reached_light:
+        return;
+    }
+  }
+
+  void write(const Found& found) {
+    const bool shadow = current().kind == RayKind::shadow;
+    if (found.object < 0)
+      return row(Kind::note, shadow ? Word{"equation.nothing_between"} : Word{"equation.nothing_ahead"});
+    std::visit([&](const auto& numbers) { solve(numbers, found.t); }, found.numbers);
+    const std::string_view between = state_.language.separator();
+    row(Kind::formula, shadow ? "P = P₀ + t L" : "P = O + t D");
+    row(Kind::numbers, "P = ", found.point, between, "t = ", found.t);
+    if (shadow) return row(Kind::note, Word{"equation.blocked_before"});
+    row(Kind::numbers, "N = ", found.normal, between, "θ = ", angle_between(facing(current()), -current().direction),
+        "°");
+  }
+
+  void solve(const std::monostate& /*none*/, double /*t*/) {}
+  void solve(const QuadraticNumbers& q, double t) {
+    row(Kind::formula, "a t² + b t + c = 0");
+    const std::string_view between = state_.language.separator();
+    row(Kind::numbers, "a = ", q.a, between, "b = ", q.b, between, "c = ", q.c);
+    row(Kind::numbers, "b² − 4 a c = ", q.discriminant);
+    if (!(q.discriminant >= 0)) return;
+    row(Kind::formula, "t = (−b ± √(b² − 4 a c)) / 2 a");
+    row(Kind::numbers, "t₀ = ", q.t0, between, "t₁ = ", q.t1);
+    const auto is = [&](double root) { return std::abs(t - root) <= 1e-9 * std::max(std::abs(t), std::abs(root)); };
+    if (is(q.t0)) return row(Kind::note, Word{"equation.nearer_root"});
+    if (is(q.t1))
+      row(Kind::note, q.t0 < -1e-9 ? Word{"equation.other_root_behind"} : Word{"equation.other_root_is_start"});
+  }
+  void solve(const PlaneNumbers& p, double /*t*/) {
+    if (!std::isfinite(p.numerator)) return;
+    row(Kind::formula, "t = N·(A − O) / N·D");
+    row(Kind::numbers, "t = ", p.numerator, " / ", p.denominator);
+  }
+
+  void write(const Decided& decided) {
+    const bool transparent = event_->line == Line::if_transparent;
+    if (event_->line != Line::if_reflective && !transparent)
+      return row(Kind::note, decided.holds ? Word{"equation.yes"} : Word{"equation.no"});
+    light(Kind::term, decided.weight, transparent ? "kt′ =" : "kr′ =");
+    if (!decided.why) return row(Kind::note, decided.holds ? Word{"equation.above_zero"} : Word{"equation.is_zero"});
+    // No transmission: Snell's law requires a sine above 1.
+    const RayRecord& shaded =
+        ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.position))].ray);
+    const double angle = angle_between(facing(shaded), -shaded.direction);
+    row(Kind::formula, Word{"equation.sine"}, " θ₂ = n₁ ", Word{"equation.sine"}, " θ₁ / n₂");
+    if (decided.snell)
+      row(Kind::numbers, decided.snell->n1, " · ", Word{"equation.sine"}, " ", angle, "° / ", decided.snell->n2, " > ",
+          1.0);
+    row(Kind::note, Word{"equation.no_such_angle"});
+  }
+
+  void write(const ShadeCalled& called) {
+    if (called.missed) return light(Kind::total, called.background, Word{"equation.background"}, " =");
+    row(Kind::numbers, "DEPTH = ", static_cast<double>(called.depth));
+  }
+
+  void write(const ShadeComputed& sum) {
+    light(Kind::term, sum.ambient, Word{"equation.ambient"});
+    if (sum.emission != Rgbd(0.0)) light(Kind::term, sum.emission, "+ ", Word{"equation.emission"});
+    for (const LightTerm& term : sum.lights) {
+      light(Kind::term, term.diffuse, "+ ", light_name(term.light), ", ", Word{"equation.diffuse"});
+      if (term.specular != Rgbd(0.0))
+        light(Kind::term, term.specular, "+ ", light_name(term.light), ", ", Word{"equation.highlight"});
+    }
+    if (sum.reflect != Rgbd(0.0)) light(Kind::term, sum.reflect, "+ kr′ · REFLSHADE");
+    if (sum.refract != Rgbd(0.0)) light(Kind::term, sum.refract, "+ kt′ · REFRSHADE");
+    if (sum.transmittance != Rgbd(1.0)) light(Kind::note, sum.transmittance, Word{"equation.passed"});
+    light(Kind::total, sum.total, "= RTNSHADE");
+  }
+
+  void write(const PixelPut& put) { light(Kind::total, put.shade, "final ="); }
+
+  // ---- Path tracing
+
+  void write(const BackgroundAdded& added) { light(Kind::total, added.added, "+ ", Word{"equation.background"}); }
+  void write(const EmissionAdded& emission) {
+    light(Kind::term, emission.emission, Word{"equation.emission"});
+    if (emission.emission == Rgbd(0.0)) return;
+    weighted(emission.direction_pdf, emission.light_pdf, emission.weight);
+    light(Kind::total, emission.added, "+ ", Word{"equation.weight"}, " · ", Word{"equation.share"}, " · ",
+          Word{"equation.emission"}, " =");
+  }
+  void write(const LightAdded& added) {
+    weighted(added.direction_pdf, added.light_pdf, added.weight);
+    light(Kind::total, added.added, "+");
+  }
+  void weighted(double by_direction, double by_light, double weight) {
+    row(Kind::numbers, "p(", Word{"equation.direction"}, ") = ", by_direction, state_.language.separator(), "p(",
+        Word{"equation.light"}, ") = ", by_light);
+    row(Kind::numbers, Word{"equation.weight"}, " = ", weight);
+  }
+  void write(const DirectionChosen& chosen) {
+    if (chosen.absorbed) return row(Kind::note, Word{"equation.absorbed"});
+    row(Kind::numbers, "D = ", chosen.direction);
+    if (chosen.pdf > 0) row(Kind::numbers, "p(D) = ", chosen.pdf);
+    light(Kind::term, chosen.throughput, Word{"equation.share_left"}, " =");
+  }
+  void write(const SurvivalDecided& decided) {
+    if (decided.survival < 1) row(Kind::numbers, Word{"equation.survival"}, " ", decided.survival);
+    row(Kind::note, decided.survives ? Word{"equation.yes"} : Word{"equation.no"});
+  }
+
+  const State& state_;
+  const Timeline& timeline_;
+  const Event* event_ = nullptr;
+  EquationPanel panel_;
+};
+
+}  // namespace
+
+std::string equation_number(double value, Language language) {
+  return value == 0 ? "0" : typeset_number(fmt::format("{:.4g}", value), language);
+}
+
+EquationPanel equation_panel(const State& state) { return EquationWriter(state).panel(); }
+
+HitNotes hit_notes(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  const int index = timeline.current_ray(state.position);
+  if (index < 0) return {};
+  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+  if (!ray.formed || ray.found_at > state.position || ray.object < 0) return {};
+  const auto& found = std::get<Found>(timeline.event(ray.found_at - 1).detail);
+  HitNotes notes{"t = " + equation_number(found.t, state.language), {}};
+  if (ray.ending != Ending::hit) return notes;
+  const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
+  notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
+  return notes;
+}
+
+std::optional<BendNotes> bend_notes(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  if (state.position == 0) return std::nullopt;
+  const auto* formed = std::get_if<RayFormed>(&timeline.event(state.position - 1).detail);
+  if (formed == nullptr) return std::nullopt;
+  if (formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
+  const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.position))].parent;
+  if (parent < 0) return std::nullopt;
+  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(parent)];
+  if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
+  BendNotes notes;
+  notes.at = in.end;
+  notes.back = -normalize(in.direction);
+  notes.normal = dot(in.normal, notes.back) < 0 ? -in.normal : in.normal;
+  notes.out = formed->direction;
+  const double side = formed->kind == RayKind::refract ? -1 : 1;
+  const auto angle = [&](const char* name, double cosine) {
+    return name + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
+  };
+  notes.angle_in = angle("θ₁ = ", formed->snell ? formed->snell->cos_in : dot(notes.normal, notes.back));
+  notes.angle_out = angle("θ₂ = ", formed->snell ? formed->snell->cos_out : side * dot(notes.normal, notes.out));
+  return notes;
+}
+
+}  // namespace raywalk

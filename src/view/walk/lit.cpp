@@ -1,0 +1,33 @@
+#include "view/walk/lit.h"
+
+namespace raywalk {
+
+bool concerns(Line line, RayKind kind) {
+  switch (kind) {
+    case RayKind::primary:
+      return line == Line::form_primary_ray || line == Line::find_closest_intersection || line == Line::shade_final ||
+             line == Line::path_form_primary_ray || line == Line::path_find_closest_intersection ||
+             line == Line::follow_path;
+    case RayKind::shadow:
+      return line == Line::form_shadow_ray || line == Line::find_intersection || line == Line::path_form_shadow_ray ||
+             line == Line::path_find_intersection;
+    case RayKind::reflect:
+      return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect ||
+             line == Line::form_next_ray || line == Line::path_find_closest_intersection;
+    case RayKind::refract:
+      return line == Line::form_refract_ray || line == Line::find_refract_intersect || line == Line::shade_refract ||
+             line == Line::form_next_ray || line == Line::path_find_closest_intersection;
+  }
+  return false;
+}
+
+bool is_lit(const State& state, int ray) {
+  const Timeline& timeline = *state.timeline;
+  if (ray < 0 || ray >= static_cast<int>(timeline.rays_at(state.position).size())) return false;
+  if (ray == state.hovered_ray) return true;
+  const RayRecord& record = timeline.rays()[static_cast<std::size_t>(ray)];
+  return state.hovered_line && record.pixel == timeline.current_pixel(state.position) &&
+         concerns(*state.hovered_line, record.kind);
+}
+
+}  // namespace raywalk

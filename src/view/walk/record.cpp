@@ -1,0 +1,125 @@
+#include "timeline/recorder.h"
+#include "view/action.h"
+#include "view/document/document.h"
+#include "view/text/text.h"
+#include "view/walk/fault.h"
+#include "view/walk/walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+struct Recorded {
+  Timeline timeline;
+  int depth;        ///< of the recording; less than the scene's if that would be too long
+  int samples = 1;  ///< per pixel; possibly fewer for the same reason
+};
+
+bool ended_by_depth(const Timeline& timeline) {
+  return std::any_of(timeline.rays().begin(), timeline.rays().end(),
+                     [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
+}
+
+void limit_depth(SceneSeen& scene, int depth) {
+  TraceLimits limits = scene->limits;
+  limits.depth = depth;
+  scene.set(limits);
+}
+
+/// Records the current walk in this scene; all cells of the strip or one.
+Timeline record(const State& state, const Scene& scene, std::optional<Fault> fault, int samples,
+                std::optional<int> cell = {}) {
+  Recording how{state.image.single_precision ? Precision::float_ : Precision::double_, {}, fault, state.worlds.get()};
+  how.sampling.per_pixel = samples;
+  how.stop = state.stop;
+  if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
+  return record_pixel(scene, state.walk->size, state.walk->column, state.walk->row, how);
+}
+
+/// The strip or the pixel to the scene's depth, or the deepest that is not too long. A tree can double with every
+/// level, so a deep limit is approached in steps allowed by the growth so far.
+Recorded record_to_depth(const State& state) {
+  constexpr int harmless_depth = 6;
+  constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between, per ray of the previous
+                                      // level
+  SceneSeen limited = walked_scene(state);
+  const int wanted = limited->limits.depth;
+  limit_depth(limited, std::min(wanted, harmless_depth));
+  const std::optional<Fault> fault = fault_at_work(state);
+  Recorded recorded{record(state, *limited, fault, 1), limited->limits.depth};
+  double growth = worst_growth;
+  while (recorded.depth < wanted) {
+    if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
+    const double events = recorded.timeline.steps();
+    const double room = std::log(max_events / events) / std::log(std::min(worst_growth, 1.2 * growth));
+    if (!(room >= 1)) return recorded;
+    const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
+    limit_depth(limited, recorded.depth + levels);
+    recorded = {record(state, *limited, fault, 1), limited->limits.depth};
+    growth = std::max(1.0, std::pow(recorded.timeline.steps() / events, 1.0 / levels));
+  }
+  return recorded;
+}
+
+/// The same with the requested samples, or as many as are not too long.
+Recorded record_within(const State& state) {
+  Recorded recorded = record_to_depth(state);
+  const double room = max_events / std::max(1, recorded.timeline.steps());
+  recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.image.walk_samples)));
+  if (recorded.samples == 1) return recorded;
+  SceneSeen limited = walked_scene(state);
+  limit_depth(limited, recorded.depth);
+  recorded.timeline = record(state, *limited, fault_at_work(state), recorded.samples);
+  return recorded;
+}
+
+/// The same walk without the bug, or with it once fixed.
+std::shared_ptr<const Timeline> record_other(const State& state, int depth, int samples) {
+  SceneSeen limited = walked_scene(state);
+  limit_depth(limited, depth);
+  const std::optional<Fault> other = state.bug->mended ? std::optional(state.bug->fault) : std::nullopt;
+  return std::make_shared<const Timeline>(record(state, *limited, other, samples));
+}
+
+/// The position in `after` that corresponds to `position` in `before`.
+int same_place(const Timeline& before, int position, const Timeline& after) {
+  if (position <= 0) return 0;
+  if (position >= before.steps()) return after.steps();
+  const int pixel = before.current_pixel(position);
+  if (pixel < 0 || pixel >= static_cast<int>(after.pixels().size())) return after.steps();
+  const PixelRecord& old_pixel = before.pixels()[static_cast<std::size_t>(pixel)];
+  const PixelRecord& new_pixel = after.pixels()[static_cast<std::size_t>(pixel)];
+  if (position == old_pixel.done_at) return new_pixel.done_at;
+  return std::min(new_pixel.begun_at + (position - old_pixel.begun_at), new_pixel.done_at);
+}
+
+}  // namespace
+
+Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits) {
+  SceneSeen limited = walked_scene(state);
+  limited.set(limits);
+  return record(state, *limited, fault_at_work(state), samples, column);
+}
+
+void record_again(State& state) {
+  state.planar = is_planar(state.scene());
+  Recorded recorded = record_within(state);
+  if (recorded.depth < state.scene().limits.depth)
+    inform(state, fill("notice.too_many_steps", state.language, {{"depth", recorded.depth}}));
+  if (recorded.samples < state.image.walk_samples)
+    inform(state, fill("notice.too_many_samples", state.language, {{"samples", recorded.samples}}));
+  if (state.bug) state.bug->other = record_other(state, recorded.depth, recorded.samples);
+  const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
+  state.position = same_place(*state.timeline, state.position, *after);
+  state.timeline = after;
+  state.hovered_ray = -1;
+  if (!exists(state, state.selected)) state.selected = {};
+  if (!exists(state, state.hovered)) state.hovered = {};
+  if (state.hovered.kind == TargetKind::ray) state.hovered = {};
+  if (state.position == state.timeline->steps()) state.playing = false;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,184 @@
+#include "view/walk/status.h"
+#include "view/plan/plan_geometry.h"
+#include "view/plan/plan_view.h"
+#include "view/text/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace raywalk {
+
+namespace {
+
+template <class Id>
+std::string str(const State& state, Id id) {
+  return std::string(text(id, state.language));
+}
+
+std::string object_name(const State& state, int index) {
+  return state.scene().objects[static_cast<std::size_t>(index)].name;
+}
+
+std::string ray_text(const State& state, int index) {
+  const Timeline& timeline = *state.timeline;
+  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+  std::string what;
+  if (ray.parent < 0) {
+    const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
+    what = timeline.of_strip()
+               ? fill("pointed.ray_of_cell", state.language,
+                      {{"ray", std::string(text(ray.kind, state.language))}, {"cell", column}})
+               : fill("pointed.ray_of_pixel", state.language, {{"ray", std::string(text(ray.kind, state.language))}});
+  } else {
+    const int from = timeline.rays()[static_cast<std::size_t>(ray.parent)].object;
+    what = fill(
+        "pointed.ray_from", state.language,
+        {{"ray", std::string(text(ray.kind, state.language))}, {"object", from < 0 ? "" : object_name(state, from)}});
+  }
+  const bool known = !ray.formed || ray.found_at <= state.position;
+  return known ? what + ": " + std::string(text(ray.ending, state.language)) : what;
+}
+
+/// The name of an object or a light, or EYE or SCREEN.
+std::string short_name(const State& state, const Target& target) {
+  if (target.kind == TargetKind::light) return state.scene().lights[static_cast<std::size_t>(target.index)].name;
+  if (belongs_to_object(target)) return object_name(state, target.index);
+  return str(state, target.kind == TargetKind::eye || target.kind == TargetKind::view_direction ? "object.eye"
+                                                                                                : "object.screen");
+}
+
+std::string cell_text(const State& state, int cell) {
+  const Timeline& timeline = *state.timeline;
+  std::optional<Rgbd> shade;
+  for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
+    const PixelRecord& pixel = timeline.pixels()[i];
+    if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.position)) shade = pixel.mean;
+  }
+  if (shade)
+    return fill("pointed.cell_with_shade", state.language,
+                {{"cell", cell}, {"colour", colour_text(*shade, state.language)}});
+  return fill("pointed.cell", state.language, {{"cell", cell}});
+}
+
+/// Why the plan does not show the scene well, and how to fix that; empty if it does.
+std::string view_hint(const State& state) {
+  constexpr double tiny = 0.15;  // of the size that fits
+  if (state.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(state, "plan.shown_tiny");
+  if (!state.selected || !exists(state, state.selected) || state.drag) return {};
+  const Vec2d at = to_pixels(state.camera, state.viewport, place_of(state, state.selected, state.viewport));
+  const bool inside = at.x >= 0 && at.y >= 0 && at.x <= state.viewport.width && at.y <= state.viewport.height;
+  return inside ? std::string()
+                : fill("plan.out_of_view", state.language, {{"name", short_name(state, state.selected)}});
+}
+
+std::string move_sentence(const State& state) {
+  std::string said = str(state, "status.first_step_move");
+  const int steps = state.timeline->steps();
+  if (const std::string hint = view_hint(state); !hint.empty()) return hint;
+  if (state.position == 0) return said;
+  if (state.position == steps) return said + " " + str(state, "status.walk_stands_at_end");
+  return said + " " + fill("status.walk_stands_at", state.language, {{"position", state.position}, {"steps", steps}});
+}
+
+}  // namespace
+
+std::string target_text(const State& state, const Target& target) {
+  if (!exists(state, target)) return {};
+  const bool moving = state.mode == Mode::move;
+  switch (target.kind) {
+    case TargetKind::nothing:
+      return {};
+    case TargetKind::eye:
+      return str(state, moving ? "drag.eye" : "object.eye");
+    case TargetKind::view_direction:
+      return str(state, "drag.view_direction");
+    case TargetKind::screen_height:
+      return str(state, "drag.screen_height");
+    case TargetKind::screen_distance:
+      return str(state, "drag.screen_distance");
+    case TargetKind::cell:
+      return moving ? str(state, "drag.screen_distance") : cell_text(state, target.index);
+    case TargetKind::object:
+    case TargetKind::light: {
+      const std::string name = target.kind == TargetKind::object
+                                   ? object_name(state, target.index)
+                                   : state.scene().lights[static_cast<std::size_t>(target.index)].name;
+      return moving ? fill("drag.move", state.language, {{"name", name}}) : name;
+    }
+    case TargetKind::radius:
+      return fill("drag.radius", state.language, {{"name", object_name(state, target.index)}});
+    case TargetKind::corner:
+      return fill("drag.corner", state.language, {{"name", object_name(state, target.index)}});
+    case TargetKind::edge:
+      return fill("drag.edge", state.language, {{"name", object_name(state, target.index)}});
+    case TargetKind::rotation:
+      return fill("drag.rotation", state.language, {{"name", object_name(state, target.index)}});
+    case TargetKind::ray:
+      return ray_text(state, target.index);
+  }
+  return {};
+}
+
+std::string sentence(const State& state) {
+  switch (state.mode) {
+    case Mode::move:
+      return move_sentence(state);
+    case Mode::help:
+      return str(state, "status.first_step_help");
+    case Mode::trace:
+      break;
+  }
+  if (state.position == 0) return str(state, "status.first_step_trace");
+  const std::string done = sentence_of(describe(state.scene(), *state.timeline, state.position), state.language);
+  if (state.position < state.timeline->steps()) return done;
+  return done + " " + str(state, state.walk ? "status.after_last_step_of_pixel" : "status.after_last_step");
+}
+
+Counts counts(const State& state) {
+  const Timeline& timeline = *state.timeline;
+  Counts counts;
+  counts.position = state.position;
+  counts.steps = timeline.steps();
+  counts.pixel = timeline.current_pixel(state.position) + 1;
+  counts.pixels = static_cast<int>(timeline.pixels().size());
+  if (const Event* just_run = timeline.just_run(state.position)) counts.depth = just_run->depth;
+  for (const RayRecord& ray : timeline.rays_at(state.position)) {
+    if (ray.formed) ++counts.formed[static_cast<std::size_t>(ray.kind)];
+    if (ray.found_at <= state.position) ++counts.ended[static_cast<std::size_t>(ray.ending)];
+  }
+  return counts;
+}
+
+std::string status_line(const State& state) {
+  const Counts now = counts(state);
+  int rays = 0;
+  for (const int formed : now.formed) rays += formed;
+  const int cell = current_cell(state);
+  const std::string pixel = state.walk ? std::to_string(state.walk->column) + "," + std::to_string(state.walk->row)
+                            : cell < 0 ? str(state, "status.no_pixel")
+                                       : std::to_string(cell);
+  return fill("status.whole", state.language,
+              {{"position", now.position}, {"steps", now.steps}, {"pixel", pixel}, {"rays", rays}});
+}
+
+std::string short_status_line(const State& state) {
+  return fill("status.short", state.language, {{"position", state.position}, {"steps", state.timeline->steps()}});
+}
+
+std::string widest_status_line(const State& state, bool in_short) {
+  // Enough digits for most walks, so that a slightly longer walk does not change the layout.
+  const auto digits = [](int number, std::size_t least) {
+    return std::string(std::max(std::to_string(number).size(), least), '0');
+  };
+  const std::string steps = digits(state.timeline->steps(), 4);
+  if (in_short) return fill("status.short", state.language, {{"position", steps}, {"steps", steps}});
+  return fill("status.whole", state.language,
+              {{"position", steps},
+               {"steps", steps},
+               {"pixel", state.walk ? "0000,0000" : digits(state.scene().camera.screen.cells - 1, 2)},
+               {"rays", digits(static_cast<int>(state.timeline->rays().size()), 3)}});
+}
+
+}  // namespace raywalk

@@ -1,0 +1,28 @@
+#pragma once
+// What all rooms do with the walk: record it, go to a position.
+
+#include "view/state.h"
+
+namespace raywalk {
+
+/// Records the strip of the scene, and keeps the position: the same line of the same pixel, if it still exists.
+void record_again(State& state);
+/// One pixel of the walk, `column` of the strip or the picture's pixel, with other limits than the scene's.
+[[nodiscard]] Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits);
+/// A recording of this length takes some tens of milliseconds and less than 200 MB.
+inline constexpr double max_events = 400'000;
+
+/// The number of recorded samples of that pixel (an index in Timeline::pixels()).
+[[nodiscard]] int samples_of_pixel(const Timeline& timeline, int pixel);
+
+/// Begins a tween if the walk went a small step forward from here, and ends one that is over.
+void follow_with_tween(State& state, const Timeline* timeline, int position);
+/// Updates State::ghosts for the current pixel.
+void follow_with_ghosts(State& state);
+
+void go_to(State& state, int position);
+/// The position after one step of `grain`.
+[[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);
+void walk_strip(State& state);
+
+}  // namespace raywalk
