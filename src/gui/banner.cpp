@@ -26,23 +26,20 @@ float banner_height(const Ui& ui) {
 void banner_pane(const Ui& ui, const Rect& where) {
   const Shades shades(ui.state.theme);
   const bool alarms = ui.state.bug && !ui.state.bug->mended;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  if (begin_pane(ui, "banner", where, alarms ? ui.colours.error : shades.accent,
-                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    const std::string text = ui.state.bug ? bug_banner(ui.state) : prediction_sentence(ui.state);
-    push_font(ui.fonts.strong);
-    const float room = where.width - ui.px(16);
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
-    ImGui::SetCursorScreenPos({where.x + std::max((where.width - extent.x) / 2, ui.px(8)),
-                               where.y + std::max((where.height - extent.y) / 2, ui.px(2))});
-    ImGui::PushTextWrapPos(where.width - ui.px(8));
-    label(alarms ? ui.colours.panel : shades.on_accent, text);
-    ImGui::PopTextWrapPos();
-    pop_font();
-    ui.publish("banner", where);
-  }
-  end_pane();
-  ImGui::PopStyleVar();
+  const Pane pane(ui, "banner", where, alarms ? ui.colours.error : shades.accent, {0, 0},
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  if (!pane) return;
+  const std::string text = ui.state.bug ? bug_banner(ui.state) : prediction_sentence(ui.state);
+  push_font(ui.fonts.strong);
+  const float room = where.width - ui.px(16);
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  ImGui::SetCursorScreenPos({where.x + std::max((where.width - extent.x) / 2, ui.px(8)),
+                             where.y + std::max((where.height - extent.y) / 2, ui.px(2))});
+  ImGui::PushTextWrapPos(where.width - ui.px(8));
+  label(alarms ? ui.colours.panel : shades.on_accent, text);
+  ImGui::PopTextWrapPos();
+  pop_font();
+  ui.publish("banner", where);
 }
 
 }  // namespace raywalk

@@ -104,52 +104,48 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
 int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   int is_open = -1;
   const float text_height = ImGui::GetFontSize();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), std::max((where.height - text_height) / 2, 0.0f)});
-  const bool visible =
-      begin_pane(ui, "bar", where, ui.colours.window,
-                 ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  const bool has_bar = visible && ImGui::BeginMenuBar();
+  const Pane pane(ui, "bar", where, ui.colours.window, {0, 0},
+                  ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool has_bar = pane && ImGui::BeginMenuBar();
+  ImGui::PopStyleVar();
+  if (!has_bar) return -1;
+  // Large letters in a small window leave less space between menus.
+  const float apart = where.width < ui.px(760) ? ui.px(7) : ui.px(14);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
+  for (std::size_t i = 0; i < menus.size(); ++i)
+    if (show_menu(ui, menus[i], open_menu == static_cast<int>(i))) is_open = static_cast<int>(i);
   ImGui::PopStyleVar(2);
-  if (has_bar) {
-    // Large letters in a small window leave less space between menus.
-    const float apart = where.width < ui.px(760) ? ui.px(7) : ui.px(14);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
-    for (std::size_t i = 0; i < menus.size(); ++i)
-      if (show_menu(ui, menus[i], open_menu == static_cast<int>(i))) is_open = static_cast<int>(i);
-    ImGui::PopStyleVar(2);
 
-    const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + apart, y});
-    choice(ui, commands_in(Section::modes), height, ui.fonts.strong);
-    const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
-    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
-    command_button(ui, command("undo"), {height, height}, flat);
-    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
-    ButtonLook redo = flat;
-    redo.icon = Icon::redo;
-    command_button(ui, command("redo"), {height, height}, redo);
-    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(10), y});
-    const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
-    command_button(ui, command("language"), {height * 1.3f, height}, small,
-                   command_label(command("language"), ui.state, true));
+  const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
+  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + apart, y});
+  choice(ui, commands_in(Section::modes), height, ui.fonts.strong);
+  const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
+  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
+  command_button(ui, command("undo"), {height, height}, flat);
+  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
+  ButtonLook redo = flat;
+  redo.icon = Icon::redo;
+  command_button(ui, command("redo"), {height, height}, redo);
+  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(10), y});
+  const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
+  command_button(ui, command("language"), {height * 1.3f, height}, small,
+                 command_label(command("language"), ui.state, true));
 
-    ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(6), y});
-    if (ImGui::GetCursorScreenPos().x + button_width(ui, command("lessons"), small) < where.right() - ui.px(8))
-      command_button(ui, command("lessons"), {0, height}, small);
+  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(6), y});
+  if (ImGui::GetCursorScreenPos().x + button_width(ui, command("lessons"), small) < where.right() - ui.px(8))
+    command_button(ui, command("lessons"), {0, height}, small);
 
-    // The document's name at the right, if there is room.
-    const std::string title = document_title(ui.state);
-    const float width = ImGui::CalcTextSize(title.c_str()).x;
-    const float x = where.right() - width - ui.px(16);
-    if (x > ImGui::GetItemRectMax().x + ui.px(12)) {
-      ImGui::GetWindowDrawList()->AddText({x, std::round(where.y + (where.height - text_height) / 2)},
-                                          to_imgui(ui.colours.dim_text), title.c_str());
-    }
-    ImGui::EndMenuBar();
+  // The document's name at the right, if there is room.
+  const std::string title = document_title(ui.state);
+  const float width = ImGui::CalcTextSize(title.c_str()).x;
+  const float x = where.right() - width - ui.px(16);
+  if (x > ImGui::GetItemRectMax().x + ui.px(12)) {
+    ImGui::GetWindowDrawList()->AddText({x, std::round(where.y + (where.height - text_height) / 2)},
+                                        to_imgui(ui.colours.dim_text), title.c_str());
   }
-  end_pane();
+  ImGui::EndMenuBar();
   return is_open;
 }
 

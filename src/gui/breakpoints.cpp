@@ -25,20 +25,14 @@ void optional_whole(Form& form, std::string_view label, std::optional<int>& valu
 }  // namespace
 
 void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
-  if (open) ImGui::OpenPopup("breakpoints-popup");
+  if (open) ImGui::OpenPopup("breakpoints");
   const float width = ui.px(330);
   // Beside the code, so that the lines can be seen, but not out of the window.
   ImGui::SetNextWindowPos({std::max(code.x - ui.px(8), width + ui.px(30)), code.y + ui.px(8)}, ImGuiCond_Appearing,
                           {1, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
-  const bool is_open = ImGui::BeginPopup("breakpoints-popup");
-  ImGui::PopStyleVar();
-  if (!is_open) return;
-  ui.publish("breakpoints-popup",
-             {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
+  const FormPopup popup(ui, "breakpoints");
+  if (!popup) return;
   const State& state = ui.state;
-  push_font(ui.fonts.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
   Form form(ui, memory_, width);
   int step = state.position;
   if (open) form.focus_next();
@@ -68,9 +62,6 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   ImGui::SameLine();
   if (button(ui, "remove-breakpoints", ui.say("breakpoints.remove"), "", extent, look, false, state.breakpoints.any()))
     ui.act(action::SetBreakpoints{});
-  ImGui::PopStyleVar();
-  pop_font();
-  ImGui::EndPopup();
 }
 
 namespace {

@@ -46,69 +46,64 @@ void hunt(const Ui& ui, const BugPanel& panel) {
 
 void bug_pane(const Ui& ui, const Rect& where) {
   const BugPanel panel = bug_panel(ui.state);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(12)});
-  const bool visible = begin_pane(ui, "bugs", where, ui.colours.panel,
-                                  ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-  ImGui::PopStyleVar();
-  if (visible) {
-    const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), gap = ui.px(8);
-    const float left = where.x + ui.px(16);
-    push_font(ui.fonts.small);
-    label(ui.colours.dim_text, shortened(panel.tally, width - 2 * height));
-    pop_font();
-    ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
-    if (button(ui, "bugs-close", "", ui.say("bug.leave"), {height, height},
-               {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
-      ui.act(action::ShowBugs{false});
-    ImGui::SetCursorScreenPos({left, where.y + ui.px(12) + height});
-    push_font(ui.fonts.title);
-    paragraph(ui.colours.text, panel.heading);
-    pop_font();
+  const Pane pane(ui, "bugs", where, ui.colours.panel, {ui.px(16), ui.px(12)}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), gap = ui.px(8);
+  const float left = where.x + ui.px(16);
+  push_font(ui.fonts.small);
+  label(ui.colours.dim_text, shortened(panel.tally, width - 2 * height));
+  pop_font();
+  ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
+  if (button(ui, "bugs-close", "", ui.say("bug.leave"), {height, height},
+             {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
+    ui.act(action::ShowBugs{false});
+  ImGui::SetCursorScreenPos({left, where.y + ui.px(12) + height});
+  push_font(ui.fonts.title);
+  paragraph(ui.colours.text, panel.heading);
+  pop_font();
 
-    const float foot = (panel.hunting ? 2 : 1) * height + ui.px(panel.hunting ? 26 : 18),
-                top = ImGui::GetCursorScreenPos().y;
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
-    if (ImGui::BeginChild("bug-words", {width, std::max(where.bottom() - top - foot, 1.0f)}, false)) {
-      if (panel.hunting) {
-        hunt(ui, panel);
-      } else {
-        passages(ui, panel.said);
-        list(ui, panel);
-      }
-      fade_edges(ui, ui.colours.panel);
-    }
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-
-    const float y = where.bottom() - foot + ui.px(8), half = (width - gap) / 2;
-    ImGui::SetCursorScreenPos({left, y});
-    if (!panel.hunting) {
-      command_button(ui, command("bug-surprise"), {width, height}, {.look = Look::primary}, ui.say("bug.surprise"));
-    } else {
-      const bool open = panel.can_give_up;
-      command_button(ui, open ? command("bug-mark") : command("bug-mend"), {half, height},
-                     {.look = open ? Look::primary : Look::plain},
-                     ui.say(panel.can_judge        ? "bug.judge"
-                            : open                 ? "bug.mark"
-                            : ui.state.bug->mended ? "bug.break_again"
-                                                   : "bug.mend"));
-      ImGui::SetCursorScreenPos({left + half + gap, y});
-      command_button(ui, open ? command("bug-cure") : command("bug-surprise"), {half, height},
-                     {.look = open ? Look::plain : Look::primary}, ui.say(open ? "bug.give_up" : "bug.surprise"));
-    }
-
-    ImGui::SetCursorScreenPos({left, y + height + gap});
+  const float foot = (panel.hunting ? 2 : 1) * height + ui.px(panel.hunting ? 26 : 18),
+              top = ImGui::GetCursorScreenPos().y;
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
+  if (ImGui::BeginChild("bug-words", {width, std::max(where.bottom() - top - foot, 1.0f)}, false)) {
     if (panel.hunting) {
-      if (button(ui, "bugs-list", ui.say("bug.all_bugs"), ui.say("bug.all_bugs"), {height, height},
-                 {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
-        ui.act(action::LeaveHunt{});
-      ImGui::SetCursorScreenPos({left + height + gap, y + height + gap});
-      if (button(ui, "bugs-leave", ui.say("bug.leave"), "Esc", {width - height - gap, height},
-                 {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
-        ui.act(action::ShowBugs{false});
+      hunt(ui, panel);
+    } else {
+      passages(ui, panel.said);
+      list(ui, panel);
     }
+    fade_edges(ui, ui.colours.panel);
   }
-  end_pane();
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+
+  const float y = where.bottom() - foot + ui.px(8), half = (width - gap) / 2;
+  ImGui::SetCursorScreenPos({left, y});
+  if (!panel.hunting) {
+    command_button(ui, command("bug-surprise"), {width, height}, {.look = Look::primary}, ui.say("bug.surprise"));
+  } else {
+    const bool open = panel.can_give_up;
+    command_button(ui, open ? command("bug-mark") : command("bug-mend"), {half, height},
+                   {.look = open ? Look::primary : Look::plain},
+                   ui.say(panel.can_judge        ? "bug.judge"
+                          : open                 ? "bug.mark"
+                          : ui.state.bug->mended ? "bug.break_again"
+                                                 : "bug.mend"));
+    ImGui::SetCursorScreenPos({left + half + gap, y});
+    command_button(ui, open ? command("bug-cure") : command("bug-surprise"), {half, height},
+                   {.look = open ? Look::plain : Look::primary}, ui.say(open ? "bug.give_up" : "bug.surprise"));
+  }
+
+  ImGui::SetCursorScreenPos({left, y + height + gap});
+  if (panel.hunting) {
+    if (button(ui, "bugs-list", ui.say("bug.all_bugs"), ui.say("bug.all_bugs"), {height, height},
+               {.look = Look::plain, .icon = Icon::up, .font = nullptr, .label = false}))
+      ui.act(action::LeaveHunt{});
+    ImGui::SetCursorScreenPos({left + height + gap, y + height + gap});
+    if (button(ui, "bugs-leave", ui.say("bug.leave"), "Esc", {width - height - gap, height},
+               {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
+      ui.act(action::ShowBugs{false});
+  }
 }
 
 namespace {

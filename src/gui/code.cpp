@@ -129,69 +129,64 @@ float code_width(const Ui& ui) {
 }
 
 void code_pane(const Ui& ui, const Rect& where) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool visible = begin_pane(ui, "code", where, ui.colours.panel);
-  ImGui::PopStyleVar();
-  if (visible) {
-    constexpr float closest = 0.8f;
-    const CodeSizes sizes(ui, std::clamp(where.height / code_height(ui), closest, 1.0f));
-    const Shades shades(ui.state.theme);
-    const float scroll = ImGui::GetScrollY(), left = where.x + ui.px(margin);
-    const bool scrolls = ImGui::GetScrollMaxY() > 0;
-    const float width = where.width - ui.px(2 * margin) - (scrolls ? ImGui::GetStyle().ScrollbarSize : 0);
-    float y = where.y + ui.px(margin) - scroll;
-    const bool asks = asks_for_line(ui.state);
-    std::optional<Line> pointed_at;
-    float ran = -1, next = -1;  // of the contents
-    for (const CodeBox& box : code_panel(ui.state).boxes) {
-      const Rect frame{left, y, width, box_height(ui, sizes, box)};
-      const float edge = box.depth ? 1.6f : 1.0f;
-      ImGui::GetWindowDrawList()->AddRect(corner(frame), opposite(frame),
-                                          to_imgui(box.depth ? shades.raised_held : shades.line), ui.px(6), 0,
-                                          std::max(ui.px(edge), 1.0f));
-      y += ui.px(box_padding);
-      draw_heading(ui, box, {left + ui.px(box_padding), y, width - ui.px(2 * box_padding), sizes.heading});
-      y += sizes.heading;
-      for (const CodeRow& row : box.rows) {
-        const Rect place{left + ui.px(box_padding) - ui.px(2), y, width - ui.px(2 * box_padding) + ui.px(2), sizes.row};
-        const std::string number = std::to_string(static_cast<int>(row.line)), name = "line-" + number;
-        const Rect gutter{place.x, place.y, ui.px(pointer_column), place.height};
-        ImGui::SetCursorScreenPos(corner(gutter));
-        if (ImGui::InvisibleButton(("break-" + number).c_str(), size(gutter)))
-          ui.act(action::ToggleBreakpoint{row.line});
-        ui.publish("break-" + number);
-        draw_breakpoint(ui, gutter, row.breakpoint, ImGui::IsItemHovered());
-        if (!row.breakpoint) tooltip(ui, "break-" + number, ui.say("code.breakpoint_hint"));
-        ImGui::SetCursorScreenPos({gutter.right(), place.y});
-        if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
-          ui.act(asks ? Action(action::MarkLine{row.line}) : Action(action::RunToLine{row.line}));
-        if (ImGui::IsItemHovered()) pointed_at = row.line;
-        ui.publish(name);
-        if (asks) tooltip(ui, name, ui.say("code.mark_hint"));
-        draw_row(ui, row, place);
-        if (row.just_run) ran = y - where.y + scroll;
-        if (row.next) next = y - where.y + scroll;
-        y += sizes.row;
-      }
-      y = frame.bottom() + ui.px(between_boxes);
+  const Pane pane(ui, "code", where, ui.colours.panel);
+  if (!pane) return;
+  constexpr float closest = 0.8f;
+  const CodeSizes sizes(ui, std::clamp(where.height / code_height(ui), closest, 1.0f));
+  const Shades shades(ui.state.theme);
+  const float scroll = ImGui::GetScrollY(), left = where.x + ui.px(margin);
+  const bool scrolls = ImGui::GetScrollMaxY() > 0;
+  const float width = where.width - ui.px(2 * margin) - (scrolls ? ImGui::GetStyle().ScrollbarSize : 0);
+  float y = where.y + ui.px(margin) - scroll;
+  const bool asks = asks_for_line(ui.state);
+  std::optional<Line> pointed_at;
+  float ran = -1, next = -1;  // of the contents
+  for (const CodeBox& box : code_panel(ui.state).boxes) {
+    const Rect frame{left, y, width, box_height(ui, sizes, box)};
+    const float edge = box.depth ? 1.6f : 1.0f;
+    ImGui::GetWindowDrawList()->AddRect(corner(frame), opposite(frame),
+                                        to_imgui(box.depth ? shades.raised_held : shades.line), ui.px(6), 0,
+                                        std::max(ui.px(edge), 1.0f));
+    y += ui.px(box_padding);
+    draw_heading(ui, box, {left + ui.px(box_padding), y, width - ui.px(2 * box_padding), sizes.heading});
+    y += sizes.heading;
+    for (const CodeRow& row : box.rows) {
+      const Rect place{left + ui.px(box_padding) - ui.px(2), y, width - ui.px(2 * box_padding) + ui.px(2), sizes.row};
+      const std::string number = std::to_string(static_cast<int>(row.line)), name = "line-" + number;
+      const Rect gutter{place.x, place.y, ui.px(pointer_column), place.height};
+      ImGui::SetCursorScreenPos(corner(gutter));
+      if (ImGui::InvisibleButton(("break-" + number).c_str(), size(gutter))) ui.act(action::ToggleBreakpoint{row.line});
+      ui.publish("break-" + number);
+      draw_breakpoint(ui, gutter, row.breakpoint, ImGui::IsItemHovered());
+      if (!row.breakpoint) tooltip(ui, "break-" + number, ui.say("code.breakpoint_hint"));
+      ImGui::SetCursorScreenPos({gutter.right(), place.y});
+      if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
+        ui.act(asks ? Action(action::MarkLine{row.line}) : Action(action::RunToLine{row.line}));
+      if (ImGui::IsItemHovered()) pointed_at = row.line;
+      ui.publish(name);
+      if (asks) tooltip(ui, name, ui.say("code.mark_hint"));
+      draw_row(ui, row, place);
+      if (row.just_run) ran = y - where.y + scroll;
+      if (row.next) next = y - where.y + scroll;
+      y += sizes.row;
     }
-    ImGui::SetCursorScreenPos({left, y + ui.px(margin - between_boxes)});
-    ImGui::Dummy({1, 1});
-    // The line that has just run with some around it, and the next one if both fit.
-    const float at = ran >= 0 ? ran : next;
-    float sight_top = at - 2 * sizes.row, sight_bottom = at + 3 * sizes.row;
-    if (next >= 0 && std::abs(next - at) + 3 * sizes.row < where.height) {
-      sight_top = std::max(std::min(at, next) - sizes.row, std::max(at, next) + 2 * sizes.row - where.height);
-      sight_bottom = std::max(at, next) + 2 * sizes.row;
-    }
-    if (at >= 0) keep_in_sight(ui, sight_top, sight_bottom);
-    // Set only by the hovered pane, so that panes do not override each other.
-    bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
-    if ((pointed_at || pointing) && pointed_at != ui.state.hovered_line) ui.act(action::HoverLine{pointed_at});
-    pointing = pointed_at.has_value();
-    fade_edges(ui, ui.colours.panel);
+    y = frame.bottom() + ui.px(between_boxes);
   }
-  end_pane();
+  ImGui::SetCursorScreenPos({left, y + ui.px(margin - between_boxes)});
+  ImGui::Dummy({1, 1});
+  // The line that has just run with some around it, and the next one if both fit.
+  const float at = ran >= 0 ? ran : next;
+  float sight_top = at - 2 * sizes.row, sight_bottom = at + 3 * sizes.row;
+  if (next >= 0 && std::abs(next - at) + 3 * sizes.row < where.height) {
+    sight_top = std::max(std::min(at, next) - sizes.row, std::max(at, next) + 2 * sizes.row - where.height);
+    sight_bottom = std::max(at, next) + 2 * sizes.row;
+  }
+  if (at >= 0) keep_in_sight(ui, sight_top, sight_bottom);
+  // Set only by the hovered pane, so that panes do not override each other.
+  bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
+  if ((pointed_at || pointing) && pointed_at != ui.state.hovered_line) ui.act(action::HoverLine{pointed_at});
+  pointing = pointed_at.has_value();
+  fade_edges(ui, ui.colours.panel);
 }
 
 }  // namespace raywalk

@@ -107,14 +107,8 @@ void draw_effects(const Ui& ui, const Rect& where, float top, const LiveCosts& c
 }  // namespace
 
 void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
-  const bool open = ImGui::BeginPopup("cost-knobs");
-  ImGui::PopStyleVar();
-  if (!open) return;
-  ui.publish("cost-knobs-popup",
-             {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
-  push_font(ui.fonts.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
+  const FormPopup popup(ui, "cost-knobs");
+  if (!popup) return;
   Form form(ui, memory, ui.px(390));
   form.heading("cost.knobs");
   const study::Setup now = cost_knobs(ui.state);
@@ -133,9 +127,6 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};
   command_button(ui, command("cost-try"), {ui.px(390), ui.px(30)}, look);
-  ImGui::PopStyleVar();
-  pop_font();
-  ImGui::EndPopup();
 }
 
 void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {

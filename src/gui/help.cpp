@@ -8,45 +8,41 @@
 namespace raywalk {
 
 void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(28), ui.px(20)});
-  const bool visible = begin_pane(ui, "help", where, ui.colours.panel, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  ImGui::PopStyleVar();
-  if (visible) {
-    if (scroll_by != 0) ImGui::SetScrollY(ImGui::GetScrollY() + scroll_by);
-    // Lines longer than this are hard to read.
-    const float width = std::min(ImGui::GetContentRegionAvail().x, ui.px(760));
-    const float term_width = std::min(ui.px(210), width * 0.4f), left = ImGui::GetCursorPosX();
-    std::vector<HelpSection> sections = help(ui.state.language);
-    sections.push_back({ui.say("keys.title"), {}});
-    for (const KeyListRow& row : key_list(ui.state.language)) sections.back().entries.push_back({row.keys, row.does});
-    for (const HelpSection& section : sections) {
-      push_font(ui.fonts.title);
-      label(ui.colours.text, section.title);
-      pop_font();
-      ImGui::Spacing();
-      for (const HelpEntry& entry : section.entries) {
-        const float y = ImGui::GetCursorPosY();
-        float text_left = left, bottom = y;
-        if (!entry.term.empty()) {
-          push_font(ui.fonts.strong);
-          ImGui::PushTextWrapPos(left + term_width - ui.px(14));
-          label(ui.colours.text, entry.term);
-          ImGui::PopTextWrapPos();
-          pop_font();
-          bottom = ImGui::GetCursorPosY();
-          text_left = left + term_width;
-        }
-        ImGui::SetCursorPos({text_left, y});
-        ImGui::PushTextWrapPos(left + width);
-        label(ui.colours.text, entry.text);
+  const Pane pane(ui, "help", where, ui.colours.panel, {ui.px(28), ui.px(20)});
+  if (!pane) return;
+  if (scroll_by != 0) ImGui::SetScrollY(ImGui::GetScrollY() + scroll_by);
+  // Lines longer than this are hard to read.
+  const float width = std::min(ImGui::GetContentRegionAvail().x, ui.px(760));
+  const float term_width = std::min(ui.px(210), width * 0.4f), left = ImGui::GetCursorPosX();
+  std::vector<HelpSection> sections = help(ui.state.language);
+  sections.push_back({ui.say("keys.title"), {}});
+  for (const KeyListRow& row : key_list(ui.state.language)) sections.back().entries.push_back({row.keys, row.does});
+  for (const HelpSection& section : sections) {
+    push_font(ui.fonts.title);
+    label(ui.colours.text, section.title);
+    pop_font();
+    ImGui::Spacing();
+    for (const HelpEntry& entry : section.entries) {
+      const float y = ImGui::GetCursorPosY();
+      float text_left = left, bottom = y;
+      if (!entry.term.empty()) {
+        push_font(ui.fonts.strong);
+        ImGui::PushTextWrapPos(left + term_width - ui.px(14));
+        label(ui.colours.text, entry.term);
         ImGui::PopTextWrapPos();
-        ImGui::SetCursorPos({left, std::max(bottom, ImGui::GetCursorPosY())});
+        pop_font();
+        bottom = ImGui::GetCursorPosY();
+        text_left = left + term_width;
       }
-      ImGui::Dummy({1, ui.px(14)});
+      ImGui::SetCursorPos({text_left, y});
+      ImGui::PushTextWrapPos(left + width);
+      label(ui.colours.text, entry.text);
+      ImGui::PopTextWrapPos();
+      ImGui::SetCursorPos({left, std::max(bottom, ImGui::GetCursorPosY())});
     }
-    fade_edges(ui, ui.colours.panel);
+    ImGui::Dummy({1, ui.px(14)});
   }
-  end_pane();
+  fade_edges(ui, ui.colours.panel);
 }
 
 }  // namespace raywalk

@@ -204,14 +204,8 @@ void epsilon_row(const Ui& ui, Form& form) {
 }
 
 void image_settings(const Ui& ui, FormMemory& memory) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
-  const bool open = ImGui::BeginPopup("image-settings");
-  ImGui::PopStyleVar();
-  if (!open) return;
-  ui.publish("image-settings-popup",
-             {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
-  push_font(ui.fonts.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
+  const FormPopup popup(ui, "image-settings");
+  if (!popup) return;
   Form form(ui, memory, ui.px(390));
   form.heading("image.settings_title");
   const State& state = ui.state;
@@ -241,9 +235,6 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   const ImVec2 extent{ui.px(390), ui.px(30)};
   command_button(ui, command("reset-view"), extent, look);
   command_button(ui, command("use-camera"), extent, look);
-  ImGui::PopStyleVar();
-  pop_font();
-  ImGui::EndPopup();
 }
 
 namespace {

@@ -58,45 +58,44 @@ void legend_tab(const Ui& ui, const Rect& where) {
 }
 
 void legend_pane(const Ui& ui, const Rect& where) {
-  if (begin_pane(ui, "legend", where, ui.colours.plan, ImGuiWindowFlags_NoScrollbar)) {
-    push_font(ui.fonts.small);
-    const Legend content = legend(ui.state);
-    const float height = line_height(ui.fonts, *ui.fonts.small), gap = ui.px(7);
-    const float length = ui.px(where.width < ui.px(640) ? 26 : 34);
-    const auto width_of = [&](std::string LegendRow::* name) {
-      float sum = 0;
-      for (const LegendRow& row : content.rays) sum += length + gap + ImGui::CalcTextSize((row.*name).c_str()).x;
-      return sum;
-    };
-    const float least_between = ui.px(8) * static_cast<float>(content.rays.size());
-    const bool in_short = width_of(&LegendRow::name) + least_between > where.width - ui.px(28);
-    const auto name = in_short ? &LegendRow::short_name : &LegendRow::name;
-    // Spread, but not too far; in a narrow window tight, or in two lines.
-    const float most = where.width - ui.px(28);
-    const auto count = content.rays.size();
-    const std::size_t lines = width_of(name) + least_between > most ? 2 : 1, in_line = (count + lines - 1) / lines;
-    const float room = (most - width_of(name) / static_cast<float>(lines)) / static_cast<float>(in_line);
-    const float between = std::clamp(room, ui.px(4), ui.px(22));
-    const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
-    float y = std::round(where.y + (where.height - line * static_cast<float>(lines)) / 2 + (line - height) / 2);
-    // In two lines the names are aligned.
-    float widest = 0;
-    for (const LegendRow& row : content.rays) widest = std::max(widest, ImGui::CalcTextSize((row.*name).c_str()).x);
-    float x = where.x + ui.px(14);
-    for (std::size_t i = 0; i < count; ++i) {
-      const LegendRow& row = content.rays[i];
-      if (i > 0 && i % in_line == 0) {
-        x = where.x + ui.px(14);
-        y = std::round(y + line);
-      }
-      sample(ui, row, x, y + height / 2, length);
-      x += length + gap;
-      ImGui::GetWindowDrawList()->AddText({std::round(x), y}, to_imgui(ui.colours.dim_text), (row.*name).c_str());
-      x += (lines > 1 ? widest : ImGui::CalcTextSize((row.*name).c_str()).x) + between;
+  const Pane pane(ui, "legend", where, ui.colours.plan, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  push_font(ui.fonts.small);
+  const Legend content = legend(ui.state);
+  const float height = line_height(ui.fonts, *ui.fonts.small), gap = ui.px(7);
+  const float length = ui.px(where.width < ui.px(640) ? 26 : 34);
+  const auto width_of = [&](std::string LegendRow::* name) {
+    float sum = 0;
+    for (const LegendRow& row : content.rays) sum += length + gap + ImGui::CalcTextSize((row.*name).c_str()).x;
+    return sum;
+  };
+  const float least_between = ui.px(8) * static_cast<float>(content.rays.size());
+  const bool in_short = width_of(&LegendRow::name) + least_between > where.width - ui.px(28);
+  const auto name = in_short ? &LegendRow::short_name : &LegendRow::name;
+  // Spread, but not too far; in a narrow window tight, or in two lines.
+  const float most = where.width - ui.px(28);
+  const auto count = content.rays.size();
+  const std::size_t lines = width_of(name) + least_between > most ? 2 : 1, in_line = (count + lines - 1) / lines;
+  const float room = (most - width_of(name) / static_cast<float>(lines)) / static_cast<float>(in_line);
+  const float between = std::clamp(room, ui.px(4), ui.px(22));
+  const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
+  float y = std::round(where.y + (where.height - line * static_cast<float>(lines)) / 2 + (line - height) / 2);
+  // In two lines the names are aligned.
+  float widest = 0;
+  for (const LegendRow& row : content.rays) widest = std::max(widest, ImGui::CalcTextSize((row.*name).c_str()).x);
+  float x = where.x + ui.px(14);
+  for (std::size_t i = 0; i < count; ++i) {
+    const LegendRow& row = content.rays[i];
+    if (i > 0 && i % in_line == 0) {
+      x = where.x + ui.px(14);
+      y = std::round(y + line);
     }
-    pop_font();
+    sample(ui, row, x, y + height / 2, length);
+    x += length + gap;
+    ImGui::GetWindowDrawList()->AddText({std::round(x), y}, to_imgui(ui.colours.dim_text), (row.*name).c_str());
+    x += (lines > 1 ? widest : ImGui::CalcTextSize((row.*name).c_str()).x) + between;
   }
-  end_pane();
+  pop_font();
 }
 
 rows::Rows rows::legend() {

@@ -235,45 +235,40 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
 void LessonPane::draw(const Ui& ui, const Rect& where) {
   const LessonPanel panel = lesson_panel(ui.state);
   const LessonSitting& sitting = ui.state.lessons;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(12)});
-  const bool visible = begin_pane(ui, "lesson", where, ui.colours.panel,
-                                  ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-  ImGui::PopStyleVar();
-  if (visible) {
-    const std::string shown_for = panel.lesson + "/" + std::to_string(panel.step) + (sitting.revealed ? "!" : "");
-    const bool is_new = shown_for_ != shown_for;
-    if (is_new && !sitting.revealed) number_.clear();
-    shown_for_ = shown_for;
-    const bool open = sitting.at() != nullptr;
-    const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), left = where.x + ui.px(16);
-    head(ui, panel, where, open);
+  const Pane pane(ui, "lesson", where, ui.colours.panel, {ui.px(16), ui.px(12)}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  const std::string shown_for = panel.lesson + "/" + std::to_string(panel.step) + (sitting.revealed ? "!" : "");
+  const bool is_new = shown_for_ != shown_for;
+  if (is_new && !sitting.revealed) number_.clear();
+  shown_for_ = shown_for;
+  const bool open = sitting.at() != nullptr;
+  const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), left = where.x + ui.px(16);
+  head(ui, panel, where, open);
 
-    const float foot = open ? 2 * height + ui.px(26) : height + ui.px(18);
-    const float room = std::max(where.bottom() - ImGui::GetCursorScreenPos().y - foot, 1.0f);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
-    if (ImGui::BeginChild("lesson-words", {width, room}, false)) {
-      if (is_new) ImGui::SetScrollY(0);
-      if (open) {
-        if (!panel.summary.empty()) prose(ui, ui.colours.dim_text, panel.summary);
-        prose(ui, ui.colours.text, panel.text);
-        if (panel.asks != Asks::nothing) question(ui, panel, is_new);
-        // Scrolls a new answer into view, with its context.
-        if (is_new && sitting.revealed) ImGui::SetScrollHereY(0.35f);
-        answer(ui, panel);
-        notes(ui, panel);
-      } else {
-        list(ui, panel);
-      }
-      fade_edges(ui, ui.colours.panel);
+  const float foot = open ? 2 * height + ui.px(26) : height + ui.px(18);
+  const float room = std::max(where.bottom() - ImGui::GetCursorScreenPos().y - foot, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
+  if (ImGui::BeginChild("lesson-words", {width, room}, false)) {
+    if (is_new) ImGui::SetScrollY(0);
+    if (open) {
+      if (!panel.summary.empty()) prose(ui, ui.colours.dim_text, panel.summary);
+      prose(ui, ui.colours.text, panel.text);
+      if (panel.asks != Asks::nothing) question(ui, panel, is_new);
+      // Scrolls a new answer into view, with its context.
+      if (is_new && sitting.revealed) ImGui::SetScrollHereY(0.35f);
+      answer(ui, panel);
+      notes(ui, panel);
+    } else {
+      list(ui, panel);
     }
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-
-    if (open) steps(ui, panel, {left, where.bottom() - foot + ui.px(8)}, width);
-    ImGui::SetCursorScreenPos({left, where.bottom() - ui.px(10) - height});
-    options(ui, width, open);
+    fade_edges(ui, ui.colours.panel);
   }
-  end_pane();
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+
+  if (open) steps(ui, panel, {left, where.bottom() - foot + ui.px(8)}, width);
+  ImGui::SetCursorScreenPos({left, where.bottom() - ui.px(10) - height});
+  options(ui, width, open);
 }
 
 bool lesson_by_key(const KeyPress& press, const Ui& ui) {

@@ -41,55 +41,51 @@ void lines_pane(const Ui& ui, const Rect& where) {
   const Viewport viewport{std::max(static_cast<double>(where.width / ui.dpi), 1.0),
                           std::max(static_cast<double>(where.height / ui.dpi), 1.0)};
   if (!where.empty() && viewport != ui.state.viewport) ui.act(action::ResizePlan{viewport});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool visible =
-      begin_pane(ui, "plan", where, ui.colours.plan, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PopStyleVar();
-  if (visible) {
-    paint(*ImGui::GetWindowDrawList(), lines_view(ui.state, viewport), where, ui.dpi, ui.fonts);
-    // The buttons come before the pane's own item: the first one gets the mouse.
-    const float edge = ui.px(28);
-    ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-    float x = where.right() - ui.px(10);
-    for (const Command* each : {&command("lines"), &command("reset-view"), &command("walk-strip")}) {
-      if (!enabled(*each, ui.state)) continue;
-      const float width = button_width(ui, *each, look);
-      x -= width;
-      if (x < where.x) break;
-      ImGui::SetCursorScreenPos({x, where.y + ui.px(8)});
-      command_button(ui, *each, {width, edge}, look);
-      x -= ui.px(6);
-    }
-    ImGui::SetCursorScreenPos(corner(where));
-    ImGui::InvisibleButton(
-        "lines", size(where),
-        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    ui.publish("lines", where);
-    turn_by_mouse(ui, SpaceView::lines, where);
-    const bool inside = ImGui::IsItemHovered(), clicked = clicked_in_place();
-    Target target;
-    if (inside && !ImGui::IsItemActive() && ImGui::IsMousePosValid()) {
-      const ImVec2 mouse = ImGui::GetIO().MousePos;
-      target = pick_in_lines(
-          ui.state, viewport,
-          {static_cast<double>((mouse.x - where.x) / ui.dpi), static_cast<double>((mouse.y - where.y) / ui.dpi)});
-    }
-    const int ray = target.kind == TargetKind::ray ? target.index : -1;
-    // Set only by the hovered pane.
-    bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
-    if ((inside || pointing) && ray != ui.state.hovered_ray) ui.act(action::HoverRay{ray});
-    pointing = inside;
-    if (clicked && ray >= 0) ui.act(action::JumpToRay{ray});
-    if (ray >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (const std::string what = target_text(ui.state, target); !what.empty() && inside) {
-      ImGui::BeginTooltip();
-      push_font(ui.fonts.small);
-      ImGui::TextUnformatted(what.c_str());
-      pop_font();
-      ImGui::EndTooltip();
-    }
+  const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  if (!pane) return;
+  paint(*ImGui::GetWindowDrawList(), lines_view(ui.state, viewport), where, ui.dpi, ui.fonts);
+  // The buttons come before the pane's own item: the first one gets the mouse.
+  const float edge = ui.px(28);
+  ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+  float x = where.right() - ui.px(10);
+  for (const Command* each : {&command("lines"), &command("reset-view"), &command("walk-strip")}) {
+    if (!enabled(*each, ui.state)) continue;
+    const float width = button_width(ui, *each, look);
+    x -= width;
+    if (x < where.x) break;
+    ImGui::SetCursorScreenPos({x, where.y + ui.px(8)});
+    command_button(ui, *each, {width, edge}, look);
+    x -= ui.px(6);
   }
-  end_pane();
+  ImGui::SetCursorScreenPos(corner(where));
+  ImGui::InvisibleButton(
+      "lines", size(where),
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  ui.publish("lines", where);
+  turn_by_mouse(ui, SpaceView::lines, where);
+  const bool inside = ImGui::IsItemHovered(), clicked = clicked_in_place();
+  Target target;
+  if (inside && !ImGui::IsItemActive() && ImGui::IsMousePosValid()) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    target = pick_in_lines(
+        ui.state, viewport,
+        {static_cast<double>((mouse.x - where.x) / ui.dpi), static_cast<double>((mouse.y - where.y) / ui.dpi)});
+  }
+  const int ray = target.kind == TargetKind::ray ? target.index : -1;
+  // Set only by the hovered pane.
+  bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
+  if ((inside || pointing) && ray != ui.state.hovered_ray) ui.act(action::HoverRay{ray});
+  pointing = inside;
+  if (clicked && ray >= 0) ui.act(action::JumpToRay{ray});
+  if (ray >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (const std::string what = target_text(ui.state, target); !what.empty() && inside) {
+    ImGui::BeginTooltip();
+    push_font(ui.fonts.small);
+    ImGui::TextUnformatted(what.c_str());
+    pop_font();
+    ImGui::EndTooltip();
+  }
 }
 
 namespace {

@@ -81,24 +81,20 @@ void plan_pane(const Ui& ui, const Rect& where) {
                           std::max(static_cast<double>(where.height / ui.dpi), 1.0)};
   if (!where.empty() && viewport != ui.state.viewport) ui.act(action::ResizePlan{viewport});
 
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool visible =
-      begin_pane(ui, "plan", where, ui.colours.plan, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PopStyleVar();
-  if (visible) {
-    ImGui::SetCursorScreenPos(corner(where));
-    ImGui::InvisibleButton(
-        "plan", size(where),
-        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    pointer_actions(ui, where);
-    const bool inside = ImGui::IsItemHovered();
-    // Drawn for the current size of the pane, even in the one frame before the state knows it.
-    paint(*ImGui::GetWindowDrawList(), plan_view(ui.state, viewport), where, ui.dpi, ui.fonts);
-    if (inside && !ui.state.drag) name_target(ui);
-    if ((inside || ui.state.drag) && can_be_held(ui.state, ui.state.hovered.kind))
-      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  }
-  end_pane();
+  const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  if (!pane) return;
+  ImGui::SetCursorScreenPos(corner(where));
+  ImGui::InvisibleButton(
+      "plan", size(where),
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  pointer_actions(ui, where);
+  const bool inside = ImGui::IsItemHovered();
+  // Drawn for the current size of the pane, even in the one frame before the state knows it.
+  paint(*ImGui::GetWindowDrawList(), plan_view(ui.state, viewport), where, ui.dpi, ui.fonts);
+  if (inside && !ui.state.drag) name_target(ui);
+  if ((inside || ui.state.drag) && can_be_held(ui.state, ui.state.hovered.kind))
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 namespace {

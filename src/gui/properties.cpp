@@ -81,63 +81,59 @@ bool PropertiesPane::shows(const State& state) {
 }
 
 void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(10)});
-  const bool visible = begin_pane(ui, "properties", where, ui.colours.panel, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  ImGui::PopStyleVar();
-  if (visible) {
-    const Target target = ui.state.selected;
-    const float width = ImGui::GetContentRegionAvail().x, edge = ui.px(28);
-    push_font(ui.fonts.title);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::PushClipRect(at, {at.x + width - edge - ui.px(8), at.y + edge}, true);
-    label(ui.colours.text, title_of(ui, target));
-    ImGui::PopClipRect();
-    pop_font();
-    ImGui::SetCursorScreenPos({at.x + width - edge, at.y});
-    command_button(ui, command("deselect"), {edge, edge},
-                   {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false});
+  const Pane pane(ui, "properties", where, ui.colours.panel, {ui.px(14), ui.px(10)});
+  if (!pane) return;
+  const Target target = ui.state.selected;
+  const float width = ImGui::GetContentRegionAvail().x, edge = ui.px(28);
+  push_font(ui.fonts.title);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(at, {at.x + width - edge - ui.px(8), at.y + edge}, true);
+  label(ui.colours.text, title_of(ui, target));
+  ImGui::PopClipRect();
+  pop_font();
+  ImGui::SetCursorScreenPos({at.x + width - edge, at.y});
+  command_button(ui, command("deselect"), {edge, edge},
+                 {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false});
 
-    push_font(ui.fonts.small);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(5)});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(6), ui.px(4)});
-    // Fields of different things need different ids.
-    ImGui::PushID(static_cast<int>(target.kind));
-    ImGui::PushID(target.index);
-    if (std::exchange(shown_, target) != target) memory_ = {};
-    Form form(ui, memory_, width);
-    // First the pane, a frame later its field: newer versions of ImGui search only the focused window.
-    if (std::exchange(focus_field_, false)) form.focus_next();
-    if (focus) ImGui::SetWindowFocus();
-    focus_field_ |= focus;
-    switch (target.kind) {
-      case TargetKind::object:
-      case TargetKind::radius:
-      case TargetKind::corner:
-      case TargetKind::edge:
-      case TargetKind::rotation:
-        object_rows(ui, form, target.index);
-        break;
-      case TargetKind::light:
-        light_rows(ui, form, target.index);
-        break;
-      case TargetKind::eye:
-      case TargetKind::view_direction:
-      case TargetKind::screen_height:
-      case TargetKind::screen_distance:
-      case TargetKind::cell:
-      case TargetKind::ray:
-      case TargetKind::nothing:
-        camera_rows(ui, form);
-        scene_rows(ui, form);
-        break;
-    }
-    ImGui::PopID();
-    ImGui::PopID();
-    ImGui::PopStyleVar(2);
-    pop_font();
-    fade_edges(ui, ui.colours.panel);
+  push_font(ui.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(5)});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(6), ui.px(4)});
+  // Fields of different things need different ids.
+  ImGui::PushID(static_cast<int>(target.kind));
+  ImGui::PushID(target.index);
+  if (std::exchange(shown_, target) != target) memory_ = {};
+  Form form(ui, memory_, width);
+  // First the pane, a frame later its field: newer versions of ImGui search only the focused window.
+  if (std::exchange(focus_field_, false)) form.focus_next();
+  if (focus) ImGui::SetWindowFocus();
+  focus_field_ |= focus;
+  switch (target.kind) {
+    case TargetKind::object:
+    case TargetKind::radius:
+    case TargetKind::corner:
+    case TargetKind::edge:
+    case TargetKind::rotation:
+      object_rows(ui, form, target.index);
+      break;
+    case TargetKind::light:
+      light_rows(ui, form, target.index);
+      break;
+    case TargetKind::eye:
+    case TargetKind::view_direction:
+    case TargetKind::screen_height:
+    case TargetKind::screen_distance:
+    case TargetKind::cell:
+    case TargetKind::ray:
+    case TargetKind::nothing:
+      camera_rows(ui, form);
+      scene_rows(ui, form);
+      break;
   }
-  end_pane();
+  ImGui::PopID();
+  ImGui::PopID();
+  ImGui::PopStyleVar(2);
+  pop_font();
+  fade_edges(ui, ui.colours.panel);
 }
 
 namespace {

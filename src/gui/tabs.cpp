@@ -4,83 +4,79 @@
 namespace raywalk {
 
 void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool visible = begin_pane(ui, "tabs", where, ui.colours.panel, ImGuiWindowFlags_NoScrollbar);
-  ImGui::PopStyleVar();
-  if (visible) {
-    const float height = ui.px(32), margin = ui.px(10);
-    ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
-                                        to_imgui(Shades(ui.state.theme).line));
-    ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
-    const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
-                                       where.width - 2 * margin - height - ui.px(4));
-    ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
-    command_button(ui, command("exchange"), {height, height},
-                   {.look = Look::flat, .icon = Icon::exchange, .font = nullptr, .label = false});
-    const float top = where.y + tabs + ui.px(14);
-    const Rect inside{where.x + margin, top, where.width - 2 * margin, where.bottom() - top - ui.px(4)};
-    int pointed_at = -1;
-    if (inside.width > 1 && inside.height > 1) {
-      ImGui::SetCursorScreenPos(corner(inside));
-      ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
-      ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-      // The picture and the tree scroll by themselves, or not at all.
-      const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree || ui.state.tab == Tab::cost ||
-                       ui.state.tab == Tab::microscope;
-      const bool open = ImGui::BeginChild("tab", size(inside), false,
-                                          own ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
-      ImGui::PopStyleVar();
-      ImGui::PopStyleColor();
-      if (open) {
-        switch (ui.state.tab) {
-          case Tab::image:
-            image_tab(ui, inside, picture);
-            break;
-          case Tab::tree:
-            pointed_at = tree_tab(ui, inside, centred_on_);
-            break;
-          case Tab::stack:
-            pointed_at = stack_tab(ui, inside);
-            break;
-          case Tab::legend:
-            legend_tab(ui, inside);
-            break;
-          case Tab::cost:
-            cost_tab(ui, inside, picture);
-            break;
-          case Tab::equation:
-            equation_tab(ui, inside);
-            break;
-          case Tab::microscope:
-            microscope_tab(ui, inside, microscope_, numerics_);
-            break;
-          case Tab::structure:
-            structure_tab(ui, inside);
-            break;
-        }
-        if (!own) fade_edges(ui, ui.colours.panel);
+  const Pane pane(ui, "tabs", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  const float height = ui.px(32), margin = ui.px(10);
+  ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
+                                      to_imgui(Shades(ui.state.theme).line));
+  ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
+  const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
+                                     where.width - 2 * margin - height - ui.px(4));
+  ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
+  command_button(ui, command("exchange"), {height, height},
+                 {.look = Look::flat, .icon = Icon::exchange, .font = nullptr, .label = false});
+  const float top = where.y + tabs + ui.px(14);
+  const Rect inside{where.x + margin, top, where.width - 2 * margin, where.bottom() - top - ui.px(4)};
+  int pointed_at = -1;
+  if (inside.width > 1 && inside.height > 1) {
+    ImGui::SetCursorScreenPos(corner(inside));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    // The picture and the tree scroll by themselves, or not at all.
+    const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree || ui.state.tab == Tab::cost ||
+                     ui.state.tab == Tab::microscope;
+    const bool open = ImGui::BeginChild("tab", size(inside), false,
+                                        own ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    if (open) {
+      switch (ui.state.tab) {
+        case Tab::image:
+          image_tab(ui, inside, picture);
+          break;
+        case Tab::tree:
+          pointed_at = tree_tab(ui, inside, centred_on_);
+          break;
+        case Tab::stack:
+          pointed_at = stack_tab(ui, inside);
+          break;
+        case Tab::legend:
+          legend_tab(ui, inside);
+          break;
+        case Tab::cost:
+          cost_tab(ui, inside, picture);
+          break;
+        case Tab::equation:
+          equation_tab(ui, inside);
+          break;
+        case Tab::microscope:
+          microscope_tab(ui, inside, microscope_, numerics_);
+          break;
+        case Tab::structure:
+          structure_tab(ui, inside);
+          break;
       }
-      ImGui::EndChild();
+      if (!own) fade_edges(ui, ui.colours.panel);
     }
-    // Beside the picture, and never over the menus.
-    const auto beside = [&] {
-      const ImVec2 whole = ImGui::GetIO().DisplaySize;
-      const float bar = ui.px(44);
-      const bool to_the_left = where.x > whole.x / 3;
-      ImGui::SetNextWindowPos({to_the_left ? where.x - ui.px(8) : where.right() + ui.px(8), whole.y - ui.px(8)},
-                              ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
-      ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(whole.y - bar - ui.px(12), 1.0f)});
-    };
-    if (open_settings) ImGui::OpenPopup("image-settings");
-    beside();
-    image_settings(ui, settings_);
-    if (open_knobs) ImGui::OpenPopup("cost-knobs");
-    beside();
-    cost_knobs_popup(ui, knobs_);
-    if (pointed_at != hovering_ && pointed_at != ui.state.hovered_ray) ui.act(action::HoverRay{pointed_at});
-    hovering_ = pointed_at;
+    ImGui::EndChild();
   }
-  end_pane();
+  // Beside the picture, and never over the menus.
+  const auto beside = [&] {
+    const ImVec2 whole = ImGui::GetIO().DisplaySize;
+    const float bar = ui.px(44);
+    const bool to_the_left = where.x > whole.x / 3;
+    ImGui::SetNextWindowPos({to_the_left ? where.x - ui.px(8) : where.right() + ui.px(8), whole.y - ui.px(8)},
+                            ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(whole.y - bar - ui.px(12), 1.0f)});
+  };
+  if (open_settings) ImGui::OpenPopup("image-settings");
+  beside();
+  image_settings(ui, settings_);
+  if (open_knobs) ImGui::OpenPopup("cost-knobs");
+  beside();
+  cost_knobs_popup(ui, knobs_);
+  if (pointed_at != hovering_ && pointed_at != ui.state.hovered_ray) ui.act(action::HoverRay{pointed_at});
+  hovering_ = pointed_at;
 }
 
 }  // namespace raywalk

@@ -172,66 +172,61 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
 float transport_height(const Ui& ui, float width) { return Rows(ui, width).height; }
 
 void transport_pane(const Ui& ui, const Rect& where) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool visible = begin_pane(ui, "transport", where, ui.colours.window, ImGuiWindowFlags_NoScrollbar);
-  ImGui::PopStyleVar();
-  if (visible) {
-    const Rows rows(ui, where.width);
-    const float left = where.x + ui.px(margin);
-    float y = where.y + rows.top;
-    ImGui::SetCursorScreenPos({left, y});
-    // In a narrow window a long one is smaller, or else clipped.
-    const std::string said = sentence(ui.state);
-    std::string lines = broken_lines(said, rows.inner);
-    const bool fits = ImGui::CalcTextSize(lines.c_str()).y <= rows.sentence;
-    push_font(fits ? ui.fonts.text : ui.fonts.small);
-    if (!fits) lines = broken_lines(said, rows.inner);
-    ImGui::PushClipRect({where.x, y}, {where.right(), y + rows.sentence}, true);
-    label(ui.colours.text, lines);
-    ImGui::PopClipRect();
-    pop_font();
-    ui.publish("sentence");
-    y += rows.sentence + rows.gap;
+  const Pane pane(ui, "transport", where, ui.colours.window, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  const Rows rows(ui, where.width);
+  const float left = where.x + ui.px(margin);
+  float y = where.y + rows.top;
+  ImGui::SetCursorScreenPos({left, y});
+  // In a narrow window a long one is smaller, or else clipped.
+  const std::string said = sentence(ui.state);
+  std::string lines = broken_lines(said, rows.inner);
+  const bool fits = ImGui::CalcTextSize(lines.c_str()).y <= rows.sentence;
+  push_font(fits ? ui.fonts.text : ui.fonts.small);
+  if (!fits) lines = broken_lines(said, rows.inner);
+  ImGui::PushClipRect({where.x, y}, {where.right(), y + rows.sentence}, true);
+  label(ui.colours.text, lines);
+  ImGui::PopClipRect();
+  pop_font();
+  ui.publish("sentence");
+  y += rows.sentence + rows.gap;
 
-    const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};
-    ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
-    const bool playing = ui.state.playing;
-    ImGui::SetCursorScreenPos({left, y});
-    command_button(ui, command("step-back"), {rows.big * rows.shrink, step.y},
-                   {.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false});
-    ImGui::SameLine();
-    command_button(ui, command("step"), step,
-                   {.look = playing ? Look::plain : Look::primary, .icon = Icon::none, .font = font});
-    ImGui::SameLine();
-    hold(ui, command("step-back"));
-    hold(ui, command("step"));
-    command_button(ui, command("play"), step,
-                   {.look = playing ? Look::primary : Look::plain, .icon = Icon::none, .font = font});
-    ImGui::SameLine();
-    command_button(ui, command("clear"), step, {.look = Look::plain, .icon = Icon::none, .font = font});
+  const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};
+  ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
+  const bool playing = ui.state.playing;
+  ImGui::SetCursorScreenPos({left, y});
+  command_button(ui, command("step-back"), {rows.big * rows.shrink, step.y},
+                 {.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false});
+  ImGui::SameLine();
+  command_button(ui, command("step"), step,
+                 {.look = playing ? Look::plain : Look::primary, .icon = Icon::none, .font = font});
+  ImGui::SameLine();
+  hold(ui, command("step-back"));
+  hold(ui, command("step"));
+  command_button(ui, command("play"), step,
+                 {.look = playing ? Look::primary : Look::plain, .icon = Icon::none, .font = font});
+  ImGui::SameLine();
+  command_button(ui, command("clear"), step, {.look = Look::plain, .icon = Icon::none, .font = font});
 
-    if (rows.compact) {
-      scrub_row(ui, rows, {left, y + rows.big + rows.gap});
-      end_pane();
-      return;
-    }
-    const float second = y + rows.big + rows.gap, third = second + (rows.own_row ? ui.px(small) + rows.gap : 0);
-    const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
-    const float grain_x = rows.beside ? speed_x - rows.grain - ui.px(4) : left;
-    // If there is room, the choice has a label.
-    const std::string about = ui.say("transport.grain");
-    const float about_x = grain_x - ImGui::CalcTextSize(about.data(), about.data() + about.size()).x - ui.px(10);
-    if (about_x > ImGui::GetItemRectMax().x + ui.px(16)) {
-      ImGui::SetCursorScreenPos({about_x, centred + (ui.px(small) - ImGui::GetFontSize()) / 2});
-      label(ui.colours.dim_text, about);
-    }
-    ImGui::SetCursorScreenPos({grain_x, rows.beside ? centred : second});
-    choice(ui, commands_in(Section::grain), ui.px(small), nullptr, rows.grain);
-    ImGui::SetCursorScreenPos({speed_x, rows.own_row ? second : centred});
-    speed_control(ui, rows);
-    scrub_row(ui, rows, {left, third});
+  if (rows.compact) {
+    scrub_row(ui, rows, {left, y + rows.big + rows.gap});
+    return;
   }
-  end_pane();
+  const float second = y + rows.big + rows.gap, third = second + (rows.own_row ? ui.px(small) + rows.gap : 0);
+  const float centred = y + (rows.big - ui.px(small)) / 2, speed_x = left + rows.inner - rows.speed;
+  const float grain_x = rows.beside ? speed_x - rows.grain - ui.px(4) : left;
+  // If there is room, the choice has a label.
+  const std::string about = ui.say("transport.grain");
+  const float about_x = grain_x - ImGui::CalcTextSize(about.data(), about.data() + about.size()).x - ui.px(10);
+  if (about_x > ImGui::GetItemRectMax().x + ui.px(16)) {
+    ImGui::SetCursorScreenPos({about_x, centred + (ui.px(small) - ImGui::GetFontSize()) / 2});
+    label(ui.colours.dim_text, about);
+  }
+  ImGui::SetCursorScreenPos({grain_x, rows.beside ? centred : second});
+  choice(ui, commands_in(Section::grain), ui.px(small), nullptr, rows.grain);
+  ImGui::SetCursorScreenPos({speed_x, rows.own_row ? second : centred});
+  speed_control(ui, rows);
+  scrub_row(ui, rows, {left, third});
 }
 
 }  // namespace raywalk

@@ -13,18 +13,36 @@ void Ui::publish(std::string_view name) const {
 
 void Ui::publish(std::string_view name, const Rect& where) const { items.insert_or_assign(std::string(name), where); }
 
-bool begin_pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImGuiWindowFlags flags) {
+Pane::Pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImVec2 padding, ImGuiWindowFlags flags) {
   ImGui::SetCursorScreenPos(corner(where));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ground));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   // ImGui takes a size of 0 as "the rest", so an empty pane is one unit large, and outside the window.
   const ImVec2 extent{std::max(where.width, 1.0f), std::max(where.height, 1.0f)};
-  const bool visible = ImGui::BeginChild(name, extent, false, flags | ImGuiWindowFlags_NoSavedSettings);
+  flags |= ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding;
+  visible_ = ImGui::BeginChild(name, extent, false, flags) && !where.empty();
+  ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   ui.publish(name, where);
-  return visible && !where.empty();
 }
 
-void end_pane() { ImGui::EndChild(); }
+FormPopup::FormPopup(const Ui& ui, const char* name) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
+  open_ = ImGui::BeginPopup(name);
+  ImGui::PopStyleVar();
+  if (!open_) return;
+  ui.publish(std::string(name) + "-popup",
+             {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
+}
+
+FormPopup::~FormPopup() {
+  if (!open_) return;
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  ImGui::EndPopup();
+}
 
 void fade_edges(const Ui& ui, Colour ground) {
   const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();

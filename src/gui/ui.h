@@ -95,10 +95,32 @@ struct Ui {
 [[nodiscard]] inline ImVec2 opposite(const Rect& r) { return {r.right(), r.bottom()}; }
 [[nodiscard]] inline ImVec2 size(const Rect& r) { return {r.width, r.height}; }
 
-/// A pane: a child window that covers `where`, with a background. False if invisible; end_pane must be called in any
-/// case.
-bool begin_pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImGuiWindowFlags flags = 0);
-void end_pane();
+/// A pane, as long as it exists: a child window that covers `where`, with a background. False if invisible.
+class Pane {
+ public:
+  Pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImVec2 padding = {0, 0},
+       ImGuiWindowFlags flags = 0);
+  ~Pane() { ImGui::EndChild(); }
+  Pane(const Pane&) = delete;
+  Pane& operator=(const Pane&) = delete;
+  explicit operator bool() const { return visible_; }
+
+ private:
+  bool visible_;
+};
+
+/// A popup with a form, as long as it exists: named NAME-popup, in small letters. False unless it is open.
+class FormPopup {
+ public:
+  FormPopup(const Ui& ui, const char* name);
+  ~FormPopup();
+  FormPopup(const FormPopup&) = delete;
+  FormPopup& operator=(const FormPopup&) = delete;
+  explicit operator bool() const { return open_; }
+
+ private:
+  bool open_;
+};
 
 /// At the end of a scrolling region: fades into the background where more is above or below, so that clipped lines read
 /// as continued.
