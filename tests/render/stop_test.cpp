@@ -30,7 +30,7 @@ TEST_CASE("a render is stopped inside a pixel", "[render]") {
 
 TEST_CASE("what was finished before a pixel was cut off is kept", "[render]") {
   Scene scene = exploding_room(Integrator::whitted);
-  scene.limits.depth = 3;
+  scene.limits.depth = 7;
   const auto whole = render(scene, {}).value();
   Asked all;
   RenderSettings settings;
