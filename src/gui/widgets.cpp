@@ -192,11 +192,11 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
     draw.PopClipRect();
     pop_font();
   }
+  if (!is_enabled) ImGui::EndDisabled();  // first: its tooltip is not dimmed
   tooltip(ui, name, hint);
   ui.publish(name);
   // Which should not happen in any language.
   if (look.label && m.width() > size.x) ui.publish(std::string(name) + "/clipped");
-  if (!is_enabled) ImGui::EndDisabled();
   return pressed;
 }
 
