@@ -139,10 +139,13 @@ std::string cost_text(const study::SceneCost& cost) {
     text += fmt::format("  {:<15} {:>9}             of all rays; lights without shadows are not to be had\n",
                         "shadow rays", percent(static_cast<double>(cost.shadow_rays) / rays(cost.whole)));
   text += fmt::format("  {:<15} {} rays, {:.3g} s\n", "all together", cost.whole.rays, cost.whole.seconds);
-  text += fmt::format("  {:<15} {} rays, {:.3g} s: {:.3g} times the rays, {:.3g} times the time\n", "regardless",
-                      cost.everything.rays, cost.everything.seconds,
-                      rays(cost.everything) / std::max(1.0, rays(cost.whole)),
-                      cost.everything.seconds / std::max(cost.whole.seconds, 1e-9));
+  if (const auto& everything = cost.everything)
+    text += fmt::format("  {:<15} {} rays, {:.3g} s: {:.3g} times the rays, {:.3g} times the time\n", "regardless",
+                        everything->rays, everything->seconds, rays(*everything) / std::max(1.0, rays(cost.whole)),
+                        everything->seconds / std::max(cost.whole.seconds, 1e-9));
+  else
+    text += fmt::format("  {:<15} not measured: its rays double at every depth, and the scene's exceeds {}\n",
+                        "regardless", study::deepest_everything);
   return text +
          fmt::format(
              "Shares overlap: what one effect sends out, another one multiplies. \"regardless\" is a tracer that does\n"

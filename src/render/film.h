@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image_file.h"
+#include "render/zeroed_memory.h"
 #include "scene/scene.h"
 #include "trace/representable.h"
 
@@ -15,10 +16,12 @@ namespace raywalk {
 template <class T>
 class Film {
  public:
+  using Pixels = std::vector<Rgb<T>, ZeroedMemory<Rgb<T>>>;
+
   Film() = default;
   /// Black, without samples.
   explicit Film(ImageSize size)
-      : size_(size), means_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), Rgb<T>(0)) {}
+      : size_(size), means_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
 
   /// Adds sample number `sample` of a pixel, from 0. The previous ones must have been added, each once. The mean is
   /// updated as m += (x - m) / n: unlike a sum over n, it stays exact when all samples are equal.
@@ -32,7 +35,7 @@ class Film {
 
   [[nodiscard]] const Rgb<T>& at(int column, int row) const { return means_[index(column, row)]; }
   [[nodiscard]] ImageSize size() const { return size_; }
-  [[nodiscard]] const std::vector<Rgb<T>>& pixels() const { return means_; }
+  [[nodiscard]] const Pixels& pixels() const { return means_; }
 
  private:
   [[nodiscard]] std::size_t index(int column, int row) const {
@@ -40,7 +43,7 @@ class Film {
   }
 
   ImageSize size_{0, 0};
-  std::vector<Rgb<T>> means_;
+  Pixels means_;
 };
 
 /// From a film of the corners of pixels, the film of the pixels: one column and one row fewer.

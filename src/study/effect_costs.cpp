@@ -133,7 +133,7 @@ CostSurvey::CostSurvey(const Scene& scene, int samples, int repetitions) {
   const Effects used = effects_of(scene, scene.render.samples);
   for (const Light& light : scene.lights)
     blank_.everything_grid = std::max(blank_.everything_grid, light_grid_of(scene, light));
-  scenes_ = {scene, with_everything(scene, blank_.everything_grid)};
+  scenes_ = {scene};
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     if (!used.used(effect)) continue;
@@ -142,6 +142,7 @@ CostSurvey::CostSurvey(const Scene& scene, int samples, int repetitions) {
       scenes_.push_back(std::move(*changed));
     }
   }
+  if (scene.limits.depth <= deepest_everything) scenes_.push_back(with_everything(scene, blank_.everything_grid));
   costs_.resize(scenes_.size());
 }
 
@@ -171,10 +172,11 @@ std::optional<SceneCost> CostSurvey::result() const {
   };
   const std::vector<Cost> wholes = first(0);
   result.whole = median_of(wholes);
-  result.everything = median_of(first(1));
-  for (std::size_t i = 0; i < result.effects.size(); ++i) {
+  const std::size_t effects = result.effects.size();
+  if (effects + 1 < scenes_.size()) result.everything = median_of(first(effects + 1));
+  for (std::size_t i = 0; i < effects; ++i) {
     EffectCost& effect = result.effects[i];
-    const std::vector<Cost> rests = first(i + 2);
+    const std::vector<Cost> rests = first(i + 1);
     const Cost rest = median_of(rests), &whole = result.whole;
     const auto saved = [](std::uint64_t all, std::uint64_t some) { return all > some ? all - some : 0; };
     effect.saved = {saved(whole.rays, rest.rays), saved(whole.nodes, rest.nodes), saved(whole.tests, rest.tests),

@@ -20,6 +20,9 @@ namespace raywalk::study {
 /// small a weight or offset that the picture stays the same.
 [[nodiscard]] Scene with_everything(const Scene& scene, int grid);
 
+/// Two rays at every hit double them at every depth: here a pixel has a thousand, and beyond it soon no end.
+inline constexpr int deepest_everything = 10;
+
 struct EffectCost {
   Effect effect;
   Cost saved;  ///< what the scene without the effect saves; seconds may be negative by chance
@@ -33,12 +36,13 @@ struct SceneCost {
   Cost whole;                       ///< seconds: the median
   std::vector<EffectCost> effects;  ///< those that the scene uses and that can be left out, costliest first
   std::uint64_t shadow_rays = 0;    ///< of the whole
-  Cost everything;                  ///< of with_everything at `everything_grid`
+  /// Of with_everything at `everything_grid`; absent where it cannot be measured: beyond deepest_everything.
+  std::optional<Cost> everything;
   int everything_grid = 4;
 };
 
 /// Measures picture by picture, so that its progress can be shown: each repetition renders a small picture of the
-/// scene, of the scene with everything, and without each effect, in turn.
+/// scene, without each effect, and with everything, in turn.
 class CostSurvey {
  public:
   /// Pictures of about `samples` samples; every pixel takes all its samples. repetitions >= 1, not counting the
@@ -55,7 +59,7 @@ class CostSurvey {
 
  private:
   SceneCost blank_;            ///< what does not depend on the measurements
-  std::vector<Scene> scenes_;  ///< the whole, everything, without each of blank_.effects
+  std::vector<Scene> scenes_;  ///< the whole, without each of blank_.effects, and everything if it can be measured
   std::vector<std::vector<Cost>> costs_;
   std::size_t next_ = 0;  ///< picture, counted over all repetitions
 };

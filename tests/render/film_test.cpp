@@ -6,7 +6,7 @@ using namespace raywalk;
 
 TEST_CASE("a film holds the mean of the samples") {
   Film<double> film({3, 2});
-  CHECK(film.pixels() == std::vector<Rgbd>(6, Rgbd(0.0)));
+  CHECK(film.pixels() == Film<double>::Pixels(6, Rgbd(0.0)));
   for (int sample = 0; sample < 4; ++sample) film.add(2, 1, sample, Rgbd(sample, 2.0 * sample, 1.0));
   CHECK(film.at(2, 1) == Rgbd(1.5, 3.0, 1.0));
   CHECK(film.pixels()[5] == Rgbd(1.5, 3.0, 1.0));

@@ -97,11 +97,12 @@ TEST_CASE("costs count what is gone without an effect") {
   }
   for (std::size_t i = 1; i < 4; ++i) CHECK(cost->effects[i - 1].saved.rays >= cost->effects[i].saved.rays);
   CHECK(cost->shadow_rays < cost->whole.rays);
-  CHECK(cost->everything.rays > 3 * cost->whole.rays);
+  REQUIRE(cost->everything);
+  CHECK(cost->everything->rays > 3 * cost->whole.rays);
   // Counts are the same each time.
   const auto again = scene_cost(scene_of_all(), 1200, 3);
   CHECK(again->whole.rays == cost->whole.rays);
-  CHECK(again->everything.rays == cost->everything.rays);
+  CHECK(again->everything->rays == cost->everything->rays);
 }
 
 TEST_CASE("what a scene does not call for costs it nothing, and is not listed") {
@@ -112,7 +113,17 @@ TEST_CASE("what a scene does not call for costs it nothing, and is not listed") 
   const auto cost = scene_cost(scene, 1200, 3);
   REQUIRE(cost);
   CHECK(cost->effects.empty());
-  CHECK(cost->everything.rays > 8 * cost->whole.rays);
+  REQUIRE(cost->everything);
+  CHECK(cost->everything->rays > 8 * cost->whole.rays);
+}
+
+TEST_CASE("where every effect would have no end of rays, only those of the scene are measured") {
+  Scene scene = scene_of_all();
+  scene.limits.depth = deepest_everything + 1;
+  const auto cost = scene_cost(scene, 1200, 1);
+  REQUIRE(cost);
+  CHECK_FALSE(cost->everything);
+  CHECK(cost->effects.size() == scene_cost(scene_of_all(), 1200, 1)->effects.size());
 }
 
 TEST_CASE("everything regardless shows the same picture") {
@@ -138,7 +149,7 @@ TEST_CASE("a survey tells what it knows after each round, and ends where all at 
   for (; survey.work(); ++pictures) {
     CHECK(survey.done() > done);
     done = survey.done();
-    // The whole, everything, and four effects; the first round warms up.
+    // The whole, four effects, and everything; the first round warms up.
     CHECK(survey.result().has_value() == (pictures >= 12));
     if (const auto known = survey.result()) CHECK(known->repetitions == 1);
   }

@@ -131,7 +131,7 @@ TEST_CASE("each effect has a bar as long as its share of the rays, and one of th
   State state = busy_state();
   study::SceneCost survey;
   survey.whole.rays = 1000, survey.whole.seconds = 0.5, survey.shadow_rays = 250;
-  survey.everything.rays = 9000, survey.everything.seconds = 2;
+  survey.everything = study::Cost{.rays = 9000, .seconds = 2};
   survey.effects = {{Effect::penumbra, {}, 0.5, 0.25, 0.2, 0.3}, {Effect::textures, {}, 0, -0.01, -0.02, 0.01}};
   const DisplayList list = effect_bars(state, survey, 800, 300, 1);
   CHECK(is_finite(list));
@@ -154,6 +154,11 @@ TEST_CASE("each effect has a bar as long as its share of the rays, and one of th
     CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
   CHECK(survey_text(survey, 1, in_english) ==
         "All together: 1000 rays in 0.5 s. Every effect, called for or not: 9 times the rays, 4 times the time.");
+  study::SceneCost deep = survey;
+  deep.everything.reset();
+  CHECK(survey_text(deep, 1, in_english) ==
+        "All together: 1000 rays in 0.5 s. Every effect, called for or not, is not measured deeper than 10: its rays "
+        "double at every depth.");
   CHECK(survey_text({}, 0.25, in_english) == "measuring: 25%");
   CHECK(effect_bars(state, {}, 800, 300, 1).empty());
   // However small.

@@ -149,10 +149,13 @@ std::string survey_text(const std::optional<study::SceneCost>& survey, double do
       return number_text(whole > 0 ? everything / whole : 1, language);
     };
     all = fill("cost.whole", language,
-               {{"rays", count_text(rays, language)},
-                {"seconds", number_text(seconds, language)},
-                {"times_rays", times(static_cast<double>(survey->everything.rays), rays)},
-                {"times_time", times(survey->everything.seconds, seconds)}});
+               {{"rays", count_text(rays, language)}, {"seconds", number_text(seconds, language)}});
+    if (const auto& everything = survey->everything)
+      all += " " + fill("cost.everything", language,
+                        {{"times_rays", times(static_cast<double>(everything->rays), rays)},
+                         {"times_time", times(everything->seconds, seconds)}});
+    else
+      all += " " + fill("cost.everything_too_deep", language, {{"depth", study::deepest_everything}});
   }
   if (done < 1)
     all += (all.empty() ? "" : "  ") + fill("cost.surveying", language, {{"percent", percent_text(done, language)}});
