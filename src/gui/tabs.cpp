@@ -63,10 +63,10 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
   // Beside the picture, and never over the menus.
   const auto beside = [&] {
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
-    const float bar = ui.px(44);
+    const float bar = ui.px(44), gap = ui.px(8), width = ui.px(390 + 2 * 14);  // of the widest popup
     const bool to_the_left = where.x > whole.x / 3;
-    ImGui::SetNextWindowPos({to_the_left ? where.x - ui.px(8) : where.right() + ui.px(8), whole.y - ui.px(8)},
-                            ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
+    const float x = to_the_left ? where.x - gap : std::min(where.right() + gap, whole.x - gap - width);
+    ImGui::SetNextWindowPos({x, whole.y - gap}, ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(whole.y - bar - ui.px(12), 1.0f)});
   };
   if (open_settings) ImGui::OpenPopup("image-settings");

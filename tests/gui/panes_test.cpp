@@ -228,6 +228,19 @@ TEST_CASE("a question shuts out everything behind it") {
   CHECK(bench.last<action::Step>() == nullptr);
 }
 
+TEST_CASE("the knobs of Cost stand in the window, also in the projector's letters") {
+  for (const float unit : {1.0f, 1.25f}) {
+    Bench bench;
+    bench.unit = unit;
+    bench.key("F3");
+    bench.key("Shift+F3");
+    const Rect popup = bench.rect("cost-knobs-popup");
+    CAPTURE(unit, popup.x, popup.width);
+    CHECK(popup.x >= 0);
+    CHECK(popup.right() <= 1280);
+  }
+}
+
 TEST_CASE("no window is too small, no mode or tab fails in it") {
   for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
     for (const Tab tab : {Tab::image, Tab::tree, Tab::stack, Tab::legend, Tab::equation, Tab::cost}) {
