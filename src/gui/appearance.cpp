@@ -9,17 +9,18 @@ namespace {
 constexpr double scale_step = 0.25;
 
 std::string theme_label(const State& state, bool) {
-  return fill("command.theme.label", state.language) + ": " +
-         fill(state.theme == Theme::dark ? "theme.dark" : "theme.projector", state.language);
+  return fill("command.theme.label", state.appearance.language) + ": " +
+         fill(state.appearance.theme == Theme::dark ? "theme.dark" : "theme.projector", state.appearance.language);
 }
 
 void change_theme(const Ui& ui) {
-  ui.act(action::SetTheme{ui.state.theme == Theme::dark ? Theme::projector : Theme::dark});
+  ui.act(action::SetTheme{ui.state.appearance.theme == Theme::dark ? Theme::projector : Theme::dark});
 }
 
 std::string language_label(const State& state, bool in_short) {
-  if (in_short) return std::string(state.language.next().sign());
-  return fill("command.language.label", state.language) + ": " + std::string(state.language.name());
+  if (in_short) return std::string(state.appearance.language.next().sign());
+  return fill("command.language.label", state.appearance.language) + ": " +
+         std::string(state.appearance.language.name());
 }
 
 }  // namespace
@@ -28,20 +29,20 @@ rows::Rows rows::appearance() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tweens", .keys = {"Shift+A"}, .section = Section::style,
-       .chosen = [](const State& state) { return state.tweens; },
-       .run = [](const Ui& ui) { ui.act(action::SetTweens{!ui.state.tweens}); }},
+       .chosen = [](const State& state) { return state.walk.tweens; },
+       .run = [](const Ui& ui) { ui.act(action::SetTweens{!ui.state.walk.tweens}); }},
       {.name = "theme", .keys = {"P", "D"}, .section = Section::style, .label = theme_label, .run = change_theme},
       {.name = "scale-up", .keys = {"Ctrl++"}, .section = Section::style, .line = "keys.scale",
-       .enabled = [](const State& state) { return state.ui_scale < max_ui_scale; },
-       .run = [](const Ui& ui) { ui.act(action::SetUiScale{ui.state.ui_scale + scale_step}); }},
+       .enabled = [](const State& state) { return state.appearance.ui_scale < max_ui_scale; },
+       .run = [](const Ui& ui) { ui.act(action::SetUiScale{ui.state.appearance.ui_scale + scale_step}); }},
       {.name = "scale-down", .keys = {"Ctrl+-"}, .section = Section::style, .line = "keys.scale",
-       .enabled = [](const State& state) { return state.ui_scale > min_ui_scale; },
-       .run = [](const Ui& ui) { ui.act(action::SetUiScale{ui.state.ui_scale - scale_step}); }},
+       .enabled = [](const State& state) { return state.appearance.ui_scale > min_ui_scale; },
+       .run = [](const Ui& ui) { ui.act(action::SetUiScale{ui.state.appearance.ui_scale - scale_step}); }},
       {.name = "scale-reset", .keys = {"Ctrl+0"}, .section = Section::style, .line = "keys.scale",
-       .enabled = [](const State& state) { return state.ui_scale != 1; },
+       .enabled = [](const State& state) { return state.appearance.ui_scale != 1; },
        .run = [](const Ui& ui) { ui.act(action::SetUiScale{1}); }},
       {.name = "language", .keys = {"Ctrl+L"}, .section = Section::style, .label = language_label,
-       .run = [](const Ui& ui) { ui.act(action::SetLanguage{std::string(ui.state.language.next().code())}); }},
+       .run = [](const Ui& ui) { ui.act(action::SetLanguage{std::string(ui.state.appearance.language.next().code())}); }},
       {.name = "exchange", .keys = {"X"}, .section = Section::window,
        .run = [](const Ui& ui) { ui.wish(WindowWish::exchange); }},
       {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = [](const Ui& ui) { ui.wish(WindowWish::menu); }},

@@ -4,6 +4,7 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "view/bugs/bug_panel.h"
+#include "view/predict/predict.h"
 
 #include <algorithm>
 
@@ -11,12 +12,12 @@ namespace raywalk {
 
 namespace {
 
-int lines_of(const State& state) { return state.bug ? 1 : 2; }
+int lines_of(const State& state) { return state.walk.bug ? 1 : 2; }
 
 }  // namespace
 
 bool has_banner(const State& state) {
-  return (state.bug && state.mode != Mode::help) || (state.predictions.on && state.mode == Mode::trace);
+  return (state.walk.bug && state.walk.mode != Mode::help) || (state.predictions.on && state.walk.mode == Mode::trace);
 }
 
 float banner_height(const Ui& ui) {
@@ -24,12 +25,12 @@ float banner_height(const Ui& ui) {
 }
 
 void banner_pane(const Ui& ui, const Rect& where) {
-  const Shades shades(ui.state.theme);
-  const bool alarms = ui.state.bug && !ui.state.bug->mended;
+  const Shades shades(ui.state.appearance.theme);
+  const bool alarms = ui.state.walk.bug && !ui.state.walk.bug->mended;
   const Pane pane(ui, "banner", where, alarms ? ui.colours.error : shades.accent, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
-  const std::string text = ui.state.bug ? bug_banner(ui.state) : prediction_sentence(ui.state);
+  const std::string text = ui.state.walk.bug ? bug_banner(ui.state) : prediction_sentence(ui.state);
   push_font(ui.fonts.strong);
   const float room = where.width - ui.px(16);
   const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);

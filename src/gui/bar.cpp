@@ -16,11 +16,11 @@ namespace raywalk {
 namespace {
 
 void recent_menu(const Ui& ui) {
-  const bool open = ImGui::BeginMenu(ui.say("menu.recent").c_str(), !ui.state.recent.empty());
+  const bool open = ImGui::BeginMenu(ui.say("menu.recent").c_str(), !ui.state.document.recent.empty());
   ui.publish("menu/recent");
   if (!open) return;
   int number = 0;
-  for (const std::string& path : ui.state.recent) {
+  for (const std::string& path : ui.state.document.recent) {
     ImGui::PushID(number);
     const std::filesystem::path file(path);
     const std::string folder = file.parent_path().string();
@@ -33,9 +33,9 @@ void recent_menu(const Ui& ui) {
 
 /// One line per language, with the name from its file.
 void language_items(const Ui& ui) {
-  for (const Language language : ui.state.language.others().all()) {
+  for (const Language language : ui.state.appearance.language.others().all()) {
     const std::string name(language.name()), code(language.code());
-    if (ImGui::MenuItem(("    " + name).c_str(), nullptr, language == ui.state.language))
+    if (ImGui::MenuItem(("    " + name).c_str(), nullptr, language == ui.state.appearance.language))
       ui.act(action::SetLanguage{code});
     ui.publish("menu/language/" + code);
   }
@@ -153,13 +153,13 @@ rows::Rows rows::bar() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "mode-move", .keys = {"M"}, .section = Section::modes, .line = "keys.modes",
-       .chosen = [](const State& state) { return state.mode == Mode::move; },
+       .chosen = [](const State& state) { return state.walk.mode == Mode::move; },
        .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::move}); }},
       {.name = "mode-trace", .keys = {"T"}, .section = Section::modes, .line = "keys.modes",
-       .chosen = [](const State& state) { return state.mode == Mode::trace; },
+       .chosen = [](const State& state) { return state.walk.mode == Mode::trace; },
        .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::trace}); }},
       {.name = "mode-help", .keys = {"F1", "H"}, .section = Section::modes, .line = "keys.modes",
-       .chosen = [](const State& state) { return state.mode == Mode::help; },
+       .chosen = [](const State& state) { return state.walk.mode == Mode::help; },
        .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::help}); }},
   };
   // clang-format on

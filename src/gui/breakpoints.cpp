@@ -34,16 +34,16 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   if (!popup) return;
   const State& state = ui.state;
   Form form(ui, memory_, width);
-  int step = state.position;
+  int step = state.walk.position;
   if (open) form.focus_next();
-  if (form.whole("breakpoints.go_to_step", step, 0, state.timeline->steps(), true)) ui.act(action::Jump{step});
+  if (form.whole("breakpoints.go_to_step", step, 0, state.walk.timeline->steps(), true)) ui.act(action::Jump{step});
 
   form.heading("breakpoints.title");
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   label(ui.colours.dim_text, ui.say("breakpoints.hint"));
-  if (breakpoints_in_force(state) != state.breakpoints) label(ui.colours.error, ui.say("breakpoints.off"));
+  if (breakpoints_in_force(state) != state.walk.breakpoints) label(ui.colours.error, ui.say("breakpoints.off"));
   ImGui::PopTextWrapPos();
-  Breakpoints next = state.breakpoints;
+  Breakpoints next = state.walk.breakpoints;
   optional_whole(form, "breakpoints.at_depth", next.depth, 0, 99);
   optional_whole(form, "breakpoints.at_pixel", next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
   form.flag("breakpoints.at_total", next.total_internal_reflection);
@@ -52,7 +52,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   int chosen = at == names.end() ? 0 : static_cast<int>(at - names.begin());
   if (form.pick("breakpoints.at_object", names, chosen))
     next.object = chosen == 0 ? std::string() : names[static_cast<std::size_t>(chosen)];
-  if (next != state.breakpoints) ui.act(action::SetBreakpoints{next});
+  if (next != state.walk.breakpoints) ui.act(action::SetBreakpoints{next});
 
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
   const ImVec2 extent{(width - ui.px(12)) / 3, ui.px(32)};
@@ -60,17 +60,18 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   ImGui::SameLine();
   command_button(ui, command("run-on"), extent, look);
   ImGui::SameLine();
-  if (button(ui, "remove-breakpoints", ui.say("breakpoints.remove"), "", extent, look, false, state.breakpoints.any()))
+  if (button(ui, "remove-breakpoints", ui.say("breakpoints.remove"), "", extent, look, false,
+             state.walk.breakpoints.any()))
     ui.act(action::SetBreakpoints{});
 }
 
 namespace {
 
-const Event* next_event(const State& state) { return state.timeline->next(state.position); }
+const Event* next_event(const State& state) { return state.walk.timeline->next(state.walk.position); }
 
 bool breaks_here(const State& state) {
   const Event* const next = next_event(state);
-  return next != nullptr && state.breakpoints.is_before(next->line);
+  return next != nullptr && state.walk.breakpoints.is_before(next->line);
 }
 
 }  // namespace
@@ -82,13 +83,13 @@ rows::Rows rows::breakpoints() {
        .enabled = [](const State& state) { return next_event(state) != nullptr; },
        .run = [](const Ui& ui) { ui.act(action::RunOn{true}); }},
       {.name = "run-back", .keys = {"Shift+W"}, .section = Section::run, .line = "keys.run",
-       .enabled = [](const State& state) { return state.position > 0 || state.playing; },
+       .enabled = [](const State& state) { return state.walk.position > 0 || state.walk.playing; },
        .run = [](const Ui& ui) { ui.act(action::RunOn{false}); }},
       {.name = "break-here", .keys = {"Ctrl+B"}, .section = Section::run, .line = "keys.breaks",
        .enabled = [](const State& state) { return next_event(state) != nullptr; }, .chosen = breaks_here,
        .run = [](const Ui& ui) { ui.act(action::ToggleBreakpoint{next_event(ui.state)->line}); }},
       {.name = "breakpoints", .keys = {"B", "J"}, .section = Section::run, .line = "keys.breaks",
-       .chosen = [](const State& state) { return state.breakpoints.any(); },
+       .chosen = [](const State& state) { return state.walk.breakpoints.any(); },
        .run = [](const Ui& ui) { ui.wish(WindowWish::breakpoints); }},
   };
   // clang-format on

@@ -1,6 +1,7 @@
 #include "gui/browser.h"
 
 #include "gui/widgets.h"
+#include "view/export/export.h"
 #include "view/text/text.h"
 
 #include <algorithm>
@@ -64,18 +65,22 @@ FolderListing list_folder(const std::string& folder) {
 }
 
 void Browser::begin(const State& state, const std::string& home) {
-  const fs::path current(state.path);
+  const fs::path current(state.document.path);
   // The user's files go beside the user's scene, not among the shipped scenes, which are in `home`.
   const std::string folder = current.parent_path().string();
   std::error_code failed;
-  const bool own = !state.path.empty() && (asking_ == PathPrompt::open || !fs::equivalent(folder, home, failed));
+  const bool own =
+      !state.document.path.empty() && (asking_ == PathPrompt::open || !fs::equivalent(folder, home, failed));
   go_to(absolute(own ? folder : asking_ == PathPrompt::open ? home : std::string()));
   typed_.clear();
-  if (asking_ == PathPrompt::save_as) typed_ = state.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
+  if (asking_ == PathPrompt::save_as)
+    typed_ = state.document.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
   if (asking_ == PathPrompt::save_predictions) typed_ = "predictions.csv";
   if (asking_ == PathPrompt::export_walk) {
-    const LessonSitting& lessons = state.lessons;
-    typed_ = lessons.open ? lessons.open->lesson.name : state.path.empty() ? "walk" : current.filename().string();
+    const LessonRoom& lessons = state.lessons;
+    typed_ = lessons.open                  ? lessons.open->lesson.name
+             : state.document.path.empty() ? "walk"
+                                           : current.filename().string();
     // Presenters ask for the script, by its button; others start with slides.
     export_asked_.reset();
     if (lessons.open && lessons.presenter) export_asked_ = ExportKind::script;
@@ -182,12 +187,12 @@ void Browser::kinds(const Ui& ui) {
 
 void Browser::draw(const Ui& ui, const std::string& home) {
   // While a question is open the dialog waits, and then returns unchanged.
-  const PathPrompt wanted = ui.state.prompt;
+  const PathPrompt wanted = ui.state.document.prompt;
   if (wanted != asking_) {
     asking_ = wanted;
     if (asking_ != PathPrompt::none) begin(ui.state, home);
   }
-  if (asking_ == PathPrompt::none || ui.state.question) return;
+  if (asking_ == PathPrompt::none || ui.state.document.question) return;
   const bool saves = asking_ != PathPrompt::open;
   const std::string title = title_of(asking_, ui);
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
@@ -204,12 +209,12 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   label(ui.colours.dim_text, folder_);
-  const bool complains = ui.state.notice && ui.state.notice->kind == Notice::Kind::error;
+  const bool complains = ui.state.document.notice && ui.state.document.notice->kind == Notice::Kind::error;
   const float message = complains ? 3 * ImGui::GetFontSize() : 0;
   const bool exports = asking_ == PathPrompt::export_walk;
   entries(ui, std::max(ImGui::GetContentRegionAvail().y - (exports ? 4 : 2) * (line + gap) - message, ui.px(40)));
   if (exports) kinds(ui);
-  if (complains) paragraph(ui.colours.error, ui.state.notice->text);
+  if (complains) paragraph(ui.colours.error, ui.state.document.notice->text);
 
   if (std::exchange(focus_typed_, false)) ImGui::SetKeyboardFocusHere();
   std::array<char, 4096> buffer{};

@@ -16,7 +16,7 @@ struct FolderListing {
 };
 [[nodiscard]] FolderListing list_folder(const std::string& folder);
 
-/// The dialog that answers State::prompt: a path to open or to save as.
+/// The dialog that answers DocumentRoom::prompt: a path to open or to save as.
 class Browser {
  public:
   /// Draws the dialog while the state asks for a path. `home`: the initial folder if the scene has none.

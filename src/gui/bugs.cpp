@@ -16,7 +16,7 @@ namespace raywalk {
 namespace {
 
 void list(const Ui& ui, const BugPanel& panel) {
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   for (const BugRow& row : panel.rows) {
     std::string text = ui.say("bug.number", {{"number", row.number}});
     if (row.end == BugEnd::found) text += "  \u2713 " + ui.say("bug.found");
@@ -36,7 +36,7 @@ void passages(const Ui& ui, const std::vector<BugPassage>& all) {
 void hunt(const Ui& ui, const BugPanel& panel) {
   passages(ui, panel.said);
   if (!panel.verdict.empty())
-    heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
+    heading(ui, panel.is_right ? Shades(ui.state.appearance.theme).accent : ui.colours.error,
             (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
   passages(ui, panel.learnt);
   if (!panel.marked.empty()) heading(ui, panel.can_judge ? ui.colours.text : ui.colours.dim_text, panel.marked);
@@ -85,10 +85,10 @@ void bug_pane(const Ui& ui, const Rect& where) {
     const bool open = panel.can_give_up;
     command_button(ui, open ? command("bug-mark") : command("bug-mend"), {half, height},
                    {.look = open ? Look::primary : Look::plain},
-                   ui.say(panel.can_judge        ? "bug.judge"
-                          : open                 ? "bug.mark"
-                          : ui.state.bug->mended ? "bug.break_again"
-                                                 : "bug.mend"));
+                   ui.say(panel.can_judge             ? "bug.judge"
+                          : open                      ? "bug.mark"
+                          : ui.state.walk.bug->mended ? "bug.break_again"
+                                                      : "bug.mend"));
     ImGui::SetCursorScreenPos({left + half + gap, y});
     command_button(ui, open ? command("bug-cure") : command("bug-surprise"), {half, height},
                    {.look = open ? Look::plain : Look::primary}, ui.say(open ? "bug.give_up" : "bug.surprise"));
@@ -112,7 +112,8 @@ namespace {
 void mark_line(const Ui& ui) {
   const State& state = ui.state;
   if (state.bugs.hunt && state.bugs.hunt->marked) return ui.act(action::JudgeLine{});
-  if (const Event* just_run = state.timeline->just_run(state.position)) ui.act(action::MarkLine{just_run->line});
+  if (const Event* just_run = state.walk.timeline->just_run(state.walk.position))
+    ui.act(action::MarkLine{just_run->line});
 }
 
 void hunt_surprise(const Ui& ui) {
@@ -120,7 +121,7 @@ void hunt_surprise(const Ui& ui) {
 }
 
 bool can_mark(const State& state) {
-  return asks_for_line(state) && (marked_line(state) || state.position > 0 || state.playing);
+  return asks_for_line(state) && (marked_line(state) || state.walk.position > 0 || state.walk.playing);
 }
 
 }  // namespace
@@ -138,9 +139,9 @@ rows::Rows rows::bugs() {
        .enabled = [](const State& state) { return state.bugs.hunt && state.bugs.hunt->end == BugEnd::open; },
        .run = [](const Ui& ui) { ui.act(action::ShowCure{}); }},
       {.name = "bug-mend", .keys = {"Alt+Enter"}, .line = "keys.bugs",
-       .enabled = [](const State& state) { return state.bug && state.bug->known; },
-       .chosen = [](const State& state) { return state.bug && state.bug->mended; },
-       .run = [](const Ui& ui) { ui.act(action::MendBug{!ui.state.bug->mended}); }},
+       .enabled = [](const State& state) { return state.walk.bug && state.walk.bug->known; },
+       .chosen = [](const State& state) { return state.walk.bug && state.walk.bug->mended; },
+       .run = [](const Ui& ui) { ui.act(action::MendBug{!ui.state.walk.bug->mended}); }},
   };
   // clang-format on
   return all;

@@ -33,7 +33,7 @@ template <class Choices, class Value, class IdOf = std::identity>
 bool pick_among(const Ui& ui, Form& form, const FormLabel& label, const Choices& choices, Value& value,
                 const IdOf& id_of = {}) {
   std::vector<std::string> names;
-  for (const auto& choice : choices) names.emplace_back(text(id_of(choice), ui.state.language));
+  for (const auto& choice : choices) names.emplace_back(text(id_of(choice), ui.state.appearance.language));
   int index = static_cast<int>(index_among(choices, value));
   if (!form.pick(label, names, index)) return false;
   value = choices[static_cast<std::size_t>(index)];

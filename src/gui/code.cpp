@@ -1,5 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "view/bugs/bugs.h"
 #include "view/text/text.h"
 #include "view/walk/code_panel.h"
 
@@ -56,7 +57,7 @@ void draw_blame(const Ui& ui, Blame blame, const Rect& where) {
 // The line just run has a pointer at its left and a background, the next one an outline.
 void draw_row(const Ui& ui, const CodeRow& row, const Rect& where) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   const float rounding = ui.px(4), y = where.y + where.height / 2;
   const ImVec2 least{where.x + ui.px(pointer_column), where.y}, most{where.right(), where.bottom()};
   if (row.just_run) {
@@ -80,7 +81,7 @@ void draw_row(const Ui& ui, const CodeRow& row, const Rect& where) {
 
 void draw_heading(const Ui& ui, const CodeBox& box, const Rect& where) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   push_font(ui.fonts.code_strong);
   draw.AddText({std::round(where.x), std::round(where.y)}, to_imgui(box.depth ? ui.colours.text : ui.colours.dim_text),
                box.title.c_str());
@@ -99,8 +100,8 @@ void draw_heading(const Ui& ui, const CodeBox& box, const Rect& where) {
 // Scrolls `top`..`bottom` (of the contents) into view, once per new position.
 void keep_in_sight(const Ui& ui, float top, float bottom) {
   int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("position"), -1);
-  if (shown == ui.state.position) return;
-  shown = ui.state.position;
+  if (shown == ui.state.walk.position) return;
+  shown = ui.state.walk.position;
   const float height = ImGui::GetWindowHeight(), scroll = ImGui::GetScrollY();
   if (top < scroll || bottom > scroll + height) ImGui::SetScrollY(std::max((top + bottom - height) / 2, 0.0f));
 }
@@ -133,7 +134,7 @@ void code_pane(const Ui& ui, const Rect& where) {
   if (!pane) return;
   constexpr float closest = 0.8f;
   const CodeSizes sizes(ui, std::clamp(where.height / code_height(ui), closest, 1.0f));
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   const float scroll = ImGui::GetScrollY(), left = where.x + ui.px(margin);
   const bool scrolls = ImGui::GetScrollMaxY() > 0;
   const float width = where.width - ui.px(2 * margin) - (scrolls ? ImGui::GetStyle().ScrollbarSize : 0);
@@ -184,7 +185,7 @@ void code_pane(const Ui& ui, const Rect& where) {
   if (at >= 0) keep_in_sight(ui, sight_top, sight_bottom);
   // Set only by the hovered pane, so that panes do not override each other.
   bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
-  if ((pointed_at || pointing) && pointed_at != ui.state.hovered_line) ui.act(action::HoverLine{pointed_at});
+  if ((pointed_at || pointing) && pointed_at != ui.state.plan.hovered_line) ui.act(action::HoverLine{pointed_at});
   pointing = pointed_at.has_value();
   fade_edges(ui, ui.colours.panel);
 }

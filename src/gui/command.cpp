@@ -18,11 +18,15 @@ std::string_view command_text(const Command& command, std::string_view which, La
 const std::vector<const Command*>& commands() {
   static const std::vector<const Command*> all = [] {
     std::vector<const Command*> gathered;
-    for (const auto rows_of : {rows::walk,     rows::breakpoints, rows::bar,      rows::lessons,    rows::bugs,
-                               rows::plan,     rows::lines,       rows::image,    rows::tree,       rows::stack,
-                               rows::equation, rows::legend,      rows::cost,     rows::microscope, rows::structure,
-                               rows::palette,  rows::properties,  rows::document, rows::predict,    rows::appearance})
-      for (const Command& command : rows_of()) gathered.push_back(&command);
+    const auto gather = [&](auto... rows_of) {
+      for (const rows::Rows some : {rows_of()...})
+        for (const Command& command : some) gathered.push_back(&command);
+    };
+    gather(rows::walk, rows::breakpoints, rows::bar, rows::lessons, rows::bugs, rows::plan, rows::lines);
+    for_each_room(Rooms(), [&]<class Room>() {
+      if constexpr (rooms::WithTab<Room>) gather(rows::of_tab<Room>);
+    });
+    gather(rows::palette, rows::properties, rows::document, rows::predict, rows::appearance);
     return gathered;
   }();
   return all;
@@ -48,8 +52,8 @@ std::string command_label(const Command& command, const State& state, bool in_sh
   if (command.label != nullptr) return command.label(state, in_short);
   std::string id = "command." + std::string(command.name) + ".short";
   std::replace(id.begin(), id.end(), '-', '_');
-  const std::string* const brief = in_short ? state.language.catalogue().find(id) : nullptr;
-  return brief != nullptr ? *brief : std::string(command_text(command, "label", state.language));
+  const std::string* const brief = in_short ? state.appearance.language.catalogue().find(id) : nullptr;
+  return brief != nullptr ? *brief : std::string(command_text(command, "label", state.appearance.language));
 }
 
 std::string command_hint(const Command& command, Language language) {

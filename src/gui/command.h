@@ -60,8 +60,11 @@ struct Command {
 /// The rows by subject, as in gui/NAME.cpp.
 namespace rows {
 using Rows = std::span<const Command>;
-Rows appearance(), bar(), breakpoints(), bugs(), cost(), document(), equation(), image(), legend(), lessons(), lines(),
-    microscope(), palette(), plan(), predict(), properties(), stack(), structure(), tree(), walk();
+Rows appearance(), bar(), breakpoints(), bugs(), document(), lessons(), lines(), palette(), plan(), predict(),
+    properties(), walk();
+/// Those of a room with a tab.
+template <class Room>
+Rows of_tab();
 }  // namespace rows
 
 /// All commands, in the order of menus and of the list of keys.

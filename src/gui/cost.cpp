@@ -1,5 +1,6 @@
 // What accuracy costs in this scene: knobs, error against cost, and two pictures side by side.
 
+#include "view/cost/cost.h"
 #include "gui/broken_lines.h"
 #include "gui/choices.h"
 #include "gui/command.h"
@@ -48,12 +49,12 @@ void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
 void draw_picture(const Ui& ui, const Rect& room, const PictureView& picture) {
   const ImageSize extent = picture.costs->size();
   if (picture.cost_texture == 0 || extent.width == 0) return;
-  const CostState& cost = ui.state.cost;
+  const CostRoom& cost = ui.state.cost;
   const std::string right = cost.against < 0 ? ui.say("cost.reference_name") : "B";
-  const std::string difference =
-      broken_lines(ui.say("cost.difference",
-                          {{"other", right}, {"largest", number_text(picture.costs->largest(), ui.state.language)}}),
-                   room.width);
+  const std::string difference = broken_lines(
+      ui.say("cost.difference",
+             {{"other", right}, {"largest", number_text(picture.costs->largest(), ui.state.appearance.language)}}),
+      room.width);
   const bool differs = cost.picture == CostPicture::difference;
   const float legend = ImGui::CalcTextSize(differs ? difference.c_str() : "A").y + ui.px(4);
   const float scale = std::min(room.width / static_cast<float>(extent.width),
@@ -88,7 +89,7 @@ void draw_picture(const Ui& ui, const Rect& room, const PictureView& picture) {
 
 void draw_effects(const Ui& ui, const Rect& where, float top, const LiveCosts& costs) {
   const float line = line_height(ui.fonts, *ui.fonts.small), scale = ui.dpi;
-  const std::string whole = survey_text(costs.survey(), costs.surveyed(), ui.state.language);
+  const std::string whole = survey_text(costs.survey(), costs.surveyed(), ui.state.appearance.language);
   ImGui::PushTextWrapPos(0);
   const float text_height = ImGui::CalcTextSize(whole.c_str(), nullptr, false, where.width).y + ui.px(6);
   ImGui::PopTextWrapPos();
@@ -113,10 +114,10 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   form.heading("cost.knobs");
   const study::Setup now = cost_knobs(ui.state);
   study::Setup next = now;
-  form.whole("property.samples", next.samples, 1, CostState::max_samples);
+  form.whole("property.samples", next.samples, 1, CostRoom::max_samples);
   pick_among(ui, form, "property.sampler", samplers, next.sampler);
-  form.whole("property.light_grid", next.light_grid, 0, CostState::max_grid);
-  form.whole("property.limits_depth", next.depth, 1, CostState::max_depth);
+  form.whole("property.light_grid", next.light_grid, 0, CostRoom::max_grid);
+  form.whole("property.limits_depth", next.depth, 1, CostRoom::max_depth);
   form.number("property.threshold", next.threshold, 0.0005, 0, 1);
   form.number("property.tolerance", next.tolerance, 0.0005, 0, 1);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
@@ -128,6 +129,8 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};
   command_button(ui, command("cost-try"), {ui.px(390), ui.px(30)}, look);
 }
+
+namespace {
 
 void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   if (picture.costs == nullptr) return;
@@ -142,7 +145,7 @@ void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
     return pop_font();
   }
   row.add(command("cost-knobs"),
-          setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene()), ui.state.language));
+          setup_text(cost_knobs(ui.state), study::setup_of(ui.state.scene()), ui.state.appearance.language));
   row.add(command("cost-try"));
   row.add(command("cost-ladder"));
   row.add(command("cost-axis"));
@@ -151,7 +154,7 @@ void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
 
   const std::string chosen = broken_lines("A: " + attempt_text(ui.state, findings, ui.state.cost.chosen), where.width);
   const std::string other =
-      broken_lines(ui.state.cost.against < 0 ? reference_text(findings, ui.state.language)
+      broken_lines(ui.state.cost.against < 0 ? reference_text(findings, ui.state.appearance.language)
                                              : "B: " + attempt_text(ui.state, findings, ui.state.cost.against),
                    where.width);
   const auto height_of = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).y; };
@@ -185,6 +188,13 @@ void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   pop_font();
 }
 
+}  // namespace
+
+template <>
+void draw_tab<CostRoom>(const Ui& ui, const Rect& where, TabContext& context) {
+  cost_tab(ui, where, context.picture);
+}
+
 namespace {
 
 constexpr std::array cost_pictures{CostPicture::split, CostPicture::difference};
@@ -192,36 +202,38 @@ constexpr std::array cost_axes{study::CostAxis::rays, study::CostAxis::tests, st
 constexpr double split_step = 0.05;  // of the picture's width
 
 bool has_tries(const State& state) {
-  return state.tab == Tab::cost && state.cost.page == CostPage::tries && !state.cost.tried.empty();
+  return state.appearance.tab == CostRoom::tab && state.cost.page == CostPage::tries && !state.cost.tried.empty();
 }
 
-bool shows_effects(const State& state) { return state.tab == Tab::cost && state.cost.page == CostPage::effects; }
+bool shows_effects(const State& state) {
+  return state.appearance.tab == CostRoom::tab && state.cost.page == CostPage::effects;
+}
 
 void try_cost(const Ui& ui, bool ladder) {
-  ui.act(action::SetTab{Tab::cost});
+  ui.act(action::SetTab{CostRoom::tab});
   ui.act(action::ShowCostPage{CostPage::tries});
   ui.act(action::TryCost{ladder});
 }
 
 void move_split(const Ui& ui, double by) {
-  const CostState& cost = ui.state.cost;
+  const CostRoom& cost = ui.state.cost;
   ui.act(action::ShowCosts{cost.picture, cost.axis, cost.split + by});
 }
 
 std::string axis_label(const State& state, bool) {
   switch (state.cost.axis) {
     case study::CostAxis::rays:
-      return fill("cost.axis_rays", state.language);
+      return fill("cost.axis_rays", state.appearance.language);
     case study::CostAxis::tests:
-      return fill("cost.axis_tests", state.language);
+      return fill("cost.axis_tests", state.appearance.language);
     case study::CostAxis::seconds:
-      return fill("cost.axis_seconds", state.language);
+      return fill("cost.axis_seconds", state.appearance.language);
   }
   return {};
 }
 
 void choose_next(const Ui& ui) {
-  const CostState& cost = ui.state.cost;
+  const CostRoom& cost = ui.state.cost;
   ui.act(action::ChooseCost{(cost.chosen + 1) % static_cast<int>(cost.tried.size())});
 }
 
@@ -231,36 +243,38 @@ void compare_with_next(const Ui& ui) {
 }
 
 std::string kind_label(const State& state, bool) {
-  return fill(state.cost.picture == CostPicture::split ? "cost.shows_split" : "cost.shows_difference", state.language);
+  return fill(state.cost.picture == CostPicture::split ? "cost.shows_split" : "cost.shows_difference",
+              state.appearance.language);
 }
 
 void change_kind(const Ui& ui) {
-  const CostState& cost = ui.state.cost;
+  const CostRoom& cost = ui.state.cost;
   ui.act(action::ShowCosts{next_among(cost_pictures, cost.picture), cost.axis, cost.split});
 }
 
 void change_axis(const Ui& ui) {
-  const CostState& cost = ui.state.cost;
+  const CostRoom& cost = ui.state.cost;
   ui.act(action::ShowCosts{cost.picture, next_among(cost_axes, cost.axis), cost.split});
 }
 
 std::string page_label(const State& state, bool) {
-  return fill(shows_effects(state) ? "cost.page_tries" : "cost.page_effects", state.language);
+  return fill(shows_effects(state) ? "cost.page_tries" : "cost.page_effects", state.appearance.language);
 }
 
 void turn_page(const Ui& ui) {
-  ui.act(action::SetTab{Tab::cost});
+  ui.act(action::SetTab{CostRoom::tab});
   ui.act(action::ShowCostPage{shows_effects(ui.state) ? CostPage::tries : CostPage::effects});
 }
 
 }  // namespace
 
-rows::Rows rows::cost() {
+template <>
+rows::Rows rows::of_tab<CostRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-cost", .keys = {"F3"}, .section = Section::tabs, .line = "keys.cost",
-       .chosen = [](const State& state) { return state.tab == Tab::cost; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::cost}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == CostRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{CostRoom::tab}); }},
       {.name = "cost-knobs", .keys = {"Shift+F3"}, .line = "keys.cost",
        .run = [](const Ui& ui) { ui.wish(WindowWish::cost_knobs); }},
       {.name = "cost-try", .keys = {"F4"}, .line = "keys.cost", .run = [](const Ui& ui) { try_cost(ui, false); }},

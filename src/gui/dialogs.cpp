@@ -9,7 +9,7 @@
 namespace raywalk {
 
 void question_dialog(const Ui& ui) {
-  if (!ui.state.question) return;
+  if (!ui.state.document.question) return;
   const QuestionPanel question = question_panel(ui.state);
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
   const float width = std::min(ui.px(520), whole.x);
@@ -67,17 +67,18 @@ bool answer_by_key(const KeyPress& press, const Ui& ui) {
 }
 
 void notice_bar(const Ui& ui, const Rect& plan) {
-  if (!ui.state.notice || ui.state.prompt != PathPrompt::none || plan.width < ui.px(80)) return;
-  const bool error = ui.state.notice->kind == Notice::Kind::error;
+  if (!ui.state.document.notice || ui.state.document.prompt != PathPrompt::none || plan.width < ui.px(80)) return;
+  const bool error = ui.state.document.notice->kind == Notice::Kind::error;
   const float margin = ui.px(12), edge = ui.px(24), most = std::min(plan.width - 2 * margin, ui.px(640));
   const float text_most = most - edge - ui.px(42);
-  const std::string& words = ui.state.notice->text;
+  const std::string& words = ui.state.document.notice->text;
   const ImVec2 extent = ImGui::CalcTextSize(words.c_str(), nullptr, false, text_most);
   const float width = std::min(extent.x + 1, text_most) + edge + ui.px(42);
   ImGui::SetNextWindowPos({plan.x + margin, plan.y + margin});
   ImGui::SetNextWindowSize({width, std::max(extent.y, edge) + ui.px(20)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(10)});
-  ImGui::PushStyleColor(ImGuiCol_Border, to_imgui4(error ? ui.colours.error : Shades(ui.state.theme).raised_held));
+  ImGui::PushStyleColor(ImGuiCol_Border,
+                        to_imgui4(error ? ui.colours.error : Shades(ui.state.appearance.theme).raised_held));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(ui.colours.panel));
   ImGui::Begin("notice", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

@@ -8,10 +8,10 @@ rows::Rows rows::document() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "undo", .keys = {"Ctrl+Z"}, .section = Section::undo, .line = "keys.undo",
-       .enabled = [](const State& state) { return !state.undo.empty() || state.bugs.hunt; },
+       .enabled = [](const State& state) { return !state.document.undo.empty() || state.bugs.hunt; },
        .run = [](const Ui& ui) { ui.act(action::Undo{}); }},
       {.name = "redo", .keys = {"Ctrl+Y", "Ctrl+Shift+Z"}, .section = Section::undo, .line = "keys.undo",
-       .enabled = [](const State& state) { return !state.redo.empty(); },
+       .enabled = [](const State& state) { return !state.document.redo.empty(); },
        .run = [](const Ui& ui) { ui.act(action::Redo{}); }},
       {.name = "new", .keys = {"Ctrl+N"}, .section = Section::open, .line = "keys.files",
        .run = [](const Ui& ui) { ui.act(action::New{}); }},

@@ -24,7 +24,8 @@ void swatch(const Ui& ui, const Rgbd& light, float height) {
 
 }  // namespace
 
-void equation_tab(const Ui& ui, const Rect& where) {
+template <>
+void draw_tab<EquationRoom>(const Ui& ui, const Rect& where, TabContext&) {
   const EquationPanel panel = equation_panel(ui.state);
   if (panel.rows.empty()) return paragraph(ui.colours.dim_text, ui.say("equation.empty"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(5)});
@@ -38,7 +39,7 @@ void equation_tab(const Ui& ui, const Rect& where) {
     if (total && row.light) {
       const ImVec2 at = ImGui::GetCursorScreenPos();
       ImGui::GetWindowDrawList()->AddLine(at, {at.x + where.width - ui.px(14), at.y},
-                                          to_imgui(Shades(ui.state.theme).line));
+                                          to_imgui(Shades(ui.state.appearance.theme).line));
       ImGui::Dummy({1, ui.px(1)});
     }
     push_font(row.kind == Kind::note ? ui.fonts.small : total ? ui.fonts.code_strong : ui.fonts.code);
@@ -52,12 +53,13 @@ void equation_tab(const Ui& ui, const Rect& where) {
   ImGui::PopStyleVar();
 }
 
-rows::Rows rows::equation() {
+template <>
+rows::Rows rows::of_tab<EquationRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-equation", .keys = {"E"}, .section = Section::tabs,
-       .chosen = [](const State& state) { return state.tab == Tab::equation; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::equation}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == EquationRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{EquationRoom::tab}); }},
   };
   // clang-format on
   return all;

@@ -1,13 +1,14 @@
 #include "gui/film.h"
 
 #include "text/file.h"
+#include "view/export/export.h"
 
 #include <algorithm>
 
 namespace raywalk {
 
 WalkFilm::WalkFilm(const State& state)
-    : positions_(film_positions(state)), seconds_(std::clamp(1 / state.lines_per_second, 0.05, 2.0)) {}
+    : positions_(film_positions(state)), seconds_(std::clamp(1 / state.walk.lines_per_second, 0.05, 2.0)) {}
 
 bool WalkFilm::take(const Image& window) {
   constexpr double last_seconds = 2;

@@ -65,7 +65,7 @@ std::optional<double> number_being_typed(ImGuiID item, char mark) {
 /// Draws the number centred in the last item, like ImGui, with the language's decimal separator.
 void write_number(const Ui& ui, double value, bool refused) {
   std::string words = digits_of(value);
-  std::replace(words.begin(), words.end(), '.', ui.state.language.decimal_mark());
+  std::replace(words.begin(), words.end(), '.', ui.state.appearance.language.decimal_mark());
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 extent = ImGui::CalcTextSize(words.c_str());
   const ImVec2 at{std::max(low.x, (low.x + high.x - extent.x) / 2), (low.y + high.y - extent.y) / 2};
@@ -85,22 +85,22 @@ Form::Form(const Ui& ui, FormMemory& memory, float width)
 void Form::heading(const FormLabel& of) {
   ImGui::Dummy({1, ui_.px(2)});
   push_font(ui_.fonts.strong);
-  label(ui_.colours.text, of.words(ui_.state.language));
+  label(ui_.colours.text, of.words(ui_.state.appearance.language));
   pop_font();
 }
 
 void Form::row(const FormLabel& of) {
-  name_ = "property/" + of.words(ui_.state.language);
+  name_ = "property/" + of.words(ui_.state.appearance.language);
   refused_in_row_ = false;
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   // A longer label takes room from its own fields.
-  const float needed = ImGui::CalcTextSize(of.words(ui_.state.language).c_str()).x + ui_.px(8);
+  const float needed = ImGui::CalcTextSize(of.words(ui_.state.appearance.language).c_str()).x + ui_.px(8);
   label_width_ = std::max(default_label_width(ui_, width_), std::min(needed, width_ * 0.6f));
   ImGui::PushClipRect(at, {at.x + label_width_ - ui_.px(6), at.y + ImGui::GetFrameHeight()}, true);
-  label(ui_.colours.dim_text, of.words(ui_.state.language));
-  tooltip(ui_, name_ + "/label", of.hint(ui_.state.language));
+  label(ui_.colours.dim_text, of.words(ui_.state.appearance.language));
+  tooltip(ui_, name_ + "/label", of.hint(ui_.state.appearance.language));
   ui_.publish(name_ + "/label");
   if (needed > label_width_ + ui_.px(2)) ui_.publish(name_ + "/label/clipped");
   ImGui::PopClipRect();
@@ -135,8 +135,8 @@ void Form::after_field(const std::string& field, bool refused, double least, dou
   // The next action, here or in another field, clears the message.
   if (refused) {
     memory_.refused = field;
-    memory_.why = ui_.say("notice.refused_number", {{"least", number_text(least, ui_.state.language)},
-                                                    {"most", number_text(most, ui_.state.language)}});
+    memory_.why = ui_.say("notice.refused_number", {{"least", number_text(least, ui_.state.appearance.language)},
+                                                    {"most", number_text(most, ui_.state.appearance.language)}});
   } else if (ImGui::IsItemActivated()) {
     memory_.refused.clear();
   }
@@ -172,7 +172,7 @@ bool Form::drag(const std::string& id, double& value, double step, double least,
   before_number(id);
   double next = value;
   // ImGui knows only the point. If the language has another separator, numbers are written and read here.
-  const char mark = ui_.state.language.decimal_mark();
+  const char mark = ui_.state.appearance.language.decimal_mark();
   const bool own_mark = mark != '.', was_typed = memory_.number == id, hides = own_mark && !was_typed;
   if (hides) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
   bool now =
@@ -285,14 +285,14 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
 }
 
 bool Form::flag(const FormLabel& of, bool& value) {
-  name_ = "property/" + of.words(ui_.state.language);
+  name_ = "property/" + of.words(ui_.state.appearance.language);
   const bool now = ImGui::Checkbox(("##" + name_).c_str(), &value);
   ui_.publish(name_);
   const bool is_change = changed(now, "##" + name_);
-  tooltip(ui_, name_, of.hint(ui_.state.language));
+  tooltip(ui_, name_, of.hint(ui_.state.appearance.language));
   ImGui::SameLine();
-  label(ui_.colours.dim_text, of.words(ui_.state.language));
-  tooltip(ui_, name_ + "/label", of.hint(ui_.state.language));
+  label(ui_.colours.dim_text, of.words(ui_.state.appearance.language));
+  tooltip(ui_, name_ + "/label", of.hint(ui_.state.appearance.language));
   ui_.publish(name_ + "/label");
   return is_change;
 }

@@ -39,7 +39,7 @@ Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
     if (const auto claimed = path.empty() ? Result<void>() : claim_output(path); !claimed) return claimed;
   ledger.close();
   for (const std::string& path : {options.demo_path, options.report_path, options.screenshot_path})
-    if (!path.empty()) state->keeps.push_back(path);
+    if (!path.empty()) state->document.keeps.push_back(path);
   if (*window == nullptr) window = Window::open("Raywalk", options.width, options.height);
   if (!window) return tl::unexpected(window.error());
   if (!attention) attention.emplace(**window);

@@ -14,9 +14,10 @@ void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
   // Lines longer than this are hard to read.
   const float width = std::min(ImGui::GetContentRegionAvail().x, ui.px(760));
   const float term_width = std::min(ui.px(210), width * 0.4f), left = ImGui::GetCursorPosX();
-  std::vector<HelpSection> sections = help(ui.state.language);
+  std::vector<HelpSection> sections = help(ui.state.appearance.language);
   sections.push_back({ui.say("keys.title"), {}});
-  for (const KeyListRow& row : key_list(ui.state.language)) sections.back().entries.push_back({row.keys, row.does});
+  for (const KeyListRow& row : key_list(ui.state.appearance.language))
+    sections.back().entries.push_back({row.keys, row.does});
   for (const HelpSection& section : sections) {
     push_font(ui.fonts.title);
     label(ui.colours.text, section.title);

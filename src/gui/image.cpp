@@ -51,8 +51,8 @@ void mark_cell(const Ui& ui, const Rect& image, int cell, int cells, float middl
 
 // Marks the walked pixel, if the picture is the one it was chosen in.
 void mark_walked(const Ui& ui, const Rect& image, const PictureView& picture) {
-  const std::optional<PixelWalk>& walk = ui.state.walk;
-  if (!walk || walk->camera != ui.state.image_camera || walk->size.width != picture.width) return;
+  const std::optional<PixelWalk>& walk = ui.state.walk.pixel;
+  if (!walk || walk->camera != ui.state.picture.camera || walk->size.width != picture.width) return;
   const float edge = image.width / static_cast<float>(picture.width), half = std::max(edge / 2, ui.px(4));
   const float x = image.x + (static_cast<float>(walk->column) + 0.5f) * edge;
   const float y = image.y + (static_cast<float>(walk->row) + 0.5f) * edge;
@@ -68,11 +68,11 @@ std::string seconds_text(double seconds) {
 }
 
 std::string status_of(const Ui& ui, const PictureView& picture, bool has_row) {
-  const std::string about = ui.say(ui.state.image_camera ? "image.turned"
-                                   : has_row             ? "image.row_marked"
-                                                         : "image.click");
+  const std::string about = ui.say(ui.state.picture.camera ? "image.turned"
+                                   : has_row               ? "image.row_marked"
+                                                           : "image.click");
   if (picture.finished) return about;
-  const std::string done = percent_text(picture.done, ui.state.language);
+  const std::string done = percent_text(picture.done, ui.state.appearance.language);
   if (!(picture.seconds_left >= 1)) return done + "  \u00b7  " + about;
   return ui.say("image.progress", {{"percent", done}, {"time", seconds_text(picture.seconds_left)}}) + "  \u00b7  " +
          about;
@@ -112,8 +112,9 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
     }
     return "heat.scale_rays";
   }();
-  const std::array<std::string, 3> numbers{"0", number_text(hottest / 2, ui.state.language),
-                                           ui.say(most, {{"number", number_text(hottest, ui.state.language)}})};
+  const std::array<std::string, 3> numbers{
+      "0", number_text(hottest / 2, ui.state.appearance.language),
+      ui.say(most, {{"number", number_text(hottest, ui.state.appearance.language)}})};
   const float bar = ui.px(9), y = where.y;
   // The last number is to the right of the bar, the others below their colours.
   const float last = ImGui::CalcTextSize(numbers[2].c_str()).x;
@@ -138,6 +139,8 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
 
 }  // namespace
 
+namespace {
+
 void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   const float line = line_height(ui.fonts, *ui.fonts.small), side = ui.px(12);
   push_font(ui.fonts.small);
@@ -146,11 +149,11 @@ void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
     pop_font();
     return;
   }
-  const Heat heat = ui.state.image.heat;
+  const Heat heat = ui.state.picture.settings.heat;
   const float legend = heat == Heat::none ? 0 : 2 * line + ui.px(6);
   const Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};
   const Rect image = fitted(room, picture.width, picture.height, ui.fonts.density);
-  const bool has_row = ui.state.planar && !ui.state.image_camera;
+  const bool has_row = ui.state.walk.planar && !ui.state.picture.camera;
   ui.publish("image", image);
   if (image.width >= 8 && image.height >= 8) {
     const int cells = std::max(ui.state.scene().camera.screen.cells, 1);
@@ -196,6 +199,13 @@ void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   pop_font();
 }
 
+}  // namespace
+
+template <>
+void draw_tab<PictureRoom>(const Ui& ui, const Rect& where, TabContext& context) {
+  image_tab(ui, where, context.picture);
+}
+
 void epsilon_row(const Ui& ui, Form& form) {
   const RenderChoices& now = ui.state.scene().render;
   double epsilon = now.epsilon;
@@ -209,7 +219,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   Form form(ui, memory, ui.px(390));
   form.heading("image.settings_title");
   const State& state = ui.state;
-  ImageSettings next = state.image;
+  ImageSettings next = state.picture.settings;
 
   Integrator integrator = next.integrator.value_or(state.scene().render.integrator);
   if (pick_among(ui, form, "property.integrator", all_integrators, integrator)) next.integrator = integrator;
@@ -218,7 +228,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   form.whole("property.walk_samples", next.walk_samples, 1, max_walk_samples);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
   pick_among(ui, form, "property.heat", all_heats, next.heat, heat_word);
-  if (next != state.image) ui.act(action::SetImageSettings{next});
+  if (next != state.picture.settings) ui.act(action::SetImageSettings{next});
 
   // These belong to the scene: they also affect the walk and the file.
   TraceLimits limits = state.scene().limits;
@@ -240,22 +250,23 @@ void image_settings(const Ui& ui, FormMemory& memory) {
 namespace {
 
 void change_heat(const Ui& ui) {
-  ImageSettings settings = ui.state.image;
+  ImageSettings settings = ui.state.picture.settings;
   settings.heat = next_among(all_heats, settings.heat);
   ui.act(action::SetImageSettings{settings});
-  ui.act(action::SetTab{Tab::image});
+  ui.act(action::SetTab{PictureRoom::tab});
 }
 
 }  // namespace
 
-rows::Rows rows::image() {
+template <>
+rows::Rows rows::of_tab<PictureRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-image", .keys = {"I"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.tab == Tab::image; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::image}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == PictureRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{PictureRoom::tab}); }},
       {.name = "use-camera", .keys = {"U"}, .section = Section::show, .line = "keys.image",
-       .enabled = [](const State& state) { return state.image_camera.has_value(); },
+       .enabled = [](const State& state) { return state.picture.camera.has_value(); },
        .run = [](const Ui& ui) { ui.act(action::UseImageCamera{}); }},
       {.name = "image-settings", .keys = {","}, .section = Section::show, .line = "keys.image",
        .run = [](const Ui& ui) { ui.wish(WindowWish::image_settings); }},

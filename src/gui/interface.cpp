@@ -3,13 +3,14 @@
 #include "gui/command.h"
 #include "gui/dialogs.h"
 #include "gui/style.h"
+#include "view/structure/structure.h"
 
 #include <algorithm>
 
 namespace raywalk {
 
 Ui Interface::ui(const State& state, const Fonts& fonts, float unit, float dpi) {
-  return {state, fonts, palette(state.theme), unit, dpi, actions_, wishes_, items_, rest_};
+  return {state, fonts, palette(state.appearance.theme), unit, dpi, actions_, wishes_, items_, rest_};
 }
 
 void Interface::grant(const Ui& ui) {
@@ -26,11 +27,11 @@ void Interface::grant(const Ui& ui) {
         exchanged_ = !exchanged_;
         break;
       case WindowWish::image_settings:
-        ui.act(action::SetTab{Tab::image});
+        ui.act(action::SetTab{PictureRoom::tab});
         open_settings_ = true;
         break;
       case WindowWish::cost_knobs:
-        ui.act(action::SetTab{Tab::cost});
+        ui.act(action::SetTab{CostRoom::tab});
         open_knobs_ = true;
         break;
       case WindowWish::breakpoints:
@@ -62,10 +63,10 @@ void Interface::grant(const Ui& ui) {
 }
 
 void Interface::press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key) {
-  const bool asks = state.question || state.prompt != PathPrompt::none;
+  const bool asks = state.document.question || state.document.prompt != PathPrompt::none;
   const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const Ui with = ui(state, fonts, unit, dpi);
-  if (menu_open && shown_menu_ >= 0 && command_of(key, state.mode) == &command("menu")) {
+  if (menu_open && shown_menu_ >= 0 && command_of(key, state.walk.mode) == &command("menu")) {
     perform(command("menu"), with);
     return grant(with);
   }
@@ -102,7 +103,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::PushFont(fonts.text);
   // The background is visible only between the panes, as hairlines.
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(Shades(state.theme).line));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(Shades(state.appearance.theme).line));
   ImGui::Begin("raywalk", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
@@ -113,7 +114,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit};
   wishes.code = code_height(with);
   wishes.code_width = code_width(with);
-  if ((state.lessons.shown || state.bugs.shown) && state.mode != Mode::help) wishes.lesson = with.px(330);
+  if ((state.lessons.shown || state.bugs.shown) && state.walk.mode != Mode::help) wishes.lesson = with.px(330);
   // The transport's height depends on its width, which does not depend on its height.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
@@ -121,12 +122,12 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // The tabs are small; exchanged, they get the plan's room. The Cost panel and the microscope need that from the
   // start; the former also that of the walk, which it does not show.
   const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
-  const bool costs = state.tab == Tab::cost && !exchanged_ && state.mode != Mode::help;
-  const bool wide = state.tab == Tab::cost || state.tab == Tab::microscope;
-  if (exchanged_ != wide && state.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
+  const bool costs = state.appearance.tab == CostRoom::tab && !exchanged_ && state.walk.mode != Mode::help;
+  const bool wide = state.appearance.tab == CostRoom::tab || state.appearance.tab == MicroscopeRoom::tab;
+  if (exchanged_ != wide && state.walk.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
   if (costs) layout_.tabs = left;
   // The microscope has a legend of its own.
-  const bool scope = state.tab == Tab::microscope && !exchanged_ && state.mode == Mode::trace;
+  const bool scope = state.appearance.tab == MicroscopeRoom::tab && !exchanged_ && state.walk.mode == Mode::trace;
   if (scope) {
     layout_.tabs.height = layout_.strip.bottom() - layout_.tabs.y;
     layout_.strip.height = 0;
@@ -148,7 +149,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
   if (aside_.frames > 0 && shown_menu_ < 0) wanted_menu_ = std::exchange(aside_, {}).neighbour;
   if (aside_.frames > 0) --aside_.frames;
-  if (state.mode == Mode::help) {
+  if (state.walk.mode == Mode::help) {
     help_pane(with, left, std::exchange(scroll_help_, 0.0f));
   } else {
     if (shows_lines(state)) {
@@ -157,8 +158,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
       plan_pane(with, layout_.plan);
     }
     // One strip for both modes, so that the plan does not move.
-    if (!costs && state.mode == Mode::move) palette_pane(with, layout_.strip);
-    if (!costs && !scope && state.mode == Mode::trace) legend_pane(with, layout_.strip);
+    if (!costs && state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
+    if (!costs && !scope && state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
     if (!costs) transport_pane(with, layout_.transport);
   }
   if (PropertiesPane::shows(state)) {

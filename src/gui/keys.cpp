@@ -82,17 +82,17 @@ std::string own_line(const Command& command, Language language) {
 // Takes back one thing at a time, the most transient first.
 bool escape(const Ui& ui) {
   const State& state = ui.state;
-  if (state.drag) {
+  if (state.plan.drag) {
     ui.act(action::CancelDrag{});
-  } else if (state.notice) {
+  } else if (state.document.notice) {
     ui.act(action::DismissNotice{});
-  } else if (state.playing) {
+  } else if (state.walk.playing) {
     ui.act(action::PlayPause{});
-  } else if (state.mode == Mode::help) {
-    ui.act(action::SetMode{state.before_help});
-  } else if (state.selected) {
+  } else if (state.walk.mode == Mode::help) {
+    ui.act(action::SetMode{state.walk.before_help});
+  } else if (state.plan.selected) {
     ui.act(action::Select{});
-  } else if (state.walk) {
+  } else if (state.walk.pixel) {
     ui.act(action::WalkStrip{});
   } else if (state.bugs.hunt) {
     ui.act(action::LeaveHunt{});
@@ -151,22 +151,23 @@ int commands_on(const KeyPress& press, Mode mode) {
 
 bool press_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
-  if (state.question) return answer_by_key(press, ui);
-  if (state.prompt != PathPrompt::none) {
+  if (state.document.question) return answer_by_key(press, ui);
+  if (state.document.prompt != PathPrompt::none) {
     if (press.key == "Escape") ui.act(action::CancelPrompt{});
     return press.key == "Escape";
   }
   if (press.key == "Escape") return escape(ui);
-  if (const auto direction = arrow(press.key); direction && state.mode == Mode::move && !press.ctrl && !press.alt) {
+  if (const auto direction = arrow(press.key);
+      direction && state.walk.mode == Mode::move && !press.ctrl && !press.alt) {
     ui.act(action::Nudge{*direction, press.shift});
     return true;
   }
-  if (const auto way = scrolling(press.key); way && state.mode == Mode::help) {
+  if (const auto way = scrolling(press.key); way && state.walk.mode == Mode::help) {
     ui.wish(*way);
     return true;
   }
   if (lesson_by_key(press, ui)) return true;
-  const Command* const command = command_of(press, state.mode);
+  const Command* const command = command_of(press, state.walk.mode);
   if (command == nullptr) return false;
   if (press.repeated && command->held != nullptr) {
     command->held(ui);

@@ -25,7 +25,8 @@ void sample(const Ui& ui, const LegendRow& row, float x, float y, float length) 
 
 }  // namespace
 
-void legend_tab(const Ui& ui, const Rect& where) {
+template <>
+void draw_tab<LegendRoom>(const Ui& ui, const Rect& where, TabContext&) {
   const Legend content = legend(ui.state);
   const float column = ui.px(78);
   for (const LegendRow& row : content.rays) {
@@ -98,12 +99,13 @@ void legend_pane(const Ui& ui, const Rect& where) {
   pop_font();
 }
 
-rows::Rows rows::legend() {
+template <>
+rows::Rows rows::of_tab<LegendRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-legend", .keys = {"L"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.tab == Tab::legend; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::legend}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == LegendRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{LegendRoom::tab}); }},
   };
   // clang-format on
   return all;

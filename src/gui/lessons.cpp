@@ -16,7 +16,7 @@ namespace raywalk {
 namespace {
 
 void list(const Ui& ui, const LessonPanel& panel) {
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   int number = 0;
   bool found = false;  // the one to continue with
   for (const LessonRow& row : panel.rows) {
@@ -56,14 +56,14 @@ void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i) {
   if (hands > 0)
     ImGui::GetWindowDrawList()->AddRectFilled({at.x + number, at.y + (extent.y - thick) / 2},
                                               {at.x + number + length, at.y + (extent.y + thick) / 2},
-                                              to_imgui(Shades(ui.state.theme).accent), ui.px(3));
+                                              to_imgui(Shades(ui.state.appearance.theme).accent), ui.px(3));
   ImGui::SetCursorScreenPos({at.x, at.y + (extent.y - ImGui::GetFontSize()) / 2});
   label(ui.colours.text, std::to_string(hands));
   ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x, at.y + extent.y + ui.px(4)});
 }
 
 void choices(const Ui& ui, const LessonPanel& panel) {
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   const bool revealed = ui.state.lessons.revealed;
   for (std::size_t i = 0; i < panel.choices.size(); ++i) {
     const LessonChoice& choice = panel.choices[i];
@@ -80,7 +80,7 @@ void choices(const Ui& ui, const LessonPanel& panel) {
 
 // How lessons are shown: to a student, or by a presenter, who may hide or export the notes.
 void options(const Ui& ui, float width, bool open) {
-  const LessonSitting& sitting = ui.state.lessons;
+  const LessonRoom& sitting = ui.state.lessons;
   const bool presents = sitting.presenter && open;
   const float gap = ui.px(8), count = presents ? 3 : 2;
   // Sized by their words, and together as wide as the pane.
@@ -135,7 +135,7 @@ void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) 
 
 void answer(const Ui& ui, const LessonPanel& panel) {
   if (!panel.verdict.empty())
-    heading(ui, panel.is_right ? Shades(ui.state.theme).accent : ui.colours.error,
+    heading(ui, panel.is_right ? Shades(ui.state.appearance.theme).accent : ui.colours.error,
             (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
   if (!panel.hands.empty()) heading(ui, ui.colours.text, panel.hands);
   if (!panel.verdict.empty()) {
@@ -211,9 +211,9 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
 }
 
 void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
-  const LessonSitting& sitting = ui.state.lessons;
+  const LessonRoom& sitting = ui.state.lessons;
   const ImVec2 wide{ImGui::GetContentRegionAvail().x, button_height(ui)};
-  heading(ui, Shades(ui.state.theme).accent, ui.say("lesson.predict"));
+  heading(ui, Shades(ui.state.appearance.theme).accent, ui.say("lesson.predict"));
   prose(ui, ui.colours.text, panel.question);
   choices(ui, panel);
   if (!sitting.revealed) {
@@ -225,7 +225,7 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
     if (panel.asks == Asks::line) paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
     pop_font();
   }
-  if (panel.asks == Asks::line && sitting.revealed && ui.state.bug) command_button(ui, command("bug-mend"), wide);
+  if (panel.asks == Asks::line && sitting.revealed && ui.state.walk.bug) command_button(ui, command("bug-mend"), wide);
   if (panel.astray &&
       button(ui, "lesson-question", ui.say("lesson.back_to_question"), "", wide, {.look = Look::primary}))
     ui.act(action::GoToLessonStep{panel.step - 1});
@@ -234,7 +234,7 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
 
 void LessonPane::draw(const Ui& ui, const Rect& where) {
   const LessonPanel panel = lesson_panel(ui.state);
-  const LessonSitting& sitting = ui.state.lessons;
+  const LessonRoom& sitting = ui.state.lessons;
   const Pane pane(ui, "lesson", where, ui.colours.panel, {ui.px(16), ui.px(12)}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
   const std::string shown_for = panel.lesson + "/" + std::to_string(panel.step) + (sitting.revealed ? "!" : "");
@@ -273,7 +273,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
 
 bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
-  if (!state.lessons.shown || state.mode != Mode::trace || press.ctrl || press.alt) return false;
+  if (!state.lessons.shown || state.walk.mode != Mode::trace || press.ctrl || press.alt) return false;
   const LessonPanel panel = lesson_panel(state);
   const int digit = press.key.size() == 1 ? press.key[0] - '1' : -1;
   const bool picks = panel.asks == Asks::choice && !state.lessons.revealed && digit >= 0 &&

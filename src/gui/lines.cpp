@@ -40,7 +40,7 @@ bool clicked_in_place() {
 void lines_pane(const Ui& ui, const Rect& where) {
   const Viewport viewport{std::max(static_cast<double>(where.width / ui.dpi), 1.0),
                           std::max(static_cast<double>(where.height / ui.dpi), 1.0)};
-  if (!where.empty() && viewport != ui.state.viewport) ui.act(action::ResizePlan{viewport});
+  if (!where.empty() && viewport != ui.state.plan.viewport) ui.act(action::ResizePlan{viewport});
   const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
@@ -75,7 +75,7 @@ void lines_pane(const Ui& ui, const Rect& where) {
   const int ray = target.kind == TargetKind::ray ? target.index : -1;
   // Set only by the hovered pane.
   bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
-  if ((inside || pointing) && ray != ui.state.hovered_ray) ui.act(action::HoverRay{ray});
+  if ((inside || pointing) && ray != ui.state.plan.hovered_ray) ui.act(action::HoverRay{ray});
   pointing = inside;
   if (clicked && ray >= 0) ui.act(action::JumpToRay{ray});
   if (ray >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -94,14 +94,14 @@ constexpr double turn_step = 3.14159265358979323846 / 24;  // radians
 constexpr double shift_step = 0.05;                        // of the view's width
 
 // The view that keys turn: the lines, if they are shown and were turned last, else the picture.
-SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.turned_last : SpaceView::image; }
+SpaceView view_in_hand(const State& state) { return shows_lines(state) ? state.space.turned_last : SpaceView::image; }
 
 std::string lines_label(const State& state, bool) {
-  return fill(shows_lines(state) ? "plan.name" : "command.lines.label", state.language);
+  return fill(shows_lines(state) ? "plan.name" : "command.lines.label", state.appearance.language);
 }
 
 bool is_turned(const State& state) {
-  return (view_in_hand(state) == SpaceView::image ? state.image_camera : state.lines_camera).has_value();
+  return (view_in_hand(state) == SpaceView::image ? state.picture.camera : state.space.lines_camera).has_value();
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ rows::Rows rows::lines() {
       {.name = "lines", .keys = {"V"}, .section = Section::show, .line = "keys.lines", .label = lines_label,
        .run = [](const Ui& ui) { ui.act(action::ShowLines{!shows_lines(ui.state)}); }},
       {.name = "walk-strip", .keys = {{"S", When::trace}}, .section = Section::show, .line = "keys.lines",
-       .enabled = [](const State& state) { return state.walk.has_value(); },
+       .enabled = [](const State& state) { return state.walk.pixel.has_value(); },
        .run = [](const Ui& ui) { ui.act(action::WalkStrip{}); }},
       {.name = "turn-left", .keys = {"Alt+Shift+Left"}, .line = "keys.turn",
        .run = [](const Ui& ui) { ui.act(action::Orbit{view_in_hand(ui.state), {-turn_step, 0}}); }},

@@ -1,5 +1,7 @@
 #include "gui/live_costs.h"
 
+#include "view/cost/cost.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -7,11 +9,11 @@ namespace raywalk {
 
 bool LiveCosts::follows(const State& state) const {
   if (!begun_) return state.cost.tried.empty();
-  return scene_revision_ == state.revision && shown_ == state.cost && bench_revision_ == bench_.revision();
+  return scene_revision_ == state.document.revision && shown_ == state.cost && bench_revision_ == bench_.revision();
 }
 
 bool LiveCosts::rests(const State& state) const {
-  if (state.tab != Tab::cost || state.drag) return true;
+  if (state.appearance.tab != CostRoom::tab || state.plan.drag) return true;
   if (state.cost.page == CostPage::effects) return surveyed(state);
   return follows(state) && bench_.finished();
 }
@@ -24,9 +26,9 @@ bool LiveCosts::work(const State& state, double milliseconds, const Stop& stop) 
   }
   const std::vector<study::Setup>& wanted = state.cost.tried;
   const bool forgotten = wanted.size() < shown_.tried.size();
-  if (!begun_ || scene_revision_ != state.revision || forgotten) {
+  if (!begun_ || scene_revision_ != state.document.revision || forgotten) {
     bench_.reset(state.scene(), cost_size(state.scene().image), wanted);
-    scene_revision_ = state.revision;
+    scene_revision_ = state.document.revision;
     begun_ = true;
   }
   for (std::size_t i = bench_.attempts().size(); i < wanted.size(); ++i) bench_.try_out(wanted[i]);
@@ -39,16 +41,16 @@ bool LiveCosts::work(const State& state, double milliseconds, const Stop& stop) 
 }
 
 bool LiveCosts::surveyed(const State& state) const {
-  return survey_ && survey_revision_ == state.revision && survey_->done() >= 1;
+  return survey_ && survey_revision_ == state.document.revision && survey_->done() >= 1;
 }
 
 void LiveCosts::take_survey(const State& state, double milliseconds, const Stop& stop) {
   // Small pictures, so that the window stays responsive.
   constexpr int samples = 4000, repetitions = 11;
-  if (!survey_ || survey_revision_ != state.revision) {
+  if (!survey_ || survey_revision_ != state.document.revision) {
     survey_.emplace(state.scene(), samples, repetitions);
     survey_result_.reset();
-    survey_revision_ = state.revision;
+    survey_revision_ = state.document.revision;
   }
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
   try {

@@ -42,7 +42,7 @@ class LiveCosts {
   std::optional<study::SceneCost> survey_result_;
   std::uint64_t survey_revision_ = 0;
   std::uint64_t scene_revision_ = 0, bench_revision_ = 0, revision_ = 0;
-  CostState shown_;  ///< what bench_ and rgba_ were made for
+  CostRoom shown_;  ///< what bench_ and rgba_ were made for
   bool begun_ = false;
   ImageSize size_{0, 0};
   std::vector<std::uint8_t> rgba_;

@@ -71,12 +71,12 @@ class Loop {
         begun_(begun),
         settings_(settings_of(state_)),
         fonts_found_(find_fonts(font_folders(options.data_dir))) {
-    state_.stop = Stop(attention_);
+    state_.document.stop = Stop(attention_);
     ImGui::GetIO().ConfigDragClickToInputText = true;
   }
 
   Result<void> run() {
-    while (!state_.quit) {
+    while (!state_.document.quit) {
       if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
       pass_time();
       for (const KeyPress& key : window_.take_keys()) press(key);
@@ -98,13 +98,13 @@ class Loop {
   void keep_settings() {
     const Settings now = settings_of(state_);
     if (now == settings_) return;
-    write_settings(state_.state_dir, now);
+    write_settings(state_.document.state_dir, now);
     settings_ = now;
   }
 
   [[nodiscard]] float unit() const { return shrink() * wished_unit(); }
   [[nodiscard]] float wished_unit() const {
-    return window_.scale() * static_cast<float>(state_.ui_scale * theme_scale(state_.theme));
+    return window_.scale() * static_cast<float>(state_.appearance.ui_scale * theme_scale(state_.appearance.theme));
   }
   /// In a small window everything is drawn smaller, rather than cut off.
   [[nodiscard]] float shrink() const {
@@ -115,13 +115,13 @@ class Loop {
   [[nodiscard]] float dpi() const { return shrink() * window_.scale(); }
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
   [[nodiscard]] bool settled() const {
-    return frames_due_ == 0 && image_.rests(state_) && costs_.rests(state_) && demo_.over() && !state_.playing &&
-           !state_.hold && !state_.tween && !state_.window_export;
+    return frames_due_ == 0 && image_.rests(state_) && costs_.rests(state_) && demo_.over() && !state_.walk.playing &&
+           !state_.walk.hold && !state_.walk.tween && !state_.exports.window;
   }
 
   // Seconds until something must be done; negative: indefinitely.
   [[nodiscard]] double patience() const {
-    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.window_export) return 0;
+    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.exports.window) return 0;
     return until_due();
   }
 
@@ -131,11 +131,12 @@ class Loop {
     const auto at_most = [&](double seconds) {
       wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
     };
-    if (state_.hold || state_.tween) at_most(shortest_wait);
-    if (state_.playing) at_most((1 - state_.owed) / state_.lines_per_second);
+    if (state_.walk.hold || state_.walk.tween) at_most(shortest_wait);
+    if (state_.walk.playing) at_most((1 - state_.walk.owed) / state_.walk.lines_per_second);
     if (!demo_.over()) at_most(0.1);
-    if (wants_autosave(state_)) at_most(state_.autosave_in);
-    if (state_.notice && state_.notice->kind == Notice::Kind::info) at_most(notice_lasts - notice_seen_);
+    if (wants_autosave(state_)) at_most(state_.document.autosave_in);
+    if (state_.document.notice && state_.document.notice->kind == Notice::Kind::info)
+      at_most(notice_lasts - notice_seen_);
     if (interface_.next_frame_in() >= 0) at_most(interface_.next_frame_in());
     return wait;
   }
@@ -147,7 +148,7 @@ class Loop {
       update(state_, action);
     } catch (const Stopped&) {
       // Closed during a change. Earlier changes are in the autosave.
-      state_.quit = true;
+      state_.document.quit = true;
       return;
     }
     if (!options_.demo_path.empty()) note_failure(action);
@@ -155,12 +156,12 @@ class Loop {
 
   // The demo may run unattended: if it fails to write a file or to open a lesson, it ends as a failure, with a message.
   void note_failure(const Action& action) {
-    if (!failure_ || !state_.notice) return;
+    if (!failure_ || !state_.document.notice) return;
     const auto* lesson = std::get_if<action::OpenLesson>(&action);
     const auto& open = state_.lessons.open;
-    const bool failed = lesson != nullptr ? !state_.question && (!open || open->lesson.name != lesson->name)
-                                          : writes_file(action) && state_.notice->kind == Notice::Kind::error;
-    if (failed) failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.notice->text, ""});
+    const bool failed = lesson != nullptr ? !state_.document.question && (!open || open->lesson.name != lesson->name)
+                                          : writes_file(action) && state_.document.notice->kind == Notice::Kind::error;
+    if (failed) failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.document.notice->text, ""});
   }
 
   // One key press holds STEP once: if a breakpoint ends that, the key must be released first.
@@ -172,7 +173,7 @@ class Loop {
     }
     interface_.press(state_, fonts_, unit(), dpi(), key);
     apply();
-    key_holds_ = key.repeated && state_.hold;
+    key_holds_ = key.repeated && state_.walk.hold;
   }
   void let_go() {
     if (std::exchange(key_holds_, false)) act(action::Release{});
@@ -187,28 +188,28 @@ class Loop {
     const Clock::time_point now = Clock::now();
     const double seconds = seconds_between(last_, now);
     last_ = now;
-    const int position = state_.position;
-    const bool playing = state_.playing, moving = state_.tween.has_value();
-    const auto notice = [&] { return state_.notice ? state_.notice->text : std::string(); };
+    const int position = state_.walk.position;
+    const bool playing = state_.walk.playing, moving = state_.walk.tween.has_value();
+    const auto notice = [&] { return state_.document.notice ? state_.document.notice->text : std::string(); };
     const std::string said = notice();
     update(state_, action::Tick{seconds});
-    if (state_.position != position || state_.playing != playing || moving || notice() != said)
+    if (state_.walk.position != position || state_.walk.playing != playing || moving || notice() != said)
       frames_due_ = std::max(frames_due_, 1);
     // An export shows the moment of its request.
-    if (state_.question && demo_.ignores_question()) {
+    if (state_.document.question && demo_.ignores_question()) {
       failure_ = tl::unexpected(Error{options_.demo_path, 0, 0,
                                       "the window asks a question, and the demo does not answer it (expected \"answer "
                                       "save\", \"answer discard\" or \"answer cancel\" next)",
                                       "before it replaces a file or drops changes the window asks"});
-      state_.quit = true;
-    } else if (const Action* action = state_.window_export ? nullptr : demo_.due(seconds)) {
+      state_.document.quit = true;
+    } else if (const Action* action = state_.exports.window ? nullptr : demo_.due(seconds)) {
       act(*action);
     }
 
     if (notice() != seen_notice_) {
       seen_notice_ = notice();
       notice_seen_ = 0;
-    } else if (state_.notice && state_.notice->kind == Notice::Kind::info) {
+    } else if (state_.document.notice && state_.document.notice->kind == Notice::Kind::info) {
       notice_seen_ += seconds;
       if (notice_seen_ >= notice_lasts) act(action::DismissNotice{});
     }
@@ -257,12 +258,12 @@ class Loop {
 
   // A picture is taken once all its contents are complete; a film advances by one frame between polls of events.
   void work_on_export() {
-    if (!state_.window_export || frames_due_ > 0) return;
+    if (!state_.exports.window || frames_due_ > 0) return;
     if (!film_ && !(image_.rests(state_) && costs_.rests(state_))) return;
     Image picture;
-    if (state_.window_export->kind == ExportKind::picture) {
+    if (state_.exports.window->kind == ExportKind::picture) {
       frame(&picture);
-      const auto written = write_image(state_.window_export->path, picture);
+      const auto written = write_image(state_.exports.window->path, picture);
       return act(action::FinishExport{written ? "" : written.error().text()});
     }
     if (!film_) film_.emplace(state_);
@@ -274,7 +275,7 @@ class Loop {
 
   void finish_film() {
     const int back = film_->begun_at();
-    const Result<void> written = film_->write(state_.window_export->path);
+    const Result<void> written = film_->write(state_.exports.window->path);
     film_.reset();
     act(action::Jump{back});
     act(action::FinishExport{written ? "" : written.error().text()});
@@ -283,22 +284,23 @@ class Loop {
   // Fonts and spacing for the current scale and theme.
   void rescale() {
     const float now = unit(), density = window_.density();
-    if (now != styled_unit_ || state_.theme != styled_theme_) set_style(ImGui::GetStyle(), state_.theme, now);
+    if (now != styled_unit_ || state_.appearance.theme != styled_theme_)
+      set_style(ImGui::GetStyle(), state_.appearance.theme, now);
     if (now != styled_unit_ || density != fonts_.density || fonts_.text == nullptr) {
       ImGuiIO& io = ImGui::GetIO();
       io.Fonts->Clear();
-      fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density, state_.language.others());
+      fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density, state_.appearance.language.others());
       io.FontGlobalScale = 1 / density;
       window_.upload_fonts();
     }
     styled_unit_ = now;
-    styled_theme_ = state_.theme;
+    styled_theme_ = state_.appearance.theme;
   }
 
   void frame(Image* picture, bool seen = true) {
     rescale();
     --frames_due_;
-    window_.begin_frame(!wants_picture() && !state_.window_export);
+    window_.begin_frame(!wants_picture() && !state_.exports.window);
     const ImageSize size = image_.preview().size();
     const PictureView shown{shown_image_.texture(),
                             size.width,
@@ -311,7 +313,7 @@ class Loop {
                             &costs_,
                             shown_costs_.texture()};
     interface_.draw(state_, fonts_, unit(), dpi(), shown);
-    const Colour ground = palette(state_.theme).window;
+    const Colour ground = palette(state_.appearance.theme).window;
     if (seen) {
       window_.end_frame(
           {static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255, static_cast<float>(ground.b) / 255},
@@ -324,8 +326,8 @@ class Loop {
     // A film's progress is shown outside of the picture.
     std::string title = document_title(state_);
     if (film_)
-      title =
-          fill("export.film_progress", state_.language, {{"frame", film_->taken() + 1}, {"frames", film_->frames()}});
+      title = fill("export.film_progress", state_.appearance.language,
+                   {{"frame", film_->taken() + 1}, {"frames", film_->frames()}});
     if (title += " \u2013 Raywalk"; title != title_) {
       window_.set_title(title);
       title_ = title;
@@ -342,12 +344,12 @@ class Loop {
                               first_frame_,
                               extent.x,
                               extent.y,
-                              patience() != 0 && !state_.playing,
+                              patience() != 0 && !state_.walk.playing,
                               ImGui::GetIO().WantTextInput};
     const std::string text = report(state_, interface_, image_.preview(), costs_, dpi(), window);
     if (Result<void> written = write_file_atomically(options_.report_path, text); !written && failure_) {
       failure_ = tl::unexpected(written.error());
-      state_.quit = true;
+      state_.document.quit = true;
     }
   }
 

@@ -25,8 +25,9 @@ void draw_controls(const Ui& ui, ButtonRow& row, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   command_button(ui, command("diminish"), {edge, height}, minus);
   ImGui::SetCursorScreenPos({at.x + edge + gap, at.y});
-  const auto to = slider(ui, "magnification", {bar, height}, static_cast<float>(ui.state.magnified), {});
-  if (to && static_cast<double>(*to) != ui.state.magnified) ui.act(action::Magnify{static_cast<double>(*to)});
+  const auto to = slider(ui, "magnification", {bar, height}, static_cast<float>(ui.state.microscope.magnified), {});
+  if (to && static_cast<double>(*to) != ui.state.microscope.magnified)
+    ui.act(action::Magnify{static_cast<double>(*to)});
   tooltip(ui, "magnification", ui.say("microscope.magnification_hint"));
   ImGui::SetCursorScreenPos({at.x + edge + bar + 2 * gap, at.y});
   command_button(ui, command("magnify"), {edge, height}, plus);
@@ -50,7 +51,7 @@ void draw_slide(const Ui& ui, const Rect& where, const Specimen& specimen) {
   constexpr double notch = 0.025;
   const float wheel = ImGui::GetIO().MouseWheel;
   if (ImGui::IsItemHovered() && wheel != 0)
-    ui.act(action::Magnify{ui.state.magnified + notch * static_cast<double>(wheel)});
+    ui.act(action::Magnify{ui.state.microscope.magnified + notch * static_cast<double>(wheel)});
 }
 
 // Elides more digits of a number ("7.857\u202611") to fit the column: the last ones matter.
@@ -86,7 +87,7 @@ void draw_heads(const Ui& ui, float robust, float naive, float y) {
 void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
   const float first = where.width * 0.24f, second = (where.width - first) / 2;
   const float gap = ui.px(6), robust = where.x + first, naive = robust + second;
-  const ImU32 line = to_imgui(Shades(ui.state.theme).line);
+  const ImU32 line = to_imgui(Shades(ui.state.appearance.theme).line);
   ImFont* font = where.width >= ui.px(420) ? ui.fonts.text : ui.fonts.small;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   push_font(ui.fonts.strong);
@@ -119,6 +120,8 @@ void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
 }
 
 }  // namespace
+
+namespace {
 
 void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, FormMemory& memory) {
   push_font(ui.fonts.small);
@@ -160,36 +163,48 @@ void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, For
   pop_font();
 }
 
+}  // namespace
+
+template <>
+void draw_tab<MicroscopeRoom>(const Ui& ui, const Rect& where, TabContext& context) {
+  microscope_tab(ui, where, context.memory.microscope, context.memory.numerics);
+}
+
 namespace {
 
 constexpr double magnify_step = 0.05;
 
-bool can_magnify(const State& state) { return state.tab == Tab::microscope && state.magnified < 1; }
-bool can_diminish(const State& state) { return state.tab == Tab::microscope && state.magnified > 0; }
+bool can_magnify(const State& state) {
+  return state.appearance.tab == MicroscopeRoom::tab && state.microscope.magnified < 1;
+}
+bool can_diminish(const State& state) {
+  return state.appearance.tab == MicroscopeRoom::tab && state.microscope.magnified > 0;
+}
 
 void set_numerics(const Ui& ui, Numerics numerics) {
   ui.act(action::SetNumerics{numerics, ui.state.scene().render.epsilon});
 }
 
 void set_precision(const Ui& ui, bool single) {
-  ImageSettings settings = ui.state.image;
+  ImageSettings settings = ui.state.picture.settings;
   settings.single_precision = single;
   ui.act(action::SetImageSettings{settings});
 }
 
 }  // namespace
 
-rows::Rows rows::microscope() {
+template <>
+rows::Rows rows::of_tab<MicroscopeRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-microscope", .keys = {"Y"}, .section = Section::tabs, .line = "keys.microscope",
-       .chosen = [](const State& state) { return state.tab == Tab::microscope; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::microscope}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == MicroscopeRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{MicroscopeRoom::tab}); }},
       {.name = "magnify", .keys = {"Z"}, .section = Section::microscope, .line = "keys.microscope",
-       .enabled = can_magnify, .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.magnified + magnify_step}); }},
+       .enabled = can_magnify, .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.microscope.magnified + magnify_step}); }},
       {.name = "diminish", .keys = {"Shift+Z"}, .section = Section::microscope, .line = "keys.microscope",
        .enabled = can_diminish,
-       .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.magnified - magnify_step}); }},
+       .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.microscope.magnified - magnify_step}); }},
       {.name = "to-numbers", .keys = {"Alt+Z"}, .section = Section::microscope, .line = "keys.microscope",
        .enabled = can_magnify, .run = [](const Ui& ui) { ui.act(action::Magnify{1}); }},
       {.name = "to-scene", .keys = {"Alt+Shift+Z"}, .section = Section::microscope, .line = "keys.microscope",
@@ -201,10 +216,10 @@ rows::Rows rows::microscope() {
        .chosen = [](const State& state) { return state.scene().render.numerics == Numerics::naive; },
        .run = [](const Ui& ui) { set_numerics(ui, Numerics::naive); }},
       {.name = "precision-double", .keys = {"Alt+Shift+Q"}, .section = Section::precision, .line = "keys.numerics",
-       .chosen = [](const State& state) { return !state.image.single_precision; },
+       .chosen = [](const State& state) { return !state.picture.settings.single_precision; },
        .run = [](const Ui& ui) { set_precision(ui, false); }},
       {.name = "precision-float", .keys = {"Alt+Q"}, .section = Section::precision, .line = "keys.numerics",
-       .chosen = [](const State& state) { return state.image.single_precision; },
+       .chosen = [](const State& state) { return state.picture.settings.single_precision; },
        .run = [](const Ui& ui) { set_precision(ui, true); }},
   };
   // clang-format on

@@ -41,7 +41,7 @@ void palette_pane(const Ui& ui, const Rect& where) {
 
 namespace {
 
-bool moves(const State& state) { return state.mode == Mode::move; }
+bool moves(const State& state) { return state.walk.mode == Mode::move; }
 
 template <action::ObjectKind kind>
 void add_object(const Ui& ui) {
@@ -60,7 +60,8 @@ std::vector<Target> selectable(const Scene& scene) {
 void select_along(const Ui& ui, int direction) {
   const std::vector<Target> targets = selectable(ui.state.scene());
   const auto same = [&](const Target& t) {
-    return t.kind == ui.state.selected.kind && (t.kind == TargetKind::eye || t.index == ui.state.selected.index);
+    return t.kind == ui.state.plan.selected.kind &&
+           (t.kind == TargetKind::eye || t.index == ui.state.plan.selected.index);
   };
   const auto at = std::find_if(targets.begin(), targets.end(), same);
   const int count = static_cast<int>(targets.size());

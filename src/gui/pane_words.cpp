@@ -48,7 +48,7 @@ bool wide_button(const Ui& ui, const std::string& name, const std::string& text,
   const float height = size.y + ui.px(12);
   const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height}) && enabled;
   ui.publish(name);
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(at, {at.x + width, at.y + height}, to_imgui(ground), ui.px(6));
   if (enabled && ImGui::IsItemHovered())

@@ -103,6 +103,22 @@ struct PictureView {
   std::uintptr_t cost_texture = 0;   ///< its picture, of costs->size()
 };
 
+/// What tabs keep between frames.
+struct TabMemory {
+  FormMemory numerics;
+  Microscope microscope;
+  int centred_on = -1;  ///< the ray that the tree last scrolled to
+};
+/// What a tab is drawn with, beside the state.
+struct TabContext {
+  const PictureView& picture;
+  TabMemory& memory;
+  int pointed_at = -1;  ///< set to the hovered ray
+};
+/// Draws the tab of a room: each gui/NAME.cpp has its own.
+template <class Room>
+void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
+
 /// The tabs' headings and the one that is open.
 class TabsPane {
  public:
@@ -111,29 +127,15 @@ class TabsPane {
   void draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs);
 
  private:
-  FormMemory settings_, knobs_, numerics_;
-  Microscope microscope_;
-  int hovering_ = -1;    ///< the ray hovered in this pane
-  int centred_on_ = -1;  ///< the ray last scrolled to
+  FormMemory settings_, knobs_;
+  TabMemory memory_;
+  int hovering_ = -1;  ///< the ray hovered in this pane
 };
 
-void image_tab(const Ui& ui, const Rect& where, const PictureView& picture);
 /// The popup "image-settings", where it is open.
 void image_settings(const Ui& ui, FormMemory& memory);
-void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture);
 /// The popup "cost-knobs", where it is open.
 void cost_knobs_popup(const Ui& ui, FormMemory& memory);
-/// Both return the hovered ray, or -1.
-int tree_tab(const Ui& ui, const Rect& where, int& centred_on);
-int stack_tab(const Ui& ui, const Rect& where);
-void legend_tab(const Ui& ui, const Rect& where);
-/// What the line that has just run has computed, with its numbers.
-void equation_tab(const Ui& ui, const Rect& where);
-
-/// The current hit, magnified. `microscope`: its cache.
-void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, FormMemory& memory);
-/// The accelerators, step by step.
-void structure_tab(const Ui& ui, const Rect& where);
 /// A field for the scene's epsilon of naive rays.
 void epsilon_row(const Ui& ui, Form& form);
 

@@ -26,10 +26,10 @@ bool can_be_held(const State& state, TargetKind kind) {
     case TargetKind::edge:
     case TargetKind::rotation:
     case TargetKind::light:
-      return state.mode == Mode::move;
+      return state.walk.mode == Mode::move;
     case TargetKind::cell:
     case TargetKind::ray:
-      return state.mode == Mode::trace;
+      return state.walk.mode == Mode::trace;
   }
   return false;
 }
@@ -45,8 +45,9 @@ void pointer_actions(const Ui& ui, const Rect& where) {
   const action::Modifiers modifiers{io.KeyShift, io.KeyCtrl, io.KeyAlt};
   const bool held = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
 
-  if ((inside || state.drag) && (!state.pointer || *state.pointer != at)) ui.act(action::PointerMoved{at, modifiers});
-  if (state.drag) {
+  if ((inside || state.plan.drag) && (!state.plan.pointer || *state.plan.pointer != at))
+    ui.act(action::PointerMoved{at, modifiers});
+  if (state.plan.drag) {
     if (!held) ui.act(action::PointerReleased{at, modifiers});
   } else if (inside) {
     constexpr std::array buttons{action::Button::left, action::Button::right, action::Button::middle};
@@ -55,7 +56,7 @@ void pointer_actions(const Ui& ui, const Rect& where) {
         ui.act(action::PointerPressed{at, buttons[static_cast<std::size_t>(i)], modifiers,
                                       ImGui::IsMouseDoubleClicked(i)});
     }
-  } else if (state.pointer && !held) {
+  } else if (state.plan.pointer && !held) {
     ui.act(action::PointerLeft{});
   }
   if (inside && io.MouseWheel != 0) ui.act(action::Zoom{at, std::pow(1.2, static_cast<double>(io.MouseWheel))});
@@ -63,7 +64,7 @@ void pointer_actions(const Ui& ui, const Rect& where) {
 
 // The tooltip of what is under the pointer, without delay.
 void name_target(const Ui& ui) {
-  const std::string what = target_text(ui.state, ui.state.hovered);
+  const std::string what = target_text(ui.state, ui.state.plan.hovered);
   if (what.empty()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
   ImGui::BeginTooltip();
@@ -79,7 +80,7 @@ void name_target(const Ui& ui) {
 void plan_pane(const Ui& ui, const Rect& where) {
   const Viewport viewport{std::max(static_cast<double>(where.width / ui.dpi), 1.0),
                           std::max(static_cast<double>(where.height / ui.dpi), 1.0)};
-  if (!where.empty() && viewport != ui.state.viewport) ui.act(action::ResizePlan{viewport});
+  if (!where.empty() && viewport != ui.state.plan.viewport) ui.act(action::ResizePlan{viewport});
 
   const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -92,15 +93,15 @@ void plan_pane(const Ui& ui, const Rect& where) {
   const bool inside = ImGui::IsItemHovered();
   // Drawn for the current size of the pane, even in the one frame before the state knows it.
   paint(*ImGui::GetWindowDrawList(), plan_view(ui.state, viewport), where, ui.dpi, ui.fonts);
-  if (inside && !ui.state.drag) name_target(ui);
-  if ((inside || ui.state.drag) && can_be_held(ui.state, ui.state.hovered.kind))
+  if (inside && !ui.state.plan.drag) name_target(ui);
+  if ((inside || ui.state.plan.drag) && can_be_held(ui.state, ui.state.plan.hovered.kind))
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 namespace {
 
 void zoom(const Ui& ui, double factor) {
-  const Viewport& pane = ui.state.viewport;
+  const Viewport& pane = ui.state.plan.viewport;
   ui.act(action::Zoom{{pane.width / 2, pane.height / 2}, factor});
 }
 
@@ -116,8 +117,8 @@ rows::Rows rows::plan() {
       {.name = "zoom-out", .keys = {"Alt+Down"}, .section = Section::zoom, .line = "keys.zoom",
        .run = [](const Ui& ui) { zoom(ui, 1 / 1.25); }},
       {.name = "ghosts", .keys = {"N"}, .section = Section::show,
-       .chosen = [](const State& state) { return state.shows_ghosts; },
-       .run = [](const Ui& ui) { ui.act(action::ShowGhosts{!ui.state.shows_ghosts}); }},
+       .chosen = [](const State& state) { return state.walk.shows_ghosts; },
+       .run = [](const Ui& ui) { ui.act(action::ShowGhosts{!ui.state.walk.shows_ghosts}); }},
   };
   // clang-format on
   return all;

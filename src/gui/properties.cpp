@@ -76,14 +76,14 @@ std::string title_of(const Ui& ui, const Target& target) {
 }  // namespace
 
 bool PropertiesPane::shows(const State& state) {
-  return state.mode == Mode::move && state.selected && exists(state, state.selected) &&
-         state.selected.kind != TargetKind::ray;
+  return state.walk.mode == Mode::move && state.plan.selected && exists(state, state.plan.selected) &&
+         state.plan.selected.kind != TargetKind::ray;
 }
 
 void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   const Pane pane(ui, "properties", where, ui.colours.panel, {ui.px(14), ui.px(10)});
   if (!pane) return;
-  const Target target = ui.state.selected;
+  const Target target = ui.state.plan.selected;
   const float width = ImGui::GetContentRegionAvail().x, edge = ui.px(28);
   push_font(ui.fonts.title);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -139,8 +139,8 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
 namespace {
 
 bool can_remove(const State& state) {
-  const TargetKind kind = state.selected.kind;
-  return state.mode == Mode::move &&
+  const TargetKind kind = state.plan.selected.kind;
+  return state.walk.mode == Mode::move &&
          (kind == TargetKind::object || kind == TargetKind::light || kind == TargetKind::corner);
 }
 
@@ -150,12 +150,12 @@ rows::Rows rows::properties() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "edit-properties", .keys = {{"Enter", When::move}}, .section = Section::select, .line = "keys.edit",
-       .enabled = [](const State& state) { return state.mode == Mode::move && static_cast<bool>(state.selected); },
+       .enabled = [](const State& state) { return state.walk.mode == Mode::move && static_cast<bool>(state.plan.selected); },
        .run = [](const Ui& ui) { ui.wish(WindowWish::properties); }},
       {.name = "remove", .keys = {{"Delete", When::move}, {"Backspace", When::move}}, .section = Section::select,
        .line = "keys.edit", .enabled = can_remove, .run = [](const Ui& ui) { ui.act(action::RemoveSelected{}); }},
       {.name = "deselect", .section = Section::select,
-       .enabled = [](const State& state) { return static_cast<bool>(state.selected); },
+       .enabled = [](const State& state) { return static_cast<bool>(state.plan.selected); },
        .run = [](const Ui& ui) { ui.act(action::Select{}); }},
   };
   // clang-format on

@@ -2,6 +2,8 @@
 
 #include "gui/names.h"
 #include "view/plan/plan_view.h"
+#include "view/predict/predict.h"
+#include "view/structure/structure.h"
 #include "view/walk/status.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string selected_name(const State& state) {
-  const Target& target = state.selected;
+  const Target& target = state.plan.selected;
   const auto index = static_cast<std::size_t>(std::max(target.index, 0));
   if (target.kind == TargetKind::light && index < state.scene().lights.size()) return state.scene().lights[index].name;
   if (target.kind == TargetKind::eye) return "EYE";
@@ -24,7 +26,7 @@ std::string selected_name(const State& state) {
   return {};
 }
 
-Json cost_report(const CostState& cost, const LiveCosts& costs) {
+Json cost_report(const CostRoom& cost, const LiveCosts& costs) {
   const auto& attempts = costs.bench().attempts();
   const auto done = std::count_if(attempts.begin(), attempts.end(), [](const auto& one) { return one.done >= 1; });
   return {{"page", cost.page == CostPage::tries ? "tries" : "effects"},
@@ -57,46 +59,46 @@ std::string report(const State& state, const Interface& interface, const Preview
                    float dpi, const WindowReport& window) {
   const Rect& pane = interface.layout().plan;
   const auto place = [&](const Vec2d& at) {
-    const Vec2d pixels = to_pixels(state.camera, state.viewport, at);
+    const Vec2d pixels = to_pixels(state.plan.camera, state.plan.viewport, at);
     return Json{{"plan", {at.x, at.y}},
                 {"window", {pane.x + static_cast<float>(pixels.x) * dpi, pane.y + static_cast<float>(pixels.y) * dpi}}};
   };
-  Json json{{"mode", name_of(state.mode)},
-            {"position", state.position},
-            {"steps", state.timeline->steps()},
-            {"playing", state.playing},
-            {"grain", name_of(state.grain)},
-            {"speed", state.lines_per_second},
-            {"tab", name_of(state.tab)},
-            {"theme", name_of(state.theme)},
-            {"ui_scale", state.ui_scale},
-            {"path", state.path},
-            {"dirty", state.dirty},
-            {"undo", state.undo.size()},
-            {"redo", state.redo.size()},
+  Json json{{"mode", name_of(state.walk.mode)},
+            {"position", state.walk.position},
+            {"steps", state.walk.timeline->steps()},
+            {"playing", state.walk.playing},
+            {"grain", name_of(state.walk.grain)},
+            {"speed", state.walk.lines_per_second},
+            {"tab", name_of(state.appearance.tab)},
+            {"theme", name_of(state.appearance.theme)},
+            {"ui_scale", state.appearance.ui_scale},
+            {"path", state.document.path},
+            {"dirty", state.document.dirty},
+            {"undo", state.document.undo.size()},
+            {"redo", state.document.redo.size()},
             {"selected", selected_name(state)},
-            {"hovered_ray", state.hovered_ray},
-            {"question", state.question ? name_of(state.question->kind) : std::string_view()},
-            {"prompt", name_of(state.prompt)},
-            {"notice", state.notice ? state.notice->text : ""},
+            {"hovered_ray", state.plan.hovered_ray},
+            {"question", state.document.question ? name_of(state.document.question->kind) : std::string_view()},
+            {"prompt", name_of(state.document.prompt)},
+            {"notice", state.document.notice ? state.document.notice->text : ""},
             {"sentence", sentence(state)},
-            {"revision", state.revision},
+            {"revision", state.document.revision},
             {"cell", current_cell(state)},
-            {"language", state.language.code()},
+            {"language", state.appearance.language.code()},
             {"lines", shows_lines(state)},
-            {"turned", state.image_camera.has_value()},
-            {"rays", state.timeline->rays_at(state.position).size()},
-            {"stops", std::count(state.breakpoints.before.begin(), state.breakpoints.before.end(), true)},
-            {"magnified", state.magnified},
+            {"turned", state.picture.camera.has_value()},
+            {"rays", state.walk.timeline->rays_at(state.walk.position).size()},
+            {"stops", std::count(state.walk.breakpoints.before.begin(), state.walk.breakpoints.before.end(), true)},
+            {"magnified", state.microscope.magnified},
             {"naive", state.scene().render.numerics == Numerics::naive}};
-  if (state.tab == Tab::cost) json["cost"] = cost_report(state.cost, costs);
+  if (state.appearance.tab == CostRoom::tab) json["cost"] = cost_report(state.cost, costs);
   if (shows_structure(state))
     json["structure"] = {{"kind", accelerator_name(state.structure.kind)},
                          {"build", state.structure.page == StructurePage::build},
                          {"step", structure_step(state)},
                          {"steps", structure_steps(state)}};
-  if (state.walk) json["walk"] = {state.walk->column, state.walk->row};
-  if (const LessonSitting& sitting = state.lessons; sitting.shown)
+  if (state.walk.pixel) json["walk"] = {state.walk.pixel->column, state.walk.pixel->row};
+  if (const LessonRoom& sitting = state.lessons; sitting.shown)
     json["lesson"] = {{"open", sitting.open ? sitting.open->lesson.name : ""},
                       {"step", sitting.step + 1},
                       {"revealed", sitting.revealed},
@@ -106,8 +108,9 @@ std::string report(const State& state, const Interface& interface, const Preview
                       {"hands", sitting.hands},
                       {"right", sitting.right},
                       {"judged", sitting.judged}};
-  if (state.bug)
-    json["bug"] = {{"mended", state.bug->mended}, {"known", state.bug->known}, {"hunted", state.bugs.hunt.has_value()}};
+  if (state.walk.bug)
+    json["bug"] = {
+        {"mended", state.walk.bug->mended}, {"known", state.walk.bug->known}, {"hunted", state.bugs.hunt.has_value()}};
   json["predictions"] = {{"on", state.predictions.on},
                          {"asks", aim_origin(state).has_value()},
                          {"open", state.predictions.open.has_value()},

@@ -23,22 +23,23 @@ constexpr std::size_t max_settings = 1 << 16;  // bytes
 std::string settings_path(const std::string& state_dir) { return state_dir + "/settings.json"; }
 
 // Sets `to` to the choice of this name, if any.
-template <class Choice>
-Result<void> choose(std::initializer_list<Choice> choices, const std::string& name, const char* what, Choice& to) {
+template <Worded Choice>
+Result<void> choose(const std::string& name, const char* what, Choice& to) {
   if (name.empty()) return {};
-  if (const auto choice = named(choices, name)) {
+  if (const auto choice = named<Choice>(name)) {
     to = *choice;
     return {};
   }
   std::string expected;
-  for (const Choice choice : choices) expected += (expected.empty() ? "" : ", ") + std::string(name_of(choice));
+  for (const auto& [choice, word] : words_of<Choice>) expected += (expected.empty() ? "" : ", ") + std::string(word);
   return tl::unexpected(Error{"", 0, 0, std::string("there is no ") + what + " '" + name + "'", "one of: " + expected});
 }
 
 }  // namespace
 
 Settings settings_of(const State& state) {
-  return {state.theme, state.ui_scale, state.tab, std::string(state.language.code()), state.tweens};
+  return {state.appearance.theme, state.appearance.ui_scale, state.appearance.tab,
+          std::string(state.appearance.language.code()), state.walk.tweens};
 }
 
 Settings read_settings(const std::string& state_dir) {
@@ -52,8 +53,8 @@ Settings read_settings(const std::string& state_dir) {
     const auto at = json.find(key);
     return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
   };
-  settings.theme = named(all_themes, word("theme")).value_or(settings.theme);
-  settings.tab = named(all_tabs, word("tab")).value_or(settings.tab);
+  settings.theme = named<Theme>(word("theme")).value_or(settings.theme);
+  settings.tab = named<Tab>(word("tab")).value_or(settings.tab);
   settings.language = word("language");
   if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
     settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
@@ -111,51 +112,51 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   const std::string folder = picture ? std::string() : state_folder(options);
   State state = make_state(std::move(*document), path, folder, stop);
   const Settings settings = read_settings(folder);
-  state.language = language_for(options, settings);
+  state.appearance.language = language_for(options, settings);
   state.lessons.folder = options.data_dir + "/lessons";
   state.lessons.scenes_folder = options.data_dir + "/scenes";
   restore_session(state);
-  if (!warnings.empty()) state.notice = Notice{Notice::Kind::info, warnings.front()};
+  if (!warnings.empty()) state.document.notice = Notice{Notice::Kind::info, warnings.front()};
   if (!options.broken_texts.empty())
-    state.notice = Notice{Notice::Kind::error,
-                          fill("notice.broken_texts", state.language, {{"why", options.broken_texts.front().text()}})};
+    state.document.notice = Notice{Notice::Kind::error, fill("notice.broken_texts", state.appearance.language,
+                                                             {{"why", options.broken_texts.front().text()}})};
 
-  state.theme = settings.theme;
-  state.ui_scale = options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
-  state.tab = settings.tab;
-  if (Result<void> chosen = choose(all_themes, options.theme, "theme", state.theme); !chosen)
+  state.appearance.theme = settings.theme;
+  state.appearance.ui_scale =
+      options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
+  state.appearance.tab = settings.tab;
+  if (Result<void> chosen = choose(options.theme, "theme", state.appearance.theme); !chosen)
     return tl::unexpected(chosen.error());
-  if (Result<void> chosen = choose(all_tabs, options.start_tab, "tab", state.tab); !chosen)
+  if (Result<void> chosen = choose(options.start_tab, "tab", state.appearance.tab); !chosen)
     return tl::unexpected(chosen.error());
   if (options.start_position) {
     const int position = *options.start_position;
-    update(state, action::Jump{position < 0 ? state.timeline->steps() + 1 + position : position});
+    update(state, action::Jump{position < 0 ? state.walk.timeline->steps() + 1 + position : position});
   }
-  Mode mode = state.mode;
-  if (Result<void> chosen = choose(all_modes, options.start_mode, "mode", mode); !chosen)
-    return tl::unexpected(chosen.error());
-  if (mode != state.mode) update(state, action::SetMode{mode});
-  state.tweens = settings.tweens;
+  Mode mode = state.walk.mode;
+  if (Result<void> chosen = choose(options.start_mode, "mode", mode); !chosen) return tl::unexpected(chosen.error());
+  if (mode != state.walk.mode) update(state, action::SetMode{mode});
+  state.walk.tweens = settings.tweens;
   return state;
 }
 
 bool LiveImage::rests(const State& state) const {
-  if (!begun_ || revision_ != state.revision || image_revision_ != state.image_revision) return false;
-  return preview_.finished() || (state.drag && preview_.has_every_pixel());
+  if (!begun_ || revision_ != state.document.revision || image_revision_ != state.picture.revision) return false;
+  return preview_.finished() || (state.plan.drag && preview_.has_every_pixel());
 }
 
 void LiveImage::follow(const State& state, const Stop& stop) {
-  if (begun_ && revision_ == state.revision && image_revision_ == state.image_revision) return;
+  if (begun_ && revision_ == state.document.revision && image_revision_ == state.picture.revision) return;
   PreviewSettings settings;
   settings.size = state.scene().image;
-  settings.accelerator = state.image.accelerator;
-  settings.samples = state.image.samples;
-  settings.precision = state.image.single_precision ? Precision::float_ : Precision::double_;
-  settings.heat = state.image.heat;
+  settings.accelerator = state.picture.settings.accelerator;
+  settings.samples = state.picture.settings.samples;
+  settings.precision = state.picture.settings.single_precision ? Precision::float_ : Precision::double_;
+  settings.heat = state.picture.settings.heat;
   settings.fault = fault_at_work(state);
-  preview_.reset(*pictured_scene(state), settings, state.worlds.get(), stop);
-  revision_ = state.revision;
-  image_revision_ = state.image_revision;
+  preview_.reset(*pictured_scene(state), settings, state.document.worlds.get(), stop);
+  revision_ = state.document.revision;
+  image_revision_ = state.picture.revision;
   seconds_ = 0;
   begun_ = true;
 }

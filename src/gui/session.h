@@ -15,7 +15,7 @@ namespace raywalk {
 struct Settings {
   Theme theme = Theme::dark;
   double ui_scale = 1;
-  Tab tab = Tab::image;
+  Tab tab = PictureRoom::tab;
   std::string language{};  ///< its code; empty: none saved
   bool tweens = true;
   friend bool operator==(const Settings&, const Settings&) = default;

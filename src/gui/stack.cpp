@@ -18,11 +18,13 @@ void draw_returned(const Ui& ui, const StackRow& row) {
     draw.AddRectFilled(at, {at.x + edge * 1.6f, at.y + edge}, to_imgui(returned.colour), ui.px(3));
     draw.AddRect(at, {at.x + edge * 1.6f, at.y + edge}, to_imgui(ui.colours.dim_text), ui.px(3));
     ImGui::SetCursorScreenPos({at.x + edge * 1.6f + ui.px(8), at.y});
-    label(ui.colours.text, returned.name + " = " + colour_text(returned.linear, ui.state.language));
+    label(ui.colours.text, returned.name + " = " + colour_text(returned.linear, ui.state.appearance.language));
   }
 }
 
 }  // namespace
+
+namespace {
 
 int stack_tab(const Ui& ui, const Rect& where) {
   const StackPanel stack = stack_panel(ui.state);
@@ -31,7 +33,7 @@ int stack_tab(const Ui& ui, const Rect& where) {
     return -1;
   }
   int pointed_at = -1;
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
   bool innermost = true;
   int number = 0;
@@ -74,12 +76,20 @@ int stack_tab(const Ui& ui, const Rect& where) {
   return pointed_at;
 }
 
-rows::Rows rows::stack() {
+}  // namespace
+
+template <>
+void draw_tab<StackRoom>(const Ui& ui, const Rect& where, TabContext& context) {
+  context.pointed_at = stack_tab(ui, where);
+}
+
+template <>
+rows::Rows rows::of_tab<StackRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-stack", .keys = {"K"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.tab == Tab::stack; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::stack}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == StackRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{StackRoom::tab}); }},
   };
   // clang-format on
   return all;

@@ -1,5 +1,6 @@
 // The accelerators, step by step: which one, the step of its search or build, what the step did, what each saves.
 
+#include "view/structure/structure.h"
 #include "gui/choices.h"
 #include "gui/command.h"
 #include "gui/panes.h"
@@ -14,7 +15,7 @@ namespace raywalk {
 
 namespace {
 
-std::string said(const Ui& ui, std::string_view id) { return std::string(text(id, ui.state.language)); }
+std::string said(const Ui& ui, std::string_view id) { return std::string(text(id, ui.state.appearance.language)); }
 
 // A button for one of several choices, as wide as its words; the chosen one is filled.
 bool choice_button(const Ui& ui, ButtonRow& row, std::string_view name, const std::string& words, std::string_view hint,
@@ -60,7 +61,7 @@ float draw_steps(const Ui& ui, const Rect& where, float height) {
 
 // Each line is a button that chooses its accelerator.
 float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetFontSize() + ui.px(12), first = where.width * 0.34f;
   const float column = (where.width - first) / static_cast<float>(std::max<std::size_t>(panel.columns.size(), 1));
@@ -97,7 +98,8 @@ float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
 
 }  // namespace
 
-void structure_tab(const Ui& ui, const Rect& pane) {
+template <>
+void draw_tab<StructureRoom>(const Ui& ui, const Rect& pane, TabContext&) {
   // If scrolled, the bar takes some of the width, and the contents begin above the pane.
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect where{at.x, at.y, ImGui::GetContentRegionAvail().x, pane.height};
@@ -149,12 +151,13 @@ void turn_structure_page(const Ui& ui) {
 
 }  // namespace
 
-rows::Rows rows::structure() {
+template <>
+rows::Rows rows::of_tab<StructureRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-structure", .keys = {"Ctrl+T"}, .section = Section::tabs, .line = "keys.structure",
-       .chosen = [](const State& state) { return state.tab == Tab::structure; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::structure}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == StructureRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{StructureRoom::tab}); }},
       {.name = "structure-kind", .keys = {"Ctrl+U"}, .section = Section::structure, .line = "keys.structure",
        .enabled = shows_structure, .run = watch_next_kind},
       {.name = "structure-page", .keys = {"Ctrl+I"}, .section = Section::structure, .line = "keys.structure",

@@ -8,7 +8,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
   if (!pane) return;
   const float height = ui.px(32), margin = ui.px(10);
   ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
-                                      to_imgui(Shades(ui.state.theme).line));
+                                      to_imgui(Shades(ui.state.appearance.theme).line));
   ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
   const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
                                      where.width - 2 * margin - height - ui.px(4));
@@ -22,40 +22,18 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
     ImGui::SetCursorScreenPos(corner(inside));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    // The picture and the tree scroll by themselves, or not at all.
-    const bool own = ui.state.tab == Tab::image || ui.state.tab == Tab::tree || ui.state.tab == Tab::cost ||
-                     ui.state.tab == Tab::microscope;
+    const bool own = ui.state.appearance.tab.scrolls;
     const bool open = ImGui::BeginChild("tab", size(inside), false,
                                         own ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     if (open) {
-      switch (ui.state.tab) {
-        case Tab::image:
-          image_tab(ui, inside, picture);
-          break;
-        case Tab::tree:
-          pointed_at = tree_tab(ui, inside, centred_on_);
-          break;
-        case Tab::stack:
-          pointed_at = stack_tab(ui, inside);
-          break;
-        case Tab::legend:
-          legend_tab(ui, inside);
-          break;
-        case Tab::cost:
-          cost_tab(ui, inside, picture);
-          break;
-        case Tab::equation:
-          equation_tab(ui, inside);
-          break;
-        case Tab::microscope:
-          microscope_tab(ui, inside, microscope_, numerics_);
-          break;
-        case Tab::structure:
-          structure_tab(ui, inside);
-          break;
-      }
+      TabContext context{picture, memory_};
+      for_each_room(Rooms(), [&]<class Room>() {
+        if constexpr (rooms::WithTab<Room>)
+          if (Room::tab == ui.state.appearance.tab) draw_tab<Room>(ui, inside, context);
+      });
+      pointed_at = context.pointed_at;
       if (!own) fade_edges(ui, ui.colours.panel);
     }
     ImGui::EndChild();
@@ -75,7 +53,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
   if (open_knobs) ImGui::OpenPopup("cost-knobs");
   beside();
   cost_knobs_popup(ui, knobs_);
-  if (pointed_at != hovering_ && pointed_at != ui.state.hovered_ray) ui.act(action::HoverRay{pointed_at});
+  if (pointed_at != hovering_ && pointed_at != ui.state.plan.hovered_ray) ui.act(action::HoverRay{pointed_at});
   hovering_ = pointed_at;
 }
 

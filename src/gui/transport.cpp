@@ -91,8 +91,8 @@ void speed_control(const Ui& ui, const Rows& rows) {
   if (rows.slider > 0) {
     // The slider is logarithmic.
     const double range = std::log(max_speed / min_speed);
-    const double fraction = std::log(ui.state.lines_per_second / min_speed) / range;
-    const std::string rate = number_text(ui.state.lines_per_second, ui.state.language) + "/s";
+    const double fraction = std::log(ui.state.walk.lines_per_second / min_speed) / range;
+    const std::string rate = number_text(ui.state.walk.lines_per_second, ui.state.appearance.language) + "/s";
     const std::string in_full = ui.say("transport.speed") + " " + rate;
     const std::string value = ImGui::CalcTextSize(in_full.c_str()).x + ui.px(8) <= rows.slider ? in_full : rate;
     if (const auto to = slider(ui, "speed", {rows.slider, ui.px(small)}, static_cast<float>(fraction), value)) {
@@ -101,7 +101,7 @@ void speed_control(const Ui& ui, const Rows& rows) {
       const double neat = speed >= 20  ? std::round(speed / 10) * 10
                           : speed >= 2 ? std::round(speed)
                                        : std::round(speed * 4) / 4;
-      if (neat != ui.state.lines_per_second) ui.act(action::SetSpeed{neat});
+      if (neat != ui.state.walk.lines_per_second) ui.act(action::SetSpeed{neat});
     }
     tooltip(ui, "speed", ui.say("transport.speed_hint"));
     ImGui::SameLine();
@@ -135,20 +135,20 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   command_button(ui, command("first"), {edge, edge}, first);
   const float left = at.x + edge + ui.px(8);
   ImGui::SetCursorScreenPos({left, at.y});
-  const int steps = std::max(state.timeline->steps(), 1);
+  const int steps = std::max(state.walk.timeline->steps(), 1);
   // Ends of pixels: the bar shows how their lengths differ.
-  const auto& pixels = state.timeline->pixels();
+  const auto& pixels = state.walk.timeline->pixels();
   if (length / static_cast<float>(pixels.size() + 1) > ui.px(5)) {
     for (const PixelRecord& pixel : pixels) {
       const float x = std::round(left + length * static_cast<float>(pixel.done_at) / static_cast<float>(steps));
       ImGui::GetWindowDrawList()->AddLine({x, at.y + edge * 0.2f}, {x, at.y + edge * 0.8f},
-                                          to_imgui(Shades(state.theme).raised_hovered));
+                                          to_imgui(Shades(state.appearance.theme).raised_hovered));
     }
   }
-  const float fraction = static_cast<float>(state.position) / static_cast<float>(steps);
+  const float fraction = static_cast<float>(state.walk.position) / static_cast<float>(steps);
   if (const auto to = slider(ui, "scrub", {length, edge}, fraction, "")) {
     const int position = static_cast<int>(std::lround(static_cast<double>(*to) * steps));
-    if (position != state.position) ui.act(action::Jump{position});
+    if (position != state.walk.position) ui.act(action::Jump{position});
   }
   tooltip(ui, "scrub", ui.say("transport.scrub_hint") + "\n" + status_line(state));
   ImGui::SetCursorScreenPos({left + length + ui.px(8), at.y});
@@ -162,7 +162,8 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const bool lit = ImGui::IsItemHovered();
   ui.publish("status");
   tooltip(ui, "status",
-          ui.say("transport.status_hint") + "  (" + command_key(command("breakpoints"), ui.state.language) + ")");
+          ui.say("transport.status_hint") + "  (" + command_key(command("breakpoints"), ui.state.appearance.language) +
+              ")");
   ImGui::GetWindowDrawList()->AddText(place, to_imgui(lit ? ui.colours.text : ui.colours.dim_text), status.c_str());
   pop_font();
 }
@@ -193,7 +194,7 @@ void transport_pane(const Ui& ui, const Rect& where) {
 
   const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};
   ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
-  const bool playing = ui.state.playing;
+  const bool playing = ui.state.walk.playing;
   ImGui::SetCursorScreenPos({left, y});
   command_button(ui, command("step-back"), {rows.big * rows.shrink, step.y},
                  {.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false});

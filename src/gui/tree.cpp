@@ -25,7 +25,7 @@ Colour contrasting(Colour ground) {
 }
 
 void draw_link(const Ui& ui, const TreeNode& node, ImVec2 from, ImVec2 to) {
-  const RayStyle& style = ray_style(ui.state.theme, node.kind);
+  const RayStyle& style = ray_style(ui.state.appearance.theme, node.kind);
   LineItem line;
   line.from = to_view(from);
   line.to = to_view(to);
@@ -112,6 +112,8 @@ void explain(const Ui& ui, const TreeNode& node) {
 
 }  // namespace
 
+namespace {
+
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   const TreePanel tree = tree_panel(ui.state);
   if (tree.nodes.empty()) {
@@ -127,17 +129,17 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   if (visible) {
     const auto columns = static_cast<float>(std::max(tree.columns, 1.0));
     const auto levels = static_cast<float>(std::max(tree.levels, 1));
-    const float margin = ui.px(10);
+    const float inset = ui.px(10);
     // A unit less than available: rounding could otherwise cause scroll bars.
     const float column =
-        std::clamp((where.width - ui.px(1) - 2 * margin) / columns, ui.px(least_column), ui.px(max_column));
+        std::clamp((where.width - ui.px(1) - 2 * inset) / columns, ui.px(least_column), ui.px(max_column));
     // The lowest nodes have their labels below them.
     const float below = line_height(ui.fonts, *ui.fonts.small) + ui.px(4);
     const float level = std::clamp((where.height - ui.px(1) - below) / levels, ui.px(least_level), ui.px(max_level));
     const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(max_radius));
-    const float width = column * columns + 2 * margin, height = level * levels + below;
+    const float width = column * columns + 2 * inset, height = level * levels + below;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const float indent = std::max((where.width - width) / 2, 0.0f) + margin + column / 2;
+    const float indent = std::max((where.width - width) / 2, 0.0f) + inset + column / 2;
     const auto place = [&](const TreeNode& node) {
       return ImVec2{origin.x + indent + static_cast<float>(node.x) * column,
                     origin.y + radius + ui.px(7) + static_cast<float>(node.y) * level};
@@ -172,12 +174,20 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   return pointed_at;
 }
 
-rows::Rows rows::tree() {
+}  // namespace
+
+template <>
+void draw_tab<TreeRoom>(const Ui& ui, const Rect& where, TabContext& context) {
+  context.pointed_at = tree_tab(ui, where, context.memory.centred_on);
+}
+
+template <>
+rows::Rows rows::of_tab<TreeRoom>() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-tree", .keys = {"R"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.tab == Tab::tree; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{Tab::tree}); }},
+       .chosen = [](const State& state) { return state.appearance.tab == TreeRoom::tab; },
+       .run = [](const Ui& ui) { ui.act(action::SetTab{TreeRoom::tab}); }},
   };
   // clang-format on
   return all;

@@ -78,7 +78,7 @@ struct Ui {
 
   /// A text in the language of the interface, with its arguments.
   [[nodiscard]] std::string say(std::string_view id, const TextArguments& arguments = {}) const {
-    return fill(id, state.language, arguments);
+    return fill(id, state.appearance.language, arguments);
   }
   /// In its own file: moving actions takes two seconds to compile.
   void act(Action action) const;

@@ -6,11 +6,11 @@ namespace raywalk {
 
 namespace {
 
-bool goes_on(const State& state) { return state.position < state.timeline->steps(); }
-bool goes_back(const State& state) { return state.position > 0 || state.playing; }
+bool goes_on(const State& state) { return state.walk.position < state.walk.timeline->steps(); }
+bool goes_back(const State& state) { return state.walk.position > 0 || state.walk.playing; }
 
 std::string play_label(const State& state, bool) {
-  return fill(state.playing ? "transport.pause" : "command.play.label", state.language);
+  return fill(state.walk.playing ? "transport.pause" : "command.play.label", state.appearance.language);
 }
 
 }  // namespace
@@ -44,27 +44,27 @@ rows::Rows rows::walk() {
       {.name = "first", .keys = {"Home"}, .section = Section::ends, .line = "keys.ends", .enabled = goes_back,
        .run = [](const Ui& ui) { ui.act(action::Jump{0}); }},
       {.name = "last", .keys = {"End"}, .section = Section::ends, .line = "keys.ends", .enabled = goes_on,
-       .run = [](const Ui& ui) { ui.act(action::Jump{ui.state.timeline->steps()}); }},
+       .run = [](const Ui& ui) { ui.act(action::Jump{ui.state.walk.timeline->steps()}); }},
       {.name = "play", .keys = {"A"}, .section = Section::play, .line = "keys.auto_clear",
-       .enabled = [](const State& state) { return goes_on(state) || state.playing; },
-       .chosen = [](const State& state) { return state.playing; }, .label = play_label,
+       .enabled = [](const State& state) { return goes_on(state) || state.walk.playing; },
+       .chosen = [](const State& state) { return state.walk.playing; }, .label = play_label,
        .run = [](const Ui& ui) { ui.act(action::PlayPause{}); }},
       {.name = "clear", .keys = {"C"}, .section = Section::ends, .line = "keys.auto_clear", .enabled = goes_back,
        .run = [](const Ui& ui) { ui.act(action::Clear{}); }},
       {.name = "slower", .keys = {"-"}, .section = Section::play, .line = "keys.speed",
-       .enabled = [](const State& state) { return state.lines_per_second > min_speed; },
-       .run = [](const Ui& ui) { ui.act(action::SetSpeed{ui.state.lines_per_second / 2}); }},
+       .enabled = [](const State& state) { return state.walk.lines_per_second > min_speed; },
+       .run = [](const Ui& ui) { ui.act(action::SetSpeed{ui.state.walk.lines_per_second / 2}); }},
       {.name = "faster", .keys = {"+"}, .section = Section::play, .line = "keys.speed",
-       .enabled = [](const State& state) { return state.lines_per_second < max_speed; },
-       .run = [](const Ui& ui) { ui.act(action::SetSpeed{ui.state.lines_per_second * 2}); }},
+       .enabled = [](const State& state) { return state.walk.lines_per_second < max_speed; },
+       .run = [](const Ui& ui) { ui.act(action::SetSpeed{ui.state.walk.lines_per_second * 2}); }},
       {.name = "grain-line", .keys = {{"1", When::not_move}}, .section = Section::grain, .line = "keys.grain",
-       .chosen = [](const State& state) { return state.grain == Grain::line; },
+       .chosen = [](const State& state) { return state.walk.grain == Grain::line; },
        .run = [](const Ui& ui) { ui.act(action::SetGrain{Grain::line}); }},
       {.name = "grain-ray", .keys = {{"2", When::not_move}}, .section = Section::grain, .line = "keys.grain",
-       .chosen = [](const State& state) { return state.grain == Grain::ray; },
+       .chosen = [](const State& state) { return state.walk.grain == Grain::ray; },
        .run = [](const Ui& ui) { ui.act(action::SetGrain{Grain::ray}); }},
       {.name = "grain-pixel", .keys = {{"3", When::not_move}}, .section = Section::grain, .line = "keys.grain",
-       .chosen = [](const State& state) { return state.grain == Grain::pixel; },
+       .chosen = [](const State& state) { return state.walk.grain == Grain::pixel; },
        .run = [](const Ui& ui) { ui.act(action::SetGrain{Grain::pixel}); }},
   };
   // clang-format on

@@ -166,7 +166,7 @@ void tooltip(const Ui& ui, std::string_view name, const std::string& text) {
 
 bool button(const Ui& ui, std::string_view name, const std::string& label, const std::string& hint, ImVec2 size,
             const ButtonLook& look, bool is_chosen, bool is_enabled) {
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   const Metrics m = measure(ui, label, look);
   if (size.x <= 0) size.x = m.width() + 2 * ui.px(12);
   if (size.y <= 0) size.y = ImGui::GetFontSize() + 2 * ui.px(7);
@@ -212,12 +212,12 @@ void command_button(const Ui& ui, const Command& command, ImVec2 size, const But
                     const std::string& label) {
   const bool is_chosen = look.look == Look::choice && chosen(command, ui.state);
   if (button(ui, command.name, label.empty() ? command_label(command, ui.state) : label,
-             hint_of(command, ui.state.language), size, look, is_chosen, enabled(command, ui.state)))
+             hint_of(command, ui.state.appearance.language), size, look, is_chosen, enabled(command, ui.state)))
     perform(command, ui);
 }
 
 void choice(const Ui& ui, const std::vector<const Command*>& commands, float height, ImFont* font, float max_width) {
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
   bool in_short = false;
   const auto word = [&](const Command& each) { return command_label(each, ui.state, in_short); };
@@ -281,7 +281,8 @@ float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands,
   const ButtonLines lines = broken(in_short);
   const float height = low * static_cast<float>(lines.size());
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
-                                            to_imgui(Shades(ui.state.theme).raised), ImGui::GetStyle().FrameRounding);
+                                            to_imgui(Shades(ui.state.appearance.theme).raised),
+                                            ImGui::GetStyle().FrameRounding);
   float y = least.y;
   for (const auto& line : lines) {
     float taken = 0, x = least.x;
@@ -298,7 +299,7 @@ float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands,
 }
 
 std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float fraction, const std::string& inside) {
-  const Shades shades(ui.state.theme);
+  const Shades shades(ui.state.appearance.theme);
   const ImVec2 least = ImGui::GetCursorScreenPos(), most{least.x + extent.x, least.y + extent.y};
   ImGui::InvisibleButton(name, {std::max(extent.x, 1.0f), std::max(extent.y, 1.0f)});
   const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -339,7 +340,7 @@ void ButtonRow::place(float width) {
 }
 
 void menu_item(const Ui& ui, const Command& command) {
-  const std::string key = command_key(command, ui.state.language);
+  const std::string key = command_key(command, ui.state.appearance.language);
   if (ImGui::MenuItem(command_label(command, ui.state).c_str(), key.c_str(), chosen(command, ui.state),
                       enabled(command, ui.state)))
     perform(command, ui);

@@ -42,7 +42,7 @@ class ActionWriter {
   template <class Value>
   void operator()(const Value&, Unwritten) {}
   template <class Value>
-    requires std::is_class_v<Value>
+    requires(std::is_class_v<Value> && !Worded<Value>)
   void operator()(const Value& value) {
     each_field(*this, value);
   }
@@ -115,7 +115,7 @@ class ActionReader {
   template <class Value>
   void operator()(Value&, Unwritten) {}
   template <class Value>
-    requires std::is_class_v<Value>
+    requires(std::is_class_v<Value> && !Worded<Value>)
   void operator()(Value& value) {
     each_field(*this, value);
   }

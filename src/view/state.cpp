@@ -9,28 +9,28 @@ namespace raywalk {
 
 State make_state(SceneDocument document, std::string path, std::string state_dir, const Stop& stop) {
   State state;
-  state.stop = stop;
-  state.timeline = std::make_shared<const Timeline>();
-  state.state_dir = std::move(state_dir);
+  state.document.stop = stop;
+  state.walk.timeline = std::make_shared<const Timeline>();
+  state.document.state_dir = std::move(state_dir);
   state.structure.kind = watched_accelerators.front();
   show_document(state, std::move(document), std::move(path));
-  state.notice.reset();
+  state.document.notice.reset();
   return state;
 }
 
-const Scene& saved_scene(const State& state) { return state.saved ? *state.saved : state.scene(); }
+const Scene& saved_scene(const State& state) { return state.document.saved ? *state.document.saved : state.scene(); }
 
 const Camera& image_camera(const State& state) {
-  return state.image_camera ? *state.image_camera : state.scene().camera;
+  return state.picture.camera ? *state.picture.camera : state.scene().camera;
 }
 
 void choose(const State& state, RenderChoices& choices) {
-  if (state.bug) {
+  if (state.walk.bug) {
     if (choices.integrator == Integrator::path) choices.integrator = Integrator::automatic;
     choices.numerics = Numerics::naive;
     return;
   }
-  choices.integrator = state.image.integrator.value_or(choices.integrator);
+  choices.integrator = state.picture.settings.integrator.value_or(choices.integrator);
 }
 
 namespace {
@@ -49,32 +49,35 @@ SceneSeen seen_from(const State& state, const Camera& camera) {
 SceneSeen pictured_scene(const State& state) { return seen_from(state, image_camera(state)); }
 
 SceneSeen walked_scene(const State& state) {
-  return seen_from(state, state.walk && state.walk->camera ? *state.walk->camera : state.scene().camera);
+  return seen_from(state,
+                   state.walk.pixel && state.walk.pixel->camera ? *state.walk.pixel->camera : state.scene().camera);
 }
 
 bool shows_lines(const State& state) {
-  if (state.mode != Mode::trace) return false;  // bodies are moved in the plan
-  return state.lines_wanted.value_or(state.walk.has_value() || !state.planar);
+  if (state.walk.mode != Mode::trace) return false;  // bodies are moved in the plan
+  return state.space.lines_wanted.value_or(state.walk.pixel.has_value() || !state.walk.planar);
 }
 
 int current_cell(const State& state) {
-  if (!state.timeline->of_strip()) return -1;
-  const int pixel = state.timeline->current_pixel(state.position);
-  return pixel < 0 ? -1 : state.timeline->pixels()[static_cast<std::size_t>(pixel)].column;
+  if (!state.walk.timeline->of_strip()) return -1;
+  const int pixel = state.walk.timeline->current_pixel(state.walk.position);
+  return pixel < 0 ? -1 : state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)].column;
 }
 
 bool wants_autosave(const State& state) {
-  return state.dirty && !state.bugs.hunt && state.revision != state.autosaved_revision && !state.state_dir.empty();
+  return state.document.dirty && !state.bugs.hunt && state.document.revision != state.document.autosaved_revision &&
+         !state.document.state_dir.empty();
 }
 
 std::string document_title(const State& state) {
-  const std::size_t slash = state.path.find_last_of('/');
+  const std::size_t slash = state.document.path.find_last_of('/');
   const OpenedLesson* lesson = state.lessons.open.get();
-  const std::string name = state.path.empty() && lesson ? lesson->lesson.told(state.language).title
-                           : state.path.empty()         ? std::string(text("scene.untitled", state.language))
-                           : slash == std::string::npos ? state.path
-                                                        : state.path.substr(slash + 1);
-  return (state.dirty ? "*" : "") + name;
+  const std::string name = state.document.path.empty() && lesson ? lesson->lesson.told(state.appearance.language).title
+                           : state.document.path.empty()
+                               ? std::string(text("scene.untitled", state.appearance.language))
+                           : slash == std::string::npos ? state.document.path
+                                                        : state.document.path.substr(slash + 1);
+  return (state.document.dirty ? "*" : "") + name;
 }
 
 }  // namespace raywalk

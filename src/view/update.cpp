@@ -36,9 +36,10 @@ struct NumberCheck {
 /// Whether the action has an effect while a question or a path prompt is open.
 bool is_heard(const State& state, const Traits& traits) {
   if (traits.always) return true;
-  if (state.question)
-    return traits.answers_question || (traits.postpones_recovery && state.question->kind == Question::Kind::recover);
-  return state.prompt == PathPrompt::none || traits.answers_prompt;
+  if (state.document.question)
+    return traits.answers_question ||
+           (traits.postpones_recovery && state.document.question->kind == Question::Kind::recover);
+  return state.document.prompt == PathPrompt::none || traits.answers_prompt;
 }
 
 template <class A>
@@ -47,16 +48,14 @@ void update_by(State& state, const A& action) {
   each_field(numbers, action);
   const Traits traits = traits_of(action);
   if (!numbers.passed || !is_heard(state, traits)) return;
-  if (state.drag && !traits.keeps_drag) end_drag(state);
+  if (state.plan.drag && !traits.keeps_drag) end_drag(state);
   if (state.bugs.hunt && traits.of_own_scene) leave_hunt(state);
-  if (!traits.keeps_tween) state.tween.reset();
-  const std::shared_ptr<const Timeline> walked = state.timeline;
-  const int position = state.position;
+  if (!traits.keeps_tween) state.walk.tween.reset();
+  const Before before{state.walk.timeline, state.walk.position};
   action.apply(state);
-  follow_with_tween(state, walked.get(), position);
-  follow_with_ghosts(state);
-  follow_with_predictions(state);
-  follow_with_structure(state);
+  for_each_room(Rooms(), [&]<class Room>() {
+    if constexpr (requires { Room::follow(state, before); }) Room::follow(state, before);
+  });
 }
 
 }  // namespace
@@ -99,7 +98,7 @@ bool exists(const State& state, const Target& target) {
     case TargetKind::light:
       return within(scene.lights.size());
     case TargetKind::ray:
-      return within(state.timeline->rays().size());
+      return within(state.walk.timeline->rays().size());
   }
   return false;
 }

@@ -1,4 +1,5 @@
 #include "app/info_command.h"
+#include "view/cost/cost.h"
 
 #include "accel/accelerator.h"
 #include "app/process.h"

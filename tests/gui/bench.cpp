@@ -15,7 +15,8 @@ State classic() {
 
 Bench::Bench(State initial, float width, float height, const FontFiles& faces)
     : state(std::move(initial)), interface_(std::string(RAYWALK_SOURCE_DIR) + "/scenes") {
-  if (state.language.others().all().size() == 1) state.language = in_english;  // so that it can be changed
+  if (state.appearance.language.others().all().size() == 1)
+    state.appearance.language = in_english;  // so that it can be changed
   context_ = ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -35,7 +36,7 @@ Bench::Bench(State initial, float width, float height, const FontFiles& faces)
 #if IMGUI_VERSION_NUM < 18700
   for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
 #endif
-  set_style(ImGui::GetStyle(), state.theme, unit);
+  set_style(ImGui::GetStyle(), state.appearance.theme, unit);
   move_to(-1, -1);
 }
 

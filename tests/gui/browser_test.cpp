@@ -1,4 +1,5 @@
 #include "gui/browser.h"
+#include "view/export/export.h"
 
 #include "gui/bench.h"
 #include "gui/folder.h"
@@ -22,7 +23,7 @@ class Scenes : public Folder {
 // A state whose scene stands in `folder`, with the dialog open.
 State asking(const std::string& file, const Action& question) {
   State state = classic();
-  state.path = file;
+  state.document.path = file;
   update(state, question);
   return state;
 }
@@ -112,7 +113,7 @@ TEST_CASE("a kind of export that was asked for stays, whatever is typed, and the
   const std::string root = RAYWALK_SOURCE_DIR;
   for (const Language language : all_languages()) {
     State state = classic();
-    state.language = language;
+    state.appearance.language = language;
     state.lessons.folder = root + "/lessons";
     state.lessons.scenes_folder = root + "/scenes";
     update(state, action::SetLessonOptions{true, false});
@@ -172,12 +173,12 @@ TEST_CASE("a name that is there once its ending is right is written over only wh
   bench.click("browser-path");
   bench.type("walk.html");
   bench.enter();
-  REQUIRE(bench.state.question);
-  CHECK(bench.state.question->path == scenes / "walk.txt");
+  REQUIRE(bench.state.document.question);
+  CHECK(bench.state.document.question->path == scenes / "walk.txt");
   update(bench.state, action::AnswerQuestion{action::Answer::cancel});
   bench.frames(4);
   bench.click("browser-accept");  // the dialog shows the name that it asked about
-  CHECK(bench.state.question);
+  CHECK(bench.state.document.question);
 }
 
 TEST_CASE("the dialog is taken back by its button and by Escape, also while a path is typed") {
@@ -185,12 +186,12 @@ TEST_CASE("the dialog is taken back by its button and by Escape, also while a pa
   Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
   bench.frames(3);
   bench.click("browser-cancel");
-  CHECK(bench.state.prompt == PathPrompt::none);
+  CHECK(bench.state.document.prompt == PathPrompt::none);
   update(bench.state, action::AskOpen{});
   bench.frames(4);
   bench.type("half a na");
   bench.key("Escape");
-  CHECK(bench.state.prompt == PathPrompt::none);
+  CHECK(bench.state.document.prompt == PathPrompt::none);
   bench.click("mode-help");
-  CHECK(bench.state.mode == Mode::help);
+  CHECK(bench.state.walk.mode == Mode::help);
 }

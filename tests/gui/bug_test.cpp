@@ -43,9 +43,9 @@ TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, me
   REQUIRE(bench.has("banner"));
   // The strip stands over the plan and takes nothing away from it.
   CHECK(bench.rect("banner").bottom() <= bench.interface().layout().plan.y);
-  const int position = bench.state.position;
+  const int position = bench.state.walk.position;
   bench.click(row_of(Line::form_shadow_ray));
-  CHECK(bench.state.position == position);  // a click marks, and does not run
+  CHECK(bench.state.walk.position == position);  // a click marks, and does not run
   CHECK(marked_line(bench.state) == Line::form_shadow_ray);
   bench.click("bug-mark");
   CHECK(bench.state.bugs.hunt->end == BugEnd::open);
@@ -54,11 +54,11 @@ TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, me
   bench.click("bug-mark");
   CHECK(bench.state.bugs.hunt->end == BugEnd::found);
   bench.click("bug-mend");
-  CHECK(bench.state.bug->mended);
+  CHECK(bench.state.walk.bug->mended);
   bench.click("bug-mend");
-  CHECK_FALSE(bench.state.bug->mended);
+  CHECK_FALSE(bench.state.walk.bug->mended);
   bench.click(row_of(Line::form_reflect_ray));
-  CHECK(bench.state.position != position);  // nothing is asked any more: a click runs on
+  CHECK(bench.state.walk.position != position);  // nothing is asked any more: a click runs on
   bench.click("bugs-list");
   CHECK_FALSE(bench.state.bugs.hunt);
   CHECK(bench.state.scene() == mine);
@@ -75,16 +75,17 @@ TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends,
   REQUIRE(bench.state.bugs.hunt);
   CHECK(bench.state.bugs.hunt->surprise);
   bench.key("Alt+Enter");
-  CHECK_FALSE(bench.state.bug->mended);
+  CHECK_FALSE(bench.state.walk.bug->mended);
   update(bench.state, action::HuntBug{1});
-  while (bench.state.timeline->just_run(bench.state.position)->line != Line::form_shadow_ray) bench.key("Space");
+  while (bench.state.walk.timeline->just_run(bench.state.walk.position)->line != Line::form_shadow_ray)
+    bench.key("Space");
   bench.key("Enter");
   CHECK(marked_line(bench.state) == Line::form_shadow_ray);
   CHECK(bench.state.bugs.hunt->end == BugEnd::open);
   bench.key("Enter");
   CHECK(bench.state.bugs.hunt->end == BugEnd::found);
   bench.key("Alt+Enter");
-  CHECK(bench.state.bug->mended);
+  CHECK(bench.state.walk.bug->mended);
   update(bench.state, action::HuntBug{7});
   bench.key("Shift+Enter");
   CHECK(bench.state.bugs.hunt->end == BugEnd::given_up);
@@ -143,13 +144,13 @@ TEST_CASE("a lesson's line at fault is clicked in the code") {
   }
   bench.frames(3);
   REQUIRE(bench.has("banner"));
-  const int position = bench.state.position;
+  const int position = bench.state.walk.position;
   bench.click(row_of(Line::form_refract_ray));
-  CHECK(bench.state.position == position);
+  CHECK(bench.state.walk.position == position);
   bench.click("lesson-reveal");
   CHECK(bench.state.lessons.right == 1);
   bench.key("Alt+Enter");
-  CHECK(bench.state.bug->mended);
+  CHECK(bench.state.walk.bug->mended);
 }
 
 TEST_CASE("the demo of spot the bug finds it and shows the cure") {
@@ -161,7 +162,7 @@ TEST_CASE("the demo of spot the bug finds it and shows the cure") {
   for (const Action& each : *actions) {
     update(bench.state, each);
     bench.frames(1);
-    was_mended = was_mended || (bench.state.bug && bench.state.bug->mended);
+    was_mended = was_mended || (bench.state.walk.bug && bench.state.walk.bug->mended);
   }
   REQUIRE(bench.state.bugs.hunt);
   CHECK(bench.state.bugs.hunt->end == BugEnd::found);

@@ -54,12 +54,12 @@ TEST_CASE("the buttons of the walk") {
   asked_by<action::PlayPause>(bench, "play");
   asked_by<action::Clear>(bench, "clear");
   CHECK(asked_by<action::Jump>(bench, "first").position == 0);
-  CHECK(asked_by<action::Jump>(bench, "last").position == bench.state.timeline->steps());
+  CHECK(asked_by<action::Jump>(bench, "last").position == bench.state.walk.timeline->steps());
   CHECK(asked_by<action::SetGrain>(bench, "grain-line").grain == Grain::line);
   CHECK(asked_by<action::SetGrain>(bench, "grain-ray").grain == Grain::ray);
   CHECK(asked_by<action::SetGrain>(bench, "grain-pixel").grain == Grain::pixel);
-  CHECK(asked_by<action::SetSpeed>(bench, "slower").lines_per_second == bench.state.lines_per_second / 2);
-  CHECK(asked_by<action::SetSpeed>(bench, "faster").lines_per_second == bench.state.lines_per_second * 2);
+  CHECK(asked_by<action::SetSpeed>(bench, "slower").lines_per_second == bench.state.walk.lines_per_second / 2);
+  CHECK(asked_by<action::SetSpeed>(bench, "faster").lines_per_second == bench.state.walk.lines_per_second * 2);
 }
 
 TEST_CASE("the buttons of the modes and tabs") {
@@ -67,12 +67,12 @@ TEST_CASE("the buttons of the modes and tabs") {
   CHECK(asked_by<action::SetMode>(bench, "mode-move").mode == Mode::move);
   CHECK(asked_by<action::SetMode>(bench, "mode-trace").mode == Mode::trace);
   CHECK(asked_by<action::SetMode>(bench, "mode-help").mode == Mode::help);
-  CHECK(asked_by<action::SetTab>(bench, "tab-image").tab == Tab::image);
-  CHECK(asked_by<action::SetTab>(bench, "tab-tree").tab == Tab::tree);
-  CHECK(asked_by<action::SetTab>(bench, "tab-stack").tab == Tab::stack);
-  CHECK(asked_by<action::SetTab>(bench, "tab-legend").tab == Tab::legend);
-  CHECK(asked_by<action::SetTab>(bench, "tab-cost").tab == Tab::cost);
-  CHECK(asked_by<action::SetTab>(bench, "tab-equation").tab == Tab::equation);
+  CHECK(asked_by<action::SetTab>(bench, "tab-image").tab == PictureRoom::tab);
+  CHECK(asked_by<action::SetTab>(bench, "tab-tree").tab == TreeRoom::tab);
+  CHECK(asked_by<action::SetTab>(bench, "tab-stack").tab == StackRoom::tab);
+  CHECK(asked_by<action::SetTab>(bench, "tab-legend").tab == LegendRoom::tab);
+  CHECK(asked_by<action::SetTab>(bench, "tab-cost").tab == CostRoom::tab);
+  CHECK(asked_by<action::SetTab>(bench, "tab-equation").tab == EquationRoom::tab);
 }
 
 TEST_CASE("the buttons of Move mode") {
@@ -101,8 +101,8 @@ TEST_CASE("the entries of the menus") {
   update(bench.state, action::Undo{});
   update(bench.state, action::Select{{TargetKind::object, 0}});
   update(bench.state, action::AddObject{action::ObjectKind::polygon});
-  bench.state.redo.push_back(bench.state.scene());
-  bench.state.ui_scale = 1.5;
+  bench.state.document.redo.push_back(bench.state.scene());
+  bench.state.appearance.ui_scale = 1.5;
   bench.frames(2);
 
   CHECK(chosen_from<action::New>(bench, "menu-file", "new") != nullptr);
@@ -158,7 +158,7 @@ TEST_CASE("arrows go from one open menu to its neighbours") {
 
 TEST_CASE("a recent file is opened from its menu") {
   Bench bench(at(0, Mode::move));
-  bench.state.recent = {"/somewhere/a.toml", "/somewhere/b.toml"};
+  bench.state.document.recent = {"/somewhere/a.toml", "/somewhere/b.toml"};
   bench.obedient = false;
   bench.click("menu-file");
   bench.click("menu/recent");
@@ -200,7 +200,7 @@ TEST_CASE("AUTO is called PAUSE while it runs") {
   State state = classic();
   const std::string at_rest = command_label(command("play"), state);
   update(state, action::PlayPause{});
-  REQUIRE(state.playing);
+  REQUIRE(state.walk.playing);
   CHECK(command_label(command("play"), state) != at_rest);
 }
 

@@ -129,7 +129,7 @@ TEST_CASE("arrows nudge what is selected in Move mode, with Shift in larger step
   bench.key("Shift+Left");
   CHECK(bench.last<action::Nudge>()->direction == Vec2d(-1, 0));
   CHECK(bench.last<action::Nudge>()->coarse);
-  CHECK(bench.state.dirty);
+  CHECK(bench.state.document.dirty);
 }
 
 TEST_CASE("Tab goes through everything that can be selected, and round again") {
@@ -140,30 +140,30 @@ TEST_CASE("Tab goes through everything that can be selected, and round again") {
   std::vector<Target> seen;
   for (std::size_t i = 0; i < count; ++i) {
     bench.key("Tab");
-    CHECK(std::find(seen.begin(), seen.end(), bench.state.selected) == seen.end());
-    seen.push_back(bench.state.selected);
+    CHECK(std::find(seen.begin(), seen.end(), bench.state.plan.selected) == seen.end());
+    seen.push_back(bench.state.plan.selected);
   }
   bench.key("Tab");
-  CHECK(bench.state.selected == seen.front());
+  CHECK(bench.state.plan.selected == seen.front());
   bench.key("Shift+Tab");
-  CHECK(bench.state.selected == seen.back());
+  CHECK(bench.state.plan.selected == seen.back());
 }
 
 TEST_CASE("Escape takes back one thing at a time") {
   Bench bench;
   update(bench.state, action::SetMode{Mode::move});
   update(bench.state, action::Select{{TargetKind::object, 0}});
-  bench.state.notice = Notice{Notice::Kind::error, "something failed"};
+  bench.state.document.notice = Notice{Notice::Kind::error, "something failed"};
   bench.key("Escape");
-  CHECK_FALSE(bench.state.notice.has_value());
-  CHECK(bench.state.selected);
+  CHECK_FALSE(bench.state.document.notice.has_value());
+  CHECK(bench.state.plan.selected);
   bench.key("Escape");
-  CHECK_FALSE(bench.state.selected);
+  CHECK_FALSE(bench.state.plan.selected);
   for (const Mode mode : {Mode::move, Mode::trace}) {
     update(bench.state, action::SetMode{mode});
     update(bench.state, action::SetMode{Mode::help});
     bench.key("Escape");
-    CHECK(bench.state.mode == mode);
+    CHECK(bench.state.walk.mode == mode);
   }
 }
 
@@ -171,28 +171,28 @@ TEST_CASE("a question is answered by keys, and no other key does anything meanwh
   Bench bench;
   update(bench.state, action::AddObject{action::ObjectKind::polygon});
   bench.key("Ctrl+Q");
-  REQUIRE(bench.state.question.has_value());
-  const int position = bench.state.position;
+  REQUIRE(bench.state.document.question.has_value());
+  const int position = bench.state.walk.position;
   bench.key("Space");
-  CHECK(bench.state.position == position);
+  CHECK(bench.state.walk.position == position);
   bench.key("Escape");
-  CHECK_FALSE(bench.state.question.has_value());
-  CHECK_FALSE(bench.state.quit);
+  CHECK_FALSE(bench.state.document.question.has_value());
+  CHECK_FALSE(bench.state.document.quit);
   bench.key("Ctrl+Q");
   bench.key("2");
-  CHECK(bench.state.quit);
+  CHECK(bench.state.document.quit);
 }
 
 TEST_CASE("keys scroll the help text") {
   Bench bench;
   bench.key("F1");
-  REQUIRE(bench.state.mode == Mode::help);
+  REQUIRE(bench.state.walk.mode == Mode::help);
   bench.forget();
   for (const std::string key : {"Page Down", "End", "Home"}) {
     bench.key(key);
-    CHECK(bench.state.mode == Mode::help);
+    CHECK(bench.state.walk.mode == Mode::help);
     CHECK(bench.actions.empty());
   }
   bench.key("Escape");
-  CHECK(bench.state.mode == Mode::move);
+  CHECK(bench.state.walk.mode == Mode::move);
 }

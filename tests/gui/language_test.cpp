@@ -98,7 +98,7 @@ TEST_CASE("the menu View holds every language, by the name that its file gives i
     bench.frames(2);
     bench.click("menu/language/" + std::string(language.code()));
     bench.frames(2);
-    CHECK(bench.state.language == language);
+    CHECK(bench.state.appearance.language == language);
   }
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("a file of French that is dropped into the folder of texts stands in V
   const LanguagesRead read = read_languages(folder.path().string());
   REQUIRE(read.broken.empty());
   State state = classic();
-  state.language = read.languages->english();
+  state.appearance.language = read.languages->english();
   Bench bench(std::move(state));
   bench.frames(2);
   bench.click("menu-view");
@@ -122,7 +122,7 @@ TEST_CASE("a file of French that is dropped into the folder of texts stands in V
   }
   bench.click("menu/language/fr");
   bench.frames(2);
-  CHECK(bench.state.language.name() == "Fran\u00e7ais");
+  CHECK(bench.state.appearance.language.name() == "Fran\u00e7ais");
   CHECK(command_label(command("step"), bench.state) == "PAS");
   CHECK(command_label(command("clear"), bench.state) == text("command.clear.label", in_english));
   CHECK(settings_of(bench.state).language == "fr");
@@ -131,23 +131,23 @@ TEST_CASE("a file of French that is dropped into the folder of texts stands in V
 TEST_CASE("Ctrl+L, the button in the bar and the menu entry change the language while the window is open") {
   Bench bench;
   bench.frames(2);
-  REQUIRE(bench.state.language == in_english);
+  REQUIRE(bench.state.appearance.language == in_english);
   const std::size_t count = all_languages().size();
   for (std::size_t i = 0; i < count; ++i) {
-    const Language before = bench.state.language;
+    const Language before = bench.state.appearance.language;
     CHECK(command_label(command("language"), bench.state, true) == before.next().sign());
     bench.key("Ctrl+L");
-    CHECK(bench.state.language == before.next());
+    CHECK(bench.state.appearance.language == before.next());
     CHECK(command_label(command("mode-move"), bench.state) == text("command.mode_move.label", before.next()));
   }
-  CHECK(bench.state.language == in_english);
+  CHECK(bench.state.appearance.language == in_english);
   bench.frames(2);
   bench.click("language");
-  CHECK(bench.state.language == in_english.next());
+  CHECK(bench.state.appearance.language == in_english.next());
   bench.click("menu-view");
   bench.frames(2);
   bench.click("menu/language");
-  CHECK(bench.state.language == in_english.next().next());
+  CHECK(bench.state.appearance.language == in_english.next().next());
 }
 
 TEST_CASE("the keys of the list are the same in every language but for names that are words") {
@@ -199,9 +199,9 @@ TEST_CASE("no word is longer than its button or its place at 1280 x 720, in ever
     };
     for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
       update(bench.state, action::SetMode{mode});
-      for (const Tab tab : {Tab::image, Tab::tree, Tab::stack, Tab::legend, Tab::cost, Tab::equation, Tab::microscope,
-                            Tab::structure}) {
-        if (mode != Mode::trace && tab == Tab::structure) continue;  // which goes to Trace
+      for (const Tab tab : {PictureRoom::tab, TreeRoom::tab, StackRoom::tab, LegendRoom::tab, CostRoom::tab,
+                            EquationRoom::tab, MicroscopeRoom::tab, StructureRoom::tab}) {
+        if (mode != Mode::trace && tab == StructureRoom::tab) continue;  // which goes to Trace
         update(bench.state, action::SetTab{tab});
         look();
       }

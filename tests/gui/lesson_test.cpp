@@ -40,22 +40,22 @@ TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") 
   // Nothing is revealed before something is predicted.
   bench.key("Enter");
   CHECK_FALSE(bench.state.lessons.revealed);
-  const int position = bench.state.position;
-  const Grain grain = bench.state.grain;
+  const int position = bench.state.walk.position;
+  const Grain grain = bench.state.walk.grain;
   bench.key("Down");
   CHECK(bench.state.lessons.guess.choice == 0);
   for (int press = 0; press < 5; ++press) bench.key("Down");
   CHECK(bench.state.lessons.guess.choice == 3);
   bench.key("Up");
   CHECK(bench.state.lessons.guess.choice == 2);
-  CHECK(bench.state.position == position);
+  CHECK(bench.state.walk.position == position);
   bench.key("2");
   CHECK(bench.state.lessons.guess.choice == 1);
-  CHECK(bench.state.grain == grain);
+  CHECK(bench.state.walk.grain == grain);
   bench.key("Enter");
   CHECK(bench.state.lessons.revealed);
   CHECK(bench.state.lessons.right == 1);
-  CHECK(bench.state.position == position + 1);
+  CHECK(bench.state.walk.position == position + 1);
   bench.key("Enter");
   CHECK(bench.state.lessons.step == 2);
   bench.click("guess/1");

@@ -13,9 +13,9 @@ State at_a_hit() {
   State state = classic();
   update(state, action::SetMode{Mode::trace});
   update(state, action::Jump{3});
-  while (state.timeline->current_ray(state.position) < 0 ||
-         state.timeline->rays()[static_cast<std::size_t>(state.timeline->current_ray(state.position))].ending !=
-             Ending::hit)
+  while (state.walk.timeline->current_ray(state.walk.position) < 0 ||
+         state.walk.timeline->rays()[static_cast<std::size_t>(state.walk.timeline->current_ray(state.walk.position))]
+                 .ending != Ending::hit)
     update(state, action::Step{true});
   update(state, action::RunToLine{Line::if_reflective});
   return state;
@@ -27,45 +27,45 @@ TEST_CASE("the microscope's tab has the plan's room, and keys and buttons magnif
   Bench bench(at_a_hit());
   bench.frames(2);
   bench.click("tab-microscope");
-  REQUIRE(bench.state.tab == Tab::microscope);
+  REQUIRE(bench.state.appearance.tab == MicroscopeRoom::tab);
   bench.frames(2);
   CHECK(bench.rect("microscope").width > 0.3f * 1280);
   CHECK(bench.has("microscope/row-0"));
   CHECK(bench.has("microscope/sentence"));
   CHECK(bench.has("step"));  // the walk goes on beside it
 
-  CHECK(bench.state.magnified == 0);
+  CHECK(bench.state.microscope.magnified == 0);
   bench.click("magnify");
-  CHECK(bench.state.magnified > 0);
+  CHECK(bench.state.microscope.magnified > 0);
   bench.click("to-numbers");
-  CHECK(bench.state.magnified == 1);
+  CHECK(bench.state.microscope.magnified == 1);
   bench.key("Shift+Z");
-  CHECK(bench.state.magnified < 1);
+  CHECK(bench.state.microscope.magnified < 1);
   bench.key("Z");
-  CHECK(bench.state.magnified == 1);
+  CHECK(bench.state.microscope.magnified == 1);
   bench.key("Alt+Shift+Z");
-  CHECK(bench.state.magnified == 0);
+  CHECK(bench.state.microscope.magnified == 0);
   bench.key("Alt+Z");
-  CHECK(bench.state.magnified == 1);
+  CHECK(bench.state.microscope.magnified == 1);
   bench.point_at("microscope");
   bench.wheel(-2);
-  CHECK(bench.state.magnified < 1);
+  CHECK(bench.state.microscope.magnified < 1);
   bench.drag("magnification", -300, 0);
-  CHECK(bench.state.magnified == 0);
+  CHECK(bench.state.microscope.magnified == 0);
 }
 
 TEST_CASE("numerics and precision are chosen in the microscope, epsilon is typed") {
   Bench bench(at_a_hit());
-  update(bench.state, action::SetTab{Tab::microscope});
+  update(bench.state, action::SetTab{MicroscopeRoom::tab});
   bench.frames(2);
   bench.click("numerics-naive");
   CHECK(bench.state.scene().render.numerics == Numerics::naive);
   bench.key("Shift+Q");
   CHECK(bench.state.scene().render.numerics == Numerics::robust);
   bench.click("precision-float");
-  CHECK(bench.state.image.single_precision);
+  CHECK(bench.state.picture.settings.single_precision);
   bench.key("Alt+Shift+Q");
-  CHECK_FALSE(bench.state.image.single_precision);
+  CHECK_FALSE(bench.state.picture.settings.single_precision);
   bench.double_click("property/Epsilon");
   bench.type("0.5");
   bench.enter();
@@ -78,7 +78,7 @@ TEST_CASE("numerics and precision are chosen in the microscope, epsilon is typed
 TEST_CASE("before a hit the microscope says what to do") {
   Bench bench;
   update(bench.state, action::SetMode{Mode::trace});
-  update(bench.state, action::SetTab{Tab::microscope});
+  update(bench.state, action::SetTab{MicroscopeRoom::tab});
   bench.frames(3);
   CHECK_FALSE(bench.has("microscope"));
   CHECK(bench.has("to-numbers"));

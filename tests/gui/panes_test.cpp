@@ -25,8 +25,8 @@ State at(int position, Mode mode = Mode::trace) {
 // Where a SHADE that another one called has just formed a ray.
 State deep() {
   State state = classic();
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
-    const Event& event = *state.timeline->just_run(position);
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    const Event& event = *state.walk.timeline->just_run(position);
     if (event.depth >= 2 && std::holds_alternative<RayFormed>(event.detail)) return at(position);
   }
   FAIL("the classic scene has no ray of a second SHADE");
@@ -35,7 +35,7 @@ State deep() {
 
 // Where a point of the scene stands in the window.
 ImVec2 in_window(const Bench& bench, const Vec2d& point) {
-  const Vec2d pixels = to_pixels(bench.state.camera, bench.state.viewport, point);
+  const Vec2d pixels = to_pixels(bench.state.plan.camera, bench.state.plan.viewport, point);
   const Rect& pane = bench.interface().layout().plan;
   return {pane.x + static_cast<float>(pixels.x) * bench.dpi, pane.y + static_cast<float>(pixels.y) * bench.dpi};
 }
@@ -57,17 +57,17 @@ std::size_t first_sphere(const State& state) {
 TEST_CASE("the plan learns the size of its pane") {
   Bench bench;
   bench.frames(2);
-  CHECK(bench.state.viewport.width == Approx(bench.interface().layout().plan.width));
-  CHECK(bench.state.viewport.height == Approx(bench.interface().layout().plan.height));
+  CHECK(bench.state.plan.viewport.width == Approx(bench.interface().layout().plan.width));
+  CHECK(bench.state.plan.viewport.height == Approx(bench.interface().layout().plan.height));
   bench.resize(900, 600);
-  CHECK(bench.state.viewport.width == Approx(bench.interface().layout().plan.width));
+  CHECK(bench.state.plan.viewport.width == Approx(bench.interface().layout().plan.width));
 }
 
 TEST_CASE("on a dense display the plan is told its size in its own pixels") {
   Bench bench;
   bench.dpi = bench.unit = 2;
   bench.resize(2560, 1440);
-  CHECK(bench.state.viewport.width == Approx(bench.interface().layout().plan.width / 2));
+  CHECK(bench.state.plan.viewport.width == Approx(bench.interface().layout().plan.width / 2));
 }
 
 TEST_CASE("an object is dragged with the mouse, as one entry of undo") {
@@ -77,16 +77,16 @@ TEST_CASE("an object is dragged with the mouse, as one entry of undo") {
   const Vec2d before = centre_of(bench.state, sphere);
   const ImVec2 from = in_window(bench, before);
   bench.move_to(from.x, from.y);
-  CHECK(bench.state.hovered == Target{TargetKind::object, static_cast<int>(sphere)});
+  CHECK(bench.state.plan.hovered == Target{TargetKind::object, static_cast<int>(sphere)});
   bench.press();
   bench.move_to(from.x + 20, from.y);
   bench.move_to(from.x + 50, from.y - 30);
   bench.release();
   const Vec2d after = centre_of(bench.state, sphere);
-  CHECK((after.x - before.x) * bench.state.camera.pixels_per_unit == Approx(50).margin(0.01));
-  CHECK((after.y - before.y) * bench.state.camera.pixels_per_unit == Approx(30).margin(0.01));
-  CHECK(bench.state.undo.size() == 1);
-  CHECK_FALSE(bench.state.drag.has_value());
+  CHECK((after.x - before.x) * bench.state.plan.camera.pixels_per_unit == Approx(50).margin(0.01));
+  CHECK((after.y - before.y) * bench.state.plan.camera.pixels_per_unit == Approx(30).margin(0.01));
+  CHECK(bench.state.document.undo.size() == 1);
+  CHECK_FALSE(bench.state.plan.drag.has_value());
 }
 
 TEST_CASE("a drag goes on outside the pane and ends where the button is released") {
@@ -96,23 +96,23 @@ TEST_CASE("a drag goes on outside the pane and ends where the button is released
   bench.move_to(from.x, from.y);
   bench.press();
   bench.move_to(1270, 700);
-  REQUIRE(bench.state.drag.has_value());
-  CHECK(bench.state.drag->moved);
+  REQUIRE(bench.state.plan.drag.has_value());
+  CHECK(bench.state.plan.drag->moved);
   bench.release();
-  CHECK_FALSE(bench.state.drag.has_value());
+  CHECK_FALSE(bench.state.plan.drag.has_value());
 }
 
 TEST_CASE("the wheel zooms about the pointer, and the pointer's leaving is told") {
   Bench bench(at(0, Mode::move));
   bench.frames(2);
-  const double before = bench.state.camera.pixels_per_unit;
+  const double before = bench.state.plan.camera.pixels_per_unit;
   bench.point_at("plan");
   bench.wheel(1);
-  CHECK(bench.state.camera.pixels_per_unit > before);
+  CHECK(bench.state.plan.camera.pixels_per_unit > before);
   bench.forget();
   bench.point_at("step");
   CHECK(bench.last<action::PointerLeft>() != nullptr);
-  CHECK_FALSE(bench.state.pointer.has_value());
+  CHECK_FALSE(bench.state.plan.pointer.has_value());
 }
 
 TEST_CASE("a click on a line of code runs to it, pointing at it lights it up") {
@@ -120,13 +120,13 @@ TEST_CASE("a click on a line of code runs to it, pointing at it lights it up") {
   bench.frames(2);
   const std::string line = "line-" + std::to_string(static_cast<int>(Line::compute_rtnshade));
   bench.point_at(line);
-  CHECK(bench.state.hovered_line == Line::compute_rtnshade);
+  CHECK(bench.state.plan.hovered_line == Line::compute_rtnshade);
   bench.click(line);
   REQUIRE(bench.last<action::RunToLine>() != nullptr);
   CHECK(bench.last<action::RunToLine>()->line == Line::compute_rtnshade);
-  CHECK(bench.state.timeline->just_run(bench.state.position)->line == Line::compute_rtnshade);
+  CHECK(bench.state.walk.timeline->just_run(bench.state.walk.position)->line == Line::compute_rtnshade);
   bench.point_at("step");
-  CHECK_FALSE(bench.state.hovered_line.has_value());
+  CHECK_FALSE(bench.state.plan.hovered_line.has_value());
 }
 
 TEST_CASE("the scrub bar goes to any position") {
@@ -135,12 +135,12 @@ TEST_CASE("the scrub bar goes to any position") {
   const Rect bar = bench.rect("scrub");
   bench.move_to(bar.x + bar.width / 2, bar.y + bar.height / 2);
   bench.press();
-  const int steps = bench.state.timeline->steps();
-  CHECK(bench.state.position == Approx(steps / 2.0).margin(2));
+  const int steps = bench.state.walk.timeline->steps();
+  CHECK(bench.state.walk.position == Approx(steps / 2.0).margin(2));
   bench.move_to(bar.right() + 200, bar.y);
-  CHECK(bench.state.position == steps);
+  CHECK(bench.state.walk.position == steps);
   bench.move_to(bar.x - 200, bar.y);
-  CHECK(bench.state.position == 0);
+  CHECK(bench.state.walk.position == 0);
   bench.release();
 }
 
@@ -148,14 +148,14 @@ TEST_CASE("the speed slider covers its range and keeps to it") {
   Bench bench(at(0));
   bench.frames(2);
   bench.drag("speed", 500, 0);
-  CHECK(bench.state.lines_per_second == max_speed);
+  CHECK(bench.state.walk.lines_per_second == max_speed);
   bench.drag("speed", -500, 0);
-  CHECK(bench.state.lines_per_second == min_speed);
+  CHECK(bench.state.walk.lines_per_second == min_speed);
 }
 
 TEST_CASE("the tree's nodes light their rays up and go to their steps") {
   Bench bench(deep());
-  update(bench.state, action::SetTab{Tab::tree});
+  update(bench.state, action::SetTab{TreeRoom::tab});
   bench.frames(3);
   const TreePanel tree = tree_panel(bench.state);
   REQUIRE(tree.nodes.size() > 2);
@@ -164,22 +164,22 @@ TEST_CASE("the tree's nodes light their rays up and go to their steps") {
   // The tree may have been scrolled to where the walk stands: exchanged with the plan it has room for all.
   bench.click("exchange");
   bench.point_at(node);
-  CHECK(bench.state.hovered_ray == ray);
+  CHECK(bench.state.plan.hovered_ray == ray);
   bench.click(node);
   REQUIRE(bench.last<action::JumpToRay>() != nullptr);
-  CHECK(bench.state.position == bench.state.timeline->rays()[static_cast<std::size_t>(ray)].formed_at);
+  CHECK(bench.state.walk.position == bench.state.walk.timeline->rays()[static_cast<std::size_t>(ray)].formed_at);
   bench.point_at("step");
-  CHECK(bench.state.hovered_ray == -1);
+  CHECK(bench.state.plan.hovered_ray == -1);
 }
 
 TEST_CASE("a call of the stack lights its ray up") {
   Bench bench(deep());
-  update(bench.state, action::SetTab{Tab::stack});
+  update(bench.state, action::SetTab{StackRoom::tab});
   bench.frames(3);
   const StackPanel stack = stack_panel(bench.state);
   REQUIRE(stack.rows.size() > 1);
   bench.point_at("call-0");
-  CHECK(bench.state.hovered_ray == stack.rows[0].ray_index);
+  CHECK(bench.state.plan.hovered_ray == stack.rows[0].ray_index);
 }
 
 TEST_CASE("plan and tabs change places and back") {
@@ -195,10 +195,11 @@ TEST_CASE("plan and tabs change places and back") {
 
 TEST_CASE("a notice is taken away by its cross") {
   Bench bench(at(0));
-  bench.state.notice = Notice{Notice::Kind::error, "scene.toml:3: there is no such key\n  hint: did you mean radius?"};
+  bench.state.document.notice =
+      Notice{Notice::Kind::error, "scene.toml:3: there is no such key\n  hint: did you mean radius?"};
   bench.frames(2);
   bench.click("dismiss-notice");
-  CHECK_FALSE(bench.state.notice.has_value());
+  CHECK_FALSE(bench.state.document.notice.has_value());
 }
 
 TEST_CASE("every answer of a question is a button") {
@@ -243,15 +244,16 @@ TEST_CASE("the knobs of Cost stand in the window, also in the projector's letter
 
 TEST_CASE("no window is too small, no mode or tab fails in it") {
   for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
-    for (const Tab tab : {Tab::image, Tab::tree, Tab::stack, Tab::legend, Tab::equation, Tab::cost}) {
+    for (const Tab tab :
+         {PictureRoom::tab, TreeRoom::tab, StackRoom::tab, LegendRoom::tab, EquationRoom::tab, CostRoom::tab}) {
       Bench bench(at(120, mode));
       update(bench.state, action::Select{{TargetKind::object, 0}});
       update(bench.state, action::SetTab{tab});
       for (const auto& [width, height] : {std::pair{1.0f, 1.0f}, {30.0f, 900.0f}, {900.0f, 30.0f}, {150.0f, 120.0f}}) {
-        CAPTURE(static_cast<int>(mode), static_cast<int>(tab), width, height);
+        CAPTURE(static_cast<int>(mode), tab.word, width, height);
         bench.resize(width, height);
-        CHECK(bench.state.viewport.width >= 1);
-        CHECK(std::isfinite(bench.state.camera.pixels_per_unit));
+        CHECK(bench.state.plan.viewport.width >= 1);
+        CHECK(std::isfinite(bench.state.plan.camera.pixels_per_unit));
       }
       bench.resize(1280, 720);
       CHECK(bench.vertices() > 1000);

@@ -12,7 +12,7 @@ TEST_CASE("predictions by keys and mouse: on, the arrow, STEP, the banner stays 
   bench.frames(2);
   CHECK_FALSE(bench.has("banner"));
   bench.key("Ctrl+P");
-  CHECK(bench.state.mode == Mode::trace);
+  CHECK(bench.state.walk.mode == Mode::trace);
   REQUIRE(bench.has("banner"));
   const Rect banner = bench.rect("banner"), plan = bench.interface().layout().plan;
   CHECK(banner.bottom() <= plan.y);
@@ -27,11 +27,11 @@ TEST_CASE("predictions by keys and mouse: on, the arrow, STEP, the banner stays 
   bench.key("Space");
   CHECK(bench.state.predictions.made.size() == 1);
   bench.key("Ctrl+Shift+P");
-  CHECK(bench.state.prompt == PathPrompt::save_predictions);
+  CHECK(bench.state.document.prompt == PathPrompt::save_predictions);
   bench.frames(2);
   CHECK(bench.has("browser-accept"));
   bench.key("Escape");
-  CHECK(bench.state.prompt == PathPrompt::none);
+  CHECK(bench.state.document.prompt == PathPrompt::none);
   bench.key("Ctrl+P");
   bench.frames(2);
   CHECK_FALSE(bench.has("banner"));

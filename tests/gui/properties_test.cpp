@@ -59,7 +59,7 @@ TEST_CASE("a number is typed") {
   // A comma is what half the world types for the point.
   type_into(bench, field("property.radius"), "0,5");
   CHECK(sphere(bench).radius == 0.5);
-  CHECK(bench.state.undo.size() == 3);
+  CHECK(bench.state.document.undo.size() == 3);
 }
 
 TEST_CASE(
@@ -250,9 +250,9 @@ TEST_CASE("dragging a number is one entry of undo") {
   const double before = sphere(bench).radius;
   bench.drag(field("property.radius"), 60, 0);
   CHECK(sphere(bench).radius > before);
-  CHECK(bench.state.undo.size() == 1);
+  CHECK(bench.state.document.undo.size() == 1);
   bench.drag(field("property.radius"), -30, 0);
-  CHECK(bench.state.undo.size() == 2);
+  CHECK(bench.state.document.undo.size() == 2);
   bench.key("Ctrl+Z");
   bench.key("Ctrl+Z");
   CHECK(sphere(bench).radius == before);
@@ -287,7 +287,7 @@ TEST_CASE("an object is renamed when the typing has ended, not letter by letter"
   const std::string after = bench.state.scene().objects[0].name;
   CHECK(after != before);
   CHECK_THAT(after, contains("Moon"));
-  CHECK(bench.state.undo.size() == 1);
+  CHECK(bench.state.document.undo.size() == 1);
 }
 
 TEST_CASE("letters typed into a field are not commands") {

@@ -35,9 +35,9 @@ TEST_CASE("the window starts with the classic scene, at the first step") {
   const Folder folder;
   const auto state = start(options(folder));
   REQUIRE(state.has_value());
-  CHECK_THAT(state->path, contains("classic.toml"));
-  CHECK(state->position == 0);
-  CHECK_FALSE(state->dirty);
+  CHECK_THAT(state->document.path, contains("classic.toml"));
+  CHECK(state->walk.position == 0);
+  CHECK_FALSE(state->document.dirty);
 }
 
 TEST_CASE("options choose mode, tab, theme, scale and position") {
@@ -50,23 +50,23 @@ TEST_CASE("options choose mode, tab, theme, scale and position") {
   wanted.start_position = 12;
   const auto state = start(wanted);
   REQUIRE(state.has_value());
-  CHECK(state->mode == Mode::trace);
-  CHECK(state->tab == Tab::stack);
-  CHECK(state->theme == Theme::projector);
-  CHECK(state->ui_scale == 1.5);
-  CHECK(state->position == 12);
+  CHECK(state->walk.mode == Mode::trace);
+  CHECK(state->appearance.tab == StackRoom::tab);
+  CHECK(state->appearance.theme == Theme::projector);
+  CHECK(state->appearance.ui_scale == 1.5);
+  CHECK(state->walk.position == 12);
   wanted.start_position = -1;
   const auto at_end = start(wanted);
   REQUIRE(at_end.has_value());
-  CHECK(at_end->position == at_end->timeline->steps());
+  CHECK(at_end->walk.position == at_end->walk.timeline->steps());
   for (const char* tab : {"microscope", "structure", "cost", "equation"}) {
     wanted.start_tab = tab;
     const auto there = start(wanted);
     REQUIRE(there.has_value());
-    CHECK(name_of(there->tab) == tab);
+    CHECK(name_of(there->appearance.tab) == tab);
   }
   wanted.ui_scale = 99;
-  CHECK(start(wanted)->ui_scale == max_ui_scale);
+  CHECK(start(wanted)->appearance.ui_scale == max_ui_scale);
 }
 
 TEST_CASE("what no option can be is refused with what it can be") {
@@ -101,14 +101,14 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
-  const Settings chosen{Theme::projector, 2.25, Tab::tree, "pt", false};
+  const Settings chosen{Theme::projector, 2.25, TreeRoom::tab, "pt", false};
   write_settings(folder / "state", chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);
-  CHECK(start(wanted)->theme == Theme::projector);
-  CHECK_FALSE(start(wanted)->tweens);
+  CHECK(start(wanted)->appearance.theme == Theme::projector);
+  CHECK_FALSE(start(wanted)->walk.tweens);
   wanted.theme = "dark";
-  CHECK(start(wanted)->theme == Theme::dark);
+  CHECK(start(wanted)->appearance.theme == Theme::dark);
   for (const std::string text : {"", "{", "[1, 2]", R"({"theme": 7, "ui_scale": "large", "tab": "x"})", "\xff\xfe"}) {
     std::ofstream(folder / "state/settings.json") << text;
     CAPTURE(text);
@@ -129,35 +129,35 @@ TEST_CASE("the language is the option's, else the one that was kept, else the en
   };
   wanted.language.reset();
   environment("", "", "pt_BR.UTF-8");
-  CHECK(start(wanted)->language == in_portuguese);
+  CHECK(start(wanted)->appearance.language == in_portuguese);
   environment("", "en_US.UTF-8", "pt_BR.UTF-8");
-  CHECK(start(wanted)->language == in_english);
+  CHECK(start(wanted)->appearance.language == in_english);
   environment("pt", "C", "C");
-  CHECK(start(wanted)->language == in_portuguese);
+  CHECK(start(wanted)->appearance.language == in_portuguese);
   environment("", "", "");
-  CHECK(start(wanted)->language == in_english);
+  CHECK(start(wanted)->appearance.language == in_english);
   environment("de_DE.UTF-8", "pt_PT", "pt_PT");
-  CHECK(start(wanted)->language == in_english);
-  write_settings(folder / "state", {Theme::dark, 1, Tab::image, "pt"});
-  CHECK(start(wanted)->language == in_portuguese);
+  CHECK(start(wanted)->appearance.language == in_english);
+  write_settings(folder / "state", {Theme::dark, 1, PictureRoom::tab, "pt"});
+  CHECK(start(wanted)->appearance.language == in_portuguese);
   wanted.language = in_english;
-  CHECK(start(wanted)->language == in_english);
+  CHECK(start(wanted)->appearance.language == in_english);
   // Whose file is gone.
   wanted.language.reset();
-  write_settings(folder / "state", {Theme::dark, 1, Tab::image, "xx"});
+  write_settings(folder / "state", {Theme::dark, 1, PictureRoom::tab, "xx"});
   environment("", "", "es_MX.UTF-8");
-  CHECK(start(wanted)->language.code() == "es");
+  CHECK(start(wanted)->appearance.language.code() == "es");
 }
 
 TEST_CASE("a file of texts that cannot be read is told in the window, with its line") {
   const Folder folder;
   GuiOptions wanted = options(folder);
-  CHECK_FALSE(start(wanted)->notice);
+  CHECK_FALSE(start(wanted)->document.notice);
   wanted.broken_texts = {Error{"texts/fr.toml", 6, 1, "\"walk.start\" is no text", ""}};
   const auto state = start(wanted);
-  REQUIRE(state->notice);
-  CHECK(state->notice->kind == Notice::Kind::error);
-  CHECK_THAT(state->notice->text, contains("texts/fr.toml:6:"));
+  REQUIRE(state->document.notice);
+  CHECK(state->document.notice->kind == Notice::Kind::error);
+  CHECK_THAT(state->document.notice->text, contains("texts/fr.toml:6:"));
 }
 
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {
@@ -168,14 +168,14 @@ TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitt
   update(*state, action::AddObject{action::ObjectKind::polygon});
   update(*state, action::Tick{60});
   REQUIRE(fs::exists(folder / "state/autosave.toml"));
-  CHECK(start(wanted)->question.has_value());
+  CHECK(start(wanted)->document.question.has_value());
   wanted.screenshot_path = folder / "picture.png";
-  CHECK_FALSE(start(wanted)->question.has_value());
+  CHECK_FALSE(start(wanted)->document.question.has_value());
 }
 
 TEST_CASE("the 3-D image follows the scene, and goes no further than coarse while it is dragged") {
   State state = classic();
-  state.document.scene.image = {33, 25};
+  state.document.contents.scene.image = {33, 25};
   LiveImage image;
   CHECK_FALSE(image.rests(state));
   image.follow(state);
@@ -184,22 +184,22 @@ TEST_CASE("the 3-D image follows the scene, and goes no further than coarse whil
   CHECK(image.preview().finished());
   CHECK(image.preview().size() == ImageSize{33, 25});
   CHECK(image.rests(state));
-  ++state.revision;
+  ++state.document.revision;
   CHECK_FALSE(image.rests(state));
-  state.drag = Drag{};
+  state.plan.drag = Drag{};
   image.follow(state);
   while (image.work(state, 1)) {
   }
   CHECK(image.preview().has_every_pixel());
   CHECK_FALSE(image.preview().finished());
-  state.drag.reset();
+  state.plan.drag.reset();
   CHECK_FALSE(image.rests(state));
 }
 
 TEST_CASE("the 3-D image is of the world that is walked") {
   State state = classic();
-  state.document.scene.image = {33, 25};
-  const std::weak_ptr<const World<double>> world = state.worlds->of<double>(*pictured_scene(state));
+  state.document.contents.scene.image = {33, 25};
+  const std::weak_ptr<const World<double>> world = state.document.worlds->of<double>(*pictured_scene(state));
   LiveImage image;
   const long before = world.use_count();
   image.follow(state);
@@ -246,7 +246,7 @@ TEST_CASE("the report says what a test needs to aim and to judge") {
   bench.frames(2);
   update(bench.state, action::SetMode{Mode::trace});
   update(bench.state, action::Jump{7});
-  bench.state.path = "caf\xe9.toml";  // names of files need not be UTF-8
+  bench.state.document.path = "caf\xe9.toml";  // names of files need not be UTF-8
   bench.frames(2);
   const Preview preview;
   const auto json = nlohmann::json::parse(
@@ -254,7 +254,7 @@ TEST_CASE("the report says what a test needs to aim and to judge") {
   REQUIRE(json.is_object());
   CHECK(json["mode"] == "trace");
   CHECK(json["position"] == 7);
-  CHECK(json["steps"] == bench.state.timeline->steps());
+  CHECK(json["steps"] == bench.state.walk.timeline->steps());
   CHECK(json["window"]["frames"] == 12);
   CHECK(json["objects"].size() == bench.state.scene().objects.size());
   const Rect step = bench.rect("step");

@@ -12,7 +12,7 @@ namespace {
 State tracing() {
   State state = classic();
   update(state, action::SetMode{Mode::trace});
-  update(state, action::SetTab{Tab::image});
+  update(state, action::SetTab{PictureRoom::tab});
   return state;
 }
 
@@ -33,17 +33,17 @@ TEST_CASE("a click in the 3-D picture walks that pixel, on the marked row its ce
   REQUIRE(walk != nullptr);
   CHECK(std::abs(walk->column - 308) <= 2);
   CHECK(std::abs(walk->row - 82) <= 2);
-  CHECK(bench.state.walk);
-  CHECK(bench.state.tab == Tab::tree);
+  CHECK(bench.state.walk.pixel);
+  CHECK(bench.state.appearance.tab == TreeRoom::tab);
   CHECK(bench.has("lines"));
   bench.click("walk-strip");
   bench.frames(2);
-  CHECK_FALSE(bench.state.walk);
+  CHECK_FALSE(bench.state.walk.pixel);
   CHECK_FALSE(bench.has("lines"));
   bench.click("tab-image");
   bench.frames(2);
   click_at(bench, bench.rect("image"), 0.5f, 0.5f);
-  CHECK_FALSE(bench.state.walk);
+  CHECK_FALSE(bench.state.walk.pixel);
   CHECK(current_cell(bench.state) == 10);
 }
 
@@ -54,9 +54,9 @@ TEST_CASE("dragging turns the picture, with Shift or the right button it moves, 
   bench.drag("image", 40, 15);
   REQUIRE(bench.last<action::Orbit>() != nullptr);
   CHECK(bench.last<action::WalkPixel>() == nullptr);
-  CHECK(bench.state.image_camera);
+  CHECK(bench.state.picture.camera);
   CHECK(bench.state.scene().camera == own);
-  const Camera turned = *bench.state.image_camera;
+  const Camera turned = *bench.state.picture.camera;
   CHECK(turned.eye.z > own.eye.z);
   bench.point_at("image");
   bench.wheel(1);
@@ -72,7 +72,7 @@ TEST_CASE("dragging turns the picture, with Shift or the right button it moves, 
   CHECK(bench.last<action::Shift>()->view == SpaceView::image);
   bench.key("O");
   bench.frames(2);
-  CHECK_FALSE(bench.state.image_camera);
+  CHECK_FALSE(bench.state.picture.camera);
 }
 
 TEST_CASE("the keyboard turns, moves and zooms the picture, and gives its camera to the scene") {
@@ -80,13 +80,13 @@ TEST_CASE("the keyboard turns, moves and zooms the picture, and gives its camera
   bench.frames(2);
   const Camera own = bench.state.scene().camera;
   bench.key("Alt+Shift+Right");
-  REQUIRE(bench.state.image_camera);
+  REQUIRE(bench.state.picture.camera);
   bench.key("Alt+Shift+Left");
-  CHECK(length(bench.state.image_camera->eye - own.eye) < 1e-9);
+  CHECK(length(bench.state.picture.camera->eye - own.eye) < 1e-9);
   bench.key("Alt+Shift+Down");
   bench.key("Ctrl+Shift+Left");
   bench.key("Alt+Page Up");
-  const Camera turned = *bench.state.image_camera;
+  const Camera turned = *bench.state.picture.camera;
   bench.key("U");
   CHECK(bench.state.scene().camera == turned);
   bench.key("Ctrl+Z");
@@ -103,14 +103,14 @@ TEST_CASE("the settings of the picture: heat map, accelerator, precision, sample
   bench.frames(3);
   bench.click("property/Heat map/rays of each pixel");
   bench.frames(3);
-  CHECK(bench.state.image.heat == Heat::rays);
+  CHECK(bench.state.picture.settings.heat == Heat::rays);
   CHECK(bench.has("heat-legend"));
   bench.click("property/Precision");
   bench.frames(3);
   bench.click("property/Precision/float");
   bench.frames(3);
-  CHECK(bench.state.image.single_precision);
-  CHECK_FALSE(bench.state.dirty);
+  CHECK(bench.state.picture.settings.single_precision);
+  CHECK_FALSE(bench.state.document.dirty);
 }
 
 TEST_CASE("the line view turns under the mouse, and a click on a ray goes to it") {
@@ -119,14 +119,14 @@ TEST_CASE("the line view turns under the mouse, and a click on a ray goes to it"
   bench.frames(3);
   const Rect pane = bench.rect("lines");
   bench.drag("lines", 60, 20);
-  REQUIRE(bench.state.lines_camera);
-  CHECK_FALSE(bench.state.image_camera);
-  CHECK(bench.state.turned_last == SpaceView::lines);
+  REQUIRE(bench.state.space.lines_camera);
+  CHECK_FALSE(bench.state.picture.camera);
+  CHECK(bench.state.space.turned_last == SpaceView::lines);
   bench.key("O");
   bench.frames(2);
-  CHECK_FALSE(bench.state.lines_camera);
+  CHECK_FALSE(bench.state.space.lines_camera);
   // The middle of the primary ray.
-  for (const DisplayItem& item : lines_view(bench.state, bench.state.viewport)) {
+  for (const DisplayItem& item : lines_view(bench.state, bench.state.plan.viewport)) {
     const auto* line = std::get_if<LineItem>(&item.shape);
     if (line == nullptr || item.target != Target{TargetKind::ray, 0} || line->arrow == 0) continue;
     const Vec2d middle = line->from + 0.3 * (line->to - line->from);

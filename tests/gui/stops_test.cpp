@@ -22,14 +22,14 @@ TEST_CASE("a click left of a line sets its breakpoint, a click on the line runs 
   bench.frames(2);
   const std::string number = std::to_string(static_cast<int>(Line::form_reflect_ray));
   bench.click("break-" + number);
-  CHECK(bench.state.breakpoints.is_before(Line::form_reflect_ray));
-  CHECK(bench.state.position == 0);
+  CHECK(bench.state.walk.breakpoints.is_before(Line::form_reflect_ray));
+  CHECK(bench.state.walk.position == 0);
   bench.key("W");
-  CHECK(bench.state.timeline->next(bench.state.position)->line == Line::form_reflect_ray);
+  CHECK(bench.state.walk.timeline->next(bench.state.walk.position)->line == Line::form_reflect_ray);
   bench.click("break-" + number);
-  CHECK_FALSE(bench.state.breakpoints.any());
+  CHECK_FALSE(bench.state.walk.breakpoints.any());
   bench.click("line-" + number);
-  CHECK(bench.state.timeline->just_run(bench.state.position)->line == Line::form_reflect_ray);
+  CHECK(bench.state.walk.timeline->just_run(bench.state.walk.position)->line == Line::form_reflect_ray);
 }
 
 TEST_CASE("the arrows up and down step over and out of SHADE") {
@@ -54,33 +54,33 @@ TEST_CASE("STEP that is held down holds, and is let go") {
   bench.point_at("step");
   bench.press();
   bench.frames(40);
-  REQUIRE(bench.state.hold);
-  CHECK(bench.state.hold->forward);
+  REQUIRE(bench.state.walk.hold);
+  CHECK(bench.state.walk.hold->forward);
   update(bench.state, action::Tick{0.5});
-  const int held = bench.state.position;
+  const int held = bench.state.walk.position;
   CHECK(held > 20);
   bench.release();
-  CHECK_FALSE(bench.state.hold);
-  CHECK(bench.state.position == held);
+  CHECK_FALSE(bench.state.walk.hold);
+  CHECK(bench.state.walk.position == held);
   // A short click is one step.
   bench.click("step");
-  CHECK(bench.state.position == held + 1);
+  CHECK(bench.state.walk.position == held + 1);
   bench.point_at("step-back");
   bench.press();
   bench.frames(40);
-  REQUIRE(bench.state.hold);
-  CHECK_FALSE(bench.state.hold->forward);
+  REQUIRE(bench.state.walk.hold);
+  CHECK_FALSE(bench.state.walk.hold->forward);
   bench.release();
 }
 
 TEST_CASE("a key that repeats holds STEP") {
   Bench bench(tracing(20));
   bench.key("Right");
-  CHECK(bench.state.position == 21);
+  CHECK(bench.state.walk.position == 21);
   bench.repeat("Right");
-  REQUIRE(bench.state.hold);
-  CHECK(bench.state.hold->forward);
-  CHECK(bench.state.position == 21);
+  REQUIRE(bench.state.walk.hold);
+  CHECK(bench.state.walk.hold->forward);
+  CHECK(bench.state.walk.position == 21);
 }
 
 TEST_CASE("the popup goes to a step and sets conditions") {
@@ -94,9 +94,9 @@ TEST_CASE("the popup goes to a step and sets conditions") {
   CHECK(popup.right() <= bench.interface().layout().side.x + 1);
   CHECK(popup.bottom() <= 720);
   bench.click("property/Total reflection");
-  CHECK(bench.state.breakpoints.total_internal_reflection);
+  CHECK(bench.state.walk.breakpoints.total_internal_reflection);
   bench.click("remove-breakpoints");
-  CHECK_FALSE(bench.state.breakpoints.any());
+  CHECK_FALSE(bench.state.walk.breakpoints.any());
 }
 
 TEST_CASE("the popup's key puts the keyboard into the step to go to") {
@@ -106,7 +106,7 @@ TEST_CASE("the popup's key puts the keyboard into the step to go to") {
   bench.frames(4);
   REQUIRE(bench.has("breakpoints-popup"));
   bench.type("100");
-  CHECK(bench.state.position == 20);
+  CHECK(bench.state.walk.position == 20);
   bench.enter();
-  CHECK(bench.state.position == 100);
+  CHECK(bench.state.walk.position == 100);
 }

@@ -1,5 +1,6 @@
 // The Structure tab by mouse and keys.
 
+#include "view/structure/structure.h"
 #include "gui/bench.h"
 #include "gui/command.h"
 #include "inspect/search_walk.h"
@@ -25,7 +26,7 @@ TEST_CASE("the structures take the code's place and leave the plan its room") {
   bench.frames(2);
   const Rect plan = bench.rect("plan");
   bench.click("tab-structure");
-  REQUIRE(bench.state.tab == Tab::structure);
+  REQUIRE(bench.state.appearance.tab == StructureRoom::tab);
   bench.frames(2);
   CHECK(bench.rect("plan") == plan);
   CHECK(bench.has("structure/sentence"));
@@ -41,7 +42,7 @@ TEST_CASE("the structures take the code's place and leave the plan its room") {
 TEST_CASE("a search is stepped by keys, buttons and the slider") {
   Bench bench(at_a_ray());
   bench.key("Ctrl+T");
-  REQUIRE(bench.state.tab == Tab::structure);
+  REQUIRE(bench.state.appearance.tab == StructureRoom::tab);
   bench.frames(2);
   const int last = structure_steps(bench.state);
   REQUIRE(last > 2);
@@ -68,7 +69,7 @@ TEST_CASE("a search is stepped by keys, buttons and the slider") {
 
 TEST_CASE("the structure and the page are chosen by mouse and keys") {
   Bench bench(at_a_ray());
-  update(bench.state, action::SetTab{Tab::structure});
+  update(bench.state, action::SetTab{StructureRoom::tab});
   bench.frames(2);
   bench.click("structure/octree");
   CHECK(bench.state.structure.kind == AcceleratorKind::octree);
@@ -82,7 +83,7 @@ TEST_CASE("the structure and the page are chosen by mouse and keys") {
   bench.key("Ctrl+I");
   CHECK(bench.state.structure.page == StructurePage::search);
   // Elsewhere these keys are silent.
-  update(bench.state, action::SetTab{Tab::tree});
+  update(bench.state, action::SetTab{TreeRoom::tab});
   bench.forget();
   bench.key("Ctrl+U");
   bench.key("Ctrl+I");
@@ -94,7 +95,7 @@ TEST_CASE("the structure and the page are chosen by mouse and keys") {
 
 TEST_CASE("before a ray is formed the tab says what to do") {
   Bench bench;
-  update(bench.state, action::SetTab{Tab::structure});
+  update(bench.state, action::SetTab{StructureRoom::tab});
   bench.frames(3);
   CHECK(bench.has("structure/sentence"));
   CHECK_FALSE(bench.has("structure-next"));

@@ -12,6 +12,7 @@
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 #include "text/toml.h"
+#include "view/cost/cost.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

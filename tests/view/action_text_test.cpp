@@ -70,7 +70,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {Quit{}, "quit"},
       {SetTheme{Theme::projector}, "theme projector"},
       {SetUiScale{1.25}, "ui-scale 1.25"},
-      {SetTab{Tab::legend}, "tab legend"},
+      {SetTab{LegendRoom::tab}, "tab legend"},
       {ShowLessons{true}, "lessons on"},
       {OpenLesson{"05-refraction"}, "open-lesson 05-refraction"},
       {LeaveLesson{}, "leave-lesson"},

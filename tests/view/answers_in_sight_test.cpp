@@ -15,6 +15,7 @@
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
 #include "view/stack/stack_panel.h"
+#include "view/structure/structure.h"
 #include "view/text/text.h"
 #include "view/tree/tree_panel.h"
 #include "view/walk/code_panel.h"
@@ -25,8 +26,8 @@ using namespace raywalk;
 
 namespace {
 
-constexpr std::array all_tabs{Tab::image,    Tab::tree, Tab::stack,      Tab::legend,
-                              Tab::equation, Tab::cost, Tab::microscope, Tab::structure};
+constexpr std::array all_tabs{PictureRoom::tab,  TreeRoom::tab, StackRoom::tab,      LegendRoom::tab,
+                              EquationRoom::tab, CostRoom::tab, MicroscopeRoom::tab, StructureRoom::tab};
 
 /// Words on the screen, and where.
 struct Said {
@@ -75,7 +76,7 @@ std::vector<Said> said_by_panes(State state) {
       if (const auto* text = std::get_if<TextItem>(&item.shape)) note_down(said, "plan", text->text);
       if (item.target.kind == TargetKind::ray) note_down(said, "tooltip", target_text(state, item.target));
     }
-    if (tab != Tab::structure) continue;
+    if (tab != StructureRoom::tab) continue;
     // Every step that one can go to there.
     for (int step = 0; step <= structure_steps(state); ++step) {
       update(state, action::GoInStructure{step});
@@ -185,9 +186,9 @@ struct Asked {
 };
 
 Asked asked_of(const State& state) {
-  const LessonSitting& sitting = state.lessons;
+  const LessonRoom& sitting = state.lessons;
   const PlayedStep& step = *sitting.at();
-  Asked asked{step, *sitting.open->lesson.told(state.language).find(step.step->id), std::nullopt};
+  Asked asked{step, *sitting.open->lesson.told(state.appearance.language).find(step.step->id), std::nullopt};
   const auto value = [&](const Expression& formula) {
     return value_at(sitting.open->played, static_cast<std::size_t>(sitting.step), step.shown, formula).value();
   };
@@ -201,11 +202,11 @@ Asked asked_of(const State& state) {
 
 void look_for_number(const std::string& lesson, const State& state, const Asked& asked, const Said& said) {
   const auto& question = std::get<NumberQuestion>(*asked.step.step->question);
-  for (const double number : numbers_in(said.text, state.language)) {
+  for (const double number : numbers_in(said.text, state.appearance.language)) {
     if (std::abs(number - *asked.number) > question.tolerance + 1e-9) continue;
     if (is_coincidence(lesson, asked.step.step->id, said.where, fmt::format("{}", number))) continue;
     FAIL_CHECK(fmt::format("{} {} {}: {} shows {} (the answer is {}): {}", lesson, asked.step.step->id,
-                           state.language.code(), said.where, number, *asked.number, said.text));
+                           state.appearance.language.code(), said.where, number, *asked.number, said.text));
   }
 }
 
@@ -216,7 +217,7 @@ void look_for_choice(const std::string& lesson, const State& state, const Asked&
     if (said.where == "lesson" && asked.words.choices[i].text.size() <= short_word) return false;
     if (said.where == "lesson") return holds_words(without_questions(said.text), asked.words.choices[i].text);
     if (said.where == "plan") return false;  // which has the names of all
-    const auto names = names_in(choices[i], state.language);
+    const auto names = names_in(choices[i], state.appearance.language);
     return std::any_of(names.begin(), names.end(),
                        [&](const std::string& name) { return holds_words(said.text, name); });
   };
@@ -225,7 +226,7 @@ void look_for_choice(const std::string& lesson, const State& state, const Asked&
   for (std::size_t i = 0; i < choices.size(); ++i)
     if (i != right && tells(i)) return;  // two of them are named: neither is told
   if (is_coincidence(lesson, asked.step.step->id, said.where, asked.words.choices[right].text)) return;
-  FAIL_CHECK(fmt::format("{} {} {}: {} tells \"{}\": {}", lesson, asked.step.step->id, state.language.code(),
+  FAIL_CHECK(fmt::format("{} {} {}: {} tells \"{}\": {}", lesson, asked.step.step->id, state.appearance.language.code(),
                          said.where, asked.words.choices[right].text, said.text));
 }
 
@@ -274,7 +275,7 @@ TEST_CASE("no step shows its answer before it is given, in any language") {
         update(state, action::SetLanguage{std::string(language.code())});
         const Asked asked = asked_of(state);
         const LessonQuestion& question = *asked.step.step->question;
-        CHECK(state.position == asked.step.asked);
+        CHECK(state.walk.position == asked.step.asked);
         std::vector<Said> said = said_by_lesson(state);
         const std::vector<Said> by_panes = said_by_panes(state);
         said.insert(said.end(), by_panes.begin(), by_panes.end());

@@ -50,7 +50,7 @@ std::vector<Rgbd> shades(const Timeline& timeline) {
   return all;
 }
 
-std::size_t items_in(const State& state) { return plan_view(state, state.viewport).size(); }
+std::size_t items_in(const State& state) { return plan_view(state, state.plan.viewport).size(); }
 
 }  // namespace
 
@@ -59,11 +59,11 @@ TEST_CASE("each bug opens a shipped scene that it spoils, at the first pixel in 
     const State state = hunting(number);
     const Fault fault = all_faults[static_cast<std::size_t>(number - 1)];
     CAPTURE(fault_name(fault));
-    REQUIRE(state.bug);
-    CHECK(state.bug->fault == fault);
+    REQUIRE(state.walk.bug);
+    CHECK(state.walk.bug->fault == fault);
     CHECK(fault_at_work(state) == fault);
-    REQUIRE(state.bug->other);
-    const auto broken = shades(*state.timeline), whole = shades(*state.bug->other);
+    REQUIRE(state.walk.bug->other);
+    const auto broken = shades(*state.walk.timeline), whole = shades(*state.walk.bug->other);
     CHECK(broken != whole);
     const int first = state.bugs.hunt->first_pixel;
     const auto off = [&](int i) {
@@ -72,13 +72,13 @@ TEST_CASE("each bug opens a shipped scene that it spoils, at the first pixel in 
     };
     for (int i = 0; i < first; ++i) CHECK(off(i) < 0.03);
     CHECK(off(first) >= 0.03);
-    CHECK(state.timeline->current_pixel(state.position) == first);
-    CHECK(state.mode == Mode::trace);
+    CHECK(state.walk.timeline->current_pixel(state.walk.position) == first);
+    CHECK(state.walk.mode == Mode::trace);
     // In the pixel where the walk stands, the line at fault runs.
-    const PixelRecord& pixel = state.timeline->pixels()[static_cast<std::size_t>(first)];
+    const PixelRecord& pixel = state.walk.timeline->pixels()[static_cast<std::size_t>(first)];
     bool runs = false;
     for (int i = pixel.begun_at; i < pixel.done_at; ++i)
-      runs = runs || state.timeline->event(i).line == faulty_line(fault);
+      runs = runs || state.walk.timeline->event(i).line == faulty_line(fault);
     CHECK(runs);
     CHECK(pictured_scene(state)->render.numerics == Numerics::naive);
     CHECK(broken_promise(state).empty());
@@ -93,12 +93,12 @@ TEST_CASE("each bug opens a shipped scene that it spoils, at the first pixel in 
 TEST_CASE("a wrong guess says what the line did right, and a hint; a right one says what was wrong, and the cure") {
   for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
     State state = hunting(number);
-    const Line right = faulty_line(state.bug->fault), wrong = another_line(right);
+    const Line right = faulty_line(state.walk.bug->fault), wrong = another_line(right);
     CHECK_FALSE(bug_panel(state).can_judge);
     update(state, action::JudgeLine{});
     CHECK(state.bugs.hunt->end == BugEnd::open);
     update(state, action::MendBug{true});
-    CHECK_FALSE(state.bug->mended);
+    CHECK_FALSE(state.walk.bug->mended);
 
     update(state, action::MarkLine{wrong});
     CHECK(marked_line(state) == wrong);
@@ -110,7 +110,7 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     CHECK_FALSE(panel.is_right);
     CHECK_THAT(panel.verdict, contains(std::string(text(duty_of(wrong), in_english))));
     REQUIRE(panel.learnt.size() == 1);
-    CHECK(panel.learnt[0].text == said_of(state.bug->fault, "hint"));
+    CHECK(panel.learnt[0].text == said_of(state.walk.bug->fault, "hint"));
     CHECK(panel.tally.empty());
 
     update(state, action::MarkLine{right});
@@ -119,8 +119,8 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     panel = bug_panel(state);
     CHECK(panel.is_right);
     CHECK_THAT(panel.verdict, contains(std::string(pseudocode_of(right).text)));
-    CHECK(panel.learnt[0].text == said_of(state.bug->fault, "wrong"));
-    CHECK(panel.learnt[1].text == said_of(state.bug->fault, "cure"));
+    CHECK(panel.learnt[0].text == said_of(state.walk.bug->fault, "wrong"));
+    CHECK(panel.learnt[1].text == said_of(state.walk.bug->fault, "cure"));
     CHECK(panel.tally == "1 of 8 found");
     // It is over: nothing more is asked.
     CHECK_FALSE(asks_for_line(state));
@@ -160,34 +160,34 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
   for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
     State state = hunting(number);
     CAPTURE(number);
-    const auto broken = shades(*state.timeline), whole = shades(*state.bug->other);
-    const std::uint64_t picture = state.image_revision;
+    const auto broken = shades(*state.walk.timeline), whole = shades(*state.walk.bug->other);
+    const std::uint64_t picture = state.picture.revision;
     const std::size_t before = items_in(state);
     update(state,
-           action::Jump{state.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
+           action::Jump{state.walk.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
     const std::size_t alone = items_in(state);
     CHECK(alone > before);
     update(state, action::ShowCure{});
     // Where rays go elsewhere, the others are drawn too, and it is said what they are. Where only numbers differ, there
     // is nothing to draw, and where only rays are too many, nothing before they are mended.
-    const bool only_numbers = state.bug->fault == Fault::attenuation_forgotten;
-    const bool nothing = only_numbers || state.bug->fault == Fault::depth_not_counted;
+    const bool only_numbers = state.walk.bug->fault == Fault::attenuation_forgotten;
+    const bool nothing = only_numbers || state.walk.bug->fault == Fault::depth_not_counted;
     CHECK(other_rays(state).empty() == nothing);
     CHECK((items_in(state) == alone) == nothing);
     CHECK(bug_panel(state).learnt.size() == (nothing ? 2 : 3));
     update(state, action::MendBug{true});
     update(state,
-           action::Jump{state.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
+           action::Jump{state.walk.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
     CHECK(other_rays(state).empty() == only_numbers);
-    CHECK(shades(*state.timeline) == whole);
-    CHECK(shades(*state.bug->other) == broken);
+    CHECK(shades(*state.walk.timeline) == whole);
+    CHECK(shades(*state.walk.bug->other) == broken);
     CHECK_FALSE(fault_at_work(state));
-    CHECK(state.image_revision > picture);
+    CHECK(state.picture.revision > picture);
     CHECK(bug_banner(state) == text("bug.banner_mended", in_english));
     CHECK(broken_promise(state).empty());
     update(state, action::MendBug{false});
-    CHECK(shades(*state.timeline) == broken);
-    CHECK(fault_at_work(state) == state.bug->fault);
+    CHECK(shades(*state.walk.timeline) == broken);
+    CHECK(fault_at_work(state) == state.walk.bug->fault);
   }
 }
 
@@ -210,16 +210,16 @@ TEST_CASE("leaving a hunt gives back scene, unsaved work, undo and place, whatev
     update(state, action::Tick{60});
     update(state, leave);
     CHECK_FALSE(state.bugs.hunt);
-    CHECK_FALSE(state.bug);
+    CHECK_FALSE(state.walk.bug);
     CHECK(state.scene() == before.scene());
-    CHECK(state.path == before.path);
-    CHECK(state.dirty);
-    CHECK(state.undo.size() == before.undo.size());
-    CHECK(state.position == before.position);
-    CHECK(state.walk == before.walk);
-    CHECK(shades(*state.timeline) == shades(*before.timeline));
-    CHECK(state.theme == Theme::projector);
-    CHECK(state.revision != before.revision);  // the picture is rendered anew
+    CHECK(state.document.path == before.document.path);
+    CHECK(state.document.dirty);
+    CHECK(state.document.undo.size() == before.document.undo.size());
+    CHECK(state.walk.position == before.walk.position);
+    CHECK(state.walk.pixel == before.walk.pixel);
+    CHECK(shades(*state.walk.timeline) == shades(*before.walk.timeline));
+    CHECK(state.appearance.theme == Theme::projector);
+    CHECK(state.document.revision != before.document.revision);  // the picture is rendered anew
     CHECK(pictured_scene(state)->render.numerics == Numerics::robust);
     CHECK(broken_promise(state).empty());
   }
@@ -228,7 +228,7 @@ TEST_CASE("leaving a hunt gives back scene, unsaved work, undo and place, whatev
 TEST_CASE("CLEAR starts the walk of a bug over, and does not mend it") {
   State state = hunting(1);
   update(state, action::Clear{});
-  CHECK(state.position == 0);
+  CHECK(state.walk.position == 0);
   CHECK(fault_at_work(state) == Fault::shadow_ray_misaimed);
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("a hunt's scene is nobody's work: what is unsaved is autosaved before,
   const TemporaryFolder folder;
   State state = at_work(folder);
   update(state, action::HuntBug{1});
-  const std::string autosave = state.state_dir + "/" + state.autosave_file;
+  const std::string autosave = state.document.state_dir + "/" + state.document.autosave_file;
   REQUIRE(std::filesystem::exists(autosave));
   const auto written = std::filesystem::last_write_time(autosave);
   make_dirty(state);
@@ -251,13 +251,13 @@ TEST_CASE("what is done to the person's own scene leaves the hunt first") {
   const TemporaryFolder folder;
   State state = at_work(folder);
   const Scene mine = state.scene();
-  const std::string path = state.path;
+  const std::string path = state.document.path;
   update(state, action::HuntBug{1});
   update(state, action::Quit{});
-  REQUIRE(state.question);
+  REQUIRE(state.document.question);
   CHECK(state.scene() == mine);
   update(state, action::AnswerQuestion{action::Answer::cancel});
-  CHECK_FALSE(state.quit);
+  CHECK_FALSE(state.document.quit);
   update(state, action::HuntBug{4});
   update(state, action::Save{});
   CHECK_FALSE(state.bugs.hunt);
@@ -265,7 +265,7 @@ TEST_CASE("what is done to the person's own scene leaves the hunt first") {
   update(state, action::HuntBug{4});
   update(state, action::New{});
   CHECK_FALSE(state.bugs.hunt);
-  CHECK_FALSE(state.bug);
+  CHECK_FALSE(state.walk.bug);
 }
 
 TEST_CASE("a hunt within a lesson leads back into it, and the panes do not share their place") {
@@ -274,14 +274,14 @@ TEST_CASE("a hunt within a lesson leads back into it, and the panes do not share
   state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
   update(state, action::OpenLesson{"01-ray-casting"});
   REQUIRE(state.lessons.at() != nullptr);
-  const int position = state.position;
+  const int position = state.walk.position;
   update(state, action::HuntBug{5});
   CHECK(state.bugs.shown);
   CHECK_FALSE(state.lessons.shown);
   update(state, action::ShowBugs{false});
   CHECK(state.lessons.shown);
   CHECK(state.lessons.at() != nullptr);
-  CHECK(state.position == position);
+  CHECK(state.walk.position == position);
   update(state, action::HuntBug{5});
   update(state, action::LeaveHunt{});
   CHECK(state.bugs.shown);
@@ -296,10 +296,10 @@ TEST_CASE("one hunt after the other: the way back is the first one's") {
   const Scene mine = state.scene();
   update(state, action::HuntBug{1});
   update(state, action::HuntBug{8});
-  CHECK(state.bug->fault == Fault::epsilon_too_small);
+  CHECK(state.walk.bug->fault == Fault::epsilon_too_small);
   update(state, action::HuntBug{0});
   update(state, action::HuntBug{9});
-  CHECK(state.bug->fault == Fault::epsilon_too_small);
+  CHECK(state.walk.bug->fault == Fault::epsilon_too_small);
   update(state, action::LeaveHunt{});
   CHECK(state.scene() == mine);
 }
@@ -309,14 +309,14 @@ TEST_CASE("without the scenes that ship there is no hunt, and it is said why") {
   const Scene mine = state.scene();
   update(state, action::HuntBug{1});
   CHECK_FALSE(state.bugs.hunt);
-  CHECK_FALSE(state.bug);
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK_FALSE(state.walk.bug);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
   CHECK(state.scene() == mine);
 }
 
 TEST_CASE("a surprise is a bug that is not found yet, and its number is not told before the end") {
-  BugSitting bugs;
+  BugRoom bugs;
   std::set<int> drawn;
   for (unsigned draw = 0; draw < 40; ++draw) drawn.insert(surprising_bug(bugs, draw));
   CHECK(drawn.size() == all_faults.size());

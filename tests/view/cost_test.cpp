@@ -38,7 +38,7 @@ TEST_CASE("knobs start as the scene has them and stay within their limits") {
   wild.samples = 1 << 30, wild.light_grid = -4, wild.depth = 0, wild.threshold = 7, wild.tolerance = -1;
   update(state, action::SetCostKnobs{wild});
   const study::Setup tame = cost_knobs(state);
-  CHECK(tame.samples == CostState::max_samples);
+  CHECK(tame.samples == CostRoom::max_samples);
   CHECK(tame.light_grid == 0);
   CHECK(tame.depth == 1);
   CHECK(tame.threshold == 1);
@@ -77,12 +77,12 @@ TEST_CASE("what is tried is kept once, and the last try is looked at") {
     update(state, action::SetCostKnobs{setup});
     update(state, action::TryCost{});
   }
-  CHECK(state.cost.tried.size() == CostState::max_tries);
-  CHECK(state.cost.chosen < CostState::max_tries);
+  CHECK(state.cost.tried.size() == CostRoom::max_tries);
+  CHECK(state.cost.chosen < CostRoom::max_tries);
   update(state, action::ForgetCosts{});
   CHECK(state.cost.tried.empty());
   CHECK(state.cost.chosen == -1);
-  CHECK_FALSE(state.dirty);
+  CHECK_FALSE(state.document.dirty);
 }
 
 TEST_CASE("small pictures keep the image's shape") {
@@ -198,7 +198,7 @@ TEST_CASE("what an attempt cost is told in one line") {
 }
 
 TEST_CASE("the split shows A on the left, B on the right; the difference is black where they agree") {
-  CostState cost;
+  CostRoom cost;
   cost.split = 0.5;
   double largest = -1;
   const Image a = plain(4, 2, 0.0f);

@@ -16,7 +16,7 @@ const Sphere<double>& sphere(const State& state, int object) {
 const Prism<double>& prism(const State& state, int object) {
   return std::get<Prism<double>>(state.scene().objects[static_cast<std::size_t>(object)].shape);
 }
-double unit(const State& state) { return 1 / state.camera.pixels_per_unit; }
+double unit(const State& state) { return 1 / state.plan.camera.pixels_per_unit; }
 
 constexpr action::Modifiers shift{true, false, false};
 constexpr action::Modifiers control{false, true, false};
@@ -30,8 +30,8 @@ TEST_CASE("dragging a body moves it as far as the pointer") {
   CHECK(sphere(state, 0).centre.x == Approx(before.x + 40 * unit(state)));
   CHECK(sphere(state, 0).centre.y == Approx(before.y + 25 * unit(state)));
   CHECK(sphere(state, 0).centre.z == 0);
-  CHECK(state.selected == Target{TargetKind::object, 0});
-  CHECK(state.undo.size() == 1);
+  CHECK(state.plan.selected == Target{TargetKind::object, 0});
+  CHECK(state.document.undo.size() == 1);
 }
 
 TEST_CASE("a drag is one entry of undo, whatever the way") {
@@ -42,7 +42,7 @@ TEST_CASE("a drag is one entry of undo, whatever the way") {
   for (int i = 0; i < 50; ++i) update(state, action::PointerMoved{from + Vec2d(i * 3 % 70, i * 5 % 60)});
   update(state, action::PointerMoved{from + Vec2d(10, 20)});
   update(state, action::PointerReleased{from + Vec2d(10, 20)});
-  CHECK(state.undo.size() == 1);
+  CHECK(state.document.undo.size() == 1);
   State straight = busy_state();
   drag(straight, from, from + Vec2d(10, 20));
   CHECK(straight.scene() == state.scene());
@@ -55,8 +55,8 @@ TEST_CASE("a click without a movement changes nothing and selects") {
   const Scene before = state.scene();
   drag_by(state, {TargetKind::object, 1}, {1, 1});
   CHECK(state.scene() == before);
-  CHECK(state.undo.empty());
-  CHECK(state.selected == Target{TargetKind::object, 1});
+  CHECK(state.document.undo.empty());
+  CHECK(state.plan.selected == Target{TargetKind::object, 1});
 }
 
 TEST_CASE("a drag that is taken back leaves no trace") {
@@ -70,9 +70,9 @@ TEST_CASE("a drag that is taken back leaves no trace") {
   CHECK(state.scene() != before);
   update(state, action::CancelDrag{});
   CHECK(state.scene() == before);
-  CHECK_FALSE(state.drag);
-  CHECK(state.undo.empty());
-  CHECK(state.redo.size() == 1);
+  CHECK_FALSE(state.plan.drag);
+  CHECK(state.document.undo.empty());
+  CHECK(state.document.redo.size() == 1);
 }
 
 TEST_CASE("an action in the middle of a drag ends it first") {
@@ -82,9 +82,9 @@ TEST_CASE("an action in the middle of a drag ends it first") {
   update(state, action::PointerPressed{from});
   update(state, action::PointerMoved{from + Vec2d(100, 0)});
   update(state, action::Undo{});
-  CHECK_FALSE(state.drag);
+  CHECK_FALSE(state.plan.drag);
   CHECK(state.scene() == before);
-  CHECK(state.redo.size() == 1);
+  CHECK(state.document.redo.size() == 1);
 }
 
 TEST_CASE("Shift keeps a body on one axis, Control puts it on the grid") {
@@ -94,7 +94,7 @@ TEST_CASE("Shift keeps a body on one axis, Control puts it on the grid") {
   CHECK(sphere(state, 0).centre.x == Approx(before.x + 40 * unit(state)));
   CHECK(sphere(state, 0).centre.y == before.y);
   drag_by(state, {TargetKind::object, 0}, {13, 44}, control);
-  const double grid = grid_step(state.camera);
+  const double grid = grid_step(state.plan.camera);
   const Vec2d steps = plan(sphere(state, 0).centre) / grid;
   CHECK(steps.x == Approx(std::round(steps.x)).margin(1e-9));
   CHECK(steps.y == Approx(std::round(steps.y)).margin(1e-9));
@@ -118,7 +118,7 @@ TEST_CASE("a corner follows the pointer until edges would cross") {
   const Vec2d before = prism(state, 2).corner(1);
   drag_by(state, {TargetKind::corner, 2, 1}, {20, 10});
   CHECK(prism(state, 2).corner(1).x == Approx(before.x + 20 * unit(state)));
-  CHECK(state.selected == Target{TargetKind::corner, 2, 1});
+  CHECK(state.plan.selected == Target{TargetKind::corner, 2, 1});
   // Straight through the opposite edge.
   const Vec2d from = pixels_of(state, {TargetKind::corner, 2, 1});
   drag(state, from, to_pixels(state, Vec2d(3.5, 0.5)));
@@ -131,10 +131,10 @@ TEST_CASE("a refused corner says why") {
   const Vec2d from = pixels_of(state, {TargetKind::corner, 2, 1});
   update(state, action::PointerPressed{from});
   update(state, action::PointerMoved{to_pixels(state, Vec2d(3.5, 0.5))});
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
   update(state, action::PointerMoved{from + Vec2d(20, 0)});
-  CHECK_FALSE(state.notice);
+  CHECK_FALSE(state.document.notice);
 }
 
 TEST_CASE("the rotation handle turns the polygon about its middle, with Shift by multiples of 15 degrees") {
@@ -213,7 +213,7 @@ TEST_CASE("objects dragged onto the eye, into another, onto the light, or out of
     State state = busy_state();
     const Vec2d to = pixels_of(state, place);
     drag(state, pixels_of(state, {TargetKind::object, 0}), to);
-    CHECK(length(plan(sphere(state, 0).centre) - to_scene(state.camera, state.viewport, to)) < 1e-9);
+    CHECK(length(plan(sphere(state, 0).centre) - to_scene(state.plan.camera, state.plan.viewport, to)) < 1e-9);
     CHECK(broken_promise(state) == "");
     update(state, action::Jump{1 << 20});
     CHECK(broken_promise(state) == "");
@@ -254,21 +254,21 @@ TEST_CASE("a double click on an edge adds a corner") {
 
 TEST_CASE("dragging the empty plan moves it, zooming keeps the point under the pointer, fitting undoes both") {
   State state = busy_state();
-  const PlanCamera fitted = state.camera;
+  const PlanCamera fitted = state.plan.camera;
   const Vec2d at(30, 570);
   REQUIRE_FALSE(pick(state, at));
-  const Vec2d there = to_scene(state.camera, state.viewport, at);
+  const Vec2d there = to_scene(state.plan.camera, state.plan.viewport, at);
   drag(state, at, at + Vec2d(50, -40));
-  CHECK(length(to_scene(state.camera, state.viewport, at + Vec2d(50, -40)) - there) < 1e-9);
-  CHECK(state.undo.empty());
-  const Vec2d kept = to_scene(state.camera, state.viewport, {200, 100});
+  CHECK(length(to_scene(state.plan.camera, state.plan.viewport, at + Vec2d(50, -40)) - there) < 1e-9);
+  CHECK(state.document.undo.empty());
+  const Vec2d kept = to_scene(state.plan.camera, state.plan.viewport, {200, 100});
   update(state, action::Zoom{{200, 100}, 3});
-  CHECK(length(to_scene(state.camera, state.viewport, {200, 100}) - kept) < 1e-9);
-  CHECK(state.camera.pixels_per_unit == Approx(3 * fitted.pixels_per_unit));
+  CHECK(length(to_scene(state.plan.camera, state.plan.viewport, {200, 100}) - kept) < 1e-9);
+  CHECK(state.plan.camera.pixels_per_unit == Approx(3 * fitted.pixels_per_unit));
   for (int i = 0; i < 200; ++i) update(state, action::Zoom{{200, 100}, i < 100 ? 10 : 0.1});
   CHECK(broken_promise(state) == "");
   update(state, action::FitView{});
-  CHECK(state.camera == fitted);
+  CHECK(state.plan.camera == fitted);
 }
 
 TEST_CASE("the right button and trace mode only move the plan") {
@@ -279,7 +279,7 @@ TEST_CASE("the right button and trace mode only move the plan") {
   update(state, action::PointerMoved{at + Vec2d(40, 40)});
   update(state, action::PointerReleased{at + Vec2d(40, 40)});
   CHECK(state.scene() == before);
-  CHECK_FALSE(state.camera.fitted);
+  CHECK_FALSE(state.plan.camera.fitted);
   update(state, action::SetMode{Mode::trace});
   drag(state, pixels_of(state, {TargetKind::object, 0}), {100, 100});
   CHECK(state.scene() == before);
@@ -287,30 +287,30 @@ TEST_CASE("the right button and trace mode only move the plan") {
 
 TEST_CASE("a click on a cell or a ray in trace mode goes there") {
   State state = classic_state();
-  update(state, action::Jump{state.timeline->steps()});
+  update(state, action::Jump{state.walk.timeline->steps()});
   const Vec2d cell = pixels_of(state, {TargetKind::cell, 4});
   REQUIRE(pick(state, cell) == Target{TargetKind::cell, 4});
   drag(state, cell, cell);
   CHECK(current_cell(state) == 4);
-  CHECK_FALSE(state.selected);
-  update(state, action::Jump{state.timeline->steps()});
+  CHECK_FALSE(state.plan.selected);
+  update(state, action::Jump{state.walk.timeline->steps()});
   const int ray = 3;
-  const RayRecord& record = state.timeline->rays()[ray];
+  const RayRecord& record = state.walk.timeline->rays()[ray];
   const Vec2d on_ray = to_pixels(state, plan(record.origin + 0.4 * (record.end - record.origin)));
   const Target under = pick(state, on_ray);
   REQUIRE(under.kind == TargetKind::ray);
   drag(state, on_ray, on_ray);
-  CHECK(state.timeline->current_ray(state.position) == under.index);
+  CHECK(state.walk.timeline->current_ray(state.walk.position) == under.index);
 }
 
 TEST_CASE("a resized pane stays fitted until it is zoomed by hand") {
   State state = busy_state();
   update(state, action::ResizePlan{{400, 300}});
-  CHECK(state.camera == fit(state.scene(), state.viewport));
+  CHECK(state.plan.camera == fit(state.scene(), state.plan.viewport));
   update(state, action::Zoom{{10, 10}, 2});
-  const PlanCamera camera = state.camera;
+  const PlanCamera camera = state.plan.camera;
   update(state, action::ResizePlan{{500, 500}});
-  CHECK(state.camera == camera);
+  CHECK(state.plan.camera == camera);
   for (const Viewport& tiny : {Viewport{0, 0}, Viewport{1, 1}, Viewport{-5, 3}}) {
     update(state, action::ResizePlan{tiny});
     update(state, action::FitView{});
@@ -324,7 +324,7 @@ TEST_CASE("what was dropped onto another body can be taken up again") {
   const int polygon = index_of_object(state.scene(), "Polygon");
   const Vec2d onto = pixels_of(state, {TargetKind::object, polygon});
   drag(state, pixels_of(state, {TargetKind::object, glass}), onto);
-  CHECK(pick(state, state.viewport, onto) == Target{TargetKind::object, glass});
+  CHECK(pick(state, state.plan.viewport, onto) == Target{TargetKind::object, glass});
   const Scene covered = state.scene();
   drag(state, onto, onto - Vec2d(150, 0));
   CHECK(state.scene().objects[static_cast<std::size_t>(polygon)] == covered.objects[static_cast<std::size_t>(polygon)]);

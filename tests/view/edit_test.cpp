@@ -79,21 +79,21 @@ TEST_CASE("every edit changes the scene, and undo and redo lead exactly back and
     INFO(edit.name << ", edit " << number++);
     State state = busy_state();
     const Scene before = state.scene();
-    const std::uint64_t revision = state.revision;
+    const std::uint64_t revision = state.document.revision;
     edit.make(state);
     const Scene after = state.scene();
     CHECK(after != before);
-    CHECK(state.revision != revision);
-    CHECK(state.dirty);
-    CHECK(state.undo.size() == 1);
+    CHECK(state.document.revision != revision);
+    CHECK(state.document.dirty);
+    CHECK(state.document.undo.size() == 1);
     CHECK(broken_promise(state) == "");
     update(state, action::Undo{});
     CHECK(state.scene() == before);
-    CHECK_FALSE(state.dirty);
+    CHECK_FALSE(state.document.dirty);
     CHECK(broken_promise(state) == "");
     update(state, action::Redo{});
     CHECK(state.scene() == after);
-    CHECK(state.dirty);
+    CHECK(state.document.dirty);
     CHECK(broken_promise(state) == "");
   }
 }
@@ -112,7 +112,7 @@ TEST_CASE("many edits in a row are undone one by one, and redone") {
   }
   update(state, action::Undo{});
   CHECK(state.scene() == scenes.front());
-  REQUIRE(state.notice);
+  REQUIRE(state.document.notice);
   for (std::size_t i = 1; i < scenes.size(); ++i) {
     update(state, action::Redo{});
     CHECK(state.scene() == scenes[i]);
@@ -137,13 +137,13 @@ TEST_CASE("a slider that is dragged is one entry of undo, two edits are two") {
     material.shininess = 10 + i;
     update(state, action::SetMaterial{0, material, i > 0});
   }
-  CHECK(state.undo.size() == 1);
+  CHECK(state.document.undo.size() == 1);
   material.shininess = 99;
   update(state, action::SetMaterial{0, material});
-  CHECK(state.undo.size() == 2);
+  CHECK(state.document.undo.size() == 2);
   // It continues nothing: the edit before was of another object.
   update(state, action::SetMaterial{1, material, true});
-  CHECK(state.undo.size() == 3);
+  CHECK(state.document.undo.size() == 3);
   for (int i = 0; i < 3; ++i) update(state, action::Undo{});
   CHECK(state.scene() == before);
 }
@@ -155,10 +155,10 @@ TEST_CASE("an edit that would break the scene is refused and says why") {
     const Scene before = state.scene();
     make(state);
     CHECK(state.scene() == before);
-    CHECK(state.undo.empty());
-    REQUIRE(state.notice);
-    CHECK(state.notice->kind == Notice::Kind::error);
-    CHECK(state.notice->text.size() > 10);
+    CHECK(state.document.undo.empty());
+    REQUIRE(state.document.notice);
+    CHECK(state.document.notice->kind == Notice::Kind::error);
+    CHECK(state.document.notice->text.size() > 10);
     CHECK(broken_promise(state) == "");
   };
   refused("radius 0", [](State& s) { update(s, action::SetShape{0, Sphere<double>{Vec3d(0.0), 0}}); });
@@ -223,7 +223,7 @@ TEST_CASE("edits of what is not there do nothing") {
   update(state, action::Select{{TargetKind::object, 99}});
   update(state, action::RemoveSelected{});
   CHECK(state.scene() == before);
-  CHECK_FALSE(state.selected);
+  CHECK_FALSE(state.plan.selected);
 }
 
 TEST_CASE("a polygon keeps three corners") {
@@ -239,13 +239,13 @@ TEST_CASE("an inserted corner lies on its edge and leaves the shape as it was") 
   const double before = area();
   update(state, action::InsertCorner{2, 0, Vec2d(3.3, -1)});
   CHECK(area() == Approx(before));
-  CHECK(state.selected == Target{TargetKind::corner, 2, 1});
+  CHECK(state.plan.selected == Target{TargetKind::corner, 2, 1});
 }
 
 TEST_CASE("added objects have their own names, stand free and are selected") {
   State state = classic_state();
   update(state, action::AddObject{action::ObjectKind::solid_sphere});
-  CHECK(state.selected == Target{TargetKind::object, static_cast<int>(state.scene().objects.size()) - 1});
+  CHECK(state.plan.selected == Target{TargetKind::object, static_cast<int>(state.scene().objects.size()) - 1});
   CHECK(state.scene().objects.back().name == "Solid Sphere 2");
   update(state, action::AddObject{action::ObjectKind::solid_sphere});
   CHECK(state.scene().objects.back().name == "Solid Sphere 3");
@@ -268,10 +268,10 @@ TEST_CASE("an edit keeps the place in the walk") {
   material.reflection = Rgbd(0.0);
   update(state, action::SetMaterial{0, material});
   CHECK(current_cell(state) == 9);
-  CHECK(state.timeline->just_run(state.position)->line == Line::form_primary_ray);
+  CHECK(state.walk.timeline->just_run(state.walk.position)->line == Line::form_primary_ray);
   update(state, action::Jump{1 << 20});
   update(state, action::Undo{});
-  CHECK(state.position == state.timeline->steps());
+  CHECK(state.walk.position == state.walk.timeline->steps());
 }
 
 TEST_CASE("history stays within its bounds") {
@@ -281,20 +281,20 @@ TEST_CASE("history stays within its bounds") {
     material.shininess = static_cast<double>(i);
     update(state, action::SetMaterial{0, material});
   }
-  CHECK(state.undo.size() == undo_entries);
+  CHECK(state.document.undo.size() == undo_entries);
 }
 
 TEST_CASE("a deep scene of two facing mirrors is recorded as far as it is long, a bush of glass only so deep") {
   Scene scene = busy_scene();
   scene.limits = {1000, 0};
   State state = state_of(scene);
-  CHECK(state.timeline->steps() < 1000000);
+  CHECK(state.walk.timeline->steps() < 1000000);
   CHECK(broken_promise(state) == "");
   Material glass = scene.objects[1].material;
   for (Object& object : scene.objects)
     if (!std::holds_alternative<Plane<double>>(object.shape)) object.material = glass;
   scene.objects.push_back({"Glass 2", Sphere<double>{Vec3d(1, -3, 0), 1.2}, glass});
   State bush = state_of(scene);
-  CHECK(bush.timeline->steps() < 4000000);
+  CHECK(bush.walk.timeline->steps() < 4000000);
   CHECK(broken_promise(bush) == "");
 }

@@ -34,7 +34,7 @@ double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) 
 /// What the panel may show at a position: the numbers of the event and of the rays that it speaks of, and the angles,
 /// lengths and products of these that the formulas name.
 std::vector<double> allowed(const State& state) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   const Scene& scene = state.scene();
   std::vector<double> numbers{0,
                               1,
@@ -44,17 +44,17 @@ std::vector<double> allowed(const State& state) {
                               static_cast<double>(scene.camera.screen.cells)};
   for (const Object& object : scene.objects) numbers.push_back(object.material.ior);
   const auto add_event = [&](int index) { gather(event_json(scene, timeline.event(index)), numbers); };
-  add_event(state.position - 1);
-  const Event& event = *timeline.just_run(state.position);
+  add_event(state.walk.position - 1);
+  const Event& event = *timeline.just_run(state.walk.position);
   numbers.push_back(event.depth);
   numbers.push_back(event.depth + 1);
   std::vector<Vec3d> directions, normals;
-  for (int ray = timeline.current_ray(state.position); ray >= 0;) {
+  for (int ray = timeline.current_ray(state.walk.position); ray >= 0;) {
     const RayRecord& record = timeline.rays()[static_cast<std::size_t>(ray)];
     add_event(record.formed_at - 1);
-    if (record.found_at <= state.position) add_event(record.found_at - 1);
+    if (record.found_at <= state.walk.position) add_event(record.found_at - 1);
     directions.push_back(record.direction);
-    if (record.found_at <= state.position && record.object >= 0) normals.push_back(record.normal);
+    if (record.found_at <= state.walk.position && record.object >= 0) normals.push_back(record.normal);
     ray = record.parent;
   }
   if (const auto* formed = std::get_if<RayFormed>(&event.detail); formed != nullptr && formed->snell)
@@ -100,13 +100,13 @@ TEST_CASE("a whole walk never shows a number that is not the trace's own") {
   for (const std::string name : {"classic", "glass", "glass_in_water"}) {
     State state = walking(name);
     int compared = 0;
-    for (int position = 1; position <= state.timeline->steps(); ++position) {
-      state.position = position;
+    for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+      state.walk.position = position;
       const std::vector<double> known = allowed(state);
       const EquationPanel panel = equation_panel(state);
       INFO(name << ", position " << position << ", " << panel.title);
       REQUIRE_FALSE(panel.rows.empty());
-      CHECK(panel.title == pseudocode_of(state.timeline->just_run(position)->line).text);
+      CHECK(panel.title == pseudocode_of(state.walk.timeline->just_run(position)->line).text);
       for (const EquationRow& row : panel.rows) {
         INFO(row.text);
         std::size_t at = 0;
@@ -122,18 +122,18 @@ TEST_CASE("a whole walk never shows a number that is not the trace's own") {
         }
       }
     }
-    CHECK(compared > 2 * state.timeline->steps());
+    CHECK(compared > 2 * state.walk.timeline->steps());
   }
 }
 
 TEST_CASE("a quadratic is solved by the root that is taken, and the note says which") {
   State state = walking("classic");
   int first = 0, second = 0;
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
-    const auto* found = std::get_if<Found>(&state.timeline->event(position - 1).detail);
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    const auto* found = std::get_if<Found>(&state.walk.timeline->event(position - 1).detail);
     const auto* q = found == nullptr ? nullptr : std::get_if<QuadraticNumbers>(&found->numbers);
     if (q == nullptr || found->object < 0) continue;
-    state.position = position;
+    state.walk.position = position;
     const EquationPanel panel = equation_panel(state);
     const EquationRow* roots = row_with(panel, "t₀ = ");
     REQUIRE(roots != nullptr);
@@ -150,18 +150,19 @@ TEST_CASE("a quadratic is solved by the root that is taken, and the note says wh
 TEST_CASE("both sides of Snell's law are equal, and the mirror's angle is the one that it came with") {
   State state = walking("glass");
   int bent = 0, mirrored = 0;
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
-    state.position = position;
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    state.walk.position = position;
     const EquationPanel panel = equation_panel(state);
     if (const EquationRow* law = row_with(panel, "° = "); law != nullptr) {
       const auto sine = [&](std::size_t i) { return std::sin(law->values[i] * std::numbers::pi / 180); };
       CHECK(law->values[0] * sine(1) == Approx(law->values[2] * sine(3)).margin(1e-9));
       ++bent;
     }
-    const auto* formed = std::get_if<RayFormed>(&state.timeline->event(position - 1).detail);
+    const auto* formed = std::get_if<RayFormed>(&state.walk.timeline->event(position - 1).detail);
     if (formed == nullptr || formed->kind != RayKind::reflect) continue;
-    const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(state.timeline->current_ray(position))];
-    const RayRecord& parent = state.timeline->rays()[static_cast<std::size_t>(ray.parent)];
+    const RayRecord& ray =
+        state.walk.timeline->rays()[static_cast<std::size_t>(state.walk.timeline->current_ray(position))];
+    const RayRecord& parent = state.walk.timeline->rays()[static_cast<std::size_t>(ray.parent)];
     const EquationRow* angle = row_with(panel, "as far from the normal");
     REQUIRE(angle != nullptr);
     CHECK(angle->values[0] == Approx(degrees(std::abs(dot(parent.normal, parent.direction)))).margin(1e-6));
@@ -174,10 +175,10 @@ TEST_CASE("both sides of Snell's law are equal, and the mirror's angle is the on
 TEST_CASE("total internal reflection shows a sine above 1") {
   State state = walking("glass");
   int seen = 0;
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
-    const auto* decided = std::get_if<Decided>(&state.timeline->event(position - 1).detail);
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    const auto* decided = std::get_if<Decided>(&state.walk.timeline->event(position - 1).detail);
     if (decided == nullptr || !decided->why) continue;
-    state.position = position;
+    state.walk.position = position;
     const EquationPanel panel = equation_panel(state);
     const EquationRow* row = row_with(panel, " · sin ");
     REQUIRE(row != nullptr);
@@ -191,13 +192,15 @@ TEST_CASE("the terms of each SHADE add up to what it returns, and the last of th
   State state = walking("classic");
   int sums = 0;
   Rgbd last{0.0};
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
-    state.position = position;
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    state.walk.position = position;
     const EquationPanel panel = equation_panel(state);
-    const EventDetail& detail = state.timeline->event(position - 1).detail;
+    const EventDetail& detail = state.walk.timeline->event(position - 1).detail;
     if (std::holds_alternative<PixelPut>(detail)) {
       const Rgbd shade = panel.rows.back().light.value();
-      CHECK(shade == state.timeline->pixels()[static_cast<std::size_t>(state.timeline->current_pixel(position))].shade);
+      CHECK(
+          shade ==
+          state.walk.timeline->pixels()[static_cast<std::size_t>(state.walk.timeline->current_pixel(position))].shade);
       if (sums > 0) CHECK((shade == last || shade == state.scene().background));
     }
     if (!std::holds_alternative<ShadeComputed>(detail)) continue;
@@ -218,7 +221,7 @@ TEST_CASE("the terms of each SHADE add up to what it returns, and the last of th
 TEST_CASE("beside the hit stand its t and its angle while the equation is shown, and only then") {
   State state = walking("classic");
   while (hit_notes(state).angle.empty()) update(state, action::Step{});
-  const auto& found = std::get<Found>(state.timeline->event(state.position - 1).detail);
+  const auto& found = std::get<Found>(state.walk.timeline->event(state.walk.position - 1).detail);
   const HitNotes notes = hit_notes(state);
   CHECK(notes.t == "t = " + equation_number(found.t, in_english));
   const auto texts = [&] {
@@ -232,7 +235,7 @@ TEST_CASE("beside the hit stand its t and its angle while the equation is shown,
     return std::find(all.begin(), all.end(), text) != all.end();
   };
   CHECK_FALSE(shows(notes.t));
-  update(state, action::SetTab{Tab::equation});
+  update(state, action::SetTab{EquationRoom::tab});
   CHECK(shows(notes.t));
   CHECK(shows(notes.angle));
   CHECK(is_finite(plan_view(state)));
@@ -240,11 +243,11 @@ TEST_CASE("beside the hit stand its t and its angle while the equation is shown,
 
 TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the normal, apart from each other") {
   State state = walking("glass");
-  update(state, action::SetTab{Tab::equation});
+  update(state, action::SetTab{EquationRoom::tab});
   int bent = 0, mirrored = 0;
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
-    const auto* formed = std::get_if<RayFormed>(&state.timeline->event(position - 1).detail);
+    const auto* formed = std::get_if<RayFormed>(&state.walk.timeline->event(position - 1).detail);
     const auto notes = bend_notes(state);
     const bool wanted = formed != nullptr && (formed->kind == RayKind::reflect || formed->kind == RayKind::refract);
     REQUIRE(notes.has_value() == wanted);

@@ -37,31 +37,31 @@ TEST_CASE("the ending says what is written") {
   State state = walked();
   const auto written = [&](const std::string& name) {
     update(state, action::AskExport{});
-    CHECK(state.prompt == PathPrompt::export_walk);
+    CHECK(state.document.prompt == PathPrompt::export_walk);
     update(state, action::Export{folder.file(name)});
-    CHECK(state.prompt == PathPrompt::none);
-    REQUIRE(state.notice);
-    CHECK(state.notice->kind == Notice::Kind::info);
+    CHECK(state.document.prompt == PathPrompt::none);
+    REQUIRE(state.document.notice);
+    CHECK(state.document.notice->kind == Notice::Kind::info);
     return contents(folder.file(name));
   };
-  CHECK(written("walk.txt") == transcript(state.scene(), *state.timeline, in_english));
-  CHECK(written("walk.HTML") == slides_page(state.scene(), state.timeline, in_english, state.theme));
+  CHECK(written("walk.txt") == transcript(state.scene(), *state.walk.timeline, in_english));
+  CHECK(written("walk.HTML") == slides_page(state.scene(), state.walk.timeline, in_english, state.appearance.theme));
   const std::string plan = written("plan.svg");
   CHECK(plan.find("<svg") != std::string::npos);
   CHECK(plan.find("Solid Sphere") != std::string::npos);
   const auto json = nlohmann::json::parse(written("walk.json"), nullptr, false);
   REQUIRE(json.is_object());
-  REQUIRE(json["steps"].size() == static_cast<std::size_t>(state.timeline->steps()));
+  REQUIRE(json["steps"].size() == static_cast<std::size_t>(state.walk.timeline->steps()));
   CHECK(json["steps"][99]["step"] == 100);
   CHECK(json["steps"][0]["sentence"].get<std::string>().size() > 10);
   CHECK(json["depth"] == state.scene().limits.depth);
 
   update(state, action::Export{folder.file("walk.doc")});
-  CHECK(state.notice->kind == Notice::Kind::error);
-  CHECK(state.notice->text.find(".svg") != std::string::npos);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
+  CHECK(state.document.notice->text.find(".svg") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(folder.file("walk.doc")));
   update(state, action::Export{folder.file("no/folder.svg")});
-  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
 }
 
 TEST_CASE("a name that is only begun, up to its folder, gets its ending too") {
@@ -99,8 +99,8 @@ TEST_CASE("the script of the open lesson is written, and without one it is said 
   CHECK(with_ending("a/1. Casting", ExportKind::film) == "a/1. Casting.gif");
   CHECK(with_ending("lesson 2.5", ExportKind::plan) == "lesson 2.5.svg");
   update(state, action::Export{path});
-  REQUIRE(state.notice);
-  CHECK(state.notice->text.find("F2") != std::string::npos);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->text.find("F2") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(path));
 
   const std::string root = RAYWALK_SOURCE_DIR;
@@ -160,15 +160,15 @@ TEST_CASE("a file that stands there is written over only when that is said") {
   State state = walked();
   update(state, action::AskExport{});
   update(state, action::Export{folder.file("mine.txt")});
-  REQUIRE(state.question);
-  CHECK(state.question->kind == Question::Kind::overwrite);
+  REQUIRE(state.document.question);
+  CHECK(state.document.question->kind == Question::Kind::overwrite);
   update(state, action::AnswerQuestion{action::Answer::cancel});
   CHECK(contents(folder.file("mine.txt")) == "mine");
-  CHECK(state.prompt == PathPrompt::export_walk);  // for another name
+  CHECK(state.document.prompt == PathPrompt::export_walk);  // for another name
   update(state, action::Export{folder.file("mine.txt")});
   update(state, action::AnswerQuestion{action::Answer::save});
   CHECK(contents(folder.file("mine.txt")) != "mine");
-  CHECK(state.prompt == PathPrompt::none);
+  CHECK(state.document.prompt == PathPrompt::none);
 }
 
 TEST_CASE("what shows the window waits for it") {
@@ -176,23 +176,23 @@ TEST_CASE("what shows the window waits for it") {
   State state = walked();
   update(state, action::AskExport{});
   update(state, action::Export{folder.file("a.png")});
-  CHECK(state.prompt == PathPrompt::none);
-  REQUIRE(state.window_export);
-  CHECK(*state.window_export == WindowExport{ExportKind::picture, folder.file("a.png")});
+  CHECK(state.document.prompt == PathPrompt::none);
+  REQUIRE(state.exports.window);
+  CHECK(*state.exports.window == WindowExport{ExportKind::picture, folder.file("a.png")});
   update(state, action::FinishExport{"no room"});
-  CHECK_FALSE(state.window_export);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK_FALSE(state.exports.window);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
   update(state, action::Export{folder.file("a.gif")});
-  REQUIRE(state.window_export);
-  CHECK(state.window_export->kind == ExportKind::film);
+  REQUIRE(state.exports.window);
+  CHECK(state.exports.window->kind == ExportKind::film);
   update(state, action::FinishExport{});
-  CHECK(state.notice->kind == Notice::Kind::info);
+  CHECK(state.document.notice->kind == Notice::Kind::info);
 }
 
 TEST_CASE("a film goes to the end of the pixel, or of the walk, as fast as the grain says") {
   State state = walked();
-  const int pixel = state.timeline->current_pixel(100);
-  const int end = state.timeline->pixels()[static_cast<std::size_t>(pixel)].done_at;
+  const int pixel = state.walk.timeline->current_pixel(100);
+  const int end = state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)].done_at;
   const std::vector<int> lines = film_positions(state);
   REQUIRE(lines.size() == static_cast<std::size_t>(end - 100 + 1));
   for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i] == 100 + static_cast<int>(i));
@@ -204,8 +204,8 @@ TEST_CASE("a film goes to the end of the pixel, or of the walk, as fast as the g
   update(state, action::SetGrain{Grain::pixel});
   update(state, action::Jump{0});
   const std::vector<int> pixels = film_positions(state);
-  CHECK(pixels.size() == state.timeline->pixels().size() + 1);
-  CHECK(pixels.back() == state.timeline->steps());
-  update(state, action::Jump{state.timeline->steps()});
-  CHECK(film_positions(state) == std::vector{state.timeline->steps()});
+  CHECK(pixels.size() == state.walk.timeline->pixels().size() + 1);
+  CHECK(pixels.back() == state.walk.timeline->steps());
+  update(state, action::Jump{state.walk.timeline->steps()});
+  CHECK(film_positions(state) == std::vector{state.walk.timeline->steps()});
 }

@@ -29,11 +29,11 @@ State mesh_state(const TemporaryFolder& folder) {
 }
 
 void check_refused(State& state) {
-  CHECK_FALSE(state.question);
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
-  CHECK_THAT(state.notice->text, contains("cannot write: this") && contains("in use"));
-  state.notice.reset();
+  CHECK_FALSE(state.document.question);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
+  CHECK_THAT(state.document.notice->text, contains("cannot write: this") && contains("in use"));
+  state.document.notice.reset();
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ TEST_CASE("nothing that is saved or exported replaces a part of the open scene")
   fs::create_hard_link(folder.file("from/m.ply"), folder.file("from/hard.svg"));
   fs::create_symlink("s.toml", folder.file("from/scene.html"));
   REQUIRE(write_file_atomically(folder.file("show.txt"), "step\n"));
-  state.keeps = {folder.file("show.txt")};
+  state.document.keeps = {folder.file("show.txt")};
   update(state, action::SaveAs{folder.file("from/soft.toml")});
   check_refused(state);
   for (const char* name : {"from/hard.svg", "from/scene.html", "show.txt"}) {
@@ -57,10 +57,10 @@ TEST_CASE("nothing that is saved or exported replaces a part of the open scene")
   CHECK(bytes_of(folder.file("show.txt")) == "step\n");
   // Over itself a scene is saved without a question, over another file with one.
   update(state, action::SaveAs{folder.file("from/s.toml")});
-  CHECK_FALSE(state.question);
+  CHECK_FALSE(state.document.question);
   REQUIRE(write_file_atomically(folder.file("to/other.toml"), "x"));
   update(state, action::SaveAs{folder.file("to/other.toml")});
-  CHECK(state.question);
+  CHECK(state.document.question);
 }
 
 TEST_CASE("a scene that is saved into another folder finds its mesh again, and so does what follows") {
@@ -76,7 +76,7 @@ TEST_CASE("a scene that is saved into another folder finds its mesh again, and s
   CHECK(read_document(folder.file("to/s.toml")).files.size() == 2);
   // The file that it came from is free now.
   update(state, action::SaveAs{folder.file("from/s.toml")});
-  REQUIRE(state.question);
+  REQUIRE(state.document.question);
   update(state, action::AnswerQuestion{action::Answer::save});
   CHECK_THAT(bytes_of(folder.file("from/s.toml")), contains("file = \"m.ply\""));
 }
@@ -88,10 +88,10 @@ TEST_CASE("an autosave finds the scene's mesh from its own folder, and takes it 
   for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
   State next = make_state(read_document(folder.file("from/s.toml")), folder.file("from/s.toml"), folder.file("state"));
   restore_session(next);
-  REQUIRE(next.question);
+  REQUIRE(next.document.question);
   update(next, action::AnswerQuestion{action::Answer::recover});
   CHECK(next.scene() == state.scene());
-  CHECK(next.dirty);
+  CHECK(next.document.dirty);
   update(next, action::Save{});
   CHECK_THAT(bytes_of(folder.file("from/s.toml")), contains("file = \"m.ply\""));
 }

@@ -15,16 +15,16 @@ TEST_CASE("Save as writes the scene, Open reads it back") {
   State state = busy_state();
   make_dirty(state);
   update(state, action::SaveAs{folder.file("a")});
-  CHECK(state.path == folder.file("a.toml"));
-  CHECK_FALSE(state.dirty);
+  CHECK(state.document.path == folder.file("a.toml"));
+  CHECK_FALSE(state.document.dirty);
   CHECK(document_title(state) == "a.toml");
   State other = classic_state();
   update(other, action::Open{folder.file("a.toml")});
   CHECK(other.scene() == state.scene());
-  CHECK(other.path == folder.file("a.toml"));
-  CHECK(other.position == 0);
-  CHECK(other.undo.empty());
-  CHECK(other.camera == fit(other.scene(), other.viewport));
+  CHECK(other.document.path == folder.file("a.toml"));
+  CHECK(other.walk.position == 0);
+  CHECK(other.document.undo.empty());
+  CHECK(other.plan.camera == fit(other.scene(), other.plan.viewport));
 }
 
 TEST_CASE("Save without a path asks for one") {
@@ -33,17 +33,17 @@ TEST_CASE("Save without a path asks for one") {
   make_dirty(state);
   CHECK(document_title(state) == "*Untitled");
   update(state, action::Save{});
-  CHECK(state.prompt == PathPrompt::save_as);
+  CHECK(state.document.prompt == PathPrompt::save_as);
   update(state, action::CancelPrompt{});
-  CHECK(state.prompt == PathPrompt::none);
-  CHECK(state.dirty);
+  CHECK(state.document.prompt == PathPrompt::none);
+  CHECK(state.document.dirty);
   update(state, action::Save{});
   update(state, action::SaveAs{folder.file("b.toml")});
-  CHECK(state.prompt == PathPrompt::none);
-  CHECK_FALSE(state.dirty);
+  CHECK(state.document.prompt == PathPrompt::none);
+  CHECK_FALSE(state.document.dirty);
   make_dirty(state);
   update(state, action::Save{});
-  CHECK_FALSE(state.dirty);
+  CHECK_FALSE(state.document.dirty);
   CHECK(read_document(folder.file("b.toml")).scene == state.scene());
 }
 
@@ -53,20 +53,20 @@ TEST_CASE("a scene that ships is kept as it is: Save asks for another name, and 
   state.lessons.scenes_folder = folder.path();
   make_dirty(state);
   update(state, action::Save{});
-  CHECK(state.prompt == PathPrompt::save_as);
-  REQUIRE(state.notice);
-  CHECK(state.notice->text == text("notice.save_elsewhere", in_english));
+  CHECK(state.document.prompt == PathPrompt::save_as);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->text == text("notice.save_elsewhere", in_english));
   update(state, action::SaveAs{folder.file("shipped.toml")});
-  REQUIRE(state.question);
-  CHECK(state.question->kind == Question::Kind::overwrite);
+  REQUIRE(state.document.question);
+  CHECK(state.document.question->kind == Question::Kind::overwrite);
   CHECK(read_document(folder.file("shipped.toml")).scene == saved_scene(state));
   update(state, action::AnswerQuestion{action::Answer::cancel});
   const TemporaryFolder own;
   update(state, action::SaveAs{own.file("own.toml")});
-  CHECK_FALSE(state.dirty);
+  CHECK_FALSE(state.document.dirty);
   make_dirty(state);
   update(state, action::Save{});  // which is one's own now
-  CHECK_FALSE(state.dirty);
+  CHECK_FALSE(state.document.dirty);
   CHECK(read_document(own.file("own.toml")).scene == state.scene());
 }
 
@@ -75,9 +75,9 @@ TEST_CASE("undoing back to what the file holds is not unsaved work") {
   State state = saved_state(folder);
   make_dirty(state);
   update(state, action::Undo{});
-  CHECK_FALSE(state.dirty);
+  CHECK_FALSE(state.document.dirty);
   update(state, action::Redo{});
-  CHECK(state.dirty);
+  CHECK(state.document.dirty);
 }
 
 TEST_CASE("a file that cannot be read or written leaves everything as it was") {
@@ -86,23 +86,23 @@ TEST_CASE("a file that cannot be read or written leaves everything as it was") {
   make_dirty(state);
   const Scene scene = state.scene();
   update(state, action::SaveAs{folder.file("no/such/folder/x.toml")});
-  CHECK(state.dirty);
-  CHECK(state.path == folder.file("scene.toml"));
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK(state.document.dirty);
+  CHECK(state.document.path == folder.file("scene.toml"));
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
   update(state, action::Save{});
-  REQUIRE_FALSE(state.dirty);
+  REQUIRE_FALSE(state.document.dirty);
   for (const std::string& name : {folder.file("missing.toml"), folder.path(), std::string()}) {
     INFO(name);
     update(state, action::Open{name});
     CHECK(state.scene() == scene);
-    CHECK(state.path == folder.file("scene.toml"));
-    REQUIRE(state.notice);
-    CHECK(state.notice->kind == Notice::Kind::error);
+    CHECK(state.document.path == folder.file("scene.toml"));
+    REQUIRE(state.document.notice);
+    CHECK(state.document.notice->kind == Notice::Kind::error);
   }
   REQUIRE(write_file_atomically(folder.file("bad.toml"), "[camera\n"));
   update(state, action::Open{folder.file("bad.toml")});
-  CHECK_THAT(state.notice->text, contains("bad.toml:1"));
+  CHECK_THAT(state.document.notice->text, contains("bad.toml:1"));
   CHECK(state.scene() == scene);
 }
 
@@ -113,18 +113,18 @@ TEST_CASE("unsaved work is asked about before it is lost, and Cancel keeps it") 
   const Scene scene = state.scene();
   for (const Action& action : {Action(action::New{}), Action(action::Open{"other.toml"}), Action(action::Quit{})}) {
     update(state, action);
-    REQUIRE(state.question);
+    REQUIRE(state.document.question);
     CHECK(question_panel(state).choices.size() == 3);
     CHECK_THAT(question_panel(state).text, contains("scene.toml"));
     update(state, action::AddObject{action::ObjectKind::light});
     CHECK(state.scene() == scene);
     update(state, action::AnswerQuestion{Answer::recover});
-    CHECK(state.question);
+    CHECK(state.document.question);
     update(state, action::AnswerQuestion{Answer::cancel});
-    CHECK_FALSE(state.question);
+    CHECK_FALSE(state.document.question);
     CHECK(state.scene() == scene);
-    CHECK(state.dirty);
-    CHECK_FALSE(state.quit);
+    CHECK(state.document.dirty);
+    CHECK_FALSE(state.document.quit);
   }
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("Discard goes on without saving") {
   make_dirty(state);
   update(state, action::Quit{});
   update(state, action::AnswerQuestion{Answer::discard});
-  CHECK(state.quit);
+  CHECK(state.document.quit);
   CHECK(read_document(folder.file("scene.toml")).scene == on_disk);
 }
 
@@ -148,16 +148,16 @@ TEST_CASE("Save goes on after saving, also when a path has to be asked for first
   update(state, action::AnswerQuestion{Answer::save});
   CHECK(read_document(folder.file("scene.toml")).scene == scene);
   CHECK(state.scene() != scene);
-  CHECK(state.path.empty());
+  CHECK(state.document.path.empty());
   CHECK(broken_promise(state) == "");
 
   make_dirty(state);
   update(state, action::Quit{});
   update(state, action::AnswerQuestion{Answer::save});
-  CHECK(state.prompt == PathPrompt::save_as);
-  CHECK_FALSE(state.quit);
+  CHECK(state.document.prompt == PathPrompt::save_as);
+  CHECK_FALSE(state.document.quit);
   update(state, action::SaveAs{folder.file("late.toml")});
-  CHECK(state.quit);
+  CHECK(state.document.quit);
 }
 
 TEST_CASE("taking back the path also takes back what waited for the saving") {
@@ -168,8 +168,8 @@ TEST_CASE("taking back the path also takes back what waited for the saving") {
   update(state, action::AnswerQuestion{Answer::save});
   update(state, action::CancelPrompt{});
   update(state, action::SaveAs{folder.file("x.toml")});
-  CHECK_FALSE(state.quit);
-  CHECK_FALSE(state.dirty);
+  CHECK_FALSE(state.document.quit);
+  CHECK_FALSE(state.document.dirty);
 }
 
 TEST_CASE("another file is not replaced without asking") {
@@ -177,7 +177,7 @@ TEST_CASE("another file is not replaced without asking") {
   REQUIRE(write_file_atomically(folder.file("precious.toml"), "precious"));
   State state = saved_state(folder);
   update(state, action::SaveAs{folder.file("precious.toml")});
-  REQUIRE(state.question);
+  REQUIRE(state.document.question);
   CHECK(question_panel(state).choices.front().answer == Answer::cancel);
   update(state, action::AnswerQuestion{Answer::cancel});
   CHECK(*read_file(folder.file("precious.toml"), 100) == "precious");
@@ -186,7 +186,7 @@ TEST_CASE("another file is not replaced without asking") {
   CHECK(read_document(folder.file("precious.toml")).scene == state.scene());
   // Its own file needs no question.
   update(state, action::SaveAs{folder.file("precious.toml")});
-  CHECK_FALSE(state.question);
+  CHECK_FALSE(state.document.question);
 }
 
 TEST_CASE("the dialog for a path stays until the file is read or written") {
@@ -194,18 +194,18 @@ TEST_CASE("the dialog for a path stays until the file is read or written") {
   State state = saved_state(folder);
   update(state, action::AskSaveAs{});
   update(state, action::SaveAs{folder.file("no/such/folder/x.toml")});
-  CHECK(state.prompt == PathPrompt::save_as);
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK(state.document.prompt == PathPrompt::save_as);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
   update(state, action::SaveAs{folder.file("other.toml")});
-  CHECK(state.prompt == PathPrompt::none);
-  CHECK(state.path == folder.file("other.toml"));
+  CHECK(state.document.prompt == PathPrompt::none);
+  CHECK(state.document.path == folder.file("other.toml"));
   update(state, action::AskOpen{});
   update(state, action::Open{folder.file("missing.toml")});
-  CHECK(state.prompt == PathPrompt::open);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK(state.document.prompt == PathPrompt::open);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
   update(state, action::Open{folder.file("scene.toml")});
-  CHECK(state.prompt == PathPrompt::none);
+  CHECK(state.document.prompt == PathPrompt::none);
 }
 
 TEST_CASE("autosaves are seldom, and none is written while nothing changes") {
@@ -230,11 +230,11 @@ TEST_CASE("an autosave that cannot be written is reported") {
   const TemporaryFolder folder;
   State state = saved_state(folder);
   REQUIRE(write_file_atomically(folder.file("blocked"), "a file where a folder is wanted"));
-  state.state_dir = folder.file("blocked");
+  state.document.state_dir = folder.file("blocked");
   make_dirty(state);
   update(state, action::Tick{1});
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
 }
 
 TEST_CASE("recent files are remembered, the latest first, each once") {
@@ -242,20 +242,20 @@ TEST_CASE("recent files are remembered, the latest first, each once") {
   State state = saved_state(folder, "one.toml");
   update(state, action::SaveAs{folder.file("two.toml")});
   update(state, action::Open{folder.file("one.toml")});
-  CHECK(state.recent == std::vector<std::string>{folder.file("one.toml"), folder.file("two.toml")});
+  CHECK(state.document.recent == std::vector<std::string>{folder.file("one.toml"), folder.file("two.toml")});
   for (int i = 0; i < 20; ++i) update(state, action::SaveAs{folder.file(std::to_string(i) + ".toml")});
-  CHECK(state.recent.size() == 10);
+  CHECK(state.document.recent.size() == 10);
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
-  CHECK(next.recent == state.recent);
+  CHECK(next.document.recent == state.document.recent);
 }
 
 TEST_CASE("New starts with something that can be walked") {
   State state = busy_state();
   update(state, action::New{});
-  CHECK(state.path.empty());
-  CHECK_FALSE(state.dirty);
-  CHECK(state.timeline->steps() > 100);
+  CHECK(state.document.path.empty());
+  CHECK_FALSE(state.document.dirty);
+  CHECK(state.walk.timeline->steps() > 100);
   CHECK(is_planar(state.scene()));
   CHECK(broken_promise(state) == "");
 }
@@ -263,26 +263,26 @@ TEST_CASE("New starts with something that can be walked") {
 TEST_CASE("appearance and talk") {
   State state = busy_state();
   update(state, action::SetTheme{Theme::projector});
-  CHECK(state.theme == Theme::projector);
+  CHECK(state.appearance.theme == Theme::projector);
   update(state, action::SetUiScale{9});
-  CHECK(state.ui_scale == max_ui_scale);
+  CHECK(state.appearance.ui_scale == max_ui_scale);
   update(state, action::SetUiScale{0});
-  CHECK(state.ui_scale == min_ui_scale);
-  update(state, action::SetTab{Tab::stack});
-  CHECK(state.tab == Tab::stack);
+  CHECK(state.appearance.ui_scale == min_ui_scale);
+  update(state, action::SetTab{StackRoom::tab});
+  CHECK(state.appearance.tab == StackRoom::tab);
   update(state, action::Undo{});
-  REQUIRE(state.notice);
+  REQUIRE(state.document.notice);
   update(state, action::DismissNotice{});
-  CHECK_FALSE(state.notice);
+  CHECK_FALSE(state.document.notice);
   update(state, action::AskOpen{});
-  CHECK(state.prompt == PathPrompt::open);
+  CHECK(state.document.prompt == PathPrompt::open);
   update(state, action::Step{});
-  CHECK(state.position == 0);
+  CHECK(state.walk.position == 0);
   update(state, action::CancelPrompt{});
   update(state, action::AskSaveAs{});
-  CHECK(state.prompt == PathPrompt::save_as);
+  CHECK(state.document.prompt == PathPrompt::save_as);
   update(state, action::Quit{});
-  CHECK(state.quit);
+  CHECK(state.document.quit);
 }
 
 TEST_CASE("an edit that was undone leaves nothing to recover") {
@@ -292,6 +292,6 @@ TEST_CASE("an edit that was undone leaves nothing to recover") {
   update(state, action::Tick{autosave_every + 1});
   REQUIRE(std::filesystem::exists(folder.file("autosave.toml")));
   update(state, action::Undo{});
-  REQUIRE_FALSE(state.dirty);
+  REQUIRE_FALSE(state.document.dirty);
   CHECK_FALSE(std::filesystem::exists(folder.file("autosave.toml")));
 }

@@ -1,4 +1,5 @@
 #include "fixtures.h"
+#include "view/structure/structure.h"
 #include "view/tree/tree_panel.h"
 #include "view/walk/status.h"
 
@@ -32,7 +33,7 @@ SceneDocument read_document(const std::string& path) {
 
 State state_of(const Scene& scene) {
   State state = make_state({scene, {}, {}});
-  state.language = in_english;
+  state.appearance.language = in_english;
   update(state, action::ResizePlan{{800, 600}});
   return state;
 }
@@ -40,7 +41,7 @@ State state_of(const Scene& scene) {
 State classic_state() {
   const std::string path = std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml";
   State state = make_state(read_document(path), path);
-  state.language = in_english;
+  state.appearance.language = in_english;
   update(state, action::ResizePlan{{800, 600}});
   return state;
 }
@@ -86,11 +87,11 @@ int index_of_object(const Scene& scene, const std::string& name) {
 }
 
 Vec2d to_pixels(const State& state, const Vec2d& point) {
-  return raywalk::to_pixels(state.camera, state.viewport, point);
+  return raywalk::to_pixels(state.plan.camera, state.plan.viewport, point);
 }
 
 Vec2d pixels_of(const State& state, const Target& target) {
-  return to_pixels(state, place_of(state, target, state.viewport));
+  return to_pixels(state, place_of(state, target, state.plan.viewport));
 }
 
 std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target) {
@@ -118,23 +119,28 @@ void drag_by(State& state, const Target& target, const Vec2d& by, action::Modifi
 }
 
 std::string broken_promise(const State& state) {
-  if (!state.timeline) return "no timeline";
-  if (state.position < 0 || state.position > state.timeline->steps()) return "the position is off the timeline";
-  if (state.playing && state.mode != Mode::trace) return "AUTO runs outside of trace mode";
-  if (state.playing && state.position == state.timeline->steps()) return "AUTO runs at the end";
+  if (!state.walk.timeline) return "no timeline";
+  if (state.walk.position < 0 || state.walk.position > state.walk.timeline->steps())
+    return "the position is off the timeline";
+  if (state.walk.playing && state.walk.mode != Mode::trace) return "AUTO runs outside of trace mode";
+  if (state.walk.playing && state.walk.position == state.walk.timeline->steps()) return "AUTO runs at the end";
   const Result<std::string> written = format_scene(state.scene());
   if (!written) return "the scene cannot be saved: " + written.error().text();
-  if (state.dirty != (state.scene() != saved_scene(state))) return "dirty tells a lie";
-  if (state.bugs.hunt && !state.bug) return "a hunt without a bug";
-  if (state.bug && !state.bug->other) return "nothing to compare the bug with";
+  if (state.document.dirty != (state.scene() != saved_scene(state))) return "dirty tells a lie";
+  if (state.bugs.hunt && !state.walk.bug) return "a hunt without a bug";
+  if (state.walk.bug && !state.walk.bug->other) return "nothing to compare the bug with";
   if (state.bugs.shown && state.lessons.shown) return "two panes in one place";
-  if (!exists(state, state.selected)) return "something is selected that is not there";
-  if (!exists(state, state.hovered)) return "something is hovered that is not there";
-  if (state.hovered_ray >= static_cast<int>(state.timeline->rays().size())) return "a ray is hovered that is not there";
-  if (!std::isfinite(state.camera.centre.x) || !std::isfinite(state.camera.centre.y)) return "the plan is nowhere";
-  if (!(state.camera.pixels_per_unit > 0) || !std::isfinite(state.camera.pixels_per_unit)) return "the zoom is broken";
+  if (!exists(state, state.plan.selected)) return "something is selected that is not there";
+  if (!exists(state, state.plan.hovered)) return "something is hovered that is not there";
+  if (state.plan.hovered_ray >= static_cast<int>(state.walk.timeline->rays().size()))
+    return "a ray is hovered that is not there";
+  if (!std::isfinite(state.plan.camera.centre.x) || !std::isfinite(state.plan.camera.centre.y))
+    return "the plan is nowhere";
+  if (!(state.plan.camera.pixels_per_unit > 0) || !std::isfinite(state.plan.camera.pixels_per_unit))
+    return "the zoom is broken";
   if (!is_finite(plan_view(state))) return "a number of the plan is not finite";
-  if (shows_lines(state) && !is_finite(lines_view(state, state.viewport))) return "a number of the lines is not finite";
+  if (shows_lines(state) && !is_finite(lines_view(state, state.plan.viewport)))
+    return "a number of the lines is not finite";
   for (const TreeNode& node : tree_panel(state).nodes)
     if (!std::isfinite(node.x) || !std::isfinite(node.y)) return "a number of the tree is not finite";
   if (sentence(state).empty()) return "no sentence";
@@ -159,14 +165,14 @@ void make_dirty(State& state) {
   Material material = state.scene().objects[0].material;
   material.shininess += 1;
   update(state, action::SetMaterial{0, material});
-  REQUIRE(state.dirty);
+  REQUIRE(state.document.dirty);
 }
 
 State saved_state(const TemporaryFolder& folder, const std::string& name) {
   State state = state_of(busy_scene());
-  state.state_dir = folder.file("state");
+  state.document.state_dir = folder.file("state");
   update(state, action::SaveAs{folder.file(name)});
-  REQUIRE_FALSE(state.dirty);
+  REQUIRE_FALSE(state.document.dirty);
   return state;
 }
 

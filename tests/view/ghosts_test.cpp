@@ -23,14 +23,14 @@ State limited(int depth, double threshold) {
 }
 
 void to_end_of_pixel(State& state, int pixel) {
-  update(state, action::Jump{state.timeline->pixels()[static_cast<std::size_t>(pixel)].done_at});
+  update(state, action::Jump{state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)].done_at});
 }
 
 // What is drawn more than without ghosts.
 std::size_t drawn_for_ghosts(const State& state) {
   State without = state;
-  without.ghosts.reset();
-  return plan_view(state, state.viewport).size() - plan_view(without, without.viewport).size();
+  without.walk.ghosts.reset();
+  return plan_view(state, state.plan.viewport).size() - plan_view(without, without.plan.viewport).size();
 }
 
 }  // namespace
@@ -40,20 +40,20 @@ TEST_CASE("a pixel and its ghosts add up to what a deeper trace without a thresh
   const double threshold = GENERATE(0.0, 0.2);
   State state = limited(depth, threshold);
   int with_ghosts = 0;
-  for (int pixel = 0; pixel < static_cast<int>(state.timeline->pixels().size()); ++pixel) {
+  for (int pixel = 0; pixel < static_cast<int>(state.walk.timeline->pixels().size()); ++pixel) {
     to_end_of_pixel(state, pixel);
-    REQUIRE(state.ghosts);
-    CHECK(state.ghosts->pixel == pixel);
-    const PixelRecord& record = state.timeline->pixels()[static_cast<std::size_t>(pixel)];
-    CHECK(state.ghosts->shade == record.shade);
-    if (state.ghosts->rays.empty()) {
-      CHECK(state.ghosts->lost == Rgbd(0.0));
+    REQUIRE(state.walk.ghosts);
+    CHECK(state.walk.ghosts->pixel == pixel);
+    const PixelRecord& record = state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)];
+    CHECK(state.walk.ghosts->shade == record.shade);
+    if (state.walk.ghosts->rays.empty()) {
+      CHECK(state.walk.ghosts->lost == Rgbd(0.0));
       continue;
     }
     ++with_ghosts;
     int deepest = 0;
-    for (const GhostRay& ghost : state.ghosts->rays) {
-      const RayRecord& stub = state.timeline->rays()[static_cast<std::size_t>(ghost.stub)];
+    for (const GhostRay& ghost : state.walk.ghosts->rays) {
+      const RayRecord& stub = state.walk.timeline->rays()[static_cast<std::size_t>(ghost.stub)];
       CHECK_FALSE(stub.formed);
       CHECK(stub.pixel == pixel);
       CHECK((stub.ending == Ending::depth || stub.ending == Ending::threshold));
@@ -65,13 +65,13 @@ TEST_CASE("a pixel and its ghosts add up to what a deeper trace without a thresh
       const bool shaded = ghost.record.formed && ghost.record.kind != RayKind::shadow;
       deepest = std::max(deepest, ghost.record.depth + (shaded ? 1 : 0));
     }
-    CAPTURE(depth, threshold, pixel, deepest, state.ghosts->levels);
+    CAPTURE(depth, threshold, pixel, deepest, state.walk.ghosts->levels);
     Scene scene = state.scene();
     scene.limits = {deepest, 0};
     const Timeline deep = record_cell(scene, record.column);
-    const Rgbd all = state.ghosts->shade + state.ghosts->lost, expected = deep.pixels().front().shade;
+    const Rgbd all = state.walk.ghosts->shade + state.walk.ghosts->lost, expected = deep.pixels().front().shade;
     for (int channel = 0; channel < 3; ++channel) CHECK(all[channel] == Approx(expected[channel]).margin(1e-12));
-    CHECK(share_of(state.ghosts->lost, *state.ghosts) <= 1);
+    CHECK(share_of(state.walk.ghosts->lost, *state.walk.ghosts) <= 1);
   }
   CHECK(with_ghosts > 0);
 }
@@ -80,17 +80,17 @@ TEST_CASE("ghosts are drawn once their stub stands, and only when asked for") {
   State state = limited(1, 0);
   int pixel = -1;
   do to_end_of_pixel(state, ++pixel);
-  while (state.ghosts->rays.empty());
+  while (state.walk.ghosts->rays.empty());
   CHECK(drawn_for_ghosts(state) > 2);
-  const int stub = state.ghosts->rays.front().stub;
-  update(state, action::Jump{state.timeline->rays()[static_cast<std::size_t>(stub)].formed_at - 1});
+  const int stub = state.walk.ghosts->rays.front().stub;
+  update(state, action::Jump{state.walk.timeline->rays()[static_cast<std::size_t>(stub)].formed_at - 1});
   CHECK(drawn_for_ghosts(state) == 2);  // the line below, on its plate, and nothing else
-  CHECK(state.ghosts != nullptr);
+  CHECK(state.walk.ghosts != nullptr);
   to_end_of_pixel(state, pixel);
   update(state, action::ShowGhosts{false});
-  CHECK(state.ghosts == nullptr);
+  CHECK(state.walk.ghosts == nullptr);
   CHECK(drawn_for_ghosts(state) == 0);
   update(state, action::ShowGhosts{true});
   update(state, action::SetMode{Mode::move});
-  CHECK(state.ghosts == nullptr);
+  CHECK(state.walk.ghosts == nullptr);
 }

@@ -22,7 +22,7 @@ std::optional<Colour> fill_of(const DisplayItem& item) {
 
 /// What the items before `end` paint there, their lines left out.
 Colour painted(const State& state, const DisplayList& list, std::size_t end, const Vec2d& at) {
-  Colour seen = palette(state.theme).plan;
+  Colour seen = palette(state.appearance.theme).plan;
   for (std::size_t i = 0; i < end; ++i)
     if (const auto fill = fill_of(list[i]); fill && distance_to(list[i], at) == 0)
       seen = mix(seen, fill->with_alpha(255), fill->a / 255.0);
@@ -177,7 +177,7 @@ TEST_CASE("a name is nearer to its own body than to any other, or a line leads t
 TEST_CASE("the arrow of the view does not cross the name of SCREEN") {
   for (const std::string& path : shipped_scenes())
     in_every_pane(path, [&](const State& state, const DisplayList& list) {
-      if (state.mode != Mode::move) return;
+      if (state.walk.mode != Mode::move) return;
       for (const Name& name : names_of(list)) {
         if (name.text != "SCREEN") continue;
         for (const DisplayItem& item : list)

@@ -93,16 +93,16 @@ TEST_CASE("changing the language changes what is said, and nothing else") {
   update(state, action::SetMode{Mode::trace});
   update(state, action::Jump{40});
   const Scene scene = state.scene();
-  const int position = state.position;
+  const int position = state.walk.position;
   const std::string english = sentence(state), status = status_line(state);
   update(state, action::SetLanguage{"pt"});
-  CHECK(state.language == in_portuguese);
+  CHECK(state.appearance.language == in_portuguese);
   CHECK(sentence(state) != english);
   CHECK(status_line(state) != status);
   CHECK(state.scene() == scene);
-  CHECK(state.position == position);
-  CHECK_FALSE(state.dirty);
-  CHECK(state.undo.empty());
+  CHECK(state.walk.position == position);
+  CHECK_FALSE(state.document.dirty);
+  CHECK(state.document.undo.empty());
   update(state, action::SetLanguage{"en"});
   CHECK(sentence(state) == english);
   CHECK(status_line(state) == status);
@@ -112,11 +112,11 @@ TEST_CASE("the equation's numbers are the same in both languages, and written as
   State state = classic_state();
   update(state, action::SetMode{Mode::trace});
   bool comma = false;
-  for (int position = 1; position <= std::min(state.timeline->steps(), 400); ++position) {
+  for (int position = 1; position <= std::min(state.walk.timeline->steps(), 400); ++position) {
     update(state, action::Jump{position});
-    state.language = in_english;
+    state.appearance.language = in_english;
     const EquationPanel english = equation_panel(state);
-    state.language = in_portuguese;
+    state.appearance.language = in_portuguese;
     const EquationPanel portuguese = equation_panel(state);
     REQUIRE(english.rows.size() == portuguese.rows.size());
     for (std::size_t i = 0; i < english.rows.size(); ++i) {
@@ -137,7 +137,7 @@ TEST_CASE("a question and a new scene speak the language; names in a scene stay 
   CHECK(state.scene().objects.back().name == "Esfera transparente");
   CHECK(state.scene().objects.front().name == "Solid Sphere");
   update(state, action::New{});
-  REQUIRE(state.question);
+  REQUIRE(state.document.question);
   const std::string asked = question_panel(state).text;
   update(state, action::SetLanguage{"en"});
   CHECK(question_panel(state).text != asked);
@@ -157,10 +157,10 @@ TEST_CASE("a language that is not there is refused, and the one that is spoken s
   State state = classic_state();
   update(state, action::SetLanguage{"pt"});
   update(state, action::SetLanguage{"xx"});
-  CHECK(state.language == in_portuguese);
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
-  CHECK_THAT(state.notice->text, contains("xx"));
+  CHECK(state.appearance.language == in_portuguese);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
+  CHECK_THAT(state.document.notice->text, contains("xx"));
 }
 
 TEST_CASE("a lesson that is not in the language of the interface is told in English, and says so") {
@@ -174,12 +174,12 @@ TEST_CASE("a lesson that is not in the language of the interface is told in Engl
   update(state, action::OpenLesson{state.lessons.list[0].name});
   const LessonPanel english = lesson_panel(state);
   CHECK(english.told_in.empty());
-  state.language = languages.find("da").value();
+  state.appearance.language = languages.find("da").value();
   const LessonPanel danish = lesson_panel(state);
   CHECK(danish.told_in == "P\u00e5 engelsk, ikke Dansk.");
   CHECK(danish.text == english.text);
   CHECK_FALSE(document_title(state).empty());
-  const std::string script = lesson_script(state.lessons.open->played, state.language, ScriptForm::markdown);
+  const std::string script = lesson_script(state.lessons.open->played, state.appearance.language, ScriptForm::markdown);
   CHECK_THAT(script, contains("ikke Dansk") && contains("# Ray casting"));
   update(state, action::LeaveLesson{});
   CHECK(lesson_panel(state).rows[0].title == "Ray casting");

@@ -35,9 +35,9 @@ TEST_CASE("whoever leaves a lesson has the scene back that was open before") {
   SECTION("as it was") {
     update(state, action::LeaveLesson{});
     CHECK(state.scene() == mine);
-    CHECK(state.path == folder.file("mine.toml"));
-    CHECK_FALSE(state.dirty);
-    CHECK(state.mode == Mode::move);
+    CHECK(state.document.path == folder.file("mine.toml"));
+    CHECK_FALSE(state.document.dirty);
+    CHECK(state.walk.mode == Mode::move);
   }
   SECTION("after another lesson too") {
     state.lessons.unlocked = true;
@@ -49,18 +49,18 @@ TEST_CASE("whoever leaves a lesson has the scene back that was open before") {
     update(state, action::LeaveLesson{});
     make_dirty(state);
     update(state, action::OpenLesson{first});
-    REQUIRE(state.question.has_value());
+    REQUIRE(state.document.question.has_value());
     update(state, action::AnswerQuestion{action::Answer::discard});
     REQUIRE(state.lessons.at() != nullptr);
     update(state, action::LeaveLesson{});
     CHECK(state.scene() == mine);
-    CHECK_FALSE(state.dirty);
+    CHECK_FALSE(state.document.dirty);
   }
   SECTION("asked first, where the lesson's scene was changed") {
     make_dirty(state);
     const Scene changed = state.scene();
     update(state, action::LeaveLesson{});
-    REQUIRE(state.question.has_value());
+    REQUIRE(state.document.question.has_value());
     CHECK(state.scene() == changed);
     update(state, action::AnswerQuestion{action::Answer::cancel});
     CHECK(state.lessons.at() != nullptr);
@@ -70,7 +70,7 @@ TEST_CASE("whoever leaves a lesson has the scene back that was open before") {
     CHECK(read_scene(folder.file("theirs.toml"))->scene == changed);
     CHECK(state.lessons.at() == nullptr);
     CHECK(state.scene() == mine);
-    CHECK_FALSE(state.dirty);
+    CHECK_FALSE(state.document.dirty);
   }
   SECTION("unless another scene was opened: that is where one is") {
     update(state, action::New{});

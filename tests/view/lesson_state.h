@@ -12,10 +12,10 @@ namespace raywalk::test {
 inline State state_with_lessons() {
   const std::string root = RAYWALK_SOURCE_DIR;
   State state = make_state(read_scene(root + "/scenes/classic.toml").value());
-  state.language = in_english;
+  state.appearance.language = in_english;
   state.lessons.folder = root + "/lessons";
   state.lessons.scenes_folder = root + "/scenes";
-  state.viewport = {800, 600};
+  state.plan.viewport = {800, 600};
   update(state, action::ShowLessons{true});
   update(state, action::SetLessonOptions{false, true});
   return state;

@@ -1,4 +1,5 @@
 // Lessons as a student goes through them, without a window.
+#include "view/bugs/bugs.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/text/text.h"
 #include "view/tree/tree_panel.h"
@@ -25,7 +26,7 @@ State with_lessons(const std::string& state_dir = {}) {
   State state = make_state(read_scene(root + "/scenes/classic.toml").value(), {}, state_dir);
   state.lessons.folder = root + "/lessons";
   state.lessons.scenes_folder = root + "/scenes";
-  state.language = test::in_english;
+  state.appearance.language = test::in_english;
   update(state, action::ShowLessons{true});
   return state;
 }
@@ -71,8 +72,8 @@ TEST_CASE("a question holds a student until it is answered, and shows then where
   update(state, action::OpenLesson{state.lessons.list[0].name});
   go_to_question(state, Asks::choice);
   const PlayedStep& step = *state.lessons.at();
-  CHECK(state.mode == Mode::trace);
-  CHECK(state.position == step.asked);
+  CHECK(state.walk.mode == Mode::trace);
+  CHECK(state.walk.position == step.asked);
   CHECK_FALSE(lesson_panel(state).can_go_on);
   CHECK_FALSE(lesson_panel(state).can_reveal);
   CHECK(lesson_panel(state).reveal.empty());
@@ -84,7 +85,7 @@ TEST_CASE("a question holds a student until it is answered, and shows then where
   update(state, action::GuessChoice{2});
   CHECK(lesson_panel(state).can_reveal);
   update(state, action::RevealLesson{});
-  CHECK(state.position == step.shown);
+  CHECK(state.walk.position == step.shown);
   CHECK_FALSE(lesson_panel(state).is_right);
   CHECK_FALSE(lesson_panel(state).reveal.empty());
   CHECK(state.lessons.judged == 1);
@@ -104,33 +105,33 @@ TEST_CASE("STEP asks for the prediction first, and then shows the answer") {
   for (const Action& forward : {Action(action::Step{}), Action(action::Step{true, Grain::pixel}),
                                 Action(action::Hold{}), Action(action::PlayPause{})}) {
     update(state, forward);
-    CHECK_FALSE(state.playing);
-    CHECK(state.position == step.asked);
-    CHECK_FALSE(state.hold);
+    CHECK_FALSE(state.walk.playing);
+    CHECK(state.walk.position == step.asked);
+    CHECK_FALSE(state.walk.hold);
     CHECK_FALSE(state.lessons.revealed);
   }
-  REQUIRE(state.notice);
-  CHECK(state.notice->text == text("lesson.predict_first", test::in_english));
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->text == text("lesson.predict_first", test::in_english));
   update(state, action::GuessChoice{0});
   update(state, action::Step{});
   CHECK(state.lessons.revealed);
-  CHECK(state.position == step.shown);
+  CHECK(state.walk.position == step.shown);
   CHECK_FALSE(question_waits(state));
   update(state, action::Step{});
-  CHECK(state.position == step.shown + 1);
+  CHECK(state.walk.position == step.shown + 1);
 }
 
 TEST_CASE("AUTO comes to rest at a question that is still open") {
   State state = with_lessons();
   update(state, action::OpenLesson{state.lessons.list[0].name});
   go_to_question(state, Asks::choice);
-  const int asked = state.position;
+  const int asked = state.walk.position;
   update(state, action::Jump{asked - 3});
   update(state, action::PlayPause{});
-  REQUIRE(state.playing);
+  REQUIRE(state.walk.playing);
   for (int tick = 0; tick < 20; ++tick) update(state, action::Tick{1.0});
-  CHECK(state.position == asked);
-  CHECK_FALSE(state.playing);
+  CHECK(state.walk.position == asked);
+  CHECK_FALSE(state.walk.playing);
 }
 
 TEST_CASE("the tree does not show rays that are still to be predicted") {
@@ -166,7 +167,7 @@ TEST_CASE("whoever walks away from a question is shown the way back") {
   update(state, action::OpenLesson{state.lessons.list[0].name});
   go_to_question(state, Asks::choice);
   CHECK_FALSE(lesson_panel(state).astray);
-  const int asked = state.position, step = state.lessons.step;
+  const int asked = state.walk.position, step = state.lessons.step;
   update(state, action::Step{false});
   CHECK(lesson_panel(state).astray);
   update(state, action::Step{});  // back to it, by foot
@@ -175,7 +176,7 @@ TEST_CASE("whoever walks away from a question is shown the way back") {
   update(state, action::Nudge{{1, 0}});
   CHECK(lesson_panel(state).astray);
   update(state, action::GoToLessonStep{step});
-  CHECK(state.position == asked);
+  CHECK(state.walk.position == asked);
   CHECK(question_waits(state));
   CHECK_FALSE(lesson_panel(state).astray);
 }
@@ -253,13 +254,13 @@ TEST_CASE("an arrow is dragged in the plan, and judged by its angle") {
   const double tilt = 0.1;  // radians
   const Vec2d guess(truth.x * std::cos(tilt) - truth.y * std::sin(tilt),
                     truth.x * std::sin(tilt) + truth.y * std::cos(tilt));
-  const auto pixels = [&](const Vec2d& at) { return to_pixels(state.camera, state.viewport, at); };
-  const PlanCamera camera = state.camera;
+  const auto pixels = [&](const Vec2d& at) { return to_pixels(state.plan.camera, state.plan.viewport, at); };
+  const PlanCamera camera = state.plan.camera;
   update(state, action::PointerPressed{pixels(*origin + Vec2d(1, 0))});
   update(state, action::PointerMoved{pixels(*origin + 2.0 * guess)});
   update(state, action::PointerReleased{pixels(*origin + 2.0 * guess)});
-  CHECK(state.camera == camera);
-  CHECK_FALSE(state.drag);
+  CHECK(state.plan.camera == camera);
+  CHECK_FALSE(state.plan.drag);
   const auto verdict = judge(state.lessons);
   REQUIRE(verdict);
   CHECK(std::abs(verdict->error - tilt * 180 / 3.14159265358979) < 1e-6);
@@ -269,7 +270,7 @@ TEST_CASE("an arrow is dragged in the plan, and judged by its angle") {
   CHECK(state.lessons.right == 1);
   CHECK_FALSE(arrow_origin(state));
   CHECK(guess_origin(state));
-  CHECK(is_finite(plan_view(state, state.viewport)));
+  CHECK(is_finite(plan_view(state, state.plan.viewport)));
 }
 
 TEST_CASE("a number counts as right within its tolerance") {
@@ -297,12 +298,12 @@ TEST_CASE("every step of every lesson stands on the screen where the lesson was 
     for (int step = 0; step < entry.steps; ++step) {
       INFO(step);
       const PlayedStep& played = *state.lessons.at();
-      CHECK(state.timeline->steps() == played.walk->timeline.steps());
-      CHECK(state.position == played.asked);
+      CHECK(state.walk.timeline->steps() == played.walk->timeline.steps());
+      CHECK(state.walk.position == played.asked);
       CHECK_FALSE(lesson_panel(state).text.empty());
       CHECK_FALSE(lesson_panel(state).presenter.empty());
       update(state, action::RevealLesson{});
-      CHECK(state.position == played.shown);
+      CHECK(state.walk.position == played.shown);
       update(state, action::GoToLessonStep{step + 1});
     }
     CHECK(state.lessons.at() == nullptr);
@@ -350,10 +351,10 @@ TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer wh
   update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"04-reflection"});
   go_to_question(state, Asks::line);
-  REQUIRE(state.bug);
+  REQUIRE(state.walk.bug);
   CHECK(fault_at_work(state) == Fault::reflection_flipped);
   CHECK(asks_for_line(state));
-  CHECK(state.timeline->steps() == state.lessons.at()->walk->timeline.steps());
+  CHECK(state.walk.timeline->steps() == state.lessons.at()->walk->timeline.steps());
   update(state, action::MendBug{true});
   CHECK(fault_at_work(state));  // not before it is known
   update(state, action::MarkLine{Line::form_shadow_ray});
@@ -370,20 +371,20 @@ TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer wh
   // Nobody is left with a broken tracer: neither beside closed lessons, nor in another step, nor after the lesson.
   const int step = state.lessons.step;
   update(state, action::ShowLessons{false});
-  CHECK_FALSE(state.bug);
+  CHECK_FALSE(state.walk.bug);
   update(state, action::ShowLessons{true});
   CHECK(fault_at_work(state) == Fault::reflection_flipped);
   update(state, action::GoToLessonStep{step - 1});
-  CHECK_FALSE(state.bug);
-  CHECK(state.timeline->steps() == state.lessons.at()->walk->timeline.steps());
+  CHECK_FALSE(state.walk.bug);
+  CHECK(state.walk.timeline->steps() == state.lessons.at()->walk->timeline.steps());
   update(state, action::GoToLessonStep{step});
-  CHECK(state.bug);
+  CHECK(state.walk.bug);
   update(state, action::GuessChoice{0});
   update(state, action::MarkLine{Line::form_shadow_ray});
   update(state, action::RevealLesson{});
   CHECK_FALSE(lesson_panel(state).is_right);
   update(state, action::LeaveLesson{});
-  CHECK_FALSE(state.bug);
+  CHECK_FALSE(state.walk.bug);
 }
 
 TEST_CASE("whoever changes the scene of a bug gets it back with the answer") {
@@ -397,6 +398,6 @@ TEST_CASE("whoever changes the scene of a bug gets it back with the answer") {
   update(state, action::RevealLesson{});
   CHECK(state.scene() == asked);
   CHECK(fault_at_work(state) == Fault::reflection_flipped);
-  CHECK(state.bug->known);
+  CHECK(state.walk.bug->known);
   CHECK(lesson_panel(state).is_right);
 }

@@ -58,7 +58,7 @@ const TextItem* text_with(const DisplayList& list, const std::string& part) {
 
 TEST_CASE("of very many objects 1,500 are drawn, the largest among them, and the view says so") {
   State state = lines_of(crowd(2000));
-  const DisplayList list = lines_view(state, state.viewport);
+  const DisplayList list = lines_view(state, state.plan.viewport);
   CHECK(is_finite(list));
   const std::set<int> drawn = drawn_objects(list);
   CHECK(drawn.size() == 1500);
@@ -72,17 +72,17 @@ TEST_CASE("of very many objects 1,500 are drawn, the largest among them, and the
   CHECK(list.size() < 10'000);
   CHECK(text_with(list, "1,500 of 2,000 objects") != nullptr);
   update(state, action::SetLanguage{"pt"});
-  CHECK(text_with(lines_view(state, state.viewport), "1.500 de 2.000 objetos") != nullptr);
-  CHECK(text_with(lines_view(lines_of(crowd(1500)), state.viewport), "1,500") == nullptr);
+  CHECK(text_with(lines_view(state, state.plan.viewport), "1.500 de 2.000 objetos") != nullptr);
+  CHECK(text_with(lines_view(lines_of(crowd(1500)), state.plan.viewport), "1,500") == nullptr);
 }
 
 TEST_CASE("of very many objects those that rays have met are drawn in full") {
   State state = lines_of(crowd(4000));
   update(state, action::WalkPixel{200, 150, {401, 301}});
-  REQUIRE_FALSE(state.timeline->rays().empty());
-  const int met = state.timeline->rays().front().object;
+  REQUIRE_FALSE(state.walk.timeline->rays().empty());
+  const int met = state.walk.timeline->rays().front().object;
   REQUIRE(met >= 0);
-  const DisplayList list = lines_view(state, state.viewport);
+  const DisplayList list = lines_view(state, state.plan.viewport);
   CHECK(drawn_objects(list).size() == 1500);
   CHECK(items_of(list, {TargetKind::object, met}).size() > 40);  // circles of lines, where others have one rim
 }
@@ -123,12 +123,12 @@ TEST_CASE("in space a wall's name does not stand on what lies before it") {
     if (!path.ends_with("/cornell.toml")) continue;
     State state = make_state(read_document(path));
     update(state, action::ResizePlan{{858, 480}});
-    const DisplayList list = lines_view(state, state.viewport);
+    const DisplayList list = lines_view(state, state.plan.viewport);
     for (const char* name : {"Floor", "Ball", "Block", "Red wall", "Green wall", "Back wall"}) {
       INFO(name);
       CHECK(text_with(list, name) != nullptr);
     }
-    const Projection seen(lines_camera(state, state.viewport), state.viewport);
+    const Projection seen(lines_camera(state, state.plan.viewport), state.plan.viewport);
     const Object& ball = state.scene().objects[static_cast<std::size_t>(index_of_object(state.scene(), "Ball"))];
     const auto& sphere = std::get<Sphere<double>>(ball.shape);
     const auto middle = seen.point(sphere.centre);

@@ -18,7 +18,7 @@ namespace {
 constexpr Viewport pane{480, 400};
 
 void set_precision(State& state, bool single) {
-  ImageSettings settings = state.image;
+  ImageSettings settings = state.picture.settings;
   settings.single_precision = single;
   update(state, action::SetImageSettings{settings});
 }
@@ -34,7 +34,7 @@ State walking(const std::string& name, bool single = true) {
 template <class Fits>
 std::shared_ptr<const Specimen> find(State& state, Fits fits) {
   Microscope microscope;
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     const auto seen = specimen_of(microscope, state);
     if (seen && fits(*seen)) return seen;
@@ -63,26 +63,26 @@ bool acne(const Specimen& seen) {
 
 TEST_CASE("numerics are an edit of the scene: the walk has them, and undo takes them back") {
   State state = walking("classic");
-  const auto robust = state.timeline;
-  const std::uint64_t revision = state.revision;
+  const auto robust = state.walk.timeline;
+  const std::uint64_t revision = state.document.revision;
   update(state, action::SetNumerics{Numerics::naive, 0});
   CHECK(state.scene().render.numerics == Numerics::naive);
   CHECK(state.scene().render.epsilon == 0);
-  CHECK(state.dirty);
-  CHECK(state.revision != revision);
+  CHECK(state.document.dirty);
+  CHECK(state.document.revision != revision);
   CHECK(pictured_scene(state)->render.numerics == Numerics::naive);
   // Rays that meet the surface they leave: this walk is another one.
-  CHECK(state.timeline->steps() != robust->steps());
+  CHECK(state.walk.timeline->steps() != robust->steps());
   update(state, action::Undo{});
   CHECK(state.scene().render.numerics == Numerics::robust);
-  CHECK(state.timeline->steps() == robust->steps());
+  CHECK(state.walk.timeline->steps() == robust->steps());
   update(state, action::Redo{});
   CHECK(state.scene().render.numerics == Numerics::naive);
 
-  const std::size_t entries = state.undo.size();
+  const std::size_t entries = state.document.undo.size();
   for (const double epsilon : {1e-4, 1e-3, 1e-2})
     update(state, action::SetNumerics{Numerics::naive, epsilon, epsilon > 1e-4});
-  CHECK(state.undo.size() == entries + 1);
+  CHECK(state.document.undo.size() == entries + 1);
   for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) update(state, action::SetNumerics{Numerics::naive, bad});
   CHECK(state.scene().render.epsilon == 1e-2);
 }
@@ -90,11 +90,11 @@ TEST_CASE("numerics are an edit of the scene: the walk has them, and undo takes 
 TEST_CASE("magnification stays between the whole scene and single numbers") {
   State state = walking("classic");
   update(state, action::Magnify{7});
-  CHECK(state.magnified == 1);
+  CHECK(state.microscope.magnified == 1);
   update(state, action::Magnify{std::nan("")});
-  CHECK(state.magnified == 1);
+  CHECK(state.microscope.magnified == 1);
   update(state, action::Magnify{-1});
-  CHECK(state.magnified == 0);
+  CHECK(state.microscope.magnified == 0);
 }
 
 TEST_CASE("the drawing is finite and within reason at every magnification, in every scene") {
@@ -105,7 +105,7 @@ TEST_CASE("the drawing is finite and within reason at every magnification, in ev
     for (const bool single : {false, true}) {
       set_precision(state, single);
       Microscope microscope;
-      const int steps = state.timeline->steps();
+      const int steps = state.walk.timeline->steps();
       for (int i = 1; i <= 6; ++i) {
         update(state, action::Jump{steps * i / 6});
         const auto seen = specimen_of(microscope, state);

@@ -16,11 +16,11 @@ using namespace raywalk::test;
 
 TEST_CASE("the code panel highlights the timeline's line at every position") {
   for (State state : {classic_state(), busy_state()}) {
-    for (int position = 0; position <= state.timeline->steps(); ++position) {
-      state.position = position;
+    for (int position = 0; position <= state.walk.timeline->steps(); ++position) {
+      state.walk.position = position;
       const CodePanel panel = code_panel(state);
-      const Event* just_run = state.timeline->just_run(position);
-      const Event* next = state.timeline->next(position);
+      const Event* just_run = state.walk.timeline->just_run(position);
+      const Event* next = state.walk.timeline->next(position);
       int highlighted = 0, outlined = 0;
       for (const CodeBox& box : panel.boxes) {
         for (const CodeRow& row : box.rows) {
@@ -43,14 +43,14 @@ TEST_CASE("a walk of paths has its own pseudocode, call and return") {
   Scene scene = busy_scene();
   scene.render.integrator = Integrator::path;
   State state = state_of(scene);
-  REQUIRE(state.timeline->of_paths());
+  REQUIRE(state.walk.timeline->of_paths());
   const CodePanel start = code_panel(state);
   CHECK(start.boxes[0].title == "PATH TRACING");
   CHECK(start.boxes[1].title == "FOLLOW PATH (RTNSHADE)");
   CHECK(start.boxes[0].rows.size() + start.boxes[1].rows.size() == path_line_count);
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
-    state.position = position;
-    const Event& ran = *state.timeline->just_run(position);
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    state.walk.position = position;
+    const Event& ran = *state.walk.timeline->just_run(position);
     int highlighted = 0;
     for (const CodeBox& box : code_panel(state).boxes) {
       for (const CodeRow& row : box.rows) highlighted += row.just_run && row.line == ran.line;
@@ -59,7 +59,7 @@ TEST_CASE("a walk of paths has its own pseudocode, call and return") {
     CHECK(highlighted == 1);
     const StackPanel stack = stack_panel(state);
     CHECK(stack.rows.back().title == "PATH TRACING");
-    CHECK(stack.rows.size() == state.timeline->stack(position).size() + 1);
+    CHECK(stack.rows.size() == state.walk.timeline->stack(position).size() + 1);
     CHECK_FALSE(sentence(state).empty());
     static_cast<void>(tree_panel(state));
   }
@@ -69,7 +69,7 @@ TEST_CASE("a walk of paths has its own pseudocode, call and return") {
            settings.integrator = Integrator::whitted;
            return settings;
          }()});
-  CHECK_FALSE(state.timeline->of_paths());
+  CHECK_FALSE(state.walk.timeline->of_paths());
   CHECK(code_panel(state).boxes[0].title == "MAIN ALGORITHM");
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("pointing at a line lights it up, pointing at a ray lights up its line
   CHECK(hovered() == std::set<Line>{Line::if_reflective});
   update(state, action::HoverLine{std::nullopt});
   CHECK(hovered().empty());
-  const auto& rays = state.timeline->rays();
+  const auto& rays = state.walk.timeline->rays();
   const auto found =
       std::find_if(rays.begin(), rays.end(), [](const RayRecord& ray) { return ray.kind == RayKind::refract; });
   REQUIRE(found != rays.end());
@@ -104,7 +104,7 @@ TEST_CASE("pointing at a line lights it up, pointing at a ray lights up its line
 
 TEST_CASE("pointing at a line lights up the rays that it formed, in the tree and in the plan") {
   State state = busy_state();
-  update(state, action::Jump{state.timeline->steps() / 2});
+  update(state, action::Jump{state.walk.timeline->steps() / 2});
   update(state, action::Step{true, Grain::pixel});
   update(state, action::Step{false, Grain::line});
   update(state, action::HoverLine{Line::form_shadow_ray});
@@ -118,23 +118,23 @@ TEST_CASE("pointing at a line lights up the rays that it formed, in the tree and
 
 TEST_CASE("the tree is that of the pixel's rays") {
   State state = busy_state();
-  for (int position = 0; position <= state.timeline->steps(); position += 5) {
-    state.position = position;
+  for (int position = 0; position <= state.walk.timeline->steps(); position += 5) {
+    state.walk.position = position;
     const TreePanel tree = tree_panel(state);
-    const int pixel = state.timeline->current_pixel(position);
+    const int pixel = state.walk.timeline->current_pixel(position);
     if (pixel < 0) {
       CHECK(tree.nodes.empty());
       CHECK(tree.cell == -1);
       continue;
     }
-    const auto range = state.timeline->rays_of_pixel(pixel);
+    const auto range = state.walk.timeline->rays_of_pixel(pixel);
     REQUIRE(static_cast<int>(tree.nodes.size()) == range.last - range.first);
-    CHECK(tree.cell == state.timeline->pixels()[static_cast<std::size_t>(pixel)].column);
+    CHECK(tree.cell == state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)].column);
     std::set<std::pair<double, double>> places;
     int current = 0;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
       const TreeNode& node = tree.nodes[i];
-      const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(node.ray)];
+      const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(node.ray)];
       REQUIRE(ray.pixel == pixel);
       REQUIRE(node.kind == ray.kind);
       REQUIRE(node.formed == ray.formed);
@@ -206,10 +206,11 @@ TEST_CASE("a node that has returned shows the colour that its SHADE returned") {
     update(state, action::JumpToCell{cell});
     update(state, action::Step{true, Grain::pixel});
     for (const TreeNode& node : tree_panel(state).nodes) {
-      const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(node.ray)];
+      const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(node.ray)];
       CHECK(node.returned == (ray.shade >= 0));
       if (node.returned)
-        CHECK(node.shade == display_colour(state.timeline->frames()[static_cast<std::size_t>(ray.shade)].returned));
+        CHECK(node.shade ==
+              display_colour(state.walk.timeline->frames()[static_cast<std::size_t>(ray.shade)].returned));
     }
   }
 }
@@ -217,37 +218,37 @@ TEST_CASE("a node that has returned shows the colour that its SHADE returned") {
 TEST_CASE("the stack lists the open calls, innermost first, and what each waits for") {
   State state = busy_state();
   bool deep = false;
-  for (int position = 0; position <= state.timeline->steps(); ++position) {
-    state.position = position;
+  for (int position = 0; position <= state.walk.timeline->steps(); ++position) {
+    state.walk.position = position;
     const StackPanel panel = stack_panel(state);
-    std::vector<int> calls = state.timeline->stack(position);
+    std::vector<int> calls = state.walk.timeline->stack(position);
     if (position == 0) {
       CHECK(panel.rows.empty());
       continue;
     }
     // The call that has just computed its shade still stands there, handing it over.
-    const bool returning = state.timeline->just_run(position)->line == Line::compute_rtnshade;
-    if (returning) calls.insert(calls.begin(), state.timeline->current_frame(position));
+    const bool returning = state.walk.timeline->just_run(position)->line == Line::compute_rtnshade;
+    if (returning) calls.insert(calls.begin(), state.walk.timeline->current_frame(position));
     REQUIRE(panel.rows.size() == calls.size() + 1);
     if (returning) {
-      const FrameRecord& frame = state.timeline->frames()[static_cast<std::size_t>(calls.front())];
-      REQUIRE(panel.rows.front().waiting ==
-              fill("stack.returns", state.language, {{"colour", colour_text(frame.returned, state.language)}}));
+      const FrameRecord& frame = state.walk.timeline->frames()[static_cast<std::size_t>(calls.front())];
+      REQUIRE(panel.rows.front().waiting == fill("stack.returns", state.appearance.language,
+                                                 {{"colour", colour_text(frame.returned, state.appearance.language)}}));
     }
     CHECK(panel.rows.back().title == "MAIN ALGORITHM");
     for (std::size_t i = 0; i < calls.size(); ++i) {
-      const FrameRecord& frame = state.timeline->frames()[static_cast<std::size_t>(calls[i])];
+      const FrameRecord& frame = state.walk.timeline->frames()[static_cast<std::size_t>(calls[i])];
       const StackRow& row = panel.rows[i];
-      REQUIRE(row.title == fill("stack.shade", state.language, {{"depth", std::to_string(frame.depth)}}));
+      REQUIRE(row.title == fill("stack.shade", state.appearance.language, {{"depth", std::to_string(frame.depth)}}));
       REQUIRE(row.ray_index == frame.ray);
       REQUIRE_FALSE(row.object.empty());
       REQUIRE_FALSE(row.waiting.empty());
-      const RayKind kind = state.timeline->rays()[static_cast<std::size_t>(frame.ray)].kind;
+      const RayKind kind = state.walk.timeline->rays()[static_cast<std::size_t>(frame.ray)].kind;
       const StackRow& caller = panel.rows[i + 1];
       if (returning && i == 0) continue;  // its caller works on already
-      if (kind == RayKind::reflect) REQUIRE(caller.waiting == text("stack.waits_refl", state.language));
-      if (kind == RayKind::refract) REQUIRE(caller.waiting == text("stack.waits_refr", state.language));
-      if (kind == RayKind::primary) REQUIRE(caller.waiting == text("stack.waits_final", state.language));
+      if (kind == RayKind::reflect) REQUIRE(caller.waiting == text("stack.waits_refl", state.appearance.language));
+      if (kind == RayKind::refract) REQUIRE(caller.waiting == text("stack.waits_refr", state.appearance.language));
+      if (kind == RayKind::primary) REQUIRE(caller.waiting == text("stack.waits_final", state.appearance.language));
     }
     deep = deep || calls.size() >= 3;
   }
@@ -257,10 +258,10 @@ TEST_CASE("the stack lists the open calls, innermost first, and what each waits 
 TEST_CASE("a call shows what has been returned to it") {
   State state = busy_state();
   int shown = 0;
-  for (int position = 1; position <= state.timeline->steps(); ++position) {
-    const Event* just_run = state.timeline->just_run(position);
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    const Event* just_run = state.walk.timeline->just_run(position);
     if (just_run->line != Line::compute_rtnshade) continue;
-    state.position = position;
+    state.walk.position = position;
     const auto& computed = std::get<ShadeComputed>(just_run->detail);
     const StackPanel panel = stack_panel(state);
     REQUIRE(panel.rows.size() >= 2);
@@ -275,9 +276,9 @@ TEST_CASE("a call shows what has been returned to it") {
 TEST_CASE("counts are those of a walk through the events") {
   State state = busy_state();
   Counts expected;
-  for (int position = 0; position <= state.timeline->steps(); ++position) {
+  for (int position = 0; position <= state.walk.timeline->steps(); ++position) {
     if (position > 0) {
-      const EventDetail& detail = state.timeline->just_run(position)->detail;
+      const EventDetail& detail = state.walk.timeline->just_run(position)->detail;
       if (const auto* formed = std::get_if<RayFormed>(&detail))
         ++expected.formed[static_cast<std::size_t>(formed->kind)];
       if (const auto* found = std::get_if<Found>(&detail)) ++expected.ended[static_cast<std::size_t>(found->ending)];
@@ -287,7 +288,7 @@ TEST_CASE("counts are those of a walk through the events") {
       if (const auto* decided = std::get_if<Decided>(&detail); decided != nullptr && decided->why)
         ++expected.ended[static_cast<std::size_t>(*decided->why)];
     }
-    state.position = position;
+    state.walk.position = position;
     const Counts now = counts(state);
     REQUIRE(now.formed == expected.formed);
     REQUIRE(now.ended == expected.ended);
@@ -295,7 +296,7 @@ TEST_CASE("counts are those of a walk through the events") {
     REQUIRE(now.position == position);
   }
   CHECK(expected.ended[static_cast<std::size_t>(Ending::total_internal_reflection)] > 0);
-  CHECK_THAT(status_line(state), contains(std::to_string(state.timeline->steps())));
+  CHECK_THAT(status_line(state), contains(std::to_string(state.walk.timeline->steps())));
 }
 
 TEST_CASE("in Move the sentence says how to get back what is out of view") {
@@ -305,20 +306,20 @@ TEST_CASE("in Move the sentence says how to get back what is out of view") {
   update(state, action::Pan{{5000, 0}});
   CHECK_THAT(sentence(state), contains(state.scene().lights[0].name) && contains("Fit (F)"));
   update(state, action::FitView{});
-  CHECK(sentence(state) == text("status.first_step_move", state.language));
+  CHECK(sentence(state) == text("status.first_step_move", state.appearance.language));
   update(state, action::Zoom{{320, 240}, 0.01});
-  CHECK(sentence(state) == text("plan.shown_tiny", state.language));
+  CHECK(sentence(state) == text("plan.shown_tiny", state.appearance.language));
 }
 
 TEST_CASE("total internal reflection leaves a stub along the surface") {
   const State state = busy_state();
   int seen = 0;
-  for (const RayRecord& ray : state.timeline->rays()) {
+  for (const RayRecord& ray : state.walk.timeline->rays()) {
     if (ray.ending != Ending::total_internal_reflection) continue;
     ++seen;
     CHECK_FALSE(ray.formed);
     CHECK(ray.kind == RayKind::refract);
-    const RayRecord& parent = state.timeline->rays()[static_cast<std::size_t>(ray.parent)];
+    const RayRecord& parent = state.walk.timeline->rays()[static_cast<std::size_t>(ray.parent)];
     CHECK(ray.origin == parent.end);
     CHECK(std::abs(dot(ray.direction, parent.normal)) < 1e-12);
     CHECK(dot(ray.direction, parent.direction) >= 0);
@@ -329,8 +330,8 @@ TEST_CASE("total internal reflection leaves a stub along the surface") {
 
 TEST_CASE("the longest status has room for every status of the walk") {
   State state = classic_state();
-  for (int position = 0; position <= state.timeline->steps(); position += 7) {
-    state.position = position;
+  for (int position = 0; position <= state.walk.timeline->steps(); position += 7) {
+    state.walk.position = position;
     CHECK(status_line(state).size() <= widest_status_line(state, false).size() + 2);  // a dash of three bytes
     CHECK(short_status_line(state).size() <= widest_status_line(state, true).size());
   }
@@ -348,16 +349,16 @@ TEST_CASE("the legend has all kinds of rays and the signs of the tree") {
 
 TEST_CASE("the sentence says what to do first and what comes last") {
   State state = classic_state();
-  CHECK(sentence(state) == text("status.first_step_move", state.language));
+  CHECK(sentence(state) == text("status.first_step_move", state.appearance.language));
   update(state, action::SetMode{Mode::trace});
-  CHECK(sentence(state) == text("status.first_step_trace", state.language));
+  CHECK(sentence(state) == text("status.first_step_trace", state.appearance.language));
   update(state, action::SetMode{Mode::help});
-  CHECK(sentence(state) == text("status.first_step_help", state.language));
+  CHECK(sentence(state) == text("status.first_step_help", state.appearance.language));
   update(state, action::Jump{1 << 20});
-  CHECK_THAT(sentence(state), contains(std::string(text("status.after_last_step", state.language))));
+  CHECK_THAT(sentence(state), contains(std::string(text("status.after_last_step", state.appearance.language))));
   update(state, action::SetMode{Mode::move});
-  CHECK_THAT(sentence(state), contains(std::string(text("status.walk_stands_at_end", state.language))));
+  CHECK_THAT(sentence(state), contains(std::string(text("status.walk_stands_at_end", state.appearance.language))));
   update(state, action::Jump{7});
   update(state, action::SetMode{Mode::move});
-  CHECK_THAT(sentence(state), contains("step 7 of " + std::to_string(state.timeline->steps())));
+  CHECK_THAT(sentence(state), contains("step 7 of " + std::to_string(state.walk.timeline->steps())));
 }

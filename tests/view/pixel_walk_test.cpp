@@ -37,11 +37,11 @@ TEST_CASE("a walked pixel ends in the very colour of the picture, of the scene's
     const Film<double>& film = rendering->film_of<double>();
     for (const auto& [column, row] : {std::pair{3, 40}, {30, 20}, {31, 30}, {40, 25}, {62, 0}}) {
       update(state, action::WalkPixel{column, row, size});
-      REQUIRE(state.timeline->pixels().size() == 1);
-      CHECK(state.timeline->pixels()[0].shade == film.at(column, row));
-      CHECK(state.position == state.timeline->steps());
-      CHECK(state.mode == Mode::trace);
-      CHECK(state.tab == Tab::tree);
+      REQUIRE(state.walk.timeline->pixels().size() == 1);
+      CHECK(state.walk.timeline->pixels()[0].shade == film.at(column, row));
+      CHECK(state.walk.position == state.walk.timeline->steps());
+      CHECK(state.walk.mode == Mode::trace);
+      CHECK(state.appearance.tab == TreeRoom::tab);
       CHECK_FALSE(tree_panel(state).nodes.empty());
       CHECK(shows_lines(state));
       CHECK(broken_promise(state) == "");
@@ -51,41 +51,41 @@ TEST_CASE("a walked pixel ends in the very colour of the picture, of the scene's
 
 TEST_CASE("a pixel on the row of a planar scene's strip goes to its cell, in the plan") {
   State state = classic_state();
-  REQUIRE(state.planar);
+  REQUIRE(state.walk.planar);
   update(state, action::WalkPixel{220, 100, {441, 331}});
   CHECK(shows_lines(state));
   CHECK(current_cell(state) == -1);
   update(state, action::WalkPixel{220, 165, {441, 331}});
-  CHECK_FALSE(state.walk);
+  CHECK_FALSE(state.walk.pixel);
   CHECK_FALSE(shows_lines(state));
   CHECK(current_cell(state) == 10);
-  CHECK(state.timeline->pixels().size() == 21);
+  CHECK(state.walk.timeline->pixels().size() == 21);
   // Turned, that row is the strip's no more.
   update(state, action::Orbit{SpaceView::image, {0.3, 0}});
   update(state, action::WalkPixel{220, 165, {441, 331}});
-  REQUIRE(state.walk);
-  CHECK(state.walk->camera == state.image_camera);
+  REQUIRE(state.walk.pixel);
+  CHECK(state.walk.pixel->camera == state.picture.camera);
 }
 
 TEST_CASE("turning the picture changes neither the scene nor its file, until it is asked for, and that is undone") {
   State state = classic_state();
   const Scene scene = state.scene();
-  const std::uint64_t before = state.image_revision;
+  const std::uint64_t before = state.picture.revision;
   update(state, action::Orbit{SpaceView::image, {0.3, 0.2}});
   update(state, action::Shift{SpaceView::image, {0.1, 0}});
   update(state, action::Approach{SpaceView::image, 1.5});
   CHECK(state.scene() == scene);
-  CHECK_FALSE(state.dirty);
-  CHECK(state.undo.empty());
-  CHECK(state.image_revision > before);
+  CHECK_FALSE(state.document.dirty);
+  CHECK(state.document.undo.empty());
+  CHECK(state.picture.revision > before);
   const Camera turned = image_camera(state);
   CHECK(turned != scene.camera);
 
   update(state, action::UseImageCamera{});
   CHECK(state.scene().camera == turned);
-  CHECK(state.dirty);
-  CHECK_FALSE(state.image_camera);
-  CHECK_FALSE(state.planar);
+  CHECK(state.document.dirty);
+  CHECK_FALSE(state.picture.camera);
+  CHECK_FALSE(state.walk.planar);
   update(state, action::Undo{});
   CHECK(state.scene() == scene);
 
@@ -97,21 +97,21 @@ TEST_CASE("turning the picture changes neither the scene nor its file, until it 
 TEST_CASE("a walked pixel is recorded again when the scene changes, and left when SCREEN is asked for") {
   State state = classic_state();
   update(state, action::WalkPixel{130, 140, {441, 331}});
-  const Rgbd before = state.timeline->pixels()[0].shade;
+  const Rgbd before = state.walk.timeline->pixels()[0].shade;
   Material material = state.scene().objects[0].material;
   material.diffuse = material.diffuse * 0.5;
   update(state, action::SetMaterial{0, material});
-  REQUIRE(state.walk);
-  CHECK(state.timeline->pixels()[0].shade != before);
-  CHECK(state.position == state.timeline->steps());
+  REQUIRE(state.walk.pixel);
+  CHECK(state.walk.timeline->pixels()[0].shade != before);
+  CHECK(state.walk.position == state.walk.timeline->steps());
   update(state, action::WalkStrip{});
-  CHECK(state.timeline->of_strip());
+  CHECK(state.walk.timeline->of_strip());
   CHECK(broken_promise(state) == "");
 }
 
 TEST_CASE("lines stand for every object, the lights, EYE and every ray of the walk") {
   State state = shipped("quadrics");
-  CHECK_FALSE(state.planar);
+  CHECK_FALSE(state.walk.planar);
   update(state, action::WalkPixel{200, 200, {441, 331}});
   const DisplayList list = lines_view(state, {860, 480});
   CHECK(is_finite(list));
@@ -125,9 +125,9 @@ TEST_CASE("lines stand for every object, the lights, EYE and every ray of the wa
   }
   CHECK_FALSE(items_of(list, {TargetKind::eye}).empty());
   int drawn = 0;
-  for (int i = 0; i < static_cast<int>(state.timeline->rays().size()); ++i)
+  for (int i = 0; i < static_cast<int>(state.walk.timeline->rays().size()); ++i)
     drawn += items_of(list, {TargetKind::ray, i}).empty() ? 0 : 1;
-  CHECK(drawn == static_cast<int>(state.timeline->rays().size()));
+  CHECK(drawn == static_cast<int>(state.walk.timeline->rays().size()));
   // At the start nothing is drawn of rays.
   update(state, action::Clear{});
   for (const DisplayItem& item : lines_view(state, {860, 480})) CHECK(item.target.kind != TargetKind::ray);
@@ -141,8 +141,8 @@ TEST_CASE("a ray of the line view is picked where it is drawn, with the kind's o
   for (const DisplayItem& item : lines_view(state, pane)) {
     const auto* line = std::get_if<LineItem>(&item.shape);
     if (line == nullptr || item.target.kind != TargetKind::ray || line->arrow == 0) continue;
-    const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(item.target.index)];
-    const RayStyle& style = ray_style(state.theme, ray.kind);
+    const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(item.target.index)];
+    const RayStyle& style = ray_style(state.appearance.theme, ray.kind);
     CHECK(line->stroke.colour.with_alpha(255) == style.colour);
     CHECK(line->stroke.dash.count == style.dash.count);
     kinds.insert(ray.kind);
@@ -187,12 +187,12 @@ TEST_CASE("settings of the picture are kept within their limits, and the walk ha
   ImageSettings settings;
   settings.samples = 1 << 30;
   update(state, action::SetImageSettings{settings});
-  CHECK(state.image.samples == max_image_samples);
-  const Rgbd in_double = state.timeline->pixels()[10].shade;
+  CHECK(state.picture.settings.samples == max_image_samples);
+  const Rgbd in_double = state.walk.timeline->pixels()[10].shade;
   settings.single_precision = true;
   update(state, action::SetImageSettings{settings});
-  const Rgbd in_float = state.timeline->pixels()[10].shade;
+  const Rgbd in_float = state.walk.timeline->pixels()[10].shade;
   CHECK(in_float != in_double);
   CHECK(length(in_float - in_double) < 1e-4);
-  CHECK_FALSE(state.dirty);
+  CHECK_FALSE(state.document.dirty);
 }

@@ -24,7 +24,7 @@ std::vector<TextItem> texts_of(const DisplayList& list) {
 TEST_CASE("pixels and scene units turn into each other") {
   const State state = busy_state();
   for (const Vec2d& at : {Vec2d(0, 0), Vec2d(800, 600), Vec2d(13, 477)})
-    CHECK(length(to_pixels(state, to_scene(state.camera, state.viewport, at)) - at) < 1e-9);
+    CHECK(length(to_pixels(state, to_scene(state.plan.camera, state.plan.viewport, at)) - at) < 1e-9);
   // y runs up in the scene and down on the screen.
   CHECK(to_pixels(state, Vec2d(0, 1)).y < to_pixels(state, Vec2d(0, 0)).y);
 }
@@ -93,15 +93,15 @@ TEST_CASE("the object under the pointer says what it is") {
   for (const std::string name : {"Solid Sphere", "Transparent Sphere", "Polygon"}) {
     const Target target{TargetKind::object, index_of_object(state.scene(), name)};
     update(state, action::PointerMoved{pixels_of(state, target)});
-    CHECK(state.hovered == target);
-    CHECK_THAT(target_text(state, state.hovered), contains(name));
+    CHECK(state.plan.hovered == target);
+    CHECK_THAT(target_text(state, state.plan.hovered), contains(name));
   }
   update(state, action::PointerMoved{pixels_of(state, {TargetKind::light, 0})});
-  CHECK_THAT(target_text(state, state.hovered), contains("Light Source"));
+  CHECK_THAT(target_text(state, state.plan.hovered), contains("Light Source"));
   update(state, action::PointerMoved{pixels_of(state, {TargetKind::eye})});
-  CHECK_THAT(target_text(state, state.hovered), contains("EYE"));
+  CHECK_THAT(target_text(state, state.plan.hovered), contains("EYE"));
   update(state, action::PointerLeft{});
-  CHECK_FALSE(state.hovered);
+  CHECK_FALSE(state.plan.hovered);
 }
 
 TEST_CASE("a wall is a line that can be taken hold of, a floor is not drawn") {
@@ -132,7 +132,7 @@ TEST_CASE("cells stand in order along SCREEN, cell 0 to the left of the view") {
     const auto items = items_of(list, {TargetKind::cell, cell});
     REQUIRE(items.size() == 1);
     const auto& quad = std::get<PolygonItem>(items.front().shape);
-    CHECK(quad.fill == palette(state.theme).empty_cell);
+    CHECK(quad.fill == palette(state.appearance.theme).empty_cell);
     Vec2d middle(0.0);
     for (const Vec2d& corner : quad.points) middle += corner / 4.0;
     // EYE looks along +x, so its left is up.
@@ -150,11 +150,11 @@ TEST_CASE("cells fill with their final shades, and CLEAR empties them") {
   const auto fill_of = [&](int cell) {
     return *std::get<PolygonItem>(items_of(plan_view(state), {TargetKind::cell, cell}).front().shape).fill;
   };
-  const Colour empty = palette(state.theme).empty_cell;
+  const Colour empty = palette(state.appearance.theme).empty_cell;
   update(state, action::Step{true, Grain::pixel});
   update(state, action::Step{true, Grain::pixel});
-  CHECK(fill_of(0) == display_colour(state.timeline->pixels()[0].shade));
-  CHECK(fill_of(1) == display_colour(state.timeline->pixels()[1].shade));
+  CHECK(fill_of(0) == display_colour(state.walk.timeline->pixels()[0].shade));
+  CHECK(fill_of(1) == display_colour(state.walk.timeline->pixels()[1].shade));
   CHECK(fill_of(2) == empty);
   update(state, action::Step{false, Grain::line});
   CHECK(fill_of(1) == empty);
@@ -242,7 +242,7 @@ TEST_CASE("every shipped scene is drawn with finite numbers, at every zoom") {
     State state = make_state(read_document(path));
     for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
       update(state, action::SetMode{mode});
-      state.position = state.timeline->steps();
+      state.walk.position = state.walk.timeline->steps();
       for (const double factor : {1.0, 1e-3, 1e6, 1e6, 1e-12}) {
         update(state, action::Zoom{{100, 100}, factor});
         CHECK(is_finite(plan_view(state)));
@@ -285,7 +285,7 @@ TEST_CASE("of a crowd the plan draws no more than can be told apart, and all tha
     return static_cast<int>(objects.size());
   };
   CHECK(drawn_of(4000) == 4001);
-  const double cells = (state.viewport.width / 6 + 1) * (state.viewport.height / 6 + 1);
+  const double cells = (state.plan.viewport.width / 6 + 1) * (state.plan.viewport.height / 6 + 1);
   const int many = drawn_of(60000);
   CHECK(many > 1000);
   CHECK(many < cells);

@@ -21,17 +21,17 @@ State predicting() {
 
 /// To the first position at which such a question is asked about such a ray.
 void to_question(State& state, PredictionKind what, RayKind kind) {
-  for (int position = state.position + 1; position < state.timeline->steps(); ++position) {
+  for (int position = state.walk.position + 1; position < state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     const auto asked = prediction_asked(state);
-    if (asked && asked->what == what && state.timeline->rays()[static_cast<std::size_t>(asked->ray)].kind == kind)
+    if (asked && asked->what == what && state.walk.timeline->rays()[static_cast<std::size_t>(asked->ray)].kind == kind)
       return;
   }
   FAIL("nothing is asked");
 }
 
 const RayRecord& asked_ray(const State& state) {
-  return state.timeline->rays()[static_cast<std::size_t>(prediction_asked(state)->ray)];
+  return state.walk.timeline->rays()[static_cast<std::size_t>(prediction_asked(state)->ray)];
 }
 
 Vec2d turned(const Vec2d& v, double degrees) {
@@ -43,7 +43,7 @@ Vec2d turned(const Vec2d& v, double degrees) {
 
 TEST_CASE("nothing is asked before predictions are switched on, while AUTO plays, or outside Trace") {
   State state = classic_state();
-  for (int position = 0; position <= state.timeline->steps(); ++position) {
+  for (int position = 0; position <= state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     CHECK_FALSE(prediction_asked(state));
     CHECK_FALSE(aim_origin(state));
@@ -68,12 +68,12 @@ TEST_CASE("an arrow is dragged from the ring, the step that forms the ray judges
   const Vec2d origin = plan(ray.origin);
   REQUIRE(aim_origin(state) == origin);
   const Vec2d tip = origin + 2.0 * turned(plan(ray.direction) / length(plan(ray.direction)), degrees);
-  const std::size_t undone = state.undo.size();
+  const std::size_t undone = state.document.undo.size();
   drag(state, to_pixels(state, origin + Vec2d(0, 1)), to_pixels(state, tip));
   REQUIRE(state.predictions.open);
-  CHECK(state.undo.size() == undone);
+  CHECK(state.document.undo.size() == undone);
   CHECK(state.predictions.judged.empty());
-  const std::size_t drawn_open = plan_view(state, state.viewport).size();
+  const std::size_t drawn_open = plan_view(state, state.plan.viewport).size();
   update(state, action::Step{});
   CHECK_FALSE(state.predictions.open);
   REQUIRE(state.predictions.judged.size() == 1);
@@ -82,7 +82,7 @@ TEST_CASE("an arrow is dragged from the ring, the step that forms the ray judges
   CHECK(state.predictions.right() == (right ? 1 : 0));
   CHECK(prediction_sentence(state).find(std::to_string(static_cast<int>(std::abs(degrees)))) != std::string::npos);
   // The ray, the guess and its angle stand there now.
-  CHECK(plan_view(state, state.viewport).size() > drawn_open);
+  CHECK(plan_view(state, state.plan.viewport).size() > drawn_open);
   // Back before the answer the guess is not shown again, nor counted twice.
   update(state, action::Step{false});
   update(state, action::Step{});
@@ -92,7 +92,7 @@ TEST_CASE("an arrow is dragged from the ring, the step that forms the ray judges
 TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, whatever rays lie over it") {
   State state = predicting();
   int seen_object = 0, seen_light = 0, seen_nothing = 0;
-  for (int position = 0; position < state.timeline->steps(); ++position) {
+  for (int position = 0; position < state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     const auto asked = prediction_asked(state);
     if (!asked || asked->what != PredictionKind::end) continue;
@@ -140,35 +140,35 @@ TEST_CASE("AUTO, held steps, runs and large steps come to rest where a ray is to
   State state = predicting();
   update(state, action::RunOn{});
   CHECK(is_rest(state));
-  const int first = state.position;
+  const int first = state.walk.position;
   update(state, action::RunOn{});
   CHECK(is_rest(state));
-  CHECK(state.position > first);
+  CHECK(state.walk.position > first);
   update(state, action::Clear{});
   update(state, action::Step{true, Grain::pixel});
   update(state, action::Step{true, Grain::pixel});
   CHECK(is_rest(state));
   update(state, action::Clear{});
   update(state, action::PlayPause{});
-  for (int i = 0; i < 1000 && state.playing; ++i) update(state, action::Tick{0.1});
-  CHECK_FALSE(state.playing);
-  CHECK(state.position == first);
+  for (int i = 0; i < 1000 && state.walk.playing; ++i) update(state, action::Tick{0.1});
+  CHECK_FALSE(state.walk.playing);
+  CHECK(state.walk.position == first);
   CHECK(is_rest(state));
   update(state, action::Clear{});
   update(state, action::Hold{true});
-  for (int i = 0; i < 1000 && state.hold; ++i) update(state, action::Tick{0.1});
-  CHECK(state.position == first);
+  for (int i = 0; i < 1000 && state.walk.hold; ++i) update(state, action::Tick{0.1});
+  CHECK(state.walk.position == first);
   // Among lines in space no arrow can be drawn: nothing is asked, and nothing holds.
   update(state, action::Clear{});
   update(state, action::ShowLines{true});
   update(state, action::RunOn{});
-  CHECK(state.position == state.timeline->steps());
+  CHECK(state.walk.position == state.walk.timeline->steps());
   update(state, action::ShowLines{false});
   // Switched off, nothing holds.
   update(state, action::Clear{});
   update(state, action::SetPredictions{false});
   update(state, action::RunOn{});
-  CHECK(state.position == state.timeline->steps());
+  CHECK(state.walk.position == state.walk.timeline->steps());
 }
 
 TEST_CASE("a lesson's own questions and a hunt go before; a guess that was walked away from is forgotten") {
@@ -191,7 +191,7 @@ TEST_CASE("a lesson's own questions and a hunt go before; a guess that was walke
   state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
   update(state, action::HuntBug{1});
   REQUIRE(state.bugs.hunt);
-  for (int position = 0; position < state.timeline->steps(); ++position) {
+  for (int position = 0; position < state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     CHECK_FALSE(prediction_asked(state));
   }
@@ -201,20 +201,20 @@ TEST_CASE("predictions are saved as a table, and no file is written over unasked
   const TemporaryFolder folder;
   State state = predicting();
   update(state, action::AskSavePredictions{});
-  CHECK(state.prompt == PathPrompt::none);  // there is none yet
-  REQUIRE(state.notice);
+  CHECK(state.document.prompt == PathPrompt::none);  // there is none yet
+  REQUIRE(state.document.notice);
   to_question(state, PredictionKind::way, RayKind::reflect);
   update(state, action::GuessWay{plan(asked_ray(state).origin) + plan(asked_ray(state).direction)});
-  const int answered = state.position + 1;
+  const int answered = state.walk.position + 1;
   update(state, action::Step{});
   update(state, action::AskSavePredictions{});
-  CHECK(state.prompt == PathPrompt::save_predictions);
+  CHECK(state.document.prompt == PathPrompt::save_predictions);
   const std::string path = folder.file("predictions.csv");
   update(state, action::SavePredictions{path});
-  CHECK(state.prompt == PathPrompt::none);
+  CHECK(state.document.prompt == PathPrompt::none);
   const auto table = read_file(path, 1 << 16);
   REQUIRE(table);
-  CHECK(*table == "scene,step,ray,asked,degrees_off,right\n" + state.path + "," + std::to_string(answered) +
+  CHECK(*table == "scene,step,ray,asked,degrees_off,right\n" + state.document.path + "," + std::to_string(answered) +
                       ",reflect,where it goes,0.0,1\n");
   // What stands there already is written over only when that is said.
   update(state, action::Step{});
@@ -223,14 +223,14 @@ TEST_CASE("predictions are saved as a table, and no file is written over unasked
   update(state, action::Step{});
   update(state, action::AskSavePredictions{});
   update(state, action::SavePredictions{path});
-  REQUIRE(state.question);
+  REQUIRE(state.document.question);
   CHECK(read_file(path, 1 << 16) == table);
   update(state, action::AnswerQuestion{action::Answer::cancel});
-  CHECK(state.prompt == PathPrompt::save_predictions);
+  CHECK(state.document.prompt == PathPrompt::save_predictions);
   update(state, action::SavePredictions{path});
   update(state, action::AnswerQuestion{action::Answer::save});
-  CHECK(state.prompt == PathPrompt::none);
+  CHECK(state.document.prompt == PathPrompt::none);
   CHECK(read_file(path, 1 << 16)->size() > table->size());
   update(state, action::SavePredictions{folder.file("no/such/folder.csv")});
-  CHECK(state.notice->kind == Notice::Kind::error);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
 }

@@ -26,7 +26,7 @@ class RandomActions {
   /// any of them.
   Action next(const State& state) {
     state_ = &state;
-    const bool asked = state.question || state.prompt != PathPrompt::none;
+    const bool asked = state.document.question || state.document.prompt != PathPrompt::none;
     if (asked) return whole(0, 3) == 0 ? Action(action::CancelPrompt{}) : draw(index(action_kinds));
     if (flip()) return pointer();
     if (deck_.empty()) {
@@ -89,7 +89,7 @@ class RandomActions {
     if (flip()) (*this)(value.emplace());
   }
   template <class Value>
-    requires std::is_class_v<Value>
+    requires(std::is_class_v<Value> && !Worded<Value>)
   void operator()(Value& value) {
     each_field(*this, value);
   }

@@ -14,7 +14,7 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
   const TemporaryFolder folder;
   RandomActions actions(seed, folder.path());
   State state = busy_state();
-  state.state_dir = folder.file("state");
+  state.document.state_dir = folder.file("state");
   state.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
   state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
   std::vector<std::string> latest;
@@ -23,15 +23,15 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
 
   const auto apply = [&](const Action& action) {
     latest.push_back(write_action(action));
-    if (!state.question && state.prompt == PathPrompt::none) ++applied[action.index()];
+    if (!state.document.question && state.document.prompt == PathPrompt::none) ++applied[action.index()];
     update(state, action);
-    if (state.quit) {
+    if (state.document.quit) {
       // The window would have closed; nothing else closes it.
-      const bool may_quit = std::holds_alternative<action::Quit>(action) || state.prompt == PathPrompt::none;
+      const bool may_quit = std::holds_alternative<action::Quit>(action) || state.document.prompt == PathPrompt::none;
       CHECK(may_quit);
-      state.quit = false;
+      state.document.quit = false;
     }
-    if (state.undo.empty() && state.redo.empty() && !state.bugs.hunt) oldest = state.scene();
+    if (state.document.undo.empty() && state.document.redo.empty() && !state.bugs.hunt) oldest = state.scene();
     const std::string broken = broken_promise(state);
     if (broken.empty()) return;
     std::string way;
@@ -41,7 +41,7 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
   };
   const auto settle = [&] {
     apply(action::AnswerQuestion{action::Answer::cancel});
-    CHECK_FALSE(state.question);
+    CHECK_FALSE(state.document.question);
   };
   for (int i = 0; i < rounds(2500); ++i) {
     const Action action = actions.next(state);
@@ -49,7 +49,7 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
     if (std::holds_alternative<action::AddObject>(action) && state.scene().objects.size() > 8) continue;
     apply(action);
     // Work that is discarded cannot be undone.
-    if (state.question && actions.whole(0, 9) > 0) settle();
+    if (state.document.question && actions.whole(0, 9) > 0) settle();
   }
   for (std::size_t kind = 0; kind < action_kinds; ++kind) {
     INFO("action " << kind);
@@ -57,13 +57,13 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
   }
 
   // Undo all the way and redo all the way: the same scenes in the opposite order.
-  if (state.question) settle();
+  if (state.document.question) settle();
   for (const Action& action :
        {Action(action::CancelPrompt{}), Action(action::CancelDrag{}), Action(action::LeaveHunt{})})
     apply(action);
   for (int i = 0; i < rounds(80); ++i) apply(actions.next_edit(state));
   std::vector<Scene> scenes{state.scene()};
-  while (!state.undo.empty()) {
+  while (!state.document.undo.empty()) {
     update(state, action::Undo{});
     CHECK(state.scene() != scenes.back());
     scenes.push_back(state.scene());
@@ -71,7 +71,7 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
   }
   REQUIRE(scenes.size() > (sanitized ? 2 : 20));
   if (scenes.size() <= undo_entries) CHECK(scenes.back() == oldest);
-  while (!state.redo.empty() && scenes.size() > 1) {
+  while (!state.document.redo.empty() && scenes.size() > 1) {
     scenes.pop_back();
     update(state, action::Redo{});
     REQUIRE(state.scene() == scenes.back());

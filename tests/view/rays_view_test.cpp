@@ -21,13 +21,13 @@ LineItem line_of(const DisplayList& list, int ray) {
 }
 
 bool on_border(const State& state, const Vec2d& at) {
-  return at.x <= 0 || at.y <= 0 || at.x >= state.viewport.width || at.y >= state.viewport.height;
+  return at.x <= 0 || at.y <= 0 || at.x >= state.plan.viewport.width || at.y >= state.plan.viewport.height;
 }
 
 bool in_sight(const State& state, const Vec3d& point) { return !on_border(state, to_pixels(state, plan(point))); }
 
 int first_ray(const State& state, RayKind kind, Ending ending) {
-  const auto& rays = state.timeline->rays();
+  const auto& rays = state.walk.timeline->rays();
   for (std::size_t i = 0; i < rays.size(); ++i)
     if (rays[i].kind == kind && rays[i].ending == ending && in_sight(state, rays[i].origin) &&
         in_sight(state, rays[i].end))
@@ -41,9 +41,9 @@ int first_ray(const State& state, RayKind kind, Ending ending) {
 TEST_CASE("a primary ray goes through the middle of its cell") {
   for (const State& state : {classic_state(), busy_state()}) {
     const ScreenPlace screen = screen_place(state.scene().camera);
-    for (const RayRecord& ray : state.timeline->rays()) {
+    for (const RayRecord& ray : state.walk.timeline->rays()) {
       if (ray.kind != RayKind::primary) continue;
-      const int column = state.timeline->pixels()[static_cast<std::size_t>(ray.pixel)].column;
+      const int column = state.walk.timeline->pixels()[static_cast<std::size_t>(ray.pixel)].column;
       const Vec2d middle = screen.at((column + 0.5) / state.scene().camera.screen.cells);
       CHECK(std::abs(cross(plan(ray.direction), middle - plan(ray.origin))) < 1e-12);
     }
@@ -53,7 +53,7 @@ TEST_CASE("a primary ray goes through the middle of its cell") {
 TEST_CASE("a ray is drawn when it is formed and cut when its end is found") {
   State state = classic_state();
   const int ray = first_ray(state, RayKind::primary, Ending::hit);
-  const RayRecord record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  const RayRecord record = state.walk.timeline->rays()[static_cast<std::size_t>(ray)];
   update(state, action::Jump{record.formed_at - 1});
   CHECK(items_of(plan_view(state), {TargetKind::ray, ray}).empty());
   update(state, action::Step{true, Grain::line});
@@ -69,7 +69,7 @@ TEST_CASE("a ray is drawn when it is formed and cut when its end is found") {
   }
   CHECK(on_border(state, std::get<LineItem>(pieces.back().shape).to));
   update(state, action::Step{true, Grain::line});
-  REQUIRE(state.position == record.found_at);
+  REQUIRE(state.walk.position == record.found_at);
   CHECK(length(line_of(plan_view(state), ray).to - to_pixels(state, plan(record.end))) < 1e-6);
   CHECK(length(line_of(plan_view(state), ray).from - to_pixels(state, plan(record.origin))) < 1e-6);
 }
@@ -78,7 +78,7 @@ TEST_CASE("rays stay until CLEAR, a ray that hits nothing leaves through the bor
   State state = classic_state();
   update(state, action::Jump{1 << 20});
   const DisplayList list = plan_view(state);
-  const auto& rays = state.timeline->rays();
+  const auto& rays = state.walk.timeline->rays();
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!rays[i].formed) continue;
     const LineItem line = line_of(list, static_cast<int>(i));
@@ -91,7 +91,7 @@ TEST_CASE("rays stay until CLEAR, a ray that hits nothing leaves through the bor
 TEST_CASE("kinds differ in dashes and colour, all have arrowheads, the current ray stands out") {
   State state = busy_state();
   for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::reflect, RayKind::refract}) {
-    const auto& rays = state.timeline->rays();
+    const auto& rays = state.walk.timeline->rays();
     const auto found = std::find_if(rays.begin(), rays.end(), [&](const RayRecord& ray) {
       return ray.kind == kind && ray.formed && in_sight(state, ray.origin);
     });
@@ -99,8 +99,8 @@ TEST_CASE("kinds differ in dashes and colour, all have arrowheads, the current r
     const int ray = static_cast<int>(found - rays.begin());
     update(state, action::JumpToRay{ray});
     const LineItem current = line_of(plan_view(state), ray);
-    CHECK(current.stroke.colour == ray_style(state.theme, kind).colour);
-    CHECK(current.stroke.dash.count == ray_style(state.theme, kind).dash.count);
+    CHECK(current.stroke.colour == ray_style(state.appearance.theme, kind).colour);
+    CHECK(current.stroke.dash.count == ray_style(state.appearance.theme, kind).dash.count);
     CHECK(current.arrow > 0);
     update(state, action::Jump{1 << 20});
     const LineItem older = line_of(plan_view(state), ray);
@@ -114,7 +114,7 @@ TEST_CASE("dashes are counted from the ray's origin, wherever the pane begins") 
   State state = busy_state();
   update(state, action::Jump{1 << 20});
   const int ray = first_ray(state, RayKind::reflect, Ending::hit);
-  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  const RayRecord& record = state.walk.timeline->rays()[static_cast<std::size_t>(ray)];
   // Zoom to the far part of the ray, so that its origin is out of sight.
   update(state, action::Zoom{to_pixels(state, plan(record.origin + 0.8 * (record.end - record.origin))), 40});
   const Vec2d middle = to_pixels(state, plan(record.origin + 0.8 * (record.end - record.origin)));
@@ -128,7 +128,7 @@ TEST_CASE("dashes are counted from the ray's origin, wherever the pane begins") 
 TEST_CASE("a blocked shadow ray ends at its blocker with a cross") {
   State state = busy_state();
   const int ray = first_ray(state, RayKind::shadow, Ending::blocked);
-  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  const RayRecord& record = state.walk.timeline->rays()[static_cast<std::size_t>(ray)];
   const auto crosses = [&] {
     int strokes = 0;
     const Vec2d end = to_pixels(state, plan(record.end));
@@ -146,7 +146,7 @@ TEST_CASE("a blocked shadow ray ends at its blocker with a cross") {
 TEST_CASE("where a limit forbids a ray there is a stub") {
   State state = busy_state();
   for (const Ending ending : {Ending::depth, Ending::threshold, Ending::facing_away}) {
-    const auto& rays = state.timeline->rays();
+    const auto& rays = state.walk.timeline->rays();
     const auto found = std::find_if(rays.begin(), rays.end(),
                                     [&](const RayRecord& ray) { return !ray.formed && ray.ending == ending; });
     INFO(ending_name(ending));
@@ -165,14 +165,14 @@ TEST_CASE("where a limit forbids a ray there is a stub") {
 TEST_CASE("the pixel's hits show their normals") {
   State state = classic_state();
   const int ray = first_ray(state, RayKind::primary, Ending::hit);
-  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  const RayRecord& record = state.walk.timeline->rays()[static_cast<std::size_t>(ray)];
   const auto normals = [&] {
     int found = 0;
     const Vec2d end = to_pixels(state, plan(record.end));
     for (const DisplayItem& item : plan_view(state)) {
       const auto* line = std::get_if<LineItem>(&item.shape);
       if (line == nullptr || length(line->from - end) > 1e-6) continue;
-      if (line->stroke.colour != palette(state.theme).normal) continue;
+      if (line->stroke.colour != palette(state.appearance.theme).normal) continue;
       const Vec2d along = (line->to - line->from) / length(line->to - line->from);
       CHECK(length(along - Vec2d(record.normal.x, -record.normal.y)) < 1e-9);
       ++found;
@@ -194,9 +194,9 @@ TEST_CASE("a ray pointed at in the tree lights up in the plan, and one in the pl
   const LineItem after = line_of(plan_view(state), ray);
   CHECK(after.stroke.width > before.stroke.width);
   update(state, action::HoverRay{-1});
-  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  const RayRecord& record = state.walk.timeline->rays()[static_cast<std::size_t>(ray)];
   update(state, action::PointerMoved{to_pixels(state, plan(record.origin + record.end) / 2.0)});
-  CHECK(state.hovered.kind == TargetKind::ray);
-  CHECK(state.hovered_ray == state.hovered.index);
-  CHECK_FALSE(target_text(state, state.hovered).empty());
+  CHECK(state.plan.hovered.kind == TargetKind::ray);
+  CHECK(state.plan.hovered_ray == state.plan.hovered.index);
+  CHECK_FALSE(target_text(state, state.plan.hovered).empty());
 }

@@ -22,15 +22,16 @@ TEST_CASE("what is not saved is autosaved within seconds, and recovered at the n
   // As after a crash: a new state on the same file.
   State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
   restore_session(next);
-  REQUIRE(next.question);
-  CHECK(next.question->kind == Question::Kind::recover);
-  CHECK(next.question->path == folder.file("scene.toml"));
-  CHECK_THAT(question_panel(next).text, contains("scene.toml") && contains(std::string(next.question->when)));
-  CHECK_THAT(next.question->when, Catch::Matchers::Matches("20[0-9]{2}-[01][0-9]-[0-3][0-9] at [0-2][0-9]:[0-5][0-9]"));
+  REQUIRE(next.document.question);
+  CHECK(next.document.question->kind == Question::Kind::recover);
+  CHECK(next.document.question->path == folder.file("scene.toml"));
+  CHECK_THAT(question_panel(next).text, contains("scene.toml") && contains(std::string(next.document.question->when)));
+  CHECK_THAT(next.document.question->when,
+             Catch::Matchers::Matches("20[0-9]{2}-[01][0-9]-[0-3][0-9] at [0-2][0-9]:[0-5][0-9]"));
   update(next, action::AnswerQuestion{Answer::recover});
   CHECK(next.scene() == scene);
-  CHECK(next.dirty);
-  CHECK(next.path == folder.file("scene.toml"));
+  CHECK(next.document.dirty);
+  CHECK(next.document.path == folder.file("scene.toml"));
   CHECK(broken_promise(next) == "");
   update(next, action::Save{});
   CHECK(read_document(folder.file("scene.toml")).scene == scene);
@@ -48,10 +49,10 @@ TEST_CASE("Later keeps an autosave whatever is done meanwhile, and the next star
   REQUIRE(write_file_atomically(folder.file("other.toml"), read_file(folder.file("scene.toml"), 1 << 20).value()));
   State other = make_state(read_document(folder.file("other.toml")), folder.file("other.toml"), folder.file("state"));
   restore_session(other);
-  REQUIRE(other.question);
+  REQUIRE(other.document.question);
   CHECK_THAT(question_panel(other).text, contains("scene.toml") && contains("other.toml"));
   update(other, action::AnswerQuestion{Answer::cancel});
-  CHECK_FALSE(other.question);
+  CHECK_FALSE(other.document.question);
   make_dirty(other);
   update(other, action::Tick{autosave_every + 1});
   CHECK(std::filesystem::exists(folder.file("state/autosave-2.toml")));
@@ -60,8 +61,8 @@ TEST_CASE("Later keeps an autosave whatever is done meanwhile, and the next star
 
   State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
   restore_session(next);
-  REQUIRE(next.question);
-  CHECK(next.question->path == folder.file("scene.toml"));
+  REQUIRE(next.document.question);
+  CHECK(next.document.question->path == folder.file("scene.toml"));
   update(next, action::AnswerQuestion{Answer::recover});
   CHECK(next.scene() == lost);
   update(next, action::Save{});
@@ -81,14 +82,14 @@ TEST_CASE("of two autosaves the later is asked about first, and after it is thro
   std::filesystem::last_write_time(folder.file("state/autosave.toml"), now - std::chrono::hours(1));
   State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
   restore_session(next);
-  REQUIRE(next.question);
-  CHECK(next.question->path == "/autosave-2.toml");
+  REQUIRE(next.document.question);
+  CHECK(next.document.question->path == "/autosave-2.toml");
   update(next, action::AnswerQuestion{Answer::discard});
-  REQUIRE(next.question);
-  CHECK(next.question->path == "/autosave.toml");
+  REQUIRE(next.document.question);
+  CHECK(next.document.question->path == "/autosave.toml");
   CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave-2.toml")));
   update(next, action::AnswerQuestion{Answer::discard});
-  CHECK_FALSE(next.question);
+  CHECK_FALSE(next.document.question);
   CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave.toml")));
 }
 
@@ -106,7 +107,7 @@ TEST_CASE("a thrown away autosave is gone, and so is that of a scene that was le
   restore_session(next);
   update(next, action::AnswerQuestion{Answer::discard});
   CHECK_FALSE(std::filesystem::exists(autosave));
-  CHECK_FALSE(next.question);
+  CHECK_FALSE(next.document.question);
   leave_autosave();
   update(state, action::Quit{});
   update(state, action::AnswerQuestion{Answer::discard});
@@ -116,7 +117,7 @@ TEST_CASE("a thrown away autosave is gone, and so is that of a scene that was le
 TEST_CASE("a scene that was never saved is recovered without a path") {
   const TemporaryFolder folder;
   State state = busy_state();
-  state.state_dir = folder.file("state");
+  state.document.state_dir = folder.file("state");
   make_dirty(state);
   const Scene scene = state.scene();
   update(state, action::Tick{1});
@@ -124,8 +125,8 @@ TEST_CASE("a scene that was never saved is recovered without a path") {
   restore_session(next);
   update(next, action::AnswerQuestion{Answer::recover});
   CHECK(next.scene() == scene);
-  CHECK(next.path.empty());
-  CHECK(next.dirty);
+  CHECK(next.document.path.empty());
+  CHECK(next.document.dirty);
   CHECK(broken_promise(next) == "");
 }
 
@@ -137,7 +138,7 @@ TEST_CASE("leaving while recovery is offered keeps the autosave for the next sta
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
   update(next, action::Quit{});
-  CHECK(next.quit);
+  CHECK(next.document.quit);
   CHECK(std::filesystem::exists(folder.file("state/autosave.toml")));
 }
 
@@ -149,6 +150,6 @@ TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
   restore_session(state);
   update(state, action::AnswerQuestion{Answer::recover});
   CHECK(state.scene() == busy_scene());
-  REQUIRE(state.notice);
-  CHECK(state.notice->kind == Notice::Kind::error);
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
 }

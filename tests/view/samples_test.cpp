@@ -19,7 +19,7 @@ namespace {
 State walked(int samples) {
   State state = busy_state();
   update(state, action::SetMode{Mode::trace});
-  ImageSettings settings = state.image;
+  ImageSettings settings = state.picture.settings;
   settings.walk_samples = samples;
   update(state, action::SetImageSettings{settings});
   return state;
@@ -37,7 +37,7 @@ std::vector<std::string> texts_in(const DisplayList& list) {
 TEST_CASE("the samples of a pixel are walked one after the other, and their mean is what a render of them gives") {
   const int samples = 5;
   const State state = walked(samples);
-  const auto& pixels = state.timeline->pixels();
+  const auto& pixels = state.walk.timeline->pixels();
   const int cells = state.scene().camera.screen.cells;
   REQUIRE(static_cast<int>(pixels.size()) == cells * samples);
   for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
@@ -56,16 +56,16 @@ TEST_CASE("the samples of a pixel are walked one after the other, and their mean
 TEST_CASE("one sample is the walk as it always was") {
   const State one = walked(1);
   const Timeline plain = record_strip(one.scene());
-  REQUIRE(one.timeline->steps() == plain.steps());
+  REQUIRE(one.walk.timeline->steps() == plain.steps());
   for (std::size_t i = 0; i < plain.pixels().size(); ++i) {
-    CHECK(one.timeline->pixels()[i].shade == plain.pixels()[i].shade);
-    CHECK(one.timeline->pixels()[i].mean == plain.pixels()[i].shade);
+    CHECK(one.walk.timeline->pixels()[i].shade == plain.pixels()[i].shade);
+    CHECK(one.walk.timeline->pixels()[i].mean == plain.pixels()[i].shade);
   }
 }
 
 TEST_CASE("a small plot shows the samples so far, their mean and how sure it is") {
   State state = walked(4);
-  const auto& pixels = state.timeline->pixels();
+  const auto& pixels = state.walk.timeline->pixels();
   // The third sample of some pixel whose samples differ.
   std::size_t first = 0;
   while (pixels[first].shade == pixels[first + 1].shade) first += 4;
@@ -75,16 +75,16 @@ TEST_CASE("a small plot shows the samples so far, their mean and how sure it is"
   for (std::size_t i = first; i < first + 3; ++i) mean += grey(i) / 3;
   for (std::size_t i = first; i < first + 3; ++i) squares += (grey(i) - mean) * (grey(i) - mean);
   const double half = 4.303 * std::sqrt(squares / 2 / 3);
-  const auto texts = texts_in(plan_view(state, state.viewport));
+  const auto texts = texts_in(plan_view(state, state.plan.viewport));
   const std::string expected =
       fill("plan.samples_mean", in_english,
            {{"samples", "3"}, {"mean", number_text(mean, in_english)}, {"interval", number_text(half, in_english)}});
   CAPTURE(expected);
   CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
-  CHECK(is_finite(plan_view(state, state.viewport)));
+  CHECK(is_finite(plan_view(state, state.plan.viewport)));
   // Not for one sample, and not in Move.
   update(state, action::SetMode{Mode::move});
-  const auto moving = texts_in(plan_view(state, state.viewport));
+  const auto moving = texts_in(plan_view(state, state.plan.viewport));
   CHECK(std::find(moving.begin(), moving.end(), expected) == moving.end());
 }
 
@@ -94,16 +94,16 @@ TEST_CASE("no more samples are walked than a recording holds, and that is said")
   limits.depth = 50;
   limits.threshold = 0;
   update(state, action::SetLimits{limits});
-  ImageSettings settings = state.image;
+  ImageSettings settings = state.picture.settings;
   settings.walk_samples = 1 << 20;
   update(state, action::SetImageSettings{settings});
-  CHECK(state.image.walk_samples == max_walk_samples);
-  CHECK(state.timeline->steps() <= 500'000);
-  const int walked_samples = state.timeline->pixels().back().sample + 1;
+  CHECK(state.picture.settings.walk_samples == max_walk_samples);
+  CHECK(state.walk.timeline->steps() <= 500'000);
+  const int walked_samples = state.walk.timeline->pixels().back().sample + 1;
   if (walked_samples < max_walk_samples) {
-    REQUIRE(state.notice);
-    CHECK(state.notice->text ==
-          fill("notice.too_many_samples", state.language, {{"samples", std::to_string(walked_samples)}}));
+    REQUIRE(state.document.notice);
+    CHECK(state.document.notice->text ==
+          fill("notice.too_many_samples", state.appearance.language, {{"samples", std::to_string(walked_samples)}}));
   }
 }
 
@@ -112,13 +112,13 @@ TEST_CASE("ghosts are those of the sample under way") {
   update(state, action::SetLimits{{1, 0}});
   update(state, action::ShowGhosts{true});
   int with_ghosts = 0;
-  for (const PixelRecord& pixel : state.timeline->pixels()) {
+  for (const PixelRecord& pixel : state.walk.timeline->pixels()) {
     update(state, action::Jump{pixel.done_at});
-    REQUIRE(state.ghosts);
-    for (const GhostRay& ghost : state.ghosts->rays) {
+    REQUIRE(state.walk.ghosts);
+    for (const GhostRay& ghost : state.walk.ghosts->rays) {
       if (ghost.record.parent >= 0) continue;
       ++with_ghosts;
-      const RayRecord& stub = state.timeline->rays()[static_cast<std::size_t>(ghost.stub)];
+      const RayRecord& stub = state.walk.timeline->rays()[static_cast<std::size_t>(ghost.stub)];
       CHECK(ghost.record.origin == stub.origin);
       CHECK(ghost.record.direction == stub.direction);
     }

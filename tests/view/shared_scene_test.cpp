@@ -13,7 +13,7 @@ TEST_CASE("a scene is walked and pictured as it stands, without a copy") {
   State state = classic_state();
   CHECK(&*walked_scene(state) == &state.scene());
   CHECK(&*pictured_scene(state) == &state.scene());
-  CHECK_FALSE(state.saved);
+  CHECK_FALSE(state.document.saved);
   CHECK(&saved_scene(state) == &state.scene());
   update(state, action::Orbit{SpaceView::image, {0.4, 0.2}});
   CHECK(&*walked_scene(state) == &state.scene());
@@ -45,28 +45,28 @@ TEST_CASE("the scene as it was saved is kept beside the edited one, for as long 
   State state = classic_state();
   const Scene before = state.scene();
   make_dirty(state);
-  REQUIRE(state.dirty);
+  REQUIRE(state.document.dirty);
   CHECK(saved_scene(state) == before);
   CHECK(state.scene() != before);
   update(state, action::Undo{});
-  CHECK_FALSE(state.dirty);
-  CHECK_FALSE(state.saved);
+  CHECK_FALSE(state.document.dirty);
+  CHECK_FALSE(state.document.saved);
   CHECK(saved_scene(state) == before);
 }
 
 TEST_CASE("walks of one scene share its world, until it is edited") {
   State state = classic_state();
-  REQUIRE(state.worlds);
-  const auto world = state.worlds->of<double>(*walked_scene(state));
+  REQUIRE(state.document.worlds);
+  const auto world = state.document.worlds->of<double>(*walked_scene(state));
   update(state, action::WalkPixel{30, 40, {63, 47}});
-  REQUIRE(state.walk);
-  CHECK(state.worlds->of<double>(*walked_scene(state)) == world);
+  REQUIRE(state.walk.pixel);
+  CHECK(state.document.worlds->of<double>(*walked_scene(state)) == world);
   const State copy = state;
-  const auto worlds = state.worlds;
+  const auto worlds = state.document.worlds;
   make_dirty(state);
-  CHECK(state.worlds != worlds);
-  CHECK(copy.worlds == worlds);
-  CHECK(state.worlds->of<double>(*walked_scene(state)) != world);
+  CHECK(state.document.worlds != worlds);
+  CHECK(copy.document.worlds == worlds);
+  CHECK(state.document.worlds->of<double>(*walked_scene(state)) != world);
 }
 
 TEST_CASE("a press copies no scene, only the first movement of something does") {
@@ -74,12 +74,12 @@ TEST_CASE("a press copies no scene, only the first movement of something does") 
   const Scene before = state.scene();
   const Vec2d from = pixels_of(state, {TargetKind::object, 0});
   update(state, action::PointerPressed{from});
-  REQUIRE(state.drag);
-  CHECK(state.drag->scene == nullptr);
+  REQUIRE(state.plan.drag);
+  CHECK(state.plan.drag->scene == nullptr);
   update(state, action::PointerMoved{from + Vec2d(50, 0)});
-  REQUIRE(state.drag->scene);
-  CHECK(*state.drag->scene == before);
+  REQUIRE(state.plan.drag->scene);
+  CHECK(*state.plan.drag->scene == before);
   update(state, action::PointerReleased{from + Vec2d(50, 0)});
-  REQUIRE(state.undo.size() == 1);
-  CHECK(state.undo.back() == before);
+  REQUIRE(state.document.undo.size() == 1);
+  CHECK(state.document.undo.back() == before);
 }

@@ -94,9 +94,9 @@ TEST_CASE("the page has every step as the window shows it, and asks no network")
   REQUIRE(steps.size() == static_cast<std::size_t>(timeline->steps()) + 1);
 
   State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"));
-  state.mode = Mode::trace;
+  state.walk.mode = Mode::trace;
   for (int position = 0; position <= timeline->steps(); ++position) {
-    state.position = position;
+    state.walk.position = position;
     const auto& step = steps.at(static_cast<std::size_t>(position));
     INFO(position);
     REQUIRE(walk.at("said").at(step.at("s").get<std::size_t>()) == escaped(sentence(state)));
@@ -115,11 +115,11 @@ TEST_CASE("the page's plan of each step, put together as its script does, is the
   const auto timeline = std::make_shared<const Timeline>(record_strip(scene));
   const auto walk = walk_of(slides_page(scene, timeline, in_english));
   State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"));
-  state.mode = Mode::trace;
-  state.theme = Theme::projector;
-  state.tab = Tab::equation;
-  state.viewport = {750, 500};
-  state.camera = fitted(state);
+  state.walk.mode = Mode::trace;
+  state.appearance.theme = Theme::projector;
+  state.appearance.tab = EquationRoom::tab;
+  state.plan.viewport = {750, 500};
+  state.plan.camera = fitted(state);
   std::vector<std::size_t> items;
   for (int position = 0; position <= timeline->steps(); ++position) {
     const std::vector<std::size_t> before =
@@ -134,7 +134,7 @@ TEST_CASE("the page's plan of each step, put together as its script does, is the
       REQUIRE(first + count <= static_cast<std::ptrdiff_t>(before.size()));
       items.insert(items.end(), before.begin() + first, before.begin() + first + count);
     }
-    state.position = position;
+    state.walk.position = position;
     const DisplayList list = plan_view(state);
     INFO(position);
     REQUIRE(items.size() == list.size());

@@ -24,26 +24,27 @@ void wait(State& state, double seconds) {
 
 TEST_CASE("over, out and their ways back are steps like the others") {
   State state = at_start();
-  while (state.timeline->next(state.position)->line != Line::shade_final) update(state, action::Step{});
-  const int before = state.position;
+  while (state.walk.timeline->next(state.walk.position)->line != Line::shade_final) update(state, action::Step{});
+  const int before = state.walk.position;
   update(state, action::Step{true, Grain::over});
-  CHECK(state.timeline->just_run(state.position)->line == Line::compute_rtnshade);
-  CHECK(state.timeline->just_run(state.position)->depth == 1);
-  const int after = state.position;
+  CHECK(state.walk.timeline->just_run(state.walk.position)->line == Line::compute_rtnshade);
+  CHECK(state.walk.timeline->just_run(state.walk.position)->depth == 1);
+  const int after = state.walk.position;
   update(state, action::Step{false, Grain::over});
-  CHECK(state.position == before);
+  CHECK(state.walk.position == before);
   update(state, action::Step{true, Grain::line});
   update(state, action::Step{true, Grain::out});
-  CHECK(state.position == after);
+  CHECK(state.walk.position == after);
   update(state, action::Jump{before + 3});
   update(state, action::Step{false, Grain::out});
-  CHECK(state.position == before);
+  CHECK(state.walk.position == before);
 }
 
 TEST_CASE("AUTO, Run on, long steps and a run to a line come to rest before a line with a breakpoint") {
   const Line line = Line::form_reflect_ray;
   const auto rests_there = [&](const State& state) {
-    return state.timeline->next(state.position) != nullptr && state.timeline->next(state.position)->line == line;
+    return state.walk.timeline->next(state.walk.position) != nullptr &&
+           state.walk.timeline->next(state.walk.position)->line == line;
   };
   State state = at_start();
   update(state, action::ToggleBreakpoint{line});
@@ -51,38 +52,38 @@ TEST_CASE("AUTO, Run on, long steps and a run to a line come to rest before a li
     for (const CodeRow& row : box.rows) CHECK(row.breakpoint == (row.line == line));
   update(state, action::RunOn{});
   REQUIRE(rests_there(state));
-  const int first = state.position;
+  const int first = state.walk.position;
   update(state, action::RunOn{});
   REQUIRE(rests_there(state));
-  CHECK(state.position > first);
+  CHECK(state.walk.position > first);
   update(state, action::RunOn{false});
-  CHECK(state.position == first);
+  CHECK(state.walk.position == first);
   update(state, action::RunOn{false});
-  CHECK(state.position == 0);
+  CHECK(state.walk.position == 0);
 
   for (const Grain grain : {Grain::ray, Grain::pixel, Grain::over, Grain::out}) {
     update(state, action::Jump{first - 1});
     update(state, action::Step{true, grain});
-    CHECK(state.position == first);
+    CHECK(state.walk.position == first);
   }
   update(state, action::Jump{0});
   update(state, action::RunToLine{Line::put_final_shade});
-  while (state.position < first) update(state, action::RunToLine{Line::put_final_shade});
-  CHECK(state.position == first);
+  while (state.walk.position < first) update(state, action::RunToLine{Line::put_final_shade});
+  CHECK(state.walk.position == first);
 
   update(state, action::Jump{0});
   update(state, action::SetSpeed{1000});
   update(state, action::PlayPause{});
   wait(state, 5);
-  CHECK(state.position == first);
-  CHECK_FALSE(state.playing);
+  CHECK(state.walk.position == first);
+  CHECK_FALSE(state.walk.playing);
   // It goes on from there, and the step by hand is not held up.
   update(state, action::Step{});
-  CHECK(state.position == first + 1);
+  CHECK(state.walk.position == first + 1);
 
   update(state, action::ToggleBreakpoint{line});
   update(state, action::RunOn{});
-  CHECK(state.position == state.timeline->steps());
+  CHECK(state.walk.position == state.walk.timeline->steps());
 }
 
 TEST_CASE("a condition stops a walk after the line that has brought it about") {
@@ -91,37 +92,37 @@ TEST_CASE("a condition stops a walk after the line that has brought it about") {
   breakpoints.depth = 3;
   update(state, action::SetBreakpoints{breakpoints});
   update(state, action::RunOn{});
-  const std::vector<int> calls = state.timeline->stack(state.position);
+  const std::vector<int> calls = state.walk.timeline->stack(state.walk.position);
   REQUIRE_FALSE(calls.empty());
-  CHECK(state.timeline->frames()[static_cast<std::size_t>(calls.front())].depth == 3);
-  CHECK(state.timeline->frames()[static_cast<std::size_t>(calls.front())].called_at == state.position);
+  CHECK(state.walk.timeline->frames()[static_cast<std::size_t>(calls.front())].depth == 3);
+  CHECK(state.walk.timeline->frames()[static_cast<std::size_t>(calls.front())].called_at == state.walk.position);
 }
 
 TEST_CASE("STEP goes faster the longer it is held, and stops when it is let go") {
   State state = at_start();
   update(state, action::Hold{true});
   wait(state, 1);
-  const int one = state.position;
+  const int one = state.walk.position;
   wait(state, 1);
-  const int two = state.position - one;
+  const int two = state.walk.position - one;
   CHECK(one >= 5);
   CHECK(two > one * 3 / 2);
   // The click with which the button is let go is no step more.
-  const int held = state.position;
+  const int held = state.walk.position;
   update(state, action::Step{});
-  CHECK(state.position == held);
-  CHECK_FALSE(state.hold);
+  CHECK(state.walk.position == held);
+  CHECK_FALSE(state.walk.hold);
   update(state, action::Hold{false});
   wait(state, 0.5);
-  CHECK(state.position < held);
+  CHECK(state.walk.position < held);
   update(state, action::Release{});
-  const int released = state.position;
+  const int released = state.walk.position;
   wait(state, 1);
-  CHECK(state.position == released);
+  CHECK(state.walk.position == released);
   update(state, action::Hold{true});
   wait(state, 60);
-  CHECK(state.position == state.timeline->steps());
-  CHECK_FALSE(state.hold);
+  CHECK(state.walk.position == state.walk.timeline->steps());
+  CHECK_FALSE(state.walk.hold);
 }
 
 TEST_CASE("a breakpoint ends a hold, and so does leaving Trace") {
@@ -129,12 +130,12 @@ TEST_CASE("a breakpoint ends a hold, and so does leaving Trace") {
   update(state, action::ToggleBreakpoint{Line::compute_rtnshade});
   update(state, action::Hold{true});
   wait(state, 20);
-  REQUIRE(state.timeline->next(state.position) != nullptr);
-  CHECK(state.timeline->next(state.position)->line == Line::compute_rtnshade);
-  CHECK_FALSE(state.hold);
-  const int rest = state.position;
+  REQUIRE(state.walk.timeline->next(state.walk.position) != nullptr);
+  CHECK(state.walk.timeline->next(state.walk.position)->line == Line::compute_rtnshade);
+  CHECK_FALSE(state.walk.hold);
+  const int rest = state.walk.position;
   update(state, action::Hold{true});
   update(state, action::SetMode{Mode::move});
   wait(state, 2);
-  CHECK(state.position == rest);
+  CHECK(state.walk.position == rest);
 }

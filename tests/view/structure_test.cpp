@@ -24,7 +24,7 @@ State many_circles() {
 
 // At the primary ray of a cell, with the tab open.
 State searching(State state, int cell = 10) {
-  update(state, action::SetTab{Tab::structure});
+  update(state, action::SetTab{StructureRoom::tab});
   update(state, action::JumpToCell{cell});
   update(state, action::Step{true});
   REQUIRE(shows_structure(state));
@@ -42,9 +42,9 @@ int dashed_lines(const DisplayList& list) {
 
 TEST_CASE("the tab opens in Trace mode, and tells what to do until a ray is formed") {
   State state = many_circles();
-  CHECK(state.mode == Mode::move);
-  update(state, action::SetTab{Tab::structure});
-  CHECK(state.mode == Mode::trace);
+  CHECK(state.walk.mode == Mode::move);
+  update(state, action::SetTab{StructureRoom::tab});
+  CHECK(state.walk.mode == Mode::trace);
   CHECK(shows_structure(state));
   CHECK(structure_steps(state) == 0);
   CHECK(structure_panel(state).sentence == text("structure.no_ray", in_english));
@@ -53,7 +53,7 @@ TEST_CASE("the tab opens in Trace mode, and tells what to do until a ray is form
   CHECK(structure_panel(at_ray).sentence == text("structure.not_begun", in_english));
   CHECK(structure_panel(at_ray).rows.size() == watched_count);
   State left = at_ray;
-  update(left, action::SetTab{Tab::tree});
+  update(left, action::SetTab{TreeRoom::tab});
   CHECK(left.structure.walks == nullptr);
   CHECK(structure_steps(left) == 0);
 }
@@ -109,8 +109,8 @@ TEST_CASE("every step of every search and build has a sentence in both languages
   std::set<std::string> sentences;
   for (const Language language : {in_english, in_portuguese}) {
     State state = searching(many_circles(), 4);
-    state.language = language;
-    const int cells = static_cast<int>(state.timeline->pixels().size());
+    state.appearance.language = language;
+    const int cells = static_cast<int>(state.walk.timeline->pixels().size());
     for (int cell = 0; cell < cells; ++cell) {
       update(state, action::JumpToCell{cell});
       for (int rays = 0; rays < 4; ++rays) {
@@ -190,7 +190,7 @@ TEST_CASE("the comparison counts the search of the ray in hand, and the summary 
 TEST_CASE("the plan shows boxes while the tab is open: dashed what is skipped") {
   State state = searching(many_circles());
   State elsewhere = state;
-  update(elsewhere, action::SetTab{Tab::tree});
+  update(elsewhere, action::SetTab{TreeRoom::tab});
   const std::size_t without = plan_view(elsewhere).size();
   CHECK(plan_view(state).size() > without + 40);
   CHECK(dashed_lines(plan_view(state)) == 0);
@@ -221,8 +221,8 @@ TEST_CASE("boxes stand in the lines too, and the tab says where they leave the p
   CHECK(std::find(notes.begin(), notes.end(), text("structure.note_above", in_english)) != notes.end());
   update(state, action::ShowLines{true});
   State elsewhere = state;
-  update(elsewhere, action::SetTab{Tab::tree});
-  CHECK(lines_view(state, state.viewport).size() > lines_view(elsewhere, state.viewport).size());
+  update(elsewhere, action::SetTab{TreeRoom::tab});
+  CHECK(lines_view(state, state.plan.viewport).size() > lines_view(elsewhere, state.plan.viewport).size());
 }
 
 TEST_CASE("nothing to search and things without end have sentences of their own") {
@@ -246,7 +246,7 @@ TEST_CASE("nothing to search and things without end have sentences of their own"
 TEST_CASE("a ray that a limit forbade is not searched for") {
   State state = searching(many_circles());
   update(state, action::SetLimits{{1, 0}});
-  const auto& rays = state.timeline->rays();
+  const auto& rays = state.walk.timeline->rays();
   const auto stub = std::find_if(rays.begin(), rays.end(), [](const RayRecord& ray) { return !ray.formed; });
   REQUIRE(stub != rays.end());
   update(state, action::Jump{stub->formed_at});

@@ -92,14 +92,14 @@ TEST_CASE("every step of every shipped scene has a whole sentence that names how
 
 TEST_CASE("the transcript numbers every step and shows line, depth and sentence") {
   const State state = classic_state();
-  const std::string lines = transcript(state.scene(), *state.timeline, in_english);
-  CHECK(std::count(lines.begin(), lines.end(), '\n') == state.timeline->steps());
-  for (const int position : {1, 100, state.timeline->steps()}) {
-    const std::string step = step_text(state.scene(), *state.timeline, position, in_english);
-    const Event& event = *state.timeline->just_run(position);
+  const std::string lines = transcript(state.scene(), *state.walk.timeline, in_english);
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == state.walk.timeline->steps());
+  for (const int position : {1, 100, state.walk.timeline->steps()}) {
+    const std::string step = step_text(state.scene(), *state.walk.timeline, position, in_english);
+    const Event& event = *state.walk.timeline->just_run(position);
     CHECK_THAT(step, contains(std::to_string(position)));
     CHECK_THAT(step, contains(std::string(pseudocode_of(event.line).text)));
-    CHECK_THAT(step, contains(sentence_of(describe(state.scene(), *state.timeline, position), in_english)));
+    CHECK_THAT(step, contains(sentence_of(describe(state.scene(), *state.walk.timeline, position), in_english)));
     CHECK_THAT(lines, contains(step + "\n"));
     if (event.depth > 0) CHECK_THAT(step, contains("[" + std::to_string(event.depth) + "]"));
   }

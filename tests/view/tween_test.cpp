@@ -20,7 +20,7 @@ State in_motion() {
   return state;
 }
 
-int current(const State& state) { return state.timeline->current_ray(state.position); }
+int current(const State& state) { return state.walk.timeline->current_ray(state.walk.position); }
 
 /// How long the ray under way is drawn; 0 where it is not.
 double drawn_length(const State& state) {
@@ -40,7 +40,7 @@ std::string drawn(const State& state) {
 
 /// The same place without any motion.
 std::string drawn_at_once(State state) {
-  state.tween.reset();
+  state.walk.tween.reset();
   return drawn(state);
 }
 
@@ -48,9 +48,9 @@ std::string drawn_at_once(State state) {
 void step_to(State& state, int RayRecord::* when) {
   do {
     update(state, action::Step{true, Grain::line});
-    REQUIRE(state.position < state.timeline->steps());
+    REQUIRE(state.walk.position < state.walk.timeline->steps());
   } while (current(state) < 0 ||
-           state.timeline->rays()[static_cast<std::size_t>(current(state))].*when != state.position);
+           state.walk.timeline->rays()[static_cast<std::size_t>(current(state))].*when != state.walk.position);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ void step_to(State& state, int RayRecord::* when) {
 TEST_CASE("a ray grows when it is formed, faster at first, and then stands as if it had stood there at once") {
   State state = in_motion();
   step_to(state, &RayRecord::formed_at);
-  REQUIRE(state.tween);
+  REQUIRE(state.walk.tween);
   CHECK(growth_of(state, current(state))->from_start);
   CHECK(drawn_length(state) == 0);
   const double step = tween_seconds(state) / 5;
@@ -72,24 +72,24 @@ TEST_CASE("a ray grows when it is formed, faster at first, and then stands as if
     CHECK(drawn(state) != drawn_at_once(state));
   }
   update(state, action::Tick{1.01 * step});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
   CHECK(drawn_length(state) > before);
 }
 
 TEST_CASE("a ray shrinks to the end that is found for it, and what stands there comes after it") {
   State state = in_motion();
   const auto hits_in_sight = [&] {
-    const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(current(state))];
+    const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(current(state))];
     const Vec2d end = to_pixels(state, plan(ray.end));
-    return ray.ending == Ending::hit && end.x > 0 && end.x < state.viewport.width && end.y > 0 &&
-           end.y < state.viewport.height;
+    return ray.ending == Ending::hit && end.x > 0 && end.x < state.plan.viewport.width && end.y > 0 &&
+           end.y < state.plan.viewport.height;
   };
   do step_to(state, &RayRecord::found_at);
   while (!hits_in_sight());
-  REQUIRE(state.tween);
+  REQUIRE(state.walk.tween);
   CHECK_FALSE(growth_of(state, current(state))->from_start);
   State whole = state;
-  whole.tween.reset();
+  whole.walk.tween.reset();
   CHECK(drawn_length(state) > drawn_length(whole));
   CHECK(plan_view(state).size() < plan_view(whole).size());  // its normal is not there yet
   update(state, action::Tick{tween_seconds(state) / 2});
@@ -100,53 +100,53 @@ TEST_CASE("a ray shrinks to the end that is found for it, and what stands there 
 
 TEST_CASE("only a small step forward moves") {
   State state = in_motion();
-  update(state, action::Jump{state.timeline->steps()});
-  CHECK_FALSE(state.tween);
+  update(state, action::Jump{state.walk.timeline->steps()});
+  CHECK_FALSE(state.walk.tween);
   update(state, action::Step{false, Grain::line});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
   update(state, action::Clear{});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
   update(state, action::Step{true, Grain::pixel});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
   update(state, action::Clear{});
   update(state, action::Step{true, Grain::ray});
-  CHECK(state.tween);
+  CHECK(state.walk.tween);
   update(state, action::SetTweens{false});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
   update(state, action::Step{true, Grain::ray});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
 }
 
 TEST_CASE("whatever is done next finds the step complete, and a pointer that passes by does not hurry it") {
   State state = in_motion();
   step_to(state, &RayRecord::formed_at);
   update(state, action::PointerMoved{{10, 10}});
-  CHECK(state.tween);
+  CHECK(state.walk.tween);
   update(state, action::Undo{});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
   step_to(state, &RayRecord::found_at);
   update(state, action::SetMode{Mode::move});
-  CHECK_FALSE(state.tween);
+  CHECK_FALSE(state.walk.tween);
 }
 
 TEST_CASE("AUTO leaves each ray the time to arrive, and moves nothing where there is none") {
   State state = in_motion();
   update(state, action::SetSpeed{4});
   update(state, action::PlayPause{});
-  CHECK(tween_seconds(state) < 1 / state.lines_per_second);
+  CHECK(tween_seconds(state) < 1 / state.walk.lines_per_second);
   update(state, action::SetSpeed{2});
   CHECK(tween_seconds(state) < 0.4);
   bool moved = false;
-  for (int i = 0; i < 200 && state.playing; ++i) {
+  for (int i = 0; i < 200 && state.walk.playing; ++i) {
     update(state, action::Tick{0.05});
-    moved |= state.tween.has_value();
+    moved |= state.walk.tween.has_value();
   }
   CHECK(moved);
   update(state, action::SetSpeed{100});
   CHECK(tween_seconds(state) == 0);
-  for (int i = 0; i < 20 && state.playing; ++i) {
+  for (int i = 0; i < 20 && state.walk.playing; ++i) {
     update(state, action::Tick{0.01});
-    CHECK_FALSE(state.tween);
+    CHECK_FALSE(state.walk.tween);
   }
 }
 
@@ -154,8 +154,8 @@ TEST_CASE("a picture of the window is taken of what stands still") {
   State state = in_motion();
   step_to(state, &RayRecord::formed_at);
   update(state, action::Export{"walk.png"});
-  CHECK(state.window_export);
-  CHECK_FALSE(state.tween);
-  update(state, action::Jump{state.position + 1});
-  CHECK_FALSE(state.tween);
+  CHECK(state.exports.window);
+  CHECK_FALSE(state.walk.tween);
+  update(state, action::Jump{state.walk.position + 1});
+  CHECK_FALSE(state.walk.tween);
 }

@@ -10,31 +10,31 @@
 namespace raywalk {
 
 void action::SetTheme::apply(State& state) const {
-  state.theme = theme;
+  state.appearance.theme = theme;
   refit(state);
 }
 
 void action::SetLanguage::apply(State& state) const {
-  const std::optional<Language> found = state.language.others().find(code);
-  if (!found) return complain(state, fill("notice.no_language", state.language, {{"language", code}}));
-  state.language = *found;
-  state.notice.reset();  // it is in the old language
+  const std::optional<Language> found = state.appearance.language.others().find(code);
+  if (!found) return complain(state, fill("notice.no_language", state.appearance.language, {{"language", code}}));
+  state.appearance.language = *found;
+  state.document.notice.reset();  // it is in the old language
 }
 
 void action::SetUiScale::apply(State& state) const {
-  state.ui_scale = std::clamp(scale, min_ui_scale, max_ui_scale);
+  state.appearance.ui_scale = std::clamp(scale, min_ui_scale, max_ui_scale);
   refit(state);
 }
 
 void action::SetTab::apply(State& state) const {
-  state.tab = tab;
-  if (tab == Tab::structure) {  // it draws into the plan of a walk
+  state.appearance.tab = tab;
+  if (tab == StructureRoom::tab) {  // it draws into the plan of a walk
     end_drag(state);
-    state.mode = Mode::trace;
+    state.walk.mode = Mode::trace;
   }
-  if (tab == Tab::image) state.turned_last = SpaceView::image;  // keys turn the selected view
+  if (tab == PictureRoom::tab) state.space.turned_last = SpaceView::image;  // keys turn the selected view
 }
 
-void action::DismissNotice::apply(State& state) const { state.notice.reset(); }
+void action::DismissNotice::apply(State& state) const { state.document.notice.reset(); }
 
 }  // namespace raywalk

@@ -74,8 +74,8 @@ std::string_view duty_of(Line line) {
 }
 
 BugPanel bug_panel(const State& state) {
-  const BugSitting& bugs = state.bugs;
-  const Language language = state.language;
+  const BugRoom& bugs = state.bugs;
+  const Language language = state.appearance.language;
   const auto say = [&](std::string_view id, const TextArguments& arguments = {}) {
     return fill(id, language, arguments);
   };
@@ -91,7 +91,7 @@ BugPanel bug_panel(const State& state) {
   }
   const BugHunt& hunt = *bugs.hunt;
   const auto know = [&](std::string_view what) {
-    return say(fmt::format("fault.{}.{}", fault_name(state.bug->fault), what));
+    return say(fmt::format("fault.{}.{}", fault_name(state.walk.bug->fault), what));
   };
   panel.heading = hunt.surprise && hunt.end == BugEnd::open ? say("bug.surprise_title")
                                                             : say("bug.number", {{"number", hunt.number}});
@@ -111,17 +111,17 @@ BugPanel bug_panel(const State& state) {
     case BugEnd::given_up:
       panel.is_right = hunt.end == BugEnd::found;
       panel.verdict =
-          say(panel.is_right ? "bug.right" : "bug.was", {{"line", line_text(faulty_line(state.bug->fault))}});
+          say(panel.is_right ? "bug.right" : "bug.was", {{"line", line_text(faulty_line(state.walk.bug->fault))}});
       panel.learnt = {{say("bug.wrong"), know("wrong")}, {say("bug.cure"), know("cure")}};
       if (!other_rays(state).empty())
-        panel.learnt.push_back({{}, say(state.bug->mended ? "bug.other_rays_broken" : "bug.other_rays_whole")});
+        panel.learnt.push_back({{}, say(state.walk.bug->mended ? "bug.other_rays_broken" : "bug.other_rays_whole")});
       panel.can_mend = true;
       return panel;
   }
   return panel;
 }
 
-int surprising_bug(const BugSitting& bugs, unsigned draw) {
+int surprising_bug(const BugRoom& bugs, unsigned draw) {
   std::vector<int> numbers;
   for (std::size_t i = 0; i < bugs.ends.size(); ++i)
     if (bugs.ends[i] != BugEnd::found) numbers.push_back(static_cast<int>(i) + 1);
@@ -130,15 +130,15 @@ int surprising_bug(const BugSitting& bugs, unsigned draw) {
 }
 
 std::vector<RayRecord> other_rays(const State& state) {
-  const std::optional<Bug>& bug = state.bug;
+  const std::optional<Bug>& bug = state.walk.bug;
   if (!bug || !bug->known || !bug->other) return {};
-  const int pixel = state.timeline->current_pixel(state.position);
+  const int pixel = state.walk.timeline->current_pixel(state.walk.position);
   if (pixel < 0 || pixel >= static_cast<int>(bug->other->pixels().size())) return {};
   const auto rays_of = [&](const Timeline& timeline) {
     const auto [first, last] = timeline.rays_of_pixel(pixel);
     return std::span(timeline.rays()).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
   };
-  const auto own = rays_of(*state.timeline);
+  const auto own = rays_of(*state.walk.timeline);
   std::vector<RayRecord> others;
   for (const RayRecord& ray : rays_of(*bug->other)) {
     const auto same_way = [&](const RayRecord& a) {
@@ -150,8 +150,8 @@ std::vector<RayRecord> other_rays(const State& state) {
 }
 
 std::string bug_banner(const State& state) {
-  if (!state.bug) return {};
-  return std::string(text(state.bug->mended ? "bug.banner_mended" : "bug.banner", state.language));
+  if (!state.walk.bug) return {};
+  return std::string(text(state.walk.bug->mended ? "bug.banner_mended" : "bug.banner", state.appearance.language));
 }
 
 }  // namespace raywalk

@@ -36,7 +36,7 @@ struct BugPanel {
 [[nodiscard]] std::string_view duty_of(Line line);
 
 /// The number of a surprise bug: one that is not found yet, else any. `draw`: any number.
-[[nodiscard]] int surprising_bug(const BugSitting& bugs, unsigned draw);
+[[nodiscard]] int surprising_bug(const BugRoom& bugs, unsigned draw);
 
 /// Once the bug is known: the rays of the current pixel without it (or with it, once fixed) that differ from those
 /// walked.

@@ -62,7 +62,7 @@ void end_hunt(State& state, BugEnd end) {
   hunt.end = end;
   BugEnd& best = state.bugs.ends[static_cast<std::size_t>(hunt.number - 1)];
   if (best != BugEnd::found) best = end;
-  state.bug->known = true;
+  state.walk.bug->known = true;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void action::ShowBugs::apply(State& state) const {
   }
   ShowLessons{false}.apply(state);
   state.bugs.shown = true;
-  if (state.mode == Mode::help) state.mode = Mode::trace;
+  if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
 }
 
 void action::HuntBug::apply(State& state) const {
@@ -91,10 +91,10 @@ void action::HuntBug::apply(State& state) const {
   }
   ShowBugs{true}.apply(state);
   state.bugs.hunt = BugHunt{};  // before the scene, so that the autosave is not touched
-  state.image.single_precision = false;
-  state.image.integrator.reset();
-  state.image.walk_samples = 1;
-  state.image.heat = Heat::none;
+  state.picture.settings.single_precision = false;
+  state.picture.settings.integrator.reset();
+  state.picture.settings.walk_samples = 1;
+  state.picture.settings.heat = Heat::none;
   state.lessons.open.reset();
   show_document(state, std::move(*document), {});
   set_bug(state, fault);
@@ -102,12 +102,12 @@ void action::HuntBug::apply(State& state) const {
   hunt.number = number;
   hunt.surprise = surprise;
   hunt.before = std::move(before);
-  hunt.first_pixel = first_spoilt(*state.timeline, *state.bug->other);
-  const auto& pixels = state.timeline->pixels();
+  hunt.first_pixel = first_spoilt(*state.walk.timeline, *state.walk.bug->other);
+  const auto& pixels = state.walk.timeline->pixels();
   if (hunt.first_pixel >= static_cast<int>(pixels.size())) return;
   const PixelRecord& pixel = pixels[static_cast<std::size_t>(hunt.first_pixel)];
   hunt.pixel = pixel.column;
-  state.tab = Tab::image;
+  state.appearance.tab = PictureRoom::tab;
   go_to(state, pixel.begun_at);
 }
 
@@ -124,21 +124,21 @@ void action::MarkLine::apply(State& state) const {
 void action::JudgeLine::apply(State& state) const {
   if (!state.bugs.hunt || !state.bugs.hunt->marked || state.bugs.hunt->end != BugEnd::open) return;
   BugHunt& hunt = *state.bugs.hunt;
-  if (*hunt.marked == faulty_line(state.bug->fault)) return end_hunt(state, BugEnd::found);
+  if (*hunt.marked == faulty_line(state.walk.bug->fault)) return end_hunt(state, BugEnd::found);
   hunt.acquitted = std::exchange(hunt.marked, std::nullopt);
 }
 
 void action::ShowCure::apply(State& state) const {
   if (!state.bugs.hunt || state.bugs.hunt->end != BugEnd::open) return;
-  state.bugs.hunt->marked = faulty_line(state.bug->fault);
+  state.bugs.hunt->marked = faulty_line(state.walk.bug->fault);
   state.bugs.hunt->acquitted.reset();
   end_hunt(state, BugEnd::given_up);
 }
 
 void action::MendBug::apply(State& state) const {
-  if (!state.bug || !state.bug->known || state.bug->mended == mended) return;
-  state.bug->mended = mended;
-  ++state.image_revision;
+  if (!state.walk.bug || !state.walk.bug->known || state.walk.bug->mended == mended) return;
+  state.walk.bug->mended = mended;
+  ++state.picture.revision;
   record_again(state);
 }
 
@@ -148,21 +148,21 @@ void leave_hunt(State& state) {
   if (!state.bugs.hunt) return;
   State back = *state.bugs.hunt->before;
   // Appearance and progress are kept.
-  back.theme = state.theme;
-  back.ui_scale = state.ui_scale;
-  back.viewport = state.viewport;
-  back.language = state.language;
+  back.appearance.theme = state.appearance.theme;
+  back.appearance.ui_scale = state.appearance.ui_scale;
+  back.plan.viewport = state.plan.viewport;
+  back.appearance.language = state.appearance.language;
   back.bugs = std::move(state.bugs);
   back.bugs.hunt.reset();
-  const bool autosaved = back.autosaved_revision == back.revision;
-  back.revision = state.revision + 1;
-  if (autosaved) back.autosaved_revision = back.revision;
-  back.autosave_in = state.autosave_in;
-  back.image_revision = state.image_revision + 1;
-  back.playing = false;
-  back.hold.reset();
-  back.notice.reset();
-  if (back.camera.fitted) back.camera = fitted(back);
+  const bool autosaved = back.document.autosaved_revision == back.document.revision;
+  back.document.revision = state.document.revision + 1;
+  if (autosaved) back.document.autosaved_revision = back.document.revision;
+  back.document.autosave_in = state.document.autosave_in;
+  back.picture.revision = state.picture.revision + 1;
+  back.walk.playing = false;
+  back.walk.hold.reset();
+  back.document.notice.reset();
+  if (back.plan.camera.fitted) back.plan.camera = fitted(back);
   state = std::move(back);
   if (state.bugs.shown && state.lessons.shown) action::ShowLessons{false}.apply(state);  // there is room for one
 }

@@ -5,11 +5,11 @@
 
 namespace raywalk {
 
-void draw_other_rays(Painter& painter) {
+void BugRoom::draw_in_plan(Painter& painter) {
   for (const RayRecord& ray : other_rays(painter.state)) {
     const std::optional<RayWay> way = ray_way(painter, ray, true);
     if (!way) continue;
-    const RayStyle& style = ray_style(painter.state.theme, ray.kind);
+    const RayStyle& style = ray_style(painter.state.appearance.theme, ray.kind);
     const Stroke stroke{style.colour, 1.8 * painter.sizes.unit, painter.scaled({{2, 5, 0, 0}, 2})};
     painter.add_clipped({way->from, way->to, stroke, 7 * painter.sizes.unit, 0.7});
     if (ray.ending == Ending::blocked) draw_blocked(painter, way->to, way->along, stroke);

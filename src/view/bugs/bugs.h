@@ -3,6 +3,7 @@
 
 #include "timeline/timeline.h"
 #include "trace/fault.h"
+#include "view/bugs/room.h"
 
 #include <array>
 #include <memory>
@@ -13,26 +14,6 @@
 namespace raywalk {
 
 struct State;
-
-enum class BugEnd { open, found, given_up };
-
-/// The hunt for one bug. Its scene replaces the user's own for the time being.
-struct BugHunt {
-  int number = 1;                   ///< in all_faults, from 1
-  bool surprise = false;            ///< the number is not shown
-  int pixel = 0;                    ///< the first of SCREEN in which the bug is visible
-  int first_pixel = 0;              ///< the same as index in the walk's pixels: rays of earlier pixels are hidden
-  std::optional<Line> marked{};     ///< suspected, and not judged yet
-  std::optional<Line> acquitted{};  ///< the last one judged innocent
-  BugEnd end = BugEnd::open;
-  std::shared_ptr<const State> before{};  ///< the previous state, to return to
-};
-
-struct BugSitting {
-  bool shown = false;
-  std::optional<BugHunt> hunt{};
-  std::array<BugEnd, all_faults.size()> ends{};  ///< of each bug: the best result
-};
 
 /// A shipped scene in whose strip and picture the fault is visible.
 [[nodiscard]] std::string_view bug_scene(Fault fault);

@@ -3,7 +3,7 @@
 #include "image/srgb.h"
 #include "render/heat.h"
 #include "study/shot.h"
-#include "view/cost/actions.h"
+#include "view/cost/room.h"
 #include "view/state.h"
 #include "view/text/choice_text.h"
 #include "view/text/text.h"
@@ -22,16 +22,16 @@ using study::Attempt;
 using study::Setup;
 
 Setup within_limits(Setup setup) {
-  setup.samples = std::clamp(setup.samples, 1, CostState::max_samples);
-  setup.light_grid = std::clamp(setup.light_grid, 0, CostState::max_grid);
-  setup.depth = std::clamp(setup.depth, 1, CostState::max_depth);
+  setup.samples = std::clamp(setup.samples, 1, CostRoom::max_samples);
+  setup.light_grid = std::clamp(setup.light_grid, 0, CostRoom::max_grid);
+  setup.depth = std::clamp(setup.depth, 1, CostRoom::max_depth);
   setup.threshold = std::clamp(setup.threshold, 0.0, 1.0);
   setup.tolerance = std::clamp(setup.tolerance, 0.0, 1.0);
   setup.epsilon = setup.numerics == Numerics::naive ? std::clamp(setup.epsilon, 0.0, 1.0) : default_epsilon;
   return setup;
 }
 
-bool was_tried(const CostState& cost, int index) { return index >= 0 && index < static_cast<int>(cost.tried.size()); }
+bool was_tried(const CostRoom& cost, int index) { return index >= 0 && index < static_cast<int>(cost.tried.size()); }
 
 /// 1234567 as "1.23 M".
 std::string count_text(double count, Language language) {
@@ -52,7 +52,7 @@ ImageSize cost_size(ImageSize image) { return study::shrunk(image, 12000); }
 void action::SetCostKnobs::apply(State& state) const { state.cost.knobs = within_limits(knobs); }
 
 void action::TryCost::apply(State& state) const {
-  CostState& cost = state.cost;
+  CostRoom& cost = state.cost;
   std::vector<Setup> wanted;
   if (ladder)
     for (const int samples : {1, 4, 16, 64}) wanted.push_back(cost_knobs(state)), wanted.back().samples = samples;
@@ -62,8 +62,8 @@ void action::TryCost::apply(State& state) const {
     const auto known = std::find(cost.tried.begin(), cost.tried.end(), setup);
     cost.chosen = static_cast<int>(known - cost.tried.begin());
     if (known != cost.tried.end()) continue;
-    if (cost.tried.size() >= CostState::max_tries) {
-      cost.chosen = CostState::max_tries - 1;
+    if (cost.tried.size() >= CostRoom::max_tries) {
+      cost.chosen = CostRoom::max_tries - 1;
       return;
     }
     cost.tried.push_back(setup);
@@ -71,7 +71,7 @@ void action::TryCost::apply(State& state) const {
 }
 
 void action::ChooseCost::apply(State& state) const {
-  CostState& cost = state.cost;
+  CostRoom& cost = state.cost;
   if (against && (index == -1 || was_tried(cost, index))) cost.against = index;
   if (!against && was_tried(cost, index)) cost.chosen = index;
 }
@@ -113,7 +113,7 @@ std::string setup_text(const Setup& setup, const Setup& usual, Language language
 }
 
 std::string attempt_text(const State& state, const CostFindings& findings, int index) {
-  const Language language = state.language;
+  const Language language = state.appearance.language;
   if (index < 0 || index >= static_cast<int>(findings.attempts.size()))
     return std::string(text("cost.empty", language));
   const Attempt& attempt = findings.attempts[static_cast<std::size_t>(index)];
@@ -162,7 +162,7 @@ std::string survey_text(const std::optional<study::SceneCost>& survey, double do
   return all;
 }
 
-std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right, Encoding encoding,
+std::vector<std::uint8_t> cost_picture(const CostRoom& cost, const Image& left, const Image& right, Encoding encoding,
                                        double& largest) {
   const bool both = right.width == left.width && right.height == left.height;
   const std::size_t count = left.pixels.size();

@@ -5,6 +5,7 @@
 #include "study/effect_costs.h"
 #include "study/workbench.h"
 #include "text/language.h"
+#include "view/cost/room.h"
 #include "view/drawing/display_list.h"
 #include "view/words.h"
 
@@ -14,36 +15,6 @@
 #include <vector>
 
 namespace raywalk {
-
-enum class CostPicture {
-  split,       ///< two pictures side by side, separated by a movable line
-  difference,  ///< their difference, from dark to light
-};
-template <>
-inline constexpr Word<CostPicture> words_of<CostPicture>[] = {{CostPicture::split, "split"},
-                                                              {CostPicture::difference, "difference"}};
-
-enum class CostPage {
-  tries,    ///< settings compared with each other
-  effects,  ///< what each effect of the scene adds
-};
-template <>
-inline constexpr Word<CostPage> words_of<CostPage>[] = {{CostPage::tries, "tries"}, {CostPage::effects, "effects"}};
-
-/// For this session only; not stored in the scene's file.
-struct CostState {
-  static constexpr int max_tries = 64, max_samples = 4096, max_grid = 16, max_depth = 50;
-
-  CostPage page = CostPage::tries;
-  std::optional<study::Setup> knobs{};  ///< absent: the scene's own
-  std::vector<study::Setup> tried{};    ///< without duplicates, at most `max_tries`
-  int chosen = -1;                      ///< in `tried`: the picture on the left; -1: none yet
-  int against = -1;                     ///< in `tried`: the picture on the right; -1: the reference
-  CostPicture picture = CostPicture::split;
-  study::CostAxis axis = study::CostAxis::rays;
-  double split = 0.5;  ///< of the picture's width, 0..1
-  friend bool operator==(const CostState&, const CostState&) = default;
-};
 
 struct State;
 
@@ -90,7 +61,7 @@ struct CostPlot {
 /// The pictures for display, width * height pixels of four bytes. `right` is left out if its size differs (not yet
 /// available). `largest`: for a difference, the value of the last colour; a quarter of it has the middle one, so that
 /// small differences are visible too.
-[[nodiscard]] std::vector<std::uint8_t> cost_picture(const CostState& cost, const Image& left, const Image& right,
+[[nodiscard]] std::vector<std::uint8_t> cost_picture(const CostRoom& cost, const Image& left, const Image& right,
                                                      Encoding encoding, double& largest);
 
 }  // namespace raywalk

@@ -80,7 +80,7 @@ TextItem words(const Vec2d& at, std::string what, double size, Colour colour, Te
 CostPlot cost_plot(const State& state, const CostFindings& findings, double width, double height, double unit) {
   CostPlot plot;
   DisplayList& list = plot.list;
-  const Palette& colours = palette(state.theme);
+  const Palette& colours = palette(state.appearance.theme);
   const double letters = 15 * unit, line = 1.2 * unit;
   const CostAxis axis = state.cost.axis;
 
@@ -108,32 +108,32 @@ CostPlot cost_plot(const State& state, const CostFindings& findings, double widt
   for (const double value : across.ticks(across_most)) {
     if (any) list.push_back({LineItem{{x_of(value), top}, {x_of(value), bottom}, grid}});
     if (any)
-      list.push_back({words({x_of(value), bottom + 0.8 * letters}, tick_text(value, state.language), letters,
+      list.push_back({words({x_of(value), bottom + 0.8 * letters}, tick_text(value, state.appearance.language), letters,
                             colours.dim_text, TextAnchor::middle)});
   }
   const bool known = findings.floor > 0;  // before there is a reference, only the costs are known
   for (const double value : up.ticks(up_most)) {
     if (!known) break;
     list.push_back({LineItem{{left, y_of(value)}, {right, y_of(value)}, grid}});
-    list.push_back({words({left - 0.5 * letters, y_of(value)}, tick_text(value, state.language), letters,
+    list.push_back({words({left - 0.5 * letters, y_of(value)}, tick_text(value, state.appearance.language), letters,
                           colours.dim_text, TextAnchor::end)});
   }
   const Stroke frame{colours.dim_text, line};
   list.push_back({PolylineItem{{{left, top}, {left, bottom}, {right, bottom}}, frame}});
-  list.push_back({words({0.3 * letters, 0.7 * letters}, std::string(text("cost.error_axis", state.language)), letters,
-                        colours.text, TextAnchor::start)});
+  list.push_back({words({0.3 * letters, 0.7 * letters}, std::string(text("cost.error_axis", state.appearance.language)),
+                        letters, colours.text, TextAnchor::start)});
   const std::string_view name = axis == CostAxis::seconds ? "cost.seconds_axis"
                                 : axis == CostAxis::rays  ? "cost.rays_axis"
                                                           : "cost.tests_axis";
-  list.push_back({words({right, height - 0.8 * letters}, std::string(text(name, state.language)), letters, colours.text,
-                        TextAnchor::end)});
+  list.push_back({words({right, height - 0.8 * letters}, std::string(text(name, state.appearance.language)), letters,
+                        colours.text, TextAnchor::end)});
   if (!any) return plot;
 
   if (known && up.part(findings.floor) >= 0) {
     const double y = y_of(findings.floor);
     list.push_back({LineItem{{left, y}, {right, y}, {colours.dim_text, line, {{6 * unit, 4 * unit}, 2}}}});
     const double beside = bottom - y > 1.2 * letters ? 0.7 : -0.7;
-    const std::string own(text("cost.floor", state.language));
+    const std::string own(text("cost.floor", state.appearance.language));
     if (text_width(own, letters) < right - left)
       list.push_back({words({right, y + beside * letters}, own, letters, colours.dim_text, TextAnchor::end)});
   }

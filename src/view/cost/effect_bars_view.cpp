@@ -49,7 +49,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
                         double unit) {
   DisplayList list;
   if (!survey) return list;
-  const Palette& colours = palette(state.theme);
+  const Palette& colours = palette(state.appearance.theme);
   double letters = 15 * unit;
   const double line = 1.2 * unit;
   const auto write = [&](const Vec2d& at, const std::string& what, Colour colour, TextAnchor anchor) {
@@ -65,22 +65,22 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
 
   std::vector<BarRow> rows;
   for (const study::EffectCost& effect : survey->effects)
-    rows.push_back({std::string(text(effect.effect, state.language)), effect.rays_share, &effect});
+    rows.push_back({std::string(text(effect.effect, state.appearance.language)), effect.rays_share, &effect});
   if (survey->whole.rays > 0)
-    rows.push_back({std::string(text("cost.all_rays", state.language)),
+    rows.push_back({std::string(text("cost.all_rays", state.appearance.language)),
                     static_cast<double>(survey->shadow_rays) / static_cast<double>(survey->whole.rays)});
 
   double y = 0.7 * letters;
   const bool none = survey->effects.empty();
-  const std::string title(text(none ? "cost.no_effects" : "cost.effects_title", state.language));
+  const std::string title(text(none ? "cost.no_effects" : "cost.effects_title", state.appearance.language));
   for (const std::string& part : lines_of(title, letters, width)) {
     write({0, y}, part, colours.text, TextAnchor::start);
     y += 1.2 * letters;
   }
 
-  const auto percent = [&](double share) { return whole_percent(share, state.language); };
+  const auto percent = [&](double share) { return whole_percent(share, state.appearance.language); };
   const std::string longest =
-      fill("cost.of_time", state.language, {{"percent", "100%"}, {"least", "100%"}, {"most", "100%"}});
+      fill("cost.of_time", state.appearance.language, {{"percent", "100%"}, {"least", "100%"}, {"most", "100%"}});
   const auto names_width = [&] {
     double widest = 0;
     for (const BarRow& row : rows) widest = std::max(widest, text_width(row.name, letters));
@@ -96,7 +96,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     for (const bool filled : {true, false}) {
       const Vec2d low(x, y - 0.3 * letters), high(x + letters, y + 0.3 * letters);
       draw_bar(low, high, filled, 1.5 * line);
-      const std::string words(text(filled ? "cost.key_rays" : "cost.key_time", state.language));
+      const std::string words(text(filled ? "cost.key_rays" : "cost.key_time", state.appearance.language));
       write({high.x + 0.4 * letters, y}, words, colours.text, TextAnchor::start);
       x = high.x + 1.6 * letters + text_width(words, letters);
     }
@@ -131,7 +131,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     double right = bar(top, row.rays, true);
     if (apart || row.effect == nullptr)
       label(top + thick / 2, right,
-            in_words && apart ? fill("cost.of_rays", state.language, {{"percent", percent(row.rays)}})
+            in_words && apart ? fill("cost.of_rays", state.appearance.language, {{"percent", percent(row.rays)}})
                               : percent(row.rays));
     if (row.effect != nullptr) {
       top += step;
@@ -152,7 +152,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
         label(centre, right, percent(row.rays) + " \u00b7 " + time);
       else
         label(middle, right,
-              in_words ? fill("cost.of_time", state.language,
+              in_words ? fill("cost.of_time", state.appearance.language,
                               {{"percent", time},
                                {"least", percent(effect.seconds_low)},
                                {"most", percent(effect.seconds_high)}})

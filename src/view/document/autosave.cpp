@@ -23,9 +23,9 @@ constexpr std::string_view autosave_head = "# autosave of: ";
 constexpr std::string_view time_head = "# written on: ";  ///< its second line
 
 std::string file_in(const State& state, const char* name) {
-  return (std::filesystem::path(state.state_dir) / name).string();
+  return (std::filesystem::path(state.document.state_dir) / name).string();
 }
-std::string autosave_path(const State& state) { return file_in(state, state.autosave_file.c_str()); }
+std::string autosave_path(const State& state) { return file_in(state, state.document.autosave_file.c_str()); }
 constexpr int max_autosaves = 99;
 /// The name of the autosave of this number, from 1 on.
 std::string autosave_name(int number) {
@@ -67,49 +67,50 @@ void ask_to_recover(State& state) {
   if (found.empty()) return;
   const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), max_bytes);
   if (!autosaved) return;
-  state.question = Question{Question::Kind::recover, Intent::open, {}, found, {}};
+  state.document.question = Question{Question::Kind::recover, Intent::open, {}, found, {}};
   std::size_t next = 0;
   if (const auto line = head_line(*autosaved, 0, autosave_head)) {
-    state.question->path = line->value;
+    state.document.question->path = line->value;
     next = line->next;
   }
-  if (const auto line = head_line(*autosaved, next, time_head)) state.question->when = line->value;
+  if (const auto line = head_line(*autosaved, next, time_head)) state.document.question->when = line->value;
 }
 std::string recent_path(const State& state) { return file_in(state, "recent.txt"); }
 
 Result<void> write_in_folder(const State& state, const std::string& path, const std::string& bytes) {
   std::error_code failed;
-  std::filesystem::create_directories(state.state_dir, failed);  // a failure shows on writing
+  std::filesystem::create_directories(state.document.state_dir, failed);  // a failure shows on writing
   return write_file_atomically(path, bytes);
 }
 
 Result<void> write_autosave(const State& state) {
   const std::string path = autosave_path(state);
   const Result<std::string> written =
-      with_names_from(state.scene(), state.document.path, path).and_then([&](const Scene& scene) {
-        return format_scene(scene, state.document.text);
+      with_names_from(state.scene(), state.document.contents.path, path).and_then([&](const Scene& scene) {
+        return format_scene(scene, state.document.contents.text);
       });
   if (!written) return tl::unexpected(written.error());
-  return write_in_folder(
-      state, path,
-      std::string(autosave_head) + state.path + "\n" + std::string(time_head) + now_text() + "\n" + written.value());
+  return write_in_folder(state, path,
+                         std::string(autosave_head) + state.document.path + "\n" + std::string(time_head) + now_text() +
+                             "\n" + written.value());
 }
 
 }  // namespace
 
 void autosave(State& state, double seconds) {
-  state.autosave_in = std::max(0.0, state.autosave_in - seconds);
-  if (!wants_autosave(state) || state.autosave_in > 0) return;
-  state.autosave_in = autosave_every;
-  state.autosaved_revision = state.revision;
+  state.document.autosave_in = std::max(0.0, state.document.autosave_in - seconds);
+  if (!wants_autosave(state) || state.document.autosave_in > 0) return;
+  state.document.autosave_in = autosave_every;
+  state.document.autosaved_revision = state.document.revision;
   const Result<void> written = write_autosave(state);
-  if (!written) complain(state, fill("notice.autosave_failed", state.language, {{"why", written.error().text()}}));
+  if (!written)
+    complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", written.error().text()}}));
 }
 
 void forget_autosave(State& state) {
   if (state.bugs.hunt) return;  // it belongs to the suspended scene
-  state.autosaved_revision = state.revision;
-  if (state.state_dir.empty()) return;
+  state.document.autosaved_revision = state.document.revision;
+  if (state.document.state_dir.empty()) return;
   std::error_code failed;  // if absent, nothing to remove
   std::filesystem::remove(autosave_path(state), failed);
 }
@@ -132,41 +133,41 @@ void recover(State& state, const std::string& original, const std::string& autos
     document->path = original;
   }
   const Result<SceneDocument> file = read_scene(original);
-  state.autosave_file = autosave;  // it holds this session's work now
+  state.document.autosave_file = autosave;  // it holds this session's work now
   show_document(state, std::move(*document), original);
   // Without a file to compare with, everything is unsaved.
-  state.dirty = !file || file->scene != state.scene();
-  if (state.dirty) state.saved = file ? file->scene : Scene{};
-  state.autosaved_revision = 0;
-  inform(state, fill("notice.recovered", state.language, {{"file", document_title(state)}}));
+  state.document.dirty = !file || file->scene != state.scene();
+  if (state.document.dirty) state.document.saved = file ? file->scene : Scene{};
+  state.document.autosaved_revision = 0;
+  inform(state, fill("notice.recovered", state.appearance.language, {{"file", document_title(state)}}));
 }
 
 void add_recent(State& state, const std::string& path) {
   std::error_code failed;
   const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
   const std::string entry = failed ? path : absolute.lexically_normal().string();
-  std::erase(state.recent, entry);
-  state.recent.insert(state.recent.begin(), entry);
-  if (state.recent.size() > max_recent) state.recent.resize(max_recent);
-  if (state.state_dir.empty()) return;
+  std::erase(state.document.recent, entry);
+  state.document.recent.insert(state.document.recent.begin(), entry);
+  if (state.document.recent.size() > max_recent) state.document.recent.resize(max_recent);
+  if (state.document.state_dir.empty()) return;
   std::string lines;
-  for (const std::string& recent : state.recent) lines += recent + "\n";
+  for (const std::string& recent : state.document.recent) lines += recent + "\n";
   // A convenience: failures are ignored.
   static_cast<void>(write_in_folder(state, recent_path(state), lines));
 }
 
 void restore_session(State& state) {
-  if (state.state_dir.empty()) return;
+  if (state.document.state_dir.empty()) return;
   const Result<std::string> recent = read_file(recent_path(state), max_bytes);
   std::size_t start = 0;
-  while (recent && start < recent->size() && state.recent.size() < max_recent) {
+  while (recent && start < recent->size() && state.document.recent.size() < max_recent) {
     const std::size_t end = std::min(recent->find('\n', start), recent->size());
-    if (end > start) state.recent.push_back(recent->substr(start, end - start));
+    if (end > start) state.document.recent.push_back(recent->substr(start, end - start));
     start = end + 1;
   }
   // An undecided autosave is never overwritten.
   for (int i = 1; i <= max_autosaves; ++i) {
-    state.autosave_file = autosave_name(i);
+    state.document.autosave_file = autosave_name(i);
     std::error_code failed;
     if (!std::filesystem::exists(autosave_path(state), failed)) break;
   }

@@ -2,7 +2,7 @@
 // What all rooms do with the scene, its file, and the notice to the user.
 
 #include "io/scene_file.h"
-#include "view/document/actions.h"
+#include "view/document/room.h"
 #include "view/state.h"
 
 #include <string>
@@ -10,8 +10,12 @@
 
 namespace raywalk {
 
-inline void inform(State& state, std::string text) { state.notice = Notice{Notice::Kind::info, std::move(text)}; }
-inline void complain(State& state, std::string text) { state.notice = Notice{Notice::Kind::error, std::move(text)}; }
+inline void inform(State& state, std::string text) {
+  state.document.notice = Notice{Notice::Kind::info, std::move(text)};
+}
+inline void complain(State& state, std::string text) {
+  state.document.notice = Notice{Notice::Kind::error, std::move(text)};
+}
 
 // history.cpp
 

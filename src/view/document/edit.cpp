@@ -46,7 +46,8 @@ struct Disc {
 std::vector<Disc> occupied(const State& state) {
   const Scene& scene = state.scene();
   std::vector<Disc> discs{{plan(scene.camera.eye), 0}};
-  for (const Light& light : scene.lights) discs.push_back({light_place(light, state.camera, state.viewport), 0});
+  for (const Light& light : scene.lights)
+    discs.push_back({light_place(light, state.plan.camera, state.plan.viewport), 0});
   for (const Object& object : scene.objects) {
     if (!object.transform.empty()) continue;
     if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape))
@@ -63,17 +64,19 @@ std::vector<Disc> occupied(const State& state) {
 /// A place near the middle of the view where a disc of this radius overlaps nothing; the middle if there is none.
 Vec2d free_place(const State& state, double radius) {
   const std::vector<Disc> discs = occupied(state);
-  const double reach = 0.5 * std::min(state.viewport.width, state.viewport.height) / state.camera.pixels_per_unit;
+  const double reach =
+      0.5 * std::min(state.plan.viewport.width, state.plan.viewport.height) / state.plan.camera.pixels_per_unit;
   for (int i = 0; i < 200; ++i) {
     // A sunflower spiral covers the view evenly from the middle outwards.
     const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
-    const Vec2d place = state.camera.centre + std::sqrt(i / 200.0) * reach * Vec2d(std::cos(angle), std::sin(angle));
+    const Vec2d place =
+        state.plan.camera.centre + std::sqrt(i / 200.0) * reach * Vec2d(std::cos(angle), std::sin(angle));
     const bool is_free = std::none_of(discs.begin(), discs.end(), [&](const Disc& disc) {
       return length(disc.centre - place) < 1.15 * (disc.radius + radius);
     });
     if (is_free) return place;
   }
-  return state.camera.centre;
+  return state.plan.camera.centre;
 }
 
 Vec2d to_grid(const Vec2d& place, double grid) {
@@ -112,13 +115,14 @@ Prism<double>* prism_of(Scene& scene, int object) {
 }  // namespace
 
 void action::AddObject::apply(State& state) const {
-  const double seen = std::min(state.viewport.width, state.viewport.height) / state.camera.pixels_per_unit;
-  const double grid = grid_step(state.camera);
+  const double seen =
+      std::min(state.plan.viewport.width, state.plan.viewport.height) / state.plan.camera.pixels_per_unit;
+  const double grid = grid_step(state.plan.camera);
   const double size = std::max(std::round(0.09 * seen / grid), 1.0) * grid;
   const Vec2d place = to_grid(free_place(state, kind == ObjectKind::light ? size / 2 : size), grid);
 
   Scene next = state.scene();
-  const std::string name = unique_name(next, std::string(text(name_of(kind), state.language)));
+  const std::string name = unique_name(next, std::string(text(name_of(kind), state.appearance.language)));
   Target added;
   if (kind == ObjectKind::light) {
     added = {TargetKind::light, static_cast<int>(next.lights.size())};
@@ -131,13 +135,13 @@ void action::AddObject::apply(State& state) const {
   }
   const bool is_light = added.kind == TargetKind::light;
   if (!commit_if_valid(state, std::move(next), is_light ? -1 : added.index, is_light ? added.index : -1)) return;
-  state.mode = Mode::move;
-  state.playing = false;
-  state.selected = added;
+  state.walk.mode = Mode::move;
+  state.walk.playing = false;
+  state.plan.selected = added;
 }
 
 void action::RemoveSelected::apply(State& state) const {
-  const Target target = state.selected;
+  const Target target = state.plan.selected;
   if (!exists(state, target)) return;
   Scene next = state.scene();
   switch (target.kind) {
@@ -159,10 +163,10 @@ void action::RemoveSelected::apply(State& state) const {
     case TargetKind::screen_distance:
     case TargetKind::cell:
     case TargetKind::ray:
-      return inform(state, std::string(text("notice.select_first", state.language)));
+      return inform(state, std::string(text("notice.select_first", state.appearance.language)));
   }
-  state.selected = {};
-  state.hovered = {};  // something else is now under the pointer
+  state.plan.selected = {};
+  state.plan.hovered = {};  // something else is now under the pointer
   commit(state, std::move(next));
 }
 
@@ -175,16 +179,17 @@ void action::InsertCorner::apply(State& state) const {
   const double t = dot(at - first, along) / dot(along, along);
   const Vec2d corner = first + std::clamp(std::isfinite(t) ? t : 0.5, 0.05, 0.95) * along;
   prism->corners.insert(prism->corners.begin() + edge + 1, corner);
-  if (commit_if_valid(state, std::move(next), object, -1)) state.selected = {TargetKind::corner, object, edge + 1};
+  if (commit_if_valid(state, std::move(next), object, -1)) state.plan.selected = {TargetKind::corner, object, edge + 1};
 }
 
 void action::RemoveCorner::apply(State& state) const {
   Scene next = state.scene();
   Prism<double>* prism = prism_of(next, object);
   if (prism == nullptr || corner < 0 || corner >= prism->sides()) return;
-  if (prism->sides() <= 3) return complain(state, std::string(text("notice.refused_last_corners", state.language)));
+  if (prism->sides() <= 3)
+    return complain(state, std::string(text("notice.refused_last_corners", state.appearance.language)));
   prism->corners.erase(prism->corners.begin() + corner);
-  if (commit_if_valid(state, std::move(next), object, -1)) state.selected = {TargetKind::object, object};
+  if (commit_if_valid(state, std::move(next), object, -1)) state.plan.selected = {TargetKind::object, object};
 }
 
 void action::Rename::apply(State& state) const {
@@ -195,9 +200,9 @@ void action::Rename::apply(State& state) const {
   const auto index = static_cast<std::size_t>(target.index);
   std::string& current = is_object ? next.objects[index].name : next.lights[index].name;
   if (name == current) return;
-  if (name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.language)));
+  if (name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.appearance.language)));
   if (unique_name(next, name) != name)
-    return complain(state, fill("notice.refused_name_taken", state.language, {{"name", name}}));
+    return complain(state, fill("notice.refused_name_taken", state.appearance.language, {{"name", name}}));
   current = name;
   commit_if_valid(state, std::move(next), is_object ? target.index : -1, is_object ? -1 : target.index);
 }

@@ -3,8 +3,10 @@
 #include "text/file_ledger.h"
 #include "view/action.h"
 #include "view/document/document.h"
+#include "view/export/export.h"
 #include "view/lesson/lesson.h"
 #include "view/plan/plan_view.h"
+#include "view/predict/predict.h"
 #include "view/text/text.h"
 #include "view/walk/walk.h"
 
@@ -20,7 +22,7 @@ void complain(State& state, const Error& error) { complain(state, error.text());
 void open_file(State& state, const std::string& path) {
   // A reader cannot be cancelled; its result is then dropped.
   const auto reading = std::make_shared<Result<SceneDocument>>();
-  run_detached(state.stop, [reading, path] { *reading = read_scene(path); });
+  run_detached(state.document.stop, [reading, path] { *reading = read_scene(path); });
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
@@ -28,7 +30,8 @@ void open_file(State& state, const std::string& path) {
   close_lesson(state);
   show_document(state, std::move(*document), path);
   add_recent(state, path);
-  inform(state, warnings.empty() ? fill("notice.opened", state.language, {{"file", path}}) : warnings.front());
+  inform(state,
+         warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
 }
 
 /// Performs the intent, once unsaved work is settled.
@@ -37,7 +40,7 @@ void carry_out(State& state, Intent intent, const std::string& path) {
     case Intent::new_scene:
       forget_autosave(state);
       close_lesson(state);
-      show_document(state, {new_scene(state.language), {}, {}}, {});
+      show_document(state, {new_scene(state.appearance.language), {}, {}}, {});
       return;
     case Intent::open:
       return open_file(state, path);
@@ -49,29 +52,29 @@ void carry_out(State& state, Intent intent, const std::string& path) {
       return end_lesson(state);
     case Intent::quit:
       forget_autosave(state);
-      state.quit = true;
+      state.document.quit = true;
       return;
   }
 }
 
 /// True if the file was written; continues with the pending intent.
 bool write_to(State& state, const std::string& path) {
-  const Result<void> written = write_scene(state.document, path);
+  const Result<void> written = write_scene(state.document.contents, path);
   if (!written) {
     complain(state, written.error());
-    if (state.prompt == PathPrompt::none) state.after_save.reset();
+    if (state.document.prompt == PathPrompt::none) state.document.after_save.reset();
     return false;
   }
-  state.prompt = PathPrompt::none;
-  state.path = path;
-  state.saved.reset();
-  state.dirty = false;
-  state.last_edit.reset();
+  state.document.prompt = PathPrompt::none;
+  state.document.path = path;
+  state.document.saved.reset();
+  state.document.dirty = false;
+  state.document.last_edit.reset();
   forget_autosave(state);
   add_recent(state, path);
-  inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
-  if (const std::optional<Intent> intent = std::exchange(state.after_save, std::nullopt))
-    carry_out(state, *intent, state.after_save_path);
+  inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
+  if (const std::optional<Intent> intent = std::exchange(state.document.after_save, std::nullopt))
+    carry_out(state, *intent, state.document.after_save_path);
   return true;
 }
 
@@ -103,51 +106,51 @@ bool is_shipped(const State& state, const std::string& path) {
 
 /// Files that must not be replaced. A scene may overwrite itself and the file that it was read from.
 std::vector<std::string> files_in_use(const State& state, PathPrompt what) {
-  std::vector<std::string> files = state.keeps;
+  std::vector<std::string> files = state.document.keeps;
   const auto is_itself = [&](const std::string& file) {
     return scene_format_of(file) == SceneFormat::toml &&
-           (same_file(file, state.path) || same_file(file, state.document.path));
+           (same_file(file, state.document.path) || same_file(file, state.document.contents.path));
   };
-  for (const std::string& file : state.document.files)
+  for (const std::string& file : state.document.contents.files)
     if (what != PathPrompt::save_as || !is_itself(file)) files.push_back(file);
-  if (what != PathPrompt::save_as && !state.path.empty()) files.push_back(state.path);
+  if (what != PathPrompt::save_as && !state.document.path.empty()) files.push_back(state.document.path);
   return files;
 }
 
 }  // namespace
 
 void show_document(State& state, SceneDocument document, std::string path) {
-  state.document = std::move(document);
-  state.worlds = std::make_shared<WorldCache>();
-  state.path = std::move(path);
-  state.saved.reset();
-  state.dirty = false;
-  state.undo.clear();
-  state.redo.clear();
-  state.last_edit.reset();
-  state.bug.reset();
-  state.drag.reset();
-  state.selected = {};
-  state.hovered = {};
-  state.hovered_ray = -1;
-  state.position = 0;
-  state.playing = false;
-  state.question.reset();
-  state.notice.reset();
-  state.walk.reset();
-  state.image_camera.reset();
-  state.lines_camera.reset();
-  state.lines_wanted.reset();
-  ++state.revision;
+  state.document.contents = std::move(document);
+  state.document.worlds = std::make_shared<WorldCache>();
+  state.document.path = std::move(path);
+  state.document.saved.reset();
+  state.document.dirty = false;
+  state.document.undo.clear();
+  state.document.redo.clear();
+  state.document.last_edit.reset();
+  state.walk.bug.reset();
+  state.plan.drag.reset();
+  state.plan.selected = {};
+  state.plan.hovered = {};
+  state.plan.hovered_ray = -1;
+  state.walk.position = 0;
+  state.walk.playing = false;
+  state.document.question.reset();
+  state.document.notice.reset();
+  state.walk.pixel.reset();
+  state.picture.camera.reset();
+  state.space.lines_camera.reset();
+  state.space.lines_wanted.reset();
+  ++state.document.revision;
   record_again(state);
-  state.position = 0;
-  state.camera = fitted(state);
+  state.walk.position = 0;
+  state.plan.camera = fitted(state);
 }
 
 void ask_path(State& state, PathPrompt prompt) {
-  state.prompt = prompt;
-  state.playing = false;
-  if (state.notice && state.notice->kind == Notice::Kind::error) state.notice.reset();
+  state.document.prompt = prompt;
+  state.walk.playing = false;
+  if (state.document.notice && state.document.notice->kind == Notice::Kind::error) state.document.notice.reset();
 }
 
 void action::New::apply(State& state) const { ask_or_do(state, Intent::new_scene, {}); }
@@ -157,31 +160,31 @@ void action::AskOpen::apply(State& state) const { ask_path(state, PathPrompt::op
 void action::AskSaveAs::apply(State& state) const { ask_path(state, PathPrompt::save_as); }
 
 void action::CancelPrompt::apply(State& state) const {
-  state.prompt = PathPrompt::none;
-  state.after_save.reset();
+  state.document.prompt = PathPrompt::none;
+  state.document.after_save.reset();
 }
 
 void action::Quit::apply(State& state) const {
-  if (state.question) {
-    state.quit = true;
+  if (state.document.question) {
+    state.document.quit = true;
     return;
   }
-  state.prompt = PathPrompt::none;
+  state.document.prompt = PathPrompt::none;
   ask_or_do(state, Intent::quit, {});
 }
 
 void action::Open::apply(State& state) const {
-  const bool asked = std::exchange(state.prompt, PathPrompt::none) == PathPrompt::open;
+  const bool asked = std::exchange(state.document.prompt, PathPrompt::none) == PathPrompt::open;
   ask_or_do(state, Intent::open, path);
   // If it cannot be opened, the dialog stays and says why.
-  if (asked && !state.question && state.notice && state.notice->kind == Notice::Kind::error)
-    state.prompt = PathPrompt::open;
+  if (asked && !state.document.question && state.document.notice && state.document.notice->kind == Notice::Kind::error)
+    state.document.prompt = PathPrompt::open;
 }
 
 void ask_or_do(State& state, Intent intent, const std::string& path) {
-  state.playing = false;
-  if (!state.dirty) return carry_out(state, intent, path);
-  state.question = Question{Question::Kind::unsaved, intent, path};
+  state.walk.playing = false;
+  if (!state.document.dirty) return carry_out(state, intent, path);
+  state.document.question = Question{Question::Kind::unsaved, intent, path};
 }
 
 bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
@@ -192,57 +195,57 @@ bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
   std::error_code failed;
   if (!std::filesystem::exists(path, failed)) return false;
   if (std::filesystem::is_directory(path, failed)) return false;  // whoever writes says that it cannot
-  state.question = Question{Question::Kind::overwrite, Intent::quit, path};
-  state.question->file = what;
+  state.document.question = Question{Question::Kind::overwrite, Intent::quit, path};
+  state.document.question->file = what;
   return true;
 }
 
 void action::Save::apply(State& state) const {
   // A scene of another format is saved in ours, under a new name.
-  const bool is_ours = !state.path.empty() && scene_format_of(state.path) == SceneFormat::toml;
+  const bool is_ours = !state.document.path.empty() && scene_format_of(state.document.path) == SceneFormat::toml;
   if (!is_ours) return ask_path(state, PathPrompt::save_as);
-  if (is_shipped(state, state.path)) {
+  if (is_shipped(state, state.document.path)) {
     ask_path(state, PathPrompt::save_as);
-    return inform(state, std::string(text("notice.save_elsewhere", state.language)));
+    return inform(state, std::string(text("notice.save_elsewhere", state.appearance.language)));
   }
-  static_cast<void>(write_to(state, state.path));
+  static_cast<void>(write_to(state, state.document.path));
 }
 
 void action::SaveAs::apply(State& state) const {
   if (path.empty()) return;
   // The path dialog stays until the file is written, and shows errors.
-  if (state.prompt == PathPrompt::save_as) state.notice.reset();
+  if (state.document.prompt == PathPrompt::save_as) state.document.notice.reset();
   const bool has_ending = std::filesystem::path(path).has_extension();
   const std::string whole = has_ending ? path : path + ".toml";
-  const bool is_own = same_file(whole, state.path) && !is_shipped(state, whole);
+  const bool is_own = same_file(whole, state.document.path) && !is_shipped(state, whole);
   if (is_own || !asks_to_overwrite(state, whole, PathPrompt::save_as)) static_cast<void>(write_to(state, whole));
 }
 
 void action::AnswerQuestion::apply(State& state) const {
-  if (!state.question) return;
-  const Question question = *state.question;
+  if (!state.document.question) return;
+  const Question question = *state.document.question;
   switch (question.kind) {
     case Question::Kind::unsaved:
       if (answer == Answer::recover) return;
-      state.question.reset();
+      state.document.question.reset();
       if (answer == Answer::discard) carry_out(state, question.intent, question.path);
       if (answer != Answer::save) return;
-      state.after_save = question.intent;
-      state.after_save_path = question.path;
+      state.document.after_save = question.intent;
+      state.document.after_save_path = question.path;
       return Save{}.apply(state);
     case Question::Kind::recover:
       if (answer == Answer::save) return;
-      state.question.reset();
+      state.document.question.reset();
       if (answer == Answer::recover) return recover(state, question.path, question.autosave);
       if (answer == Answer::discard) discard_autosave(state, question.autosave);
       return;
     case Question::Kind::overwrite:
       if (answer == Answer::discard || answer == Answer::recover) return;
-      state.question.reset();
+      state.document.question.reset();
       if (answer == Answer::save) {
         overwrite(state, question);
-      } else if (state.prompt == PathPrompt::none) {  // else the dialog asks for another path
-        state.after_save.reset();
+      } else if (state.document.prompt == PathPrompt::none) {  // else the dialog asks for another path
+        state.document.after_save.reset();
       }
       return;
   }

@@ -20,44 +20,46 @@ std::size_t bytes_of(const Scene& scene) {
 void trim(State& state) {
   const std::size_t by_bytes = undo_bytes / bytes_of(state.scene());
   const std::size_t most = std::max<std::size_t>(1, std::min(undo_entries, by_bytes));
-  if (state.undo.size() > most)
-    state.undo.erase(state.undo.begin(), state.undo.end() - static_cast<std::ptrdiff_t>(most));
+  if (state.document.undo.size() > most)
+    state.document.undo.erase(state.document.undo.begin(),
+                              state.document.undo.end() - static_cast<std::ptrdiff_t>(most));
 }
 
 void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to, std::string_view when_empty) {
-  if (from.empty()) return inform(state, std::string(text(when_empty, state.language)));
+  if (from.empty()) return inform(state, std::string(text(when_empty, state.appearance.language)));
   Scene next = std::move(from.back());
   from.pop_back();
   to.push_back(state.scene());
-  state.last_edit.reset();
+  state.document.last_edit.reset();
   replace_scene(state, std::move(next));
 }
 
 }  // namespace
 
 void replace_scene(State& state, Scene next) {
-  if (!state.saved) state.saved = std::move(state.document.scene);
-  state.document.scene = std::move(next);
-  state.worlds = std::make_shared<WorldCache>();
-  ++state.revision;
-  state.dirty = state.document.scene != *state.saved;
-  if (!state.dirty) state.saved.reset();
-  if (!state.dirty) forget_autosave(state);  // nothing to recover any more
+  if (!state.document.saved) state.document.saved = std::move(state.document.contents.scene);
+  state.document.contents.scene = std::move(next);
+  state.document.worlds = std::make_shared<WorldCache>();
+  ++state.document.revision;
+  state.document.dirty = state.document.contents.scene != *state.document.saved;
+  if (!state.document.dirty) state.document.saved.reset();
+  if (!state.document.dirty) forget_autosave(state);  // nothing to recover any more
   record_again(state);
 }
 
 void remember(State& state, Scene before) {
-  state.undo.push_back(std::move(before));
-  state.redo.clear();
+  state.document.undo.push_back(std::move(before));
+  state.document.redo.clear();
   trim(state);
 }
 
 void commit(State& state, Scene next, EditMark mark, bool continues) {
   if (next == state.scene()) return;
-  const bool joins = continues && !state.undo.empty() && state.last_edit && *state.last_edit == mark;
+  const bool joins =
+      continues && !state.document.undo.empty() && state.document.last_edit && *state.document.last_edit == mark;
   if (!joins) remember(state, state.scene());
-  state.last_edit = mark;
-  state.notice.reset();
+  state.document.last_edit = mark;
+  state.document.notice.reset();
   replace_scene(state, std::move(next));
 }
 
@@ -75,7 +77,7 @@ std::string why_refused(const Scene& scene, int object, int light) {
 bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark, bool continues) {
   const std::string why = why_refused(next, object, light);
   if (!why.empty()) {
-    complain(state, fill("notice.refused", state.language, {{"why", why}}));
+    complain(state, fill("notice.refused", state.appearance.language, {{"why", why}}));
     return false;
   }
   commit(state, std::move(next), mark, continues);
@@ -84,10 +86,12 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 
 void action::Undo::apply(State& state) const {
   // Once all edits in a hunt are undone, undo leaves the hunt.
-  if (state.undo.empty() && state.bugs.hunt) return leave_hunt(state);
-  step_history(state, state.undo, state.redo, "notice.nothing_to_undo");
+  if (state.document.undo.empty() && state.bugs.hunt) return leave_hunt(state);
+  step_history(state, state.document.undo, state.document.redo, "notice.nothing_to_undo");
 }
 
-void action::Redo::apply(State& state) const { step_history(state, state.redo, state.undo, "notice.nothing_to_redo"); }
+void action::Redo::apply(State& state) const {
+  step_history(state, state.document.redo, state.document.undo, "notice.nothing_to_redo");
+}
 
 }  // namespace raywalk

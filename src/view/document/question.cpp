@@ -1,5 +1,6 @@
 #include "view/document/question.h"
 
+#include "view/state.h"
 #include "view/text/text.h"
 
 #include <fmt/format.h>
@@ -11,14 +12,14 @@ namespace raywalk {
 
 namespace {
 
-std::string said(const State& state, std::string_view id) { return std::string(text(id, state.language)); }
+std::string said(const State& state, std::string_view id) { return std::string(text(id, state.appearance.language)); }
 
 /// A lesson as in the list: "5 Refraction and total reflection".
 std::string lesson_title(const State& state, const std::string& name) {
   const std::vector<LessonEntry>& list = state.lessons.list;
   const auto entry = std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == name; });
   if (entry == list.end()) return name;
-  return fmt::format("{} {}", entry - list.begin() + 1, entry->title(state.language));
+  return fmt::format("{} {}", entry - list.begin() + 1, entry->title(state.appearance.language));
 }
 
 }  // namespace
@@ -26,31 +27,32 @@ std::string lesson_title(const State& state, const std::string& name) {
 QuestionPanel question_panel(const State& state) {
   using action::Answer;
   QuestionPanel panel;
-  if (!state.question) return panel;
-  const Question& question = *state.question;
+  if (!state.document.question) return panel;
+  const Question& question = *state.document.question;
   const auto choice = [&](Answer answer, std::string_view label) {
     panel.choices.push_back({answer, said(state, label)});
   };
-  const std::string file =
-      state.path.empty() ? said(state, "scene.untitled") : std::filesystem::path(state.path).filename().string();
+  const std::string file = state.document.path.empty() ? said(state, "scene.untitled")
+                                                       : std::filesystem::path(state.document.path).filename().string();
   switch (question.kind) {
     case Question::Kind::unsaved:
       switch (question.intent) {
         case Intent::new_scene:
-          panel.text = fill("question.unsaved_new", state.language, {{"file", file}});
+          panel.text = fill("question.unsaved_new", state.appearance.language, {{"file", file}});
           break;
         case Intent::lesson:
-          panel.text = fill("question.unsaved_open", state.language,
+          panel.text = fill("question.unsaved_open", state.appearance.language,
                             {{"file", file}, {"other", lesson_title(state, question.path)}});
           break;
         case Intent::open:
-          panel.text = fill("question.unsaved_open", state.language, {{"file", file}, {"other", question.path}});
+          panel.text =
+              fill("question.unsaved_open", state.appearance.language, {{"file", file}, {"other", question.path}});
           break;
         case Intent::leave_lesson:
           panel.text = said(state, "question.unsaved_lesson");
           break;
         case Intent::quit:
-          panel.text = fill("question.unsaved_quit", state.language, {{"file", file}});
+          panel.text = fill("question.unsaved_quit", state.appearance.language, {{"file", file}});
           break;
       }
       choice(Answer::save, "answer.save");
@@ -58,9 +60,9 @@ QuestionPanel question_panel(const State& state) {
       choice(Answer::cancel, "answer.cancel");
       break;
     case Question::Kind::recover:
-      panel.text = question.path == state.path
-                       ? fill("question.recover", state.language, {{"file", file}, {"when", question.when}})
-                       : fill("question.recover_other", state.language,
+      panel.text = question.path == state.document.path
+                       ? fill("question.recover", state.appearance.language, {{"file", file}, {"when", question.when}})
+                       : fill("question.recover_other", state.appearance.language,
                               {{"file", question.path.empty() ? said(state, "scene.untitled") : question.path},
                                {"when", question.when},
                                {"other", file}});
@@ -69,7 +71,7 @@ QuestionPanel question_panel(const State& state) {
       choice(Answer::discard, "answer.throw_away");
       break;
     case Question::Kind::overwrite:
-      panel.text = fill("question.overwrite", state.language, {{"file", question.path}});
+      panel.text = fill("question.overwrite", state.appearance.language, {{"file", question.path}});
       choice(Answer::cancel, "answer.cancel");
       choice(Answer::save, "answer.overwrite");
       break;

@@ -1,7 +1,7 @@
 #pragma once
 // An open question, as data.
 
-#include "view/document/actions.h"
+#include "view/document/room.h"
 
 #include <string>
 #include <vector>

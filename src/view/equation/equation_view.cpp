@@ -46,13 +46,14 @@ void draw_bend(Painter& painter, const BendNotes& notes) {
 
 }  // namespace
 
-void draw_hit_notes(Painter& painter) {
+void EquationRoom::draw_in_plan(Painter& painter) {
   const State& state = painter.state;
-  if (state.mode != Mode::trace || state.tab != Tab::equation) return;
+  if (state.walk.mode != Mode::trace || state.appearance.tab != EquationRoom::tab) return;
   if (const std::optional<BendNotes> bend = bend_notes(state)) return draw_bend(painter, *bend);
   const HitNotes notes = hit_notes(state);
   if (notes.t.empty()) return;
-  const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(state.timeline->current_ray(state.position))];
+  const RayRecord& ray =
+      state.walk.timeline->rays()[static_cast<std::size_t>(state.walk.timeline->current_ray(state.walk.position))];
   const Vec2d hit = painter.pixels(plan(ray.end)), from = painter.pixels(plan(ray.origin));
   const double size = length(hit - from), unit = painter.sizes.unit;
   if (!(size > 0)) return;

@@ -30,19 +30,19 @@ Result<std::string> exported(const State& state, ExportKind kind) {
   const Scene& scene = state.scene();
   switch (kind) {
     case ExportKind::plan:
-      return svg_file(plan_view(state, state.viewport), state.viewport.width, state.viewport.height,
-                      palette(state.theme).plan, scene.title.empty() ? "Raywalk" : scene.title);
+      return svg_file(plan_view(state, state.plan.viewport), state.plan.viewport.width, state.plan.viewport.height,
+                      palette(state.appearance.theme).plan, scene.title.empty() ? "Raywalk" : scene.title);
     case ExportKind::slides:
-      if (state.timeline->steps() > max_slides)
+      if (state.walk.timeline->steps() > max_slides)
         return tl::unexpected(
-            Error{"", 0, 0, fill("notice.too_many_slides", state.language, {{"most", max_slides}}), ""});
-      return slides_page(scene, state.timeline, state.language, state.theme);
+            Error{"", 0, 0, fill("notice.too_many_slides", state.appearance.language, {{"most", max_slides}}), ""});
+      return slides_page(scene, state.walk.timeline, state.appearance.language, state.appearance.theme);
     case ExportKind::transcript:
-      return transcript(scene, *state.timeline, state.language);
+      return transcript(scene, *state.walk.timeline, state.appearance.language);
     case ExportKind::steps: {
       std::string all;
-      const auto written = write_steps_json(scene, *state.timeline,
-                                            {{"scene", state.path},
+      const auto written = write_steps_json(scene, *state.walk.timeline,
+                                            {{"scene", state.document.path},
                                              {"title", scene.title},
                                              {"depth", scene.limits.depth},
                                              {"threshold", scene.limits.threshold}},
@@ -55,8 +55,8 @@ Result<std::string> exported(const State& state, ExportKind kind) {
     }
     case ExportKind::script:
       if (!state.lessons.open)
-        return tl::unexpected(Error{"", 0, 0, std::string(text("lesson.no_lesson", state.language)), ""});
-      return lesson_script(state.lessons.open->played, state.language, ScriptForm::page);
+        return tl::unexpected(Error{"", 0, 0, std::string(text("lesson.no_lesson", state.appearance.language)), ""});
+      return lesson_script(state.lessons.open->played, state.appearance.language, ScriptForm::page);
     case ExportKind::picture:
     case ExportKind::film:
       break;
@@ -108,12 +108,12 @@ std::string with_ending(const std::string& path, ExportKind kind) {
 }
 
 std::vector<int> film_positions(const State& state) {
-  const Timeline& timeline = *state.timeline;
-  const bool whole = state.grain == Grain::pixel;
-  const int last = whole ? timeline.steps() : timeline.next_pixel(state.position);
-  std::vector<int> positions{state.position};
+  const Timeline& timeline = *state.walk.timeline;
+  const bool whole = state.walk.grain == Grain::pixel;
+  const int last = whole ? timeline.steps() : timeline.next_pixel(state.walk.position);
+  std::vector<int> positions{state.walk.position};
   while (positions.back() < last) {
-    const int next = std::min(stepped(timeline, positions.back(), state.grain, true), last);
+    const int next = std::min(stepped(timeline, positions.back(), state.walk.grain, true), last);
     positions.push_back(next);
   }
   if (static_cast<int>(positions.size()) > max_frames) {
@@ -151,36 +151,37 @@ void export_over(State& state, const std::string& path) {
   const ExportKind kind = *export_kind_of(path);
   if (kind == ExportKind::picture || kind == ExportKind::film) {
     // The window without the dialog and without hover effects.
-    state.prompt = PathPrompt::none;
-    state.notice.reset();
-    state.playing = false;
-    state.pointer.reset();
-    state.hovered_line.reset();
+    state.document.prompt = PathPrompt::none;
+    state.document.notice.reset();
+    state.walk.playing = false;
+    state.plan.pointer.reset();
+    state.plan.hovered_line.reset();
     hover(state);
-    if (kind == ExportKind::film) state.mode = Mode::trace;
-    state.window_export = WindowExport{kind, path};
+    if (kind == ExportKind::film) state.walk.mode = Mode::trace;
+    state.exports.window = WindowExport{kind, path};
     return;
   }
   const auto text = exported(state, kind);
   const auto written = text ? write_file_atomically(path, *text) : tl::unexpected(text.error());
   action::FinishExport{written ? "" : written.error().text()}.apply(state);
-  if (written) inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
+  if (written) inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
 }
 
 void action::AskExport::apply(State& state) const { ask_path(state, PathPrompt::export_walk); }
 
 void action::Export::apply(State& state) const {
   if (path.empty()) return;
-  if (state.prompt == PathPrompt::export_walk) state.notice.reset();
-  if (!export_kind_of(path)) return complain(state, fill("notice.export_endings", state.language, {{"file", path}}));
+  if (state.document.prompt == PathPrompt::export_walk) state.document.notice.reset();
+  if (!export_kind_of(path))
+    return complain(state, fill("notice.export_endings", state.appearance.language, {{"file", path}}));
   if (!asks_to_overwrite(state, path, PathPrompt::export_walk)) export_over(state, path);
 }
 
 void action::FinishExport::apply(State& state) const {
-  const auto done = std::exchange(state.window_export, std::nullopt);
+  const auto done = std::exchange(state.exports.window, std::nullopt);
   if (!why_not.empty()) return complain(state, why_not);
-  state.prompt = PathPrompt::none;
-  if (done) inform(state, fill("notice.saved_as", state.language, {{"file", done->path}}));
+  state.document.prompt = PathPrompt::none;
+  if (done) inform(state, fill("notice.saved_as", state.appearance.language, {{"file", done->path}}));
 }
 
 }  // namespace raywalk

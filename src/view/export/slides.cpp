@@ -28,13 +28,13 @@ State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Langu
   SceneDocument document;
   document.scene = scene;
   State state = make_state(std::move(document));
-  state.timeline = std::move(timeline);
-  state.mode = Mode::trace;
-  state.theme = theme;
-  state.language = language;
-  state.tab = Tab::equation;
-  state.viewport = viewport;
-  state.camera = fitted(state);
+  state.walk.timeline = std::move(timeline);
+  state.walk.mode = Mode::trace;
+  state.appearance.theme = theme;
+  state.appearance.language = language;
+  state.appearance.tab = EquationRoom::tab;
+  state.plan.viewport = viewport;
+  state.plan.camera = fitted(state);
   return state;
 }
 
@@ -112,9 +112,9 @@ Json slide(const State& state, PlanWriter& plan, Dictionary& said) {
     equation.push_back(
         said.number_of(fmt::format("<p{}>{}{}</p>", plain ? " class=\"dim\"" : "", colour, escaped(row.text))));
   }
-  const Event* ran = state.timeline->just_run(state.position);
-  const Event* next = state.timeline->next(state.position);
-  return {{"d", plan.next(plan_view(state), state.position % PlanWriter::complete_every == 0)},
+  const Event* ran = state.walk.timeline->just_run(state.walk.position);
+  const Event* next = state.walk.timeline->next(state.walk.position);
+  return {{"d", plan.next(plan_view(state), state.walk.position % PlanWriter::complete_every == 0)},
           {"e", std::move(equation)},
           {"s", said.number_of(escaped(sentence(state)))},
           {"r", ran == nullptr ? -1 : static_cast<int>(ran->line)},
@@ -190,9 +190,9 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
   Dictionary said;
   const auto say = [&](auto id) { return text(id, language); };
   Json steps = Json::array();
-  for (state.position = 0; state.position <= state.timeline->steps(); ++state.position)
+  for (state.walk.position = 0; state.walk.position <= state.walk.timeline->steps(); ++state.walk.position)
     steps.push_back(slide(state, plan, said));
-  state.position = 0;
+  state.walk.position = 0;
   const Json walk{{"drawn", plan.texts()},
                   {"complete", PlanWriter::complete_every},
                   {"said", said.texts()},
@@ -235,15 +235,15 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
       "<input id=\"bar\" type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"{}\"/></div>\n"
       "<div>{}<div id=\"equation\"></div></div></main><template id=\"pause\">{}</template>\n",
       title, page_size.width, page_size.height, say("slides.to_start"), say("command.step_back.label"),
-      say("command.step.label"), say("command.play.label"), say("slides.to_end"), state.timeline->steps(),
+      say("command.step.label"), say("command.play.label"), say("slides.to_end"), state.walk.timeline->steps(),
       say("slides.step_bar"), code_of(state), say("transport.pause"));
   return page + "<script>\nconst W = " + data + ";" + std::string(script) + "</script></body></html>\n";
 }
 
 std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
   State state = walked(scene, std::move(timeline), language, theme, picture_size);
-  state.position = state.timeline->steps();
-  state.tab = Tab::image;
+  state.walk.position = state.walk.timeline->steps();
+  state.appearance.tab = PictureRoom::tab;
   return svg_file(plan_view(state), picture_size.width, picture_size.height, palette(theme).plan,
                   scene.title.empty() ? "Raywalk" : scene.title);
 }

@@ -6,10 +6,11 @@ namespace raywalk {
 
 Legend legend(const State& state) {
   Legend legend;
-  const auto str = [](const State& in, std::string_view id) { return std::string(text(id, in.language)); };
+  const auto str = [](const State& in, std::string_view id) { return std::string(text(id, in.appearance.language)); };
   const auto row = [&](RayKind kind, std::string_view in_short, std::string_view meaning) {
-    legend.rays.push_back({kind, ray_style(state.theme, kind), std::string(text(kind, state.language)),
-                           str(state, in_short), str(state, meaning)});
+    legend.rays.push_back({kind, ray_style(state.appearance.theme, kind),
+                           std::string(text(kind, state.appearance.language)), str(state, in_short),
+                           str(state, meaning)});
   };
   row(RayKind::primary, "ray.short_primary", "legend.primary");
   row(RayKind::shadow, "ray.short_shadow", "legend.shadow");
@@ -23,7 +24,7 @@ Legend legend(const State& state) {
   sign(Ending::blocked, "legend.sign_blocked");
   sign(Ending::reached_light, "legend.sign_reached_light");
   for (const Ending limit : {Ending::depth, Ending::threshold, Ending::total_internal_reflection, Ending::facing_away})
-    legend.signs.push_back({std::string(symbol(limit)), std::string(text(limit, state.language))});
+    legend.signs.push_back({std::string(symbol(limit)), std::string(text(limit, state.appearance.language))});
   legend.signs.push_back({"-|", str(state, "legend.sign_stub")});
   legend.signs.push_back({"->", str(state, "legend.sign_normal")});
   return legend;

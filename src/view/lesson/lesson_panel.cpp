@@ -17,18 +17,18 @@ namespace raywalk {
 namespace {
 
 /// A value of the step's answer.
-Outcome answer_of(const LessonSitting& sitting, const Expression& expression) {
+Outcome answer_of(const LessonRoom& sitting, const Expression& expression) {
   return value_at(sitting.open->played, static_cast<std::size_t>(sitting.step), sitting.at()->shown, expression);
 }
 
-std::optional<double> number_of(const LessonSitting& sitting, const NumberQuestion& question) {
+std::optional<double> number_of(const LessonRoom& sitting, const NumberQuestion& question) {
   const Outcome value = answer_of(sitting, question.answer.expression);
   const double* number = value ? std::get_if<double>(&*value) : nullptr;
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
 /// The correct direction of an arrow, in the plan.
-std::optional<Vec2d> direction_of(const LessonSitting& sitting) {
+std::optional<Vec2d> direction_of(const LessonRoom& sitting) {
   const PlayedStep& step = *sitting.at();
   const EventDetail& detail = step.walk->timeline.event(step.shown - 1).detail;
   if (const auto* formed = std::get_if<RayFormed>(&detail)) return plan(formed->direction);
@@ -36,14 +36,14 @@ std::optional<Vec2d> direction_of(const LessonSitting& sitting) {
   return std::nullopt;
 }
 
-bool choice_holds(const LessonSitting& sitting, const Formula& choice) {
+bool choice_holds(const LessonRoom& sitting, const Formula& choice) {
   const Outcome value = answer_of(sitting, choice.expression);
   return value && holds(*value);
 }
 
 /// A question that the walk itself will answer, not yet answered.
 /// When a presenter finishes the step, and the total time.
-std::string time_of(const LessonSitting& sitting, const LessonWords& words, Language language) {
+std::string time_of(const LessonRoom& sitting, const LessonWords& words, Language language) {
   const Lesson& lesson = sitting.open->lesson;
   const auto step = static_cast<std::size_t>(sitting.step);
   if (lesson.steps[step].extra) return std::string(text("lesson.extra", language));
@@ -59,7 +59,7 @@ const std::string& LessonEntry::title(Language language) const {
   return own == titles.end() ? titles.find("en")->second : own->second;
 }
 
-std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language) {
+std::vector<LessonRow> lesson_rows(const LessonRoom& sitting, Language language) {
   std::vector<LessonRow> rows;
   bool before_done = true;
   for (const LessonEntry& entry : sitting.list) {
@@ -73,7 +73,7 @@ std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language langua
   return rows;
 }
 
-std::optional<LessonVerdict> judge(const LessonSitting& sitting) {
+std::optional<LessonVerdict> judge(const LessonRoom& sitting) {
   const PlayedStep* step = sitting.at();
   if (step == nullptr || !step->step->question) return std::nullopt;
   const LessonQuestion& question = *step->step->question;
@@ -100,8 +100,8 @@ std::optional<LessonVerdict> judge(const LessonSitting& sitting) {
 }
 
 LessonPanel lesson_panel(const State& state) {
-  const LessonSitting& sitting = state.lessons;
-  const Language language = state.language;
+  const LessonRoom& sitting = state.lessons;
+  const Language language = state.appearance.language;
   LessonPanel panel;
   const auto word = [&](std::string_view w) { return std::string(text(w, language)); };
   if (sitting.judged > 0)

@@ -47,7 +47,7 @@ struct LessonPanel {
   bool can_reveal = false, can_go_on = false, can_go_back = false, is_last = false;
 };
 /// The list: a lesson is available once the previous one is finished.
-[[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonSitting& sitting, Language language);
+[[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonRoom& sitting, Language language);
 [[nodiscard]] LessonPanel lesson_panel(const State& state);
 
 /// Whether a guess counts as right, and its error: in degrees for an arrow, else in the question's unit; 0 or 1 for a
@@ -56,6 +56,6 @@ struct LessonVerdict {
   bool right = false;
   double error = 0;
 };
-[[nodiscard]] std::optional<LessonVerdict> judge(const LessonSitting& sitting);
+[[nodiscard]] std::optional<LessonVerdict> judge(const LessonRoom& sitting);
 
 }  // namespace raywalk

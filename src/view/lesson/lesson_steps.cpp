@@ -22,11 +22,11 @@ namespace {
 
 constexpr std::size_t max_progress = 1 << 16;  // bytes
 
-std::string progress_path(const State& state) { return state.state_dir + "/lessons.json"; }
+std::string progress_path(const State& state) { return state.document.state_dir + "/lessons.json"; }
 
 /// Progress is a convenience: failures are ignored.
 void read_progress(State& state) {
-  if (state.state_dir.empty()) return;
+  if (state.document.state_dir.empty()) return;
   const auto bytes = read_file(progress_path(state), max_progress);
   if (!bytes) return;
   const auto json = nlohmann::json::parse(*bytes, nullptr, false);
@@ -39,15 +39,15 @@ void read_progress(State& state) {
 }
 
 void write_progress(const State& state) {
-  if (state.state_dir.empty()) return;
+  if (state.document.state_dir.empty()) return;
   const nlohmann::json json{{"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}};
   std::error_code error;
-  std::filesystem::create_directories(state.state_dir, error);
+  std::filesystem::create_directories(state.document.state_dir, error);
   static_cast<void>(write_file_atomically(progress_path(state), json.dump(2) + "\n"));
 }
 
 void read_list(State& state) {
-  LessonSitting& sitting = state.lessons;
+  LessonRoom& sitting = state.lessons;
   if (!sitting.list.empty() || sitting.folder.empty()) return;
   read_progress(state);
   for (const std::string& name : lesson_names(sitting.folder)) {
@@ -63,7 +63,7 @@ void read_list(State& state) {
 }
 
 /// The first pixel of this step's walk: its own, or that of an earlier step in the same walk.
-int first_pixel(const LessonSitting& sitting) {
+int first_pixel(const LessonRoom& sitting) {
   const std::vector<PlayedStep>& steps = sitting.open->played.steps;
   for (int i = sitting.step; i >= 0; --i) {
     const PlayedStep& step = steps[static_cast<std::size_t>(i)];
@@ -79,19 +79,20 @@ void stage(State& state) {
   const LessonWalk& walk = *step.walk;
   std::optional<PixelWalk> pixel;
   if (walk.pixel) pixel = PixelWalk{walk.document.scene.image, walk.pixel->column, walk.pixel->row, {}};
-  const bool stays = state.scene() == walk.document.scene && state.walk == pixel && !state.image.single_precision &&
-                     !state.image.integrator && state.image.walk_samples == 1 && fault_at_work(state) == walk.fault &&
-                     !(state.bug && state.bug->mended);
+  const bool stays = state.scene() == walk.document.scene && state.walk.pixel == pixel &&
+                     !state.picture.settings.single_precision && !state.picture.settings.integrator &&
+                     state.picture.settings.walk_samples == 1 && fault_at_work(state) == walk.fault &&
+                     !(state.walk.bug && state.walk.bug->mended);
   if (!stays) {
-    state.image.single_precision = false;
-    state.image.integrator.reset();
-    state.image.walk_samples = 1;
+    state.picture.settings.single_precision = false;
+    state.picture.settings.integrator.reset();
+    state.picture.settings.walk_samples = 1;
     show_document(state, walk.document, {});
-    state.walk = pixel;
+    state.walk.pixel = pixel;
     if (pixel && !walk.fault) record_again(state);
     set_bug(state, walk.fault);
   }
-  if (state.bug) state.bug->known = false;
+  if (state.walk.bug) state.walk.bug->known = false;
   if (step.step->pixel || !stays) state.lessons.first_pixel = pixel ? 0 : first_pixel(state.lessons);
   state.lessons.guess = {};
   state.lessons.hands.clear();
@@ -100,19 +101,19 @@ void stage(State& state) {
     case LessonBeside::unchanged:
       break;
     case LessonBeside::picture:
-      state.tab = Tab::image;
+      state.appearance.tab = PictureRoom::tab;
       break;
     case LessonBeside::tree:
-      state.tab = Tab::tree;
+      state.appearance.tab = TreeRoom::tab;
       break;
     case LessonBeside::stack:
-      state.tab = Tab::stack;
+      state.appearance.tab = StackRoom::tab;
       break;
     case LessonBeside::equation:
-      state.tab = Tab::equation;
+      state.appearance.tab = EquationRoom::tab;
       break;
     case LessonBeside::structure:
-      state.tab = Tab::structure;
+      state.appearance.tab = StructureRoom::tab;
       break;
   }
   go_to(state, step.asked);
@@ -130,22 +131,22 @@ void action::ShowLessons::apply(State& state) const {
   }
   state.bugs.shown = false;
   if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
-  if (state.mode == Mode::help) state.mode = Mode::trace;
+  if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
   read_list(state);
 }
 
 void begin_lesson(State& state, const std::string& name) {
-  LessonSitting& sitting = state.lessons;
+  LessonRoom& sitting = state.lessons;
   auto lesson = read_lesson(sitting.folder + "/" + name);
   if (!lesson) return complain(state, lesson.error().text());
-  const Mode mode = state.mode;
+  const Mode mode = state.walk.mode;
   const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
   opened->played = play_lesson(opened->lesson, sitting.scenes_folder);
   if (opened->played.steps.empty())
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
   if (!sitting.open && !saved_scene(state).objects.empty()) {
     // Unsaved work was asked about, and discarded.
-    OwnScene own{state.document, state.path, mode};
+    OwnScene own{state.document.contents, state.document.path, mode};
     own.document.scene = saved_scene(state);
     sitting.own = std::make_shared<const OwnScene>(std::move(own));
   }
@@ -159,12 +160,12 @@ void begin_lesson(State& state, const std::string& name) {
 
 void action::OpenLesson::apply(State& state) const {
   ShowLessons{true}.apply(state);
-  const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.language);
+  const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.appearance.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
-  if (row == rows.end()) return complain(state, fill("lesson.unknown", state.language, {{"name", name}}));
-  if (row->locked) return inform(state, std::string(text("lesson.locked", state.language)));
+  if (row == rows.end()) return complain(state, fill("lesson.unknown", state.appearance.language, {{"name", name}}));
+  if (row->locked) return inform(state, std::string(text("lesson.locked", state.appearance.language)));
   // Changes during a lesson belong to the lesson.
-  if (state.lessons.open) state.dirty = false;
+  if (state.lessons.open) state.document.dirty = false;
   ask_or_do(state, Intent::lesson, name);
 }
 
@@ -185,11 +186,11 @@ void end_lesson(State& state) {
   close_lesson(state);
   if (!own) return;
   show_document(state, own->document, own->path);
-  state.mode = own->mode;
+  state.walk.mode = own->mode;
 }
 
 void action::GoToLessonStep::apply(State& state) const {
-  LessonSitting& sitting = state.lessons;
+  LessonRoom& sitting = state.lessons;
   if (!sitting.open || step < 0) return;
   const LessonPanel panel = lesson_panel(state);
   if (step > sitting.step && !panel.can_go_on) return;
@@ -203,7 +204,7 @@ void action::GoToLessonStep::apply(State& state) const {
 }
 
 void action::GuessChoice::apply(State& state) const {
-  LessonSitting& sitting = state.lessons;
+  LessonRoom& sitting = state.lessons;
   const LessonPanel panel = lesson_panel(state);
   if (panel.asks != Asks::choice || sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size()))
     return;
@@ -212,7 +213,7 @@ void action::GuessChoice::apply(State& state) const {
 
 void action::ShowHands::apply(State& state) const {
   constexpr int most = 999;
-  LessonSitting& sitting = state.lessons;
+  LessonRoom& sitting = state.lessons;
   const LessonPanel panel = lesson_panel(state);
   if (sitting.revealed || choice < 0 || choice >= static_cast<int>(panel.choices.size())) return;
   sitting.hands.resize(panel.choices.size());
@@ -226,7 +227,7 @@ void action::GuessNumber::apply(State& state) const {
 }
 
 void action::RevealLesson::apply(State& state) const {
-  LessonSitting& sitting = state.lessons;
+  LessonRoom& sitting = state.lessons;
   if (!lesson_panel(state).can_reveal) return;
   sitting.revealed = true;
   const bool is_first = sitting.counted.emplace(sitting.open->lesson.name, sitting.step).second;
@@ -241,10 +242,11 @@ void action::RevealLesson::apply(State& state) const {
     sitting.guess = guess;
     sitting.revealed = true;
   }
-  if (state.bug) state.bug->known = true;
+  if (state.walk.bug) state.walk.bug->known = true;
   // An answer over several pixels shows the rays of all.
   const PlayedStep& step = *sitting.at();
-  if (state.timeline->current_pixel(step.shown) != state.timeline->current_pixel(step.asked)) sitting.first_pixel = 0;
+  if (state.walk.timeline->current_pixel(step.shown) != state.walk.timeline->current_pixel(step.asked))
+    sitting.first_pixel = 0;
   go_to(state, step.shown);
 }
 
@@ -253,7 +255,7 @@ bool answered_by_step(State& state) {
   if (lesson_panel(state).can_reveal)
     action::RevealLesson{}.apply(state);
   else
-    inform(state, std::string(text("lesson.predict_first", state.language)));
+    inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
   return true;
 }
 

@@ -1,6 +1,6 @@
 #include "view/lesson/typed_number.h"
 
-#include "view/lesson/lesson_sitting.h"
+#include "view/lesson/room.h"
 
 #include <algorithm>
 #include <cctype>
@@ -99,7 +99,7 @@ std::vector<double> typed_numbers(std::string_view typed, std::string_view unit)
   return meant;
 }
 
-std::optional<double> typed_guess(const LessonSitting& sitting, std::string_view typed) {
+std::optional<double> typed_guess(const LessonRoom& sitting, std::string_view typed) {
   const PlayedStep* step = sitting.at();
   const auto* question =
       step != nullptr && step->step->question ? std::get_if<NumberQuestion>(&*step->step->question) : nullptr;

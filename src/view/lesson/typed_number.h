@@ -7,7 +7,7 @@
 
 namespace raywalk {
 
-struct LessonSitting;
+struct LessonRoom;
 
 /// Possible values of the text: with surrounding spaces, a comma or a point before the decimals, groups of three
 /// digits, a fraction, a power of ten, the question's unit. "1,234" has two values; other text none.
@@ -15,6 +15,6 @@ struct LessonSitting;
 
 /// The answer to the open step's question; of several values, the one nearest to the truth: notation never makes an
 /// answer wrong.
-[[nodiscard]] std::optional<double> typed_guess(const LessonSitting& sitting, std::string_view typed);
+[[nodiscard]] std::optional<double> typed_guess(const LessonRoom& sitting, std::string_view typed);
 
 }  // namespace raywalk

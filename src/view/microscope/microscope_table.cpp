@@ -104,7 +104,7 @@ std::string magnification_text(double factor, Language language) {
 }
 
 MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
-  const Language language = state.language;
+  const Language language = state.appearance.language;
   const auto name_of = [&](const std::optional<Reading>& reading) {
     return reading ? state.scene().objects[static_cast<std::size_t>(reading->object)].name
                    : std::string(text("microscope.nothing", language));

@@ -3,7 +3,7 @@
 
 #include "view/microscope/microscope.h"
 
-#include "view/microscope/actions.h"
+#include "view/microscope/room.h"
 #include "view/plan/painter.h"
 #include "view/text/text.h"
 
@@ -58,13 +58,13 @@ class Drawing {
   [[nodiscard]] std::string name_of(const PointMark& mark) const {
     switch (mark.sign) {
       case Sign::robust:
-        return fill("microscope.robust", painter_.state.language);
+        return fill("microscope.robust", painter_.state.appearance.language);
       case Sign::naive:
-        return fill("microscope.naive", painter_.state.language);
+        return fill("microscope.naive", painter_.state.appearance.language);
       case Sign::naive_start:
-        return fill("microscope.naive_start", painter_.state.language);
+        return fill("microscope.naive_start", painter_.state.appearance.language);
       case Sign::crossing:
-        return fill("microscope.crossing", painter_.state.language);
+        return fill("microscope.crossing", painter_.state.appearance.language);
     }
     return {};
   }
@@ -169,7 +169,7 @@ void Drawing::draw_error_box() {
   painter_.add(PolygonItem{{corners.begin(), corners.end()}, painter_.colours.text.with_alpha(18), std::nullopt});
   for (std::size_t i = 0; i < 4; ++i) painter_.add_clipped({corners[i], corners[(i + 1) % 4], stroke});
   if (std::min(half.x, half.y) < 14 * unit_) return;
-  const std::string words(text("microscope.error_box", painter_.state.language));
+  const std::string words(text("microscope.error_box", painter_.state.appearance.language));
   const Vec2d below(corners[3].x + text_width(words, painter_.sizes.text) / 2,
                     corners[3].y + 0.8 * painter_.sizes.text);
   if (in_sight(below, 20 * unit_)) painter_.note(below, words);
@@ -182,7 +182,7 @@ void Drawing::draw_ray() {
   const Vec2d towards = along / length(along), to = pixels(flat(specimen_.crossing.value_or(specimen_.on_ray)));
   const Vec2d origin = place_of(specimen_.origin);
   const Vec2d from = length(origin - to) < across() ? origin : to - across() * towards;
-  const RayStyle& style = ray_style(painter_.state.theme, specimen_.kind);
+  const RayStyle& style = ray_style(painter_.state.appearance.theme, specimen_.kind);
   painter_.add_clipped({from, to, {style.colour, 2.6 * unit_, painter_.scaled(style.dash)}, 12 * unit_, 0.6});
 }
 
@@ -195,7 +195,7 @@ void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
     if (!(size > 1e-9 * length(rays.direction)) || length(at - middle_) > across()) continue;
     if (naive && specimen_.robust && length(at - place_of(specimen_.robust->point)) < 6 * unit_ && rays.hit_own == 0)
       continue;
-    const RayStyle& style = ray_style(painter_.state.theme, rays.kind);
+    const RayStyle& style = ray_style(painter_.state.appearance.theme, rays.kind);
     const Stroke stroke{style.colour, (naive ? 1.6 : 2.0) * unit_, painter_.scaled(style.dash)};
     const Vec2d towards = along / size;
     if (rays.hit_own > 0) {
@@ -243,9 +243,9 @@ void Drawing::point_at(const PointMark& mark) {
   const Stroke stroke{painter_.colours.error, 2.4 * unit_};
   painter_.add(LineItem{tip - 24 * unit_ * towards, tip, stroke, 11 * unit_});
   label(tip - 12 * unit_ * towards, 16 * unit_,
-        fill("microscope.off_sight", painter_.state.language,
+        fill("microscope.off_sight", painter_.state.appearance.language,
              {{"point", name_of(mark)},
-              {"ulps", ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.language)}}));
+              {"ulps", ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.appearance.language)}}));
 }
 
 void Drawing::draw_marks() {
@@ -326,14 +326,15 @@ void Drawing::draw_scale() {
   const double cells = specimen_.ulp * scale_;
   const auto axis_name = [&](int i) { return std::string(1, "xyz"[specimen_.axes[static_cast<std::size_t>(i)]]); };
   const auto spacing = [&](int i) {
-    return number_text(specimen_.spacing[specimen_.axes[static_cast<std::size_t>(i)]], painter_.state.language);
+    return number_text(specimen_.spacing[specimen_.axes[static_cast<std::size_t>(i)]],
+                       painter_.state.appearance.language);
   };
   double bar = cells;
   std::string words;
   if (cells >= 14 * unit_) {
     const bool alike = cell(0) == cell(1);
-    words = alike ? fill("microscope.one_cell", painter_.state.language, {{"ulp", spacing(0)}})
-                  : fill("microscope.two_cells", painter_.state.language,
+    words = alike ? fill("microscope.one_cell", painter_.state.appearance.language, {{"ulp", spacing(0)}})
+                  : fill("microscope.two_cells", painter_.state.appearance.language,
                          {{"first", axis_name(0)},
                           {"first_ulp", spacing(0)},
                           {"second", axis_name(1)},
@@ -346,9 +347,9 @@ void Drawing::draw_scale() {
     else if (2 * length <= most)
       length *= 2;
     bar = length * scale_;
-    words = fill("microscope.bar", painter_.state.language,
-                 {{"length", number_text(length, painter_.state.language)},
-                  {"ulps", ulps_text(specimen_.in_ulps(length), painter_.state.language)}});
+    words = fill("microscope.bar", painter_.state.appearance.language,
+                 {{"length", number_text(length, painter_.state.appearance.language)},
+                  {"ulps", ulps_text(specimen_.in_ulps(length), painter_.state.appearance.language)}});
   }
   const Vec2d at(12 * unit_, 2 * middle_.y - 12 * unit_);
   const double width = std::max(bar, 0.8 * text_width(words, size)) + 0.6 * size;
@@ -367,8 +368,8 @@ void Drawing::draw_scale() {
 /// The magnification, in the upper left corner if that is free.
 void Drawing::draw_factor() {
   const double size = painter_.sizes.text;
-  const std::string factor =
-      magnification_text(magnification(painter_.state, specimen_, painter_.viewport), painter_.state.language);
+  const std::string factor = magnification_text(magnification(painter_.state, specimen_, painter_.viewport),
+                                                painter_.state.appearance.language);
   const Vec2d half(text_width(factor, size) / 2 + 0.2 * size, 0.6 * size);
   const Vec2d at(12 * unit_ + half.x, 0.9 * size + 4 * unit_);
   const auto covers = [&](const PixelRect& kept) { return kept.overlap({at - half, at + half}) > 0; };
@@ -382,7 +383,7 @@ double magnification(const State& state, const Specimen& specimen, const Viewpor
   const double most = std::log10(cell / (whole * specimen.ulp));
   // Near 0, numbers are as close as exponents allow; nothing is drawn that small.
   constexpr double max_decades = 17;
-  return std::pow(10.0, state.magnified * std::clamp(most, 0.0, max_decades));
+  return std::pow(10.0, state.microscope.magnified * std::clamp(most, 0.0, max_decades));
 }
 
 DisplayList microscope_view(const State& state, const Specimen& specimen, const Viewport& pane) {
@@ -390,10 +391,10 @@ DisplayList microscope_view(const State& state, const Specimen& specimen, const 
 }
 
 std::shared_ptr<const Specimen> specimen_of(Microscope& microscope, const State& state) {
-  return microscope.look(state.timeline, state.position, *walked_scene(state),
-                         state.image.single_precision ? Precision::float_ : Precision::double_);
+  return microscope.look(state.walk.timeline, state.walk.position, *walked_scene(state),
+                         state.picture.settings.single_precision ? Precision::float_ : Precision::double_);
 }
 
-void action::Magnify::apply(State& state) const { state.magnified = std::clamp(part, 0.0, 1.0); }
+void action::Magnify::apply(State& state) const { state.microscope.magnified = std::clamp(part, 0.0, 1.0); }
 
 }  // namespace raywalk

@@ -10,14 +10,14 @@ namespace raywalk {
 
 void draw_ghosts(Painter& painter) {
   const State& state = painter.state;
-  if (!state.ghosts) return;
+  if (!state.walk.ghosts) return;
   const double unit = painter.sizes.unit;
-  const auto& rays = state.timeline->rays();
+  const auto& rays = state.walk.timeline->rays();
   Rgbd cut_off{0.0};
-  for (const GhostRay& ghost : state.ghosts->rays) {
+  for (const GhostRay& ghost : state.walk.ghosts->rays) {
     // A ghost appears with its stub.
     if (ghost.stub >= static_cast<int>(rays.size()) ||
-        rays[static_cast<std::size_t>(ghost.stub)].formed_at > state.position || !ghost.record.formed)
+        rays[static_cast<std::size_t>(ghost.stub)].formed_at > state.walk.position || !ghost.record.formed)
       continue;
     const RayRecord& ray = ghost.record;
     const std::optional<RayWay> way = ray_way(painter, ray, true);
@@ -26,20 +26,21 @@ void draw_ghosts(Painter& painter) {
     // Dotted, in the kind's colour: formed rays are never dotted.
     const bool light = ray.kind == RayKind::shadow;
     const DashPattern dots{{1.5 * unit, 5 * unit}, 2};
-    Stroke stroke{ray_style(state.theme, ray.kind).colour.with_alpha(light ? 110 : 235), (light ? 1.2 : 2.2) * unit,
-                  dots};
+    Stroke stroke{ray_style(state.appearance.theme, ray.kind).colour.with_alpha(light ? 110 : 235),
+                  (light ? 1.2 : 2.2) * unit, dots};
     painter.add_clipped({from, to, stroke, light ? 0 : 8 * unit, 0.55});
     if (ghost.record.parent >= 0 || light) continue;
     cut_off += ghost.contribution;
     const Vec2d across(-along.y, along.x);
     painter.note(painter.seen_middle(from, to) + 14 * unit * across,
-                 percent_text(share_of(ghost.contribution, *state.ghosts), state.language));
+                 percent_text(share_of(ghost.contribution, *state.walk.ghosts), state.appearance.language));
   }
-  if (state.ghosts->pixel < 0) return;
-  const std::string total = fill("ghosts.total", state.language,
-                                 {{"percent", percent_text(share_of(cut_off, *state.ghosts), state.language)}});
+  if (state.walk.ghosts->pixel < 0) return;
+  const std::string total =
+      fill("ghosts.total", state.appearance.language,
+           {{"percent", percent_text(share_of(cut_off, *state.walk.ghosts), state.appearance.language)}});
   painter.note({painter.viewport.width / 2, painter.viewport.height - 1.2 * painter.sizes.text},
-               state.ghosts->rays.empty() ? std::string(text("ghosts.none", state.language)) : total);
+               state.walk.ghosts->rays.empty() ? std::string(text("ghosts.none", state.appearance.language)) : total);
 }
 
 }  // namespace raywalk

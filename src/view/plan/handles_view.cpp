@@ -11,8 +11,9 @@ namespace {
 constexpr std::size_t few_handled = 12;
 
 void draw_dot(Painter& painter, const Target& target) {
-  const bool hovered = painter.state.hovered == target || (painter.state.drag && painter.state.drag->target == target);
-  const bool selected = painter.state.selected == target;
+  const bool hovered =
+      painter.state.plan.hovered == target || (painter.state.plan.drag && painter.state.plan.drag->target == target);
+  const bool selected = painter.state.plan.selected == target;
   const Vec2d at = painter.pixels(place_of(painter.state, target, painter.viewport));
   const Colour fill = hovered ? painter.colours.hovered : selected ? painter.colours.selected : painter.colours.plan;
   const double radius = painter.sizes.handle * (hovered ? 1.35 : 1);
@@ -50,7 +51,8 @@ void draw_handles(Painter& painter) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const int index = static_cast<int>(i);
     const auto concerns = [&](const Target& target) { return belongs_to_object(target) && target.index == index; };
-    if (scene.objects.size() > few_handled && !concerns(painter.state.selected) && !concerns(painter.state.hovered))
+    if (scene.objects.size() > few_handled && !concerns(painter.state.plan.selected) &&
+        !concerns(painter.state.plan.hovered))
       continue;
     if (!scene.objects[i].transform.empty()) continue;  // its handles would be elsewhere
     std::visit(Overloaded{

@@ -53,14 +53,15 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
   for (std::size_t i = 0; i < painter.scene().objects.size(); ++i) {
     const Object& object = painter.scene().objects[i];
     const Target target{TargetKind::object, static_cast<int>(i)};
-    if (painter.scene().objects.size() > few_objects && state.selected != target && state.hovered != target) continue;
+    if (painter.scene().objects.size() > few_objects && state.plan.selected != target && state.plan.hovered != target)
+      continue;
     Labelled thing{object.name,
                    Vec2d(0.0),
                    Vec2d(0.0),
                    false,
                    target,
                    !object.material.transmits(),
-                   state.selected == target || state.hovered == target};  // its name is still shown on hover
+                   state.plan.selected == target || state.plan.hovered == target};  // its name is still shown on hover
     const auto body =
         std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == target; });
     if (body != bodies.end()) {
@@ -72,7 +73,7 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
       const auto* plane = std::get_if<Plane<double>>(&object.shape);
       const auto line = plane != nullptr && object.transform.empty() ? plan_line(*plane) : std::nullopt;
       if (!line) continue;
-      const Vec2d middle = state.camera.centre;
+      const Vec2d middle = state.plan.camera.centre;
       thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
       thing.half = Vec2d(14 * painter.sizes.unit);
     }
@@ -91,10 +92,12 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
   const Vec2d middle_of_eye = distance > 0 ? eye + 12 * unit / distance * back : eye;
   const Vec2d screen_half(std::abs(first.x - last.x) / 2 + 10 * unit, std::abs(first.y - last.y) / 2 + 10 * unit);
   std::vector<Labelled> things;
-  things.push_back({std::string(text("object.eye", painter.state.language)), middle_of_eye, Vec2d(17 * unit)});
-  things.push_back({std::string(text("object.screen", painter.state.language)), (first + last) / 2.0, screen_half});
+  things.push_back(
+      {std::string(text("object.eye", painter.state.appearance.language)), middle_of_eye, Vec2d(17 * unit)});
+  things.push_back(
+      {std::string(text("object.screen", painter.state.appearance.language)), (first + last) / 2.0, screen_half});
   for (const Light& light : painter.scene().lights)
-    things.push_back({light.name, painter.pixels(light_place(light, painter.state.camera, painter.viewport)),
+    things.push_back({light.name, painter.pixels(light_place(light, painter.state.plan.camera, painter.viewport)),
                       Vec2d(14 * unit), true});
   add_objects(painter, bodies, things);
   return things;

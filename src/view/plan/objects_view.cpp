@@ -67,7 +67,7 @@ void draw_prism(Painter& painter, const Prism<double>& prism, const Target& targ
   const Stroke outline =
       painter.outline(target, mix(body.with_alpha(255), painter.colours.ink, 0.5), body.a < 255 ? 1.6 : 1);
   painter.add(PolygonItem{points, body, outline}, target);
-  if (painter.state.mode != Mode::move) return;
+  if (painter.state.walk.mode != Mode::move) return;
   for (std::size_t i = 0; i < points.size(); ++i)
     painter.add(LineItem{points[i], points[(i + 1) % points.size()], outline},
                 {TargetKind::edge, target.index, static_cast<int>(i)});
@@ -149,8 +149,8 @@ void draw_objects(Painter& painter) {
     draw_object(painter, object, {TargetKind::object, index}, body_colour(painter.scene(), object.material));
   };
   // In Move the selected one is on top, so that one dropped onto another can be picked up again.
-  const bool moving = painter.state.mode == Mode::move;
-  const int on_top = moving && belongs_to_object(painter.state.selected) ? painter.state.selected.index : -1;
+  const bool moving = painter.state.walk.mode == Mode::move;
+  const int on_top = moving && belongs_to_object(painter.state.plan.selected) ? painter.state.plan.selected.index : -1;
   Thinning crowd(painter);
   for (int index = 0; index < static_cast<int>(objects.size()); ++index)
     if (index != on_top && !crowd.hides(objects[static_cast<std::size_t>(index)])) draw(index);
@@ -158,10 +158,10 @@ void draw_objects(Painter& painter) {
 }
 
 void draw_grid(Painter& painter) {
-  double step = grid_step(painter.state.camera);
+  double step = grid_step(painter.state.plan.camera);
   while (painter.pixels(step) < 36 * painter.sizes.unit) step *= 10;
-  const Vec2d first = to_scene(painter.state.camera, painter.viewport, {0, painter.viewport.height});
-  const Vec2d last = to_scene(painter.state.camera, painter.viewport, {painter.viewport.width, 0});
+  const Vec2d first = to_scene(painter.state.plan.camera, painter.viewport, {0, painter.viewport.height});
+  const Vec2d last = to_scene(painter.state.plan.camera, painter.viewport, {painter.viewport.width, 0});
   const Stroke faint{painter.colours.grid, painter.sizes.unit};
   // Counted in whole lines: far from the origin, adding a step to a coordinate may not change it.
   const auto lines = [step](double from, double to) { return static_cast<int>(std::min((to - from) / step, 1e4)); };

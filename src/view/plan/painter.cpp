@@ -17,9 +17,9 @@ DashPattern Painter::scaled(DashPattern dash) const {
 }
 
 Stroke Painter::outline(const Target& target, Colour colour, double width) const {
-  const bool selected =
-      state.mode == Mode::move && state.selected.kind == target.kind && state.selected.index == target.index;
-  const bool hovered = state.hovered.kind == target.kind && state.hovered.index == target.index;
+  const bool selected = state.walk.mode == Mode::move && state.plan.selected.kind == target.kind &&
+                        state.plan.selected.index == target.index;
+  const bool hovered = state.plan.hovered.kind == target.kind && state.plan.hovered.index == target.index;
   if (selected) return stroke(colours.selected, std::max(width, 2.0));
   if (hovered) return stroke(colours.hovered, std::max(width, 1.6));
   return stroke(colour, width);

@@ -18,7 +18,7 @@ struct PixelRect {
 class Painter {
  public:
   Painter(const State& the_state, const Viewport& the_viewport)
-      : state(the_state), viewport(the_viewport), sizes(the_state), colours(palette(the_state.theme)) {}
+      : state(the_state), viewport(the_viewport), sizes(the_state), colours(palette(the_state.appearance.theme)) {}
 
   const State& state;
   const Viewport& viewport;
@@ -28,8 +28,8 @@ class Painter {
   std::vector<PixelRect> kept_free;  ///< not used by labels
 
   [[nodiscard]] const Scene& scene() const { return state.scene(); }
-  [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.camera, viewport, point); }
-  [[nodiscard]] double pixels(double scene_units) const { return scene_units * state.camera.pixels_per_unit; }
+  [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.plan.camera, viewport, point); }
+  [[nodiscard]] double pixels(double scene_units) const { return scene_units * state.plan.camera.pixels_per_unit; }
   [[nodiscard]] PixelRect pane() const { return {Vec2d(0.0), {viewport.width, viewport.height}}; }
   [[nodiscard]] Stroke stroke(Colour colour, double width = 1) const { return {colour, width * sizes.line}; }
   [[nodiscard]] DashPattern scaled(DashPattern dash) const;
@@ -91,8 +91,6 @@ void draw_rays(Painter& painter);
 void draw_ghosts(Painter& painter);
 
 // structure_view.cpp
-/// The boxes of the current accelerator, and what its search has tested.
-void draw_structure(Painter& painter);
 /// The boxes' edges in space.
 struct StructureEdge {
   Vec3d from, to;
@@ -105,16 +103,6 @@ void draw_samples(Painter& painter);
 
 // handles_view.cpp
 void draw_handles(Painter& painter);
-
-// equation_view.cpp
-void draw_hit_notes(Painter& painter);
-
-// lesson_view.cpp
-void draw_guess(Painter& painter);
-
-// bug_view.cpp
-/// The pixel's rays without the bug (or with it, once fixed), once it is known.
-void draw_other_rays(Painter& painter);
 
 // labels_view.cpp
 void draw_labels(Painter& painter);

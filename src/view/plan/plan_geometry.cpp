@@ -105,12 +105,12 @@ double reach_of(const Prism<double>& prism, const Vec2d& from, const Vec2d& dire
 Vec2d rotation_place(const State& state, const Target& target, const Prism<double>& prism, const Viewport& viewport) {
   const Vec2d centre = centroid(prism);
   Vec2d direction(0, 1);
-  if (state.drag && state.drag->target == target && state.pointer) {
-    const Vec2d towards = to_scene(state.camera, viewport, *state.pointer) - centre;
+  if (state.plan.drag && state.plan.drag->target == target && state.plan.pointer) {
+    const Vec2d towards = to_scene(state.plan.camera, viewport, *state.plan.pointer) - centre;
     const double size = length(towards);
     if (size > 0) direction = towards / size;
   }
-  const double clear = 26 * state.ui_scale / state.camera.pixels_per_unit;
+  const double clear = 26 * state.appearance.ui_scale / state.plan.camera.pixels_per_unit;
   return centre + (reach_of(prism, centre, direction) + clear) * direction;
 }
 
@@ -121,12 +121,12 @@ Vec2d place_of(const State& state, const Target& target, const Viewport& viewpor
   const auto index = static_cast<std::size_t>(target.index);
   switch (target.kind) {
     case TargetKind::nothing:
-      return state.camera.centre;
+      return state.plan.camera.centre;
     case TargetKind::eye:
       return plan(scene.camera.eye);
     case TargetKind::view_direction: {
       const ScreenPlace screen = screen_place(scene.camera);
-      const double beyond = 34 * state.ui_scale / state.camera.pixels_per_unit;
+      const double beyond = 34 * state.appearance.ui_scale / state.plan.camera.pixels_per_unit;
       return screen.centre + beyond * screen.forward;
     }
     case TargetKind::screen_height: {
@@ -152,13 +152,13 @@ Vec2d place_of(const State& state, const Target& target, const Viewport& viewpor
     case TargetKind::rotation:
       return rotation_place(state, target, std::get<Prism<double>>(scene.objects[index].shape), viewport);
     case TargetKind::light:
-      return light_place(scene.lights[index], state.camera, viewport);
+      return light_place(scene.lights[index], state.plan.camera, viewport);
     case TargetKind::ray: {
-      const RayRecord& ray = state.timeline->rays()[index];
+      const RayRecord& ray = state.walk.timeline->rays()[index];
       return plan(ray.origin + ray.end) / 2.0;
     }
   }
-  return state.camera.centre;
+  return state.plan.camera.centre;
 }
 
 double grid_step(const PlanCamera& camera) {

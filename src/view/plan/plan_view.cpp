@@ -53,32 +53,44 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   return {plan(box.min) + size / 2.0, std::clamp(1 / widest, 1e-6, 1e9), true};
 }
 
-PlanCamera fitted(const State& state) { return fit(state.scene(), state.viewport, Sizes(state).unit); }
+PlanCamera fitted(const State& state) { return fit(state.scene(), state.plan.viewport, Sizes(state).unit); }
 
 Sizes::Sizes(const State& state)
-    : unit(state.ui_scale * theme_scale(state.theme)),
+    : unit(state.appearance.ui_scale * theme_scale(state.appearance.theme)),
       text(15 * unit),
       line(1.5 * unit),
       handle(4.5 * unit),
       reach(6 * unit) {}
 
+namespace {
+
+/// What the rooms draw in this layer.
+void draw_layer(Painter& painter, Layer layer) {
+  for_each_room(Rooms(), [&]<class Room>() {
+    if constexpr (requires { Room::draw_in_plan(painter); })
+      if (Room::layer == layer) Room::draw_in_plan(painter);
+  });
+}
+
+}  // namespace
+
 DisplayList plan_view(const State& state, const Viewport& viewport) {
   Painter painter(state, viewport);
-  const bool moving = state.mode == Mode::move;
+  const bool moving = state.walk.mode == Mode::move;
   if (moving) draw_grid(painter);
   draw_objects(painter);
   draw_screen(painter);
-  if (!moving) draw_structure(painter);
+  if (!moving) draw_layer(painter, Layer::under_rays);
   if (!moving) draw_rays(painter);
   if (!moving) draw_ghosts(painter);
   if (!moving) draw_samples(painter);
-  if (!moving) draw_other_rays(painter);
+  if (!moving) draw_layer(painter, Layer::over_rays);
   draw_eye(painter);
   draw_lights(painter);
   if (moving) draw_handles(painter);
-  draw_hit_notes(painter);
+  draw_layer(painter, Layer::under_labels);
   draw_labels(painter);
-  draw_guess(painter);
+  draw_layer(painter, Layer::on_top);
   return std::move(painter.list);
 }
 
@@ -139,7 +151,7 @@ Target pick(const State& state, const Viewport& viewport, const Vec2d& at) {
 }
 
 Target body_at(const State& state, const Vec2d& at) {
-  return topmost(state, state.viewport, at,
+  return topmost(state, state.plan.viewport, at,
                  [](TargetKind kind) { return kind == TargetKind::object || kind == TargetKind::light; });
 }
 

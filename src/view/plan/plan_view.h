@@ -18,12 +18,12 @@ namespace raywalk {
 
 /// The drawing of the pane. Move mode has handles, trace mode the rays formed so far.
 [[nodiscard]] DisplayList plan_view(const State& state, const Viewport& viewport);
-[[nodiscard]] inline DisplayList plan_view(const State& state) { return plan_view(state, state.viewport); }
+[[nodiscard]] inline DisplayList plan_view(const State& state) { return plan_view(state, state.plan.viewport); }
 
 /// What is under a point of the pane: the topmost handle or symbol that plan_view draws there, else the nearest ray
 /// within reach, else the topmost body.
 [[nodiscard]] Target pick(const State& state, const Viewport& viewport, const Vec2d& at);
-[[nodiscard]] inline Target pick(const State& state, const Vec2d& at) { return pick(state, state.viewport, at); }
+[[nodiscard]] inline Target pick(const State& state, const Vec2d& at) { return pick(state, state.plan.viewport, at); }
 /// The object or light there, ignoring rays; nothing if there is none.
 [[nodiscard]] Target body_at(const State& state, const Vec2d& at);
 

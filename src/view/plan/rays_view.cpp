@@ -33,7 +33,7 @@ Vec2d grown_end(const Painter& painter, const RayRecord& ray, const RayWay& way,
 
 /// Why the ray was not formed, beside its stub. In a narrow pane the sentence below it has to suffice.
 void draw_why_not(Painter& painter, const RayRecord& ray, const Vec2d& from, const Vec2d& along) {
-  const std::string why(text(ray.ending, painter.state.language));
+  const std::string why(text(ray.ending, painter.state.appearance.language));
   const double half = text_width(why, painter.sizes.text) / 2 + 14 * painter.sizes.unit;
   if (2 * half > 0.5 * painter.viewport.width) return;
   const Vec2d tip = from + 24 * painter.sizes.unit * along;
@@ -63,8 +63,8 @@ void add_fading(Painter& painter, LineItem line, const Target& target) {
 }
 
 void draw_ray(Painter& painter, int index, const RayLook& look) {
-  const RayRecord& ray = painter.state.timeline->rays()[static_cast<std::size_t>(index)];
-  const bool known = ray.found_at <= painter.state.position;
+  const RayRecord& ray = painter.state.walk.timeline->rays()[static_cast<std::size_t>(index)];
+  const bool known = ray.found_at <= painter.state.walk.position;
   const std::optional<RayWay> way = ray_way(painter, ray, known);
   if (!way) return;
   const auto& [from, end, along, open] = *way;
@@ -110,7 +110,7 @@ std::optional<RayWay> ray_way(const Painter& painter, const RayRecord& ray, bool
 }
 
 Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& look) {
-  const RayStyle& style = ray_style(painter.state.theme, ray.kind);
+  const RayStyle& style = ray_style(painter.state.appearance.theme, ray.kind);
   Stroke stroke{style.colour, painter.sizes.unit, painter.scaled(style.dash)};
   switch (look.prominence) {
     case Prominence::earlier:
@@ -156,13 +156,13 @@ void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const St
 }
 
 void draw_rays(Painter& painter) {
-  const Timeline& timeline = *painter.state.timeline;
-  const int position = painter.state.position;
+  const Timeline& timeline = *painter.state.walk.timeline;
+  const int position = painter.state.walk.position;
   const auto count = static_cast<int>(timeline.rays_at(position).size());
   const int pixel = timeline.current_pixel(position);
   const int current = timeline.current_ray(position);
 
-  const BugSitting& bugs = painter.state.bugs;
+  const BugRoom& bugs = painter.state.bugs;
   const int wished = bugs.hunt                               ? bugs.hunt->first_pixel
                      : painter.state.lessons.at() != nullptr ? painter.state.lessons.first_pixel
                                                              : 0;

@@ -56,8 +56,8 @@ int samples_of_pixel(const Timeline& timeline, int pixel) {
 
 void draw_samples(Painter& painter) {
   const State& state = painter.state;
-  const Timeline& timeline = *state.timeline;
-  const int pixel = timeline.current_pixel(state.position);
+  const Timeline& timeline = *state.walk.timeline;
+  const int pixel = timeline.current_pixel(state.walk.position);
   if (pixel < 0) return;
   const int samples = samples_of_pixel(timeline, pixel);
   if (samples < 2) return;
@@ -67,7 +67,7 @@ void draw_samples(Painter& painter) {
   std::vector<double> all, done;
   for (int i = 0; i < samples; ++i) {
     all.push_back(grey(timeline.pixels()[static_cast<std::size_t>(first + i)].shade));
-    if (timeline.pixel_done(first + i, state.position)) done.push_back(all.back());
+    if (timeline.pixel_done(first + i, state.walk.position)) done.push_back(all.back());
   }
   const std::vector<Mean> means = means_of(done);
   auto [least, most] = std::minmax_element(all.begin(), all.end());
@@ -76,10 +76,10 @@ void draw_samples(Painter& painter) {
 
   const double unit = painter.sizes.unit, letters = painter.sizes.text, gap = 8 * unit;
   const auto said_of = [&](const std::string& count, double mean, double half) {
-    return fill("plan.samples_mean", state.language,
+    return fill("plan.samples_mean", state.appearance.language,
                 {{"samples", count},
-                 {"mean", number_text(mean, state.language)},
-                 {"interval", number_text(half, state.language)}});
+                 {"mean", number_text(mean, state.appearance.language)},
+                 {"interval", number_text(half, state.appearance.language)}});
   };
   const double longest = text_width(said_of(std::to_string(samples), 0.888, 0.888), letters);
   const double width = std::max(std::min(230 * unit, 0.45 * painter.viewport.width), longest), tall = 92 * unit;

@@ -39,11 +39,11 @@ void draw_screen(Painter& painter) {
     painter.add_clipped(edge);
   }
 
-  const Timeline& timeline = *painter.state.timeline;
+  const Timeline& timeline = *painter.state.walk.timeline;
   std::vector<std::optional<Colour>> shades(static_cast<std::size_t>(cells));
   for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
     const PixelRecord& pixel = timeline.pixels()[i];
-    if (!timeline.pixel_done(static_cast<int>(i), painter.state.position)) continue;
+    if (!timeline.pixel_done(static_cast<int>(i), painter.state.walk.position)) continue;
     if (pixel.column >= 0 && pixel.column < cells)
       shades[static_cast<std::size_t>(pixel.column)] = display_colour(pixel.mean, painter.state.scene().encoding);
   }
@@ -68,9 +68,9 @@ void draw_screen(Painter& painter) {
                             std::nullopt,
                             painter.stroke(colour, width)});
   };
-  if (painter.state.mode != Mode::move) mark(current_cell(painter.state), painter.colours.next, 1.6);
-  if (painter.state.hovered.kind == TargetKind::cell && painter.state.mode != Mode::move)
-    mark(painter.state.hovered.index, painter.colours.hovered, 1.2);
+  if (painter.state.walk.mode != Mode::move) mark(current_cell(painter.state), painter.colours.next, 1.6);
+  if (painter.state.plan.hovered.kind == TargetKind::cell && painter.state.walk.mode != Mode::move)
+    mark(painter.state.plan.hovered.index, painter.colours.hovered, 1.2);
   constexpr int pieces = 8;
   for (int i = 0; i <= pieces; ++i)
     painter.keep_free(along(static_cast<double>(i) / pieces),
@@ -121,7 +121,7 @@ void draw_lights(Painter& painter) {
   for (std::size_t i = 0; i < painter.scene().lights.size(); ++i) {
     const Light& light = painter.scene().lights[i];
     const Target target{TargetKind::light, static_cast<int>(i)};
-    const Vec2d at = painter.pixels(light_place(light, painter.state.camera, painter.viewport));
+    const Vec2d at = painter.pixels(light_place(light, painter.state.plan.camera, painter.viewport));
     const Stroke outline = painter.outline(target, painter.colours.light, 1.4);
     constexpr int spokes = 8;
     for (int spoke = 0; spoke < spokes; ++spoke) {

@@ -24,15 +24,15 @@ Vec2d draw_arrow(Painter& painter, const Vec2d& from, const Vec2d& arrow) {
 void draw_predictions(Painter& painter) {
   const State& state = painter.state;
   if (!state.predictions.on) return;
-  const auto& rays = state.timeline->rays();
+  const auto& rays = state.walk.timeline->rays();
   const auto origin = [&](const Prediction& one) { return plan(rays[static_cast<std::size_t>(one.of.ray)].origin); };
-  const int pixel = state.timeline->current_pixel(state.position);
+  const int pixel = state.walk.timeline->current_pixel(state.walk.position);
   for (const Prediction& one : state.predictions.judged) {
     const RayRecord& ray = rays[static_cast<std::size_t>(one.of.ray)];
-    if (one.of.what != PredictionKind::way || ray.pixel != pixel || ray.formed_at > state.position) continue;
+    if (one.of.what != PredictionKind::way || ray.pixel != pixel || ray.formed_at > state.walk.position) continue;
     const Vec2d tip = draw_arrow(painter, origin(one), one.arrow);
     painter.note(tip + Vec2d(0, -12 * painter.sizes.unit),
-                 number_text(std::round(one.degrees), state.language) + "\u00b0");
+                 number_text(std::round(one.degrees), state.appearance.language) + "\u00b0");
   }
   if (state.predictions.open && state.predictions.open->of.what == PredictionKind::way)
     draw_arrow(painter, origin(*state.predictions.open), state.predictions.open->arrow);
@@ -40,7 +40,7 @@ void draw_predictions(Painter& painter) {
 
 }  // namespace
 
-void draw_guess(Painter& painter) {
+void PredictRoom::draw_in_plan(Painter& painter) {
   const State& state = painter.state;
   if (const std::optional<Vec2d> asked_from = aim_origin(state)) {
     // The handle: a ring with some room around the hit.

@@ -36,7 +36,7 @@ std::optional<PredictionAsked> answered_after(const Timeline& timeline, int posi
 }
 
 const RayRecord& ray_of(const State& state, const PredictionAsked& asked) {
-  return state.timeline->rays()[static_cast<std::size_t>(asked.ray)];
+  return state.walk.timeline->rays()[static_cast<std::size_t>(asked.ray)];
 }
 
 /// The position from which the answer is shown.
@@ -72,27 +72,27 @@ bool may_ask(const State& state) {
 }
 
 std::string name_of(const State& state, const Target& target) {
-  return target ? target_text(state, target) : std::string(text("predict.nothing", state.language));
+  return target ? target_text(state, target) : std::string(text("predict.nothing", state.appearance.language));
 }
 
 std::string said(const State& state, std::string_view id, const TextArguments& arguments = {}) {
-  return fill(id, state.language, arguments);
+  return fill(id, state.appearance.language, arguments);
 }
 
 }  // namespace
 
-int Predictions::right() const {
+int PredictRoom::right() const {
   return static_cast<int>(std::count_if(made.begin(), made.end(), [](const auto& one) { return one.right; }));
 }
 
 std::optional<PredictionAsked> prediction_asked(const State& state) {
-  if (!may_ask(state) || state.mode != Mode::trace || state.playing) return std::nullopt;
-  return answered_after(*state.timeline, state.position);
+  if (!may_ask(state) || state.walk.mode != Mode::trace || state.walk.playing) return std::nullopt;
+  return answered_after(*state.walk.timeline, state.walk.position);
 }
 
 bool rests_for_prediction(const State& state, int position) {
   if (!may_ask(state)) return false;
-  const auto asked = answered_after(*state.timeline, position);
+  const auto asked = answered_after(*state.walk.timeline, position);
   return asked && asked->what == PredictionKind::way;
 }
 
@@ -104,14 +104,14 @@ std::optional<Vec2d> aim_origin(const State& state) {
 }
 
 std::string prediction_sentence(const State& state) {
-  const Predictions& predictions = state.predictions;
+  const PredictRoom& predictions = state.predictions;
   std::string verdict;
-  if (!predictions.judged.empty() && answered_at(state, predictions.judged.back().of) == state.position) {
+  if (!predictions.judged.empty() && answered_at(state, predictions.judged.back().of) == state.walk.position) {
     const Prediction& last = predictions.judged.back();
     const std::string truth = name_of(state, met_by(ray_of(state, last.of)));
     if (last.of.what == PredictionKind::way)
       verdict = said(state, last.right ? "predict.off" : "predict.off_too_far",
-                     {{"degrees", number_text(std::round(last.degrees), state.language)}});
+                     {{"degrees", number_text(std::round(last.degrees), state.appearance.language)}});
     else if (last.right)
       verdict = said(state, "predict.met_right", {{"object", truth}});
     else
@@ -119,19 +119,19 @@ std::string prediction_sentence(const State& state) {
     verdict += " ";
   }
   if (const auto asked = prediction_asked(state)) {
-    const std::string kind(text(ray_of(state, *asked).kind, state.language));
+    const std::string kind(text(ray_of(state, *asked).kind, state.appearance.language));
     const bool guessed = predictions.open && predictions.open->of == *asked;
     if (asked->what == PredictionKind::way)
       return verdict + said(state, guessed ? "predict.way_guessed" : "predict.ask_way", {{"ray", kind}});
     return verdict + (guessed ? said(state, "predict.end_guessed", {{"guess", name_of(state, predictions.open->met)}})
                               : said(state, "predict.ask_end", {{"ray", kind}}));
   }
-  const bool at_end = state.position == state.timeline->steps();
+  const bool at_end = state.walk.position == state.walk.timeline->steps();
   if (predictions.made.empty()) return said(state, at_end ? "predict.idle_at_end" : "predict.idle");
   return verdict + said(state, "predict.score", {{"right", predictions.right()}, {"all", predictions.made.size()}});
 }
 
-std::string prediction_table(const Predictions& predictions) {
+std::string prediction_table(const PredictRoom& predictions) {
   std::string table = "scene,step,ray,asked,degrees_off,right\n";
   for (const PredictionRecord& one : predictions.made) {
     std::string scene = one.scene;
@@ -151,7 +151,7 @@ namespace raywalk {
 void action::SetPredictions::apply(State& state) const {
   state.predictions.on = on;
   state.predictions.open.reset();
-  if (on) state.mode = Mode::trace;
+  if (on) state.walk.mode = Mode::trace;
 }
 
 void action::GuessWay::apply(State& state) const {
@@ -175,33 +175,33 @@ void forget_aim(State& state) {
 
 void action::AskSavePredictions::apply(State& state) const {
   if (state.predictions.made.empty())
-    return inform(state, std::string(text("predict.nothing_to_save", state.language)));
+    return inform(state, std::string(text("predict.nothing_to_save", state.appearance.language)));
   ask_path(state, PathPrompt::save_predictions);
 }
 
 void action::SavePredictions::apply(State& state) const {
   if (path.empty()) return;
-  if (state.prompt == PathPrompt::save_predictions) state.notice.reset();
+  if (state.document.prompt == PathPrompt::save_predictions) state.document.notice.reset();
   if (!asks_to_overwrite(state, path, PathPrompt::save_predictions)) write_predictions(state, path);
 }
 
 void write_predictions(State& state, const std::string& path) {
   if (const auto written = write_file_atomically(path, prediction_table(state.predictions)); !written)
     return complain(state, written.error().text());
-  state.prompt = PathPrompt::none;
-  inform(state, fill("notice.saved_as", state.language, {{"file", path}}));
+  state.document.prompt = PathPrompt::none;
+  inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
 }
 
-void follow_with_predictions(State& state) {
-  Predictions& predictions = state.predictions;
-  if (predictions.of_walk != state.timeline) {
+void PredictRoom::follow(State& state, const Before&) {
+  PredictRoom& predictions = state.predictions;
+  if (predictions.of_walk != state.walk.timeline) {
     predictions.open.reset();
     predictions.judged.clear();
-    predictions.of_walk = state.timeline;
+    predictions.of_walk = state.walk.timeline;
   }
   if (!predictions.open) return;
   const PredictionAsked asked = predictions.open->of;
-  if (state.position < answered_at(state, asked)) {
+  if (state.walk.position < answered_at(state, asked)) {
     if (prediction_asked(state) != asked) predictions.open.reset();
     return;
   }
@@ -209,13 +209,13 @@ void follow_with_predictions(State& state) {
   const RayRecord& ray = ray_of(state, asked);
   if (asked.what == PredictionKind::way) {
     judged.degrees = degrees_between(plan(ray.direction), judged.arrow);
-    judged.right = judged.degrees <= Predictions::right_within;
+    judged.right = judged.degrees <= PredictRoom::right_within;
   } else {
     judged.right = judged.met == met_by(ray);
   }
   predictions.judged.push_back(judged);
   predictions.made.push_back(
-      {state.path, answered_at(state, asked), ray.kind, asked.what, judged.degrees, judged.right});
+      {state.document.path, answered_at(state, asked), ray.kind, asked.what, judged.degrees, judged.right});
 }
 
 }  // namespace raywalk

@@ -59,9 +59,9 @@ std::shared_ptr<const Crowd> crowd_of(const State& state) {
     std::shared_ptr<const Crowd> crowd;
   };
   static CachedCrowd kept;
-  if (!kept.crowd || kept.timeline.lock() != state.timeline || kept.objects != objects.data() ||
+  if (!kept.crowd || kept.timeline.lock() != state.walk.timeline || kept.objects != objects.data() ||
       kept.count != objects.size())
-    kept = {state.timeline, objects.data(), objects.size(), std::make_shared<const Crowd>(chosen(state.scene()))};
+    kept = {state.walk.timeline, objects.data(), objects.size(), std::make_shared<const Crowd>(chosen(state.scene()))};
   return kept.crowd;
 }
 

@@ -107,12 +107,12 @@ class Lines {
   void say_how_many(std::size_t drawn) {
     const auto digits = [&](std::size_t count) {
       std::string all = std::to_string(count);
-      const char mark = painter_.state.language.decimal_mark() == '.' ? ',' : '.';
+      const char mark = painter_.state.appearance.language.decimal_mark() == '.' ? ',' : '.';
       for (std::size_t at = all.size(); at > 3; at -= 3) all.insert(at - 3, 1, mark);
       return all;
     };
     const double unit = painter_.sizes.unit, size = painter_.sizes.text;
-    const std::string said = fill("plan.objects_drawn", painter_.state.language,
+    const std::string said = fill("plan.objects_drawn", painter_.state.appearance.language,
                                   {{"drawn", digits(drawn)}, {"all", digits(scene_.objects.size())}});
     const Vec2d at(14 * unit, painter_.viewport.height - 14 * unit);
     painter_.kept_free.push_back({at - Vec2d(0, size / 2), at + Vec2d(text_width(said, size), size / 2)});
@@ -122,7 +122,7 @@ class Lines {
   /// Objects hit by the drawn rays, ascending.
   [[nodiscard]] std::vector<int> met_objects() const {
     std::vector<int> met;
-    for (const RayRecord& ray : painter_.state.timeline->rays_at(painter_.state.position))
+    for (const RayRecord& ray : painter_.state.walk.timeline->rays_at(painter_.state.walk.position))
       if (ray.object >= 0 && ray.object < static_cast<int>(scene_.objects.size())) met.push_back(ray.object);
     std::sort(met.begin(), met.end());
     met.erase(std::unique(met.begin(), met.end()), met.end());
@@ -132,8 +132,8 @@ class Lines {
   /// The view frustum from EYE, and the current pixel on it.
   void draw_camera() {
     const State& state = painter_.state;
-    const Camera& camera = state.walk && state.walk->camera ? *state.walk->camera : scene_.camera;
-    const ImageSize size = state.walk ? state.walk->size : scene_.image;
+    const Camera& camera = state.walk.pixel && state.walk.pixel->camera ? *state.walk.pixel->camera : scene_.camera;
+    const ImageSize size = state.walk.pixel ? state.walk.pixel->size : scene_.image;
     const Vec3d forward = normalize(camera.look_at - camera.eye);
     const Vec3d right = normalize(cross(forward, camera.up)), up = cross(right, forward);
     const double aspect = static_cast<double>(size.width) / size.height;
@@ -152,17 +152,17 @@ class Lines {
       line(on_screen(x0, y1), on_screen(x0, y0), stroke);
     };
     rectangle(-1, -1, 1, 1, ink);
-    if (const int pixel = state.timeline->current_pixel(state.position); pixel >= 0) {
-      const PixelRecord& record = state.timeline->pixels()[static_cast<std::size_t>(pixel)];
-      const double x = (2.0 * record.column + 1) / state.timeline->image().width - 1;
-      const double y = state.walk ? 1 - (2.0 * record.row + 1) / size.height : 0;
+    if (const int pixel = state.walk.timeline->current_pixel(state.walk.position); pixel >= 0) {
+      const PixelRecord& record = state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)];
+      const double x = (2.0 * record.column + 1) / state.walk.timeline->image().width - 1;
+      const double y = state.walk.pixel ? 1 - (2.0 * record.row + 1) / size.height : 0;
       // A pixel of a large picture would be too small to see.
-      const double w = std::max(1.0 / state.timeline->image().width, 0.03), h = w * aspect;
+      const double w = std::max(1.0 / state.walk.timeline->image().width, 0.03), h = w * aspect;
       rectangle(x - w, y - h, x + w, y + h, painter_.stroke(painter_.colours.next, 1.8));
     }
     if (const auto at = seen_.point(camera.eye)) {
       painter_.add(CircleItem{*at, 4 * painter_.sizes.unit, painter_.colours.ink, std::nullopt}, {TargetKind::eye});
-      draw_name(painter_, std::string(text("object.eye", painter_.state.language)),
+      draw_name(painter_, std::string(text("object.eye", painter_.state.appearance.language)),
                 *at + Vec2d(0, 16 * painter_.sizes.unit));
     }
   }
@@ -195,10 +195,10 @@ class Lines {
 
   void draw_ray(int index, const RayLook& look) {
     const State& state = painter_.state;
-    const RayRecord& ray = state.timeline->rays()[static_cast<std::size_t>(index)];
+    const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(index)];
     const Target target{TargetKind::ray, index};
     const Stroke stroke = ray_stroke(painter_, ray, look);
-    const bool known = ray.found_at <= state.position;
+    const bool known = ray.found_at <= state.walk.position;
     const Vec3d along = normalize(ray.direction);
     if (!ray.formed) {
       const double size = 24 * painter_.sizes.unit / std::max(seen_.pixels_per_unit(ray.origin), 1e-9);
@@ -243,9 +243,9 @@ class Lines {
   /// Rays of earlier pixels first, then the current pixel's, then the current ray and the hovered one.
   void draw_rays() {
     const State& state = painter_.state;
-    const Timeline& timeline = *state.timeline;
-    const auto count = static_cast<int>(timeline.rays_at(state.position).size());
-    const int pixel = timeline.current_pixel(state.position), current = timeline.current_ray(state.position);
+    const Timeline& timeline = *state.walk.timeline;
+    const auto count = static_cast<int>(timeline.rays_at(state.walk.position).size());
+    const int pixel = timeline.current_pixel(state.walk.position), current = timeline.current_ray(state.walk.position);
     for (int index = 0; index < count; ++index) {
       const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
       if (index == current || is_lit(state, index)) continue;
@@ -254,7 +254,8 @@ class Lines {
     }
     for (int index = 0; index < count; ++index) {
       const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-      if (ray.pixel != pixel || ray.ending != Ending::hit || !ray.formed || ray.found_at > state.position) continue;
+      if (ray.pixel != pixel || ray.ending != Ending::hit || !ray.formed || ray.found_at > state.walk.position)
+        continue;
       if (growth_of(state, index)) continue;
       const double size = 26 * painter_.sizes.unit / std::max(seen_.pixels_per_unit(ray.end), 1e-9);
       if (const auto ends = seen_.segment(ray.end, ray.end + size * ray.normal))
@@ -277,7 +278,7 @@ class Lines {
 }  // namespace
 
 Camera lines_camera(const State& state, const Viewport& viewport) {
-  if (state.lines_camera) return *state.lines_camera;
+  if (state.space.lines_camera) return *state.space.lines_camera;
   const auto crowd = crowd_of(state);
   return crowd ? overlooking(state.scene(), viewport, crowd->at_first) : overlooking(state.scene(), viewport);
 }

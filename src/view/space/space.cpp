@@ -16,16 +16,16 @@ namespace {
 
 /// Sets a camera turned by hand; ignored if not finite.
 void set_camera(State& state, SpaceView view, const Camera& camera) {
-  state.turned_last = view;
+  state.space.turned_last = view;
   if (!is_finite(camera.eye) || !is_finite(camera.look_at) || camera.eye == camera.look_at) return;
   switch (view) {
     case SpaceView::image:
       if (camera == image_camera(state)) return;
-      state.image_camera = camera;
-      ++state.image_revision;
+      state.picture.camera = camera;
+      ++state.picture.revision;
       return;
     case SpaceView::lines:
-      state.lines_camera = camera;
+      state.space.lines_camera = camera;
       return;
   }
 }
@@ -35,21 +35,21 @@ Camera camera_of(const State& state, SpaceView view) {
     case SpaceView::image:
       return image_camera(state);
     case SpaceView::lines:
-      return lines_camera(state, state.viewport);
+      return lines_camera(state, state.plan.viewport);
   }
   return {};
 }
 
 /// A view's pivot: once turned, the camera keeps looking at it.
 Vec3d pivot(const State& state, SpaceView view, const Camera& camera) {
-  const bool is_scenes_own = view == SpaceView::image && !state.image_camera;
+  const bool is_scenes_own = view == SpaceView::image && !state.picture.camera;
   return is_scenes_own ? pivot_of(state.scene(), camera) : camera.look_at;
 }
 
 void walk_something(State& state, std::optional<PixelWalk> walk) {
-  state.playing = false;
-  state.walk = std::move(walk);
-  state.position = 0;
+  state.walk.playing = false;
+  state.walk.pixel = std::move(walk);
+  state.walk.position = 0;
   record_again(state);
 }
 
@@ -62,18 +62,18 @@ void action::WalkPixel::apply(State& state) const {
   const int cells = state.scene().camera.screen.cells;
   // The row of the strip, as wide as a cell.
   const int near = std::max(size.width / std::max(cells, 1) / 2, 1);
-  if (state.planar && !state.image_camera && std::abs(2 * row + 1 - size.height) / 2 < near)
+  if (state.walk.planar && !state.picture.camera && std::abs(2 * row + 1 - size.height) / 2 < near)
     return update(state, JumpToCell{column * cells / size.width});
-  walk_something(state, PixelWalk{size, column, row, state.image_camera});
-  state.lines_wanted.reset();
-  state.tab = Tab::tree;
-  go_to(state, state.timeline->steps());
+  walk_something(state, PixelWalk{size, column, row, state.picture.camera});
+  state.space.lines_wanted.reset();
+  state.appearance.tab = TreeRoom::tab;
+  go_to(state, state.walk.timeline->steps());
 }
 
 void walk_strip(State& state) {
-  if (!state.walk) return;
+  if (!state.walk.pixel) return;
   walk_something(state, std::nullopt);
-  state.lines_wanted.reset();
+  state.space.lines_wanted.reset();
 }
 
 void action::WalkStrip::apply(State& state) const { walk_strip(state); }
@@ -98,43 +98,44 @@ void action::Approach::apply(State& state) const {
 }
 
 void action::ResetView::apply(State& state) const {
-  state.turned_last = view;
+  state.space.turned_last = view;
   switch (view) {
     case SpaceView::image:
-      if (state.image_camera) ++state.image_revision;
-      state.image_camera.reset();
+      if (state.picture.camera) ++state.picture.revision;
+      state.picture.camera.reset();
       return;
     case SpaceView::lines:
-      state.lines_camera.reset();
+      state.space.lines_camera.reset();
       return;
   }
 }
 
 void action::ShowLines::apply(State& state) const {
-  state.lines_wanted = shown;
-  if (shown) state.mode = Mode::trace;
+  state.space.lines_wanted = shown;
+  if (shown) state.walk.mode = Mode::trace;
 }
 
 void action::UseImageCamera::apply(State& state) const {
-  if (!state.image_camera) return inform(state, std::string(text("notice.camera_is_the_scenes", state.language)));
+  if (!state.picture.camera)
+    return inform(state, std::string(text("notice.camera_is_the_scenes", state.appearance.language)));
   Scene next = state.scene();
-  next.camera = *state.image_camera;
+  next.camera = *state.picture.camera;
   if (!commit_if_valid(state, std::move(next), -1, -1)) return;
   ResetView{SpaceView::image}.apply(state);
-  inform(state, std::string(text("notice.camera_taken", state.language)));
+  inform(state, std::string(text("notice.camera_taken", state.appearance.language)));
 }
 
 void action::SetImageSettings::apply(State& state) const {
   ImageSettings next = settings;
   next.samples = std::clamp(next.samples, 1, max_image_samples);
   next.walk_samples = std::clamp(next.walk_samples, 1, max_walk_samples);
-  if (next == state.image) return;
+  if (next == state.picture.settings) return;
   const auto of_walk = [](const ImageSettings& s) {
     return std::tie(s.single_precision, s.integrator, s.walk_samples);
   };
-  const bool other_walk = of_walk(next) != of_walk(state.image);
-  state.image = next;
-  ++state.image_revision;
+  const bool other_walk = of_walk(next) != of_walk(state.picture.settings);
+  state.picture.settings = next;
+  ++state.picture.revision;
   if (other_walk) record_again(state);
 }
 

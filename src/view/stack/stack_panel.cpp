@@ -9,7 +9,7 @@ namespace {
 
 template <class Id>
 std::string str(const State& state, Id id) {
-  return std::string(text(id, state.language));
+  return std::string(text(id, state.appearance.language));
 }
 
 const RayRecord& ray_of(const Timeline& timeline, int index) {
@@ -34,23 +34,23 @@ ReturnName returns(RayKind kind) {
 }
 
 std::string ray_text(const State& state, const RayRecord& ray) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   if (ray.parent < 0)
-    return fill("stack.primary_ray", state.language,
+    return fill("stack.primary_ray", state.appearance.language,
                 {{"pixel", timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column}});
   const int from = ray_of(timeline, ray.parent).object;
   const std::string name = from < 0 ? std::string() : state.scene().objects[static_cast<std::size_t>(from)].name;
-  return fill("stack.ray_from", state.language,
-              {{"ray", std::string(text(ray.kind, state.language))}, {"object", name}});
+  return fill("stack.ray_from", state.appearance.language,
+              {{"ray", std::string(text(ray.kind, state.appearance.language))}, {"object", name}});
 }
 
 /// Adds the returned colour of the SHADE of `ray`'s hit.
 void add_returned(const State& state, int ray_index, std::vector<StackRow::Returned>& returned) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   const RayRecord& ray = ray_of(timeline, ray_index);
   if (ray.shade < 0) return;
   const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
-  const bool done = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
+  const bool done = frame.returned_at > frame.called_at && frame.returned_at <= state.walk.position;
   if (done)
     returned.push_back(
         {str(state, returns(ray.kind).name), frame.returned, display_colour(frame.returned, state.scene().encoding)});
@@ -66,39 +66,41 @@ int on_path(const Timeline& timeline, int position) {
 }  // namespace
 
 StackPanel stack_panel(const State& state) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   StackPanel panel;
-  const int pixel = timeline.current_pixel(state.position);
+  const int pixel = timeline.current_pixel(state.walk.position);
   if (pixel < 0) return panel;
   const Timeline::Range range = timeline.rays_of_pixel(pixel);
-  const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
-  const Event* next = timeline.next(state.position);
-  const bool running = next != nullptr && !timeline.pixel_done(pixel, state.position);
-  const std::string at =
-      running ? fill("stack.works_on", state.language, {{"line", std::string(pseudocode_of(next->line).text)}}) : "";
+  const auto formed = static_cast<int>(timeline.rays_at(state.walk.position).size());
+  const Event* next = timeline.next(state.walk.position);
+  const bool running = next != nullptr && !timeline.pixel_done(pixel, state.walk.position);
+  const std::string at = running ? fill("stack.works_on", state.appearance.language,
+                                        {{"line", std::string(pseudocode_of(next->line).text)}})
+                                 : "";
 
   // What the row below the current one waits for; the innermost call is executing.
   std::optional<RayKind> waits_for;
   const auto waiting = [&] { return waits_for ? str(state, returns(*waits_for).waiting) : at; };
   // A call that has just computed its shade is still shown while returning.
-  std::vector<int> calls = timeline.stack(state.position);
-  const Event* ran = timeline.just_run(state.position);
+  std::vector<int> calls = timeline.stack(state.walk.position);
+  const Event* ran = timeline.just_run(state.walk.position);
   const bool returning = ran != nullptr && ran->line == Line::compute_rtnshade;
-  if (returning) calls.insert(calls.begin(), timeline.current_frame(state.position));
+  if (returning) calls.insert(calls.begin(), timeline.current_frame(state.walk.position));
   for (const int call : calls) {
     const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(call)];
-    const int ray_index = timeline.of_paths() ? on_path(timeline, state.position) : frame.ray;
+    const int ray_index = timeline.of_paths() ? on_path(timeline, state.walk.position) : frame.ray;
     const RayRecord& ray = ray_of(timeline, ray_index);
     StackRow row;
-    row.title = timeline.of_paths() ? fill("stack.path", state.language, {{"ray", ran == nullptr ? 1 : ran->depth}})
-                                    : fill("stack.shade", state.language, {{"depth", frame.depth}});
+    row.title = timeline.of_paths()
+                    ? fill("stack.path", state.appearance.language, {{"ray", ran == nullptr ? 1 : ran->depth}})
+                    : fill("stack.shade", state.appearance.language, {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
     if (ray.object >= 0) row.object = state.scene().objects[static_cast<std::size_t>(ray.object)].name;
     const bool returns_now = returning && call == calls.front();
-    row.waiting = returns_now
-                      ? fill("stack.returns", state.language, {{"colour", colour_text(frame.returned, state.language)}})
-                      : waiting();
+    row.waiting = returns_now ? fill("stack.returns", state.appearance.language,
+                                     {{"colour", colour_text(frame.returned, state.appearance.language)}})
+                              : waiting();
     for (int i = range.first; i < std::min(range.last, formed); ++i)
       if (ray_of(timeline, i).parent == frame.ray) add_returned(state, i, row.returned);
     if (!returns_now) waits_for = timeline.of_paths() ? RayKind::primary : ray.kind;

@@ -3,6 +3,7 @@
 // it was built. All of it observes the renderer's own searches and structures.
 
 #include "math/bounds.h"
+#include "view/structure/room.h"
 #include "view/words.h"
 
 #include <memory>
@@ -12,25 +13,9 @@
 namespace raywalk {
 
 enum class AcceleratorKind;  // accel/accelerator.h
-class SearchWalks;           // timeline/search_walk.h
-struct RaySearches;          // timeline/search_walk.h
+class SearchWalks;           // inspect/search_walk.h
+struct RaySearches;          // inspect/search_walk.h
 struct State;
-
-enum class StructurePage { search, build };
-template <>
-inline constexpr Word<StructurePage> words_of<StructurePage>[] = {{StructurePage::search, "search"},
-                                                                  {StructurePage::build, "build"}};
-
-/// What the Structure tab shows.
-struct StructureSitting {
-  AcceleratorKind kind{};  ///< one of watched_accelerators, made so by make_state
-  StructurePage page = StructurePage::search;
-  int step = 0;        ///< of the search, 0..number of events
-  int build_step = 0;  ///< 0..steps of the build
-  // For the timeline and its current ray, while the tab is shown; else null.
-  std::shared_ptr<const SearchWalks> walks;
-  std::shared_ptr<const RaySearches> searches;  ///< also null without a formed current ray
-};
 
 inline constexpr std::size_t max_boxes_drawn = 600;
 
@@ -63,8 +48,5 @@ struct StructurePanel {
   std::vector<std::string> notes;
 };
 [[nodiscard]] StructurePanel structure_panel(const State& state);
-
-/// Updates the Structure tab for the current ray.
-void follow_with_structure(State& state);
 
 }  // namespace raywalk

@@ -2,6 +2,7 @@
 
 #include "inspect/search_walk.h"
 #include "view/state.h"
+#include "view/structure/structure.h"
 #include "view/text/text.h"
 #include "view/walk/asked.h"
 
@@ -45,7 +46,8 @@ std::string_view ray_id(RayKind kind) {
 
 class PanelWords {
  public:
-  explicit PanelWords(const State& state) : state_(state), sitting_(state.structure), language_(state.language) {}
+  explicit PanelWords(const State& state)
+      : state_(state), sitting_(state.structure), language_(state.appearance.language) {}
 
   StructurePanel panel() {
     const bool searching = sitting_.page == StructurePage::search;
@@ -91,8 +93,8 @@ class PanelWords {
         panel_.sentence = say("lesson.predict_first");
         return;
       }
-      const int ray = state_.timeline->current_ray(state_.position);
-      const bool stub = ray >= 0 && !state_.timeline->rays()[static_cast<std::size_t>(ray)].formed;
+      const int ray = state_.walk.timeline->current_ray(state_.walk.position);
+      const bool stub = ray >= 0 && !state_.walk.timeline->rays()[static_cast<std::size_t>(ray)].formed;
       panel_.sentence = say(stub ? "structure.stub" : ray >= 0 ? "structure.lost" : "structure.no_ray");
       return;
     }
@@ -279,7 +281,7 @@ class PanelWords {
     const int endless = sitting_.walks->unbounded();
     if (sitting_.kind != AcceleratorKind::none && endless > 0)
       panel_.notes.push_back(say("structure.note_unbounded", {{"shapes", endless}}));
-    if (!state_.planar && !shows_lines(state_)) panel_.notes.push_back(say("structure.note_above"));
+    if (!state_.walk.planar && !shows_lines(state_)) panel_.notes.push_back(say("structure.note_above"));
     if (built.nodes.size() > max_boxes_drawn)
       panel_.notes.push_back(say("structure.note_many", {{"most", max_boxes_drawn}}));
     const bool whole = !searching          ? built.complete
@@ -289,7 +291,7 @@ class PanelWords {
   }
 
   const State& state_;
-  const StructureSitting& sitting_;
+  const StructureRoom& sitting_;
   Language language_;
   StructurePanel panel_;
 };

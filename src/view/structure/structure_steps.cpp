@@ -9,10 +9,12 @@
 
 namespace raywalk {
 
-bool shows_structure(const State& state) { return state.mode == Mode::trace && state.tab == Tab::structure; }
+bool shows_structure(const State& state) {
+  return state.walk.mode == Mode::trace && state.appearance.tab == StructureRoom::tab;
+}
 
 int structure_steps(const State& state) {
-  const StructureSitting& sitting = state.structure;
+  const StructureRoom& sitting = state.structure;
   switch (sitting.page) {
     case StructurePage::search:
       return sitting.searches ? static_cast<int>(sitting.searches->in[watched_index(sitting.kind)].events.size()) : 0;
@@ -27,7 +29,7 @@ int structure_step(const State& state) {
 }
 
 bool is_off_plan(const State& state, const Bounds<double>& box) {
-  return state.planar && !state.walk && !box.empty() && (box.min.z > 0 || box.max.z < 0);
+  return state.walk.planar && !state.walk.pixel && !box.empty() && (box.min.z > 0 || box.max.z < 0);
 }
 
 namespace {
@@ -35,28 +37,28 @@ namespace {
 /// The current ray, if it was formed. None while a lesson asks: its search would reveal the answer.
 int ray_in_hand(const State& state) {
   if (question_waits(state)) return -1;
-  const int ray = state.timeline->current_ray(state.position);
-  return ray >= 0 && state.timeline->rays()[static_cast<std::size_t>(ray)].formed ? ray : -1;
+  const int ray = state.walk.timeline->current_ray(state.walk.position);
+  return ray >= 0 && state.walk.timeline->rays()[static_cast<std::size_t>(ray)].formed ? ray : -1;
 }
 
 }  // namespace
 
-void follow_with_structure(State& state) {
-  StructureSitting& sitting = state.structure;
+void StructureRoom::follow(State& state, const Before&) {
+  StructureRoom& sitting = state.structure;
   if (!shows_structure(state)) {
     sitting.walks.reset();
     sitting.searches.reset();
     sitting.step = sitting.build_step = 0;
     return;
   }
-  const bool anew = !sitting.walks || sitting.walks->timeline() != state.timeline;
+  const bool anew = !sitting.walks || sitting.walks->timeline() != state.walk.timeline;
   const int ray = ray_in_hand(state);
   if (!anew && (sitting.searches ? sitting.searches->ray : -1) == ray) return;
   // If a search was shown to its end, so is the next one.
   const bool to_end = sitting.searches && sitting.step > 0 && sitting.step == structure_steps(state);
   if (anew) {
-    const Precision precision = state.image.single_precision ? Precision::float_ : Precision::double_;
-    sitting.walks = std::make_shared<const SearchWalks>(*walked_scene(state), state.timeline, precision);
+    const Precision precision = state.picture.settings.single_precision ? Precision::float_ : Precision::double_;
+    sitting.walks = std::make_shared<const SearchWalks>(*walked_scene(state), state.walk.timeline, precision);
     sitting.build_step =
         std::min(sitting.build_step, static_cast<int>(sitting.walks->build(sitting.kind).steps.size()));
   }
@@ -65,7 +67,7 @@ void follow_with_structure(State& state) {
 }
 
 void action::ChooseStructure::apply(State& state) const {
-  StructureSitting& sitting = state.structure;
+  StructureRoom& sitting = state.structure;
   const bool to_end = structure_step(state) > 0 && structure_step(state) == structure_steps(state);
   sitting.kind = watched_accelerators[watched_index(kind)];
   sitting.step = sitting.build_step = 0;
@@ -75,7 +77,7 @@ void action::ChooseStructure::apply(State& state) const {
 void action::ShowStructurePage::apply(State& state) const { state.structure.page = page; }
 
 void action::GoInStructure::apply(State& state) const {
-  StructureSitting& sitting = state.structure;
+  StructureRoom& sitting = state.structure;
   int& at = sitting.page == StructurePage::search ? sitting.step : sitting.build_step;
   at = std::clamp(step, 0, structure_steps(state));
 }

@@ -3,6 +3,7 @@
 
 #include "inspect/search_walk.h"
 #include "view/plan/painter.h"
+#include "view/structure/structure.h"
 #include "view/text/text.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct BoxMark {
 };
 
 std::string label_of(const State& state, const SearchEvent& event) {
-  const auto say = [&](std::string_view id) { return std::string(text(id, state.language)); };
+  const auto say = [&](std::string_view id) { return std::string(text(id, state.appearance.language)); };
   const bool to_light = state.structure.searches->kind == RayKind::shadow;
   switch (event.skip) {
     case Skip::missed:
@@ -52,7 +53,7 @@ std::vector<BoxMark> standing(const State& state) {
 }
 
 std::vector<BoxMark> marks_of_search(const State& state) {
-  const StructureSitting& sitting = state.structure;
+  const StructureRoom& sitting = state.structure;
   std::vector<BoxMark> marks = standing(state);
   if (!sitting.searches) return marks;
   const std::vector<SearchEvent>& events = sitting.searches->in[watched_index(sitting.kind)].events;
@@ -176,7 +177,7 @@ void draw_mark(Painter& painter, const BoxMark& mark, const std::vector<PixelRec
 
 /// A cross on what was missed, a disc where something was hit.
 void draw_tests(Painter& painter) {
-  const StructureSitting& sitting = painter.state.structure;
+  const StructureRoom& sitting = painter.state.structure;
   const double size = 5 * painter.sizes.unit;
   const std::vector<SearchEvent>& events = sitting.searches->in[watched_index(sitting.kind)].events;
   for (int i = 0; i < sitting.step; ++i) {
@@ -199,7 +200,7 @@ void draw_tests(Painter& painter) {
 
 }  // namespace
 
-void draw_structure(Painter& painter) {
+void StructureRoom::draw_in_plan(Painter& painter) {
   const std::vector<BoxMark> marks = marks_of(painter.state);
   if (marks.empty()) return;
   const std::vector<PixelRect> bodies = bodies_of(painter);

@@ -31,7 +31,7 @@ std::string label_of(const State& state, const RayRecord& ray) {
     case Ending::outside_cone:
       break;
   }
-  const std::string why(text(ray.ending, state.language));
+  const std::string why(text(ray.ending, state.appearance.language));
   return ray.ending == Ending::blocked ? why + ": " + name : why;
 }
 
@@ -60,26 +60,27 @@ void lay_out(TreePanel& panel) {
 }  // namespace
 
 std::string node_text(const State& state, const TreeNode& node) {
-  std::string what(text(node.kind, state.language));
-  if (node.future) return fill("tree.node_future", state.language, {{"ray", what}});
+  std::string what(text(node.kind, state.appearance.language));
+  if (node.future) return fill("tree.node_future", state.appearance.language, {{"ray", what}});
   if (!node.throughput.empty())
-    what = fill("tree.node_share", state.language, {{"ray", what}, {"share", node.throughput}});
-  if (!node.ending) return what + "\n" + std::string(text("tree.node_under_way", state.language));
+    what = fill("tree.node_share", state.appearance.language, {{"ray", what}, {"share", node.throughput}});
+  if (!node.ending) return what + "\n" + std::string(text("tree.node_under_way", state.appearance.language));
   const bool named = *node.ending == Ending::hit || *node.ending == Ending::reached_light;
-  const std::string end = named ? std::string(text(*node.ending, state.language)) + ": " + node.label : node.label;
+  const std::string end =
+      named ? std::string(text(*node.ending, state.appearance.language)) + ": " + node.label : node.label;
   return what + "\n" + node.symbol + "   " + end;
 }
 
 TreePanel tree_panel(const State& state) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   TreePanel panel;
-  const int pixel = timeline.current_pixel(state.position);
+  const int pixel = timeline.current_pixel(state.walk.position);
   if (pixel < 0) return panel;
   panel.cell = current_cell(state);
   panel.levels = 1;
   const Timeline::Range range = timeline.rays_of_pixel(pixel);
-  const auto formed = static_cast<int>(timeline.rays_at(state.position).size());
-  const int current = timeline.current_ray(state.position);
+  const auto formed = static_cast<int>(timeline.rays_at(state.walk.position).size());
+  const int current = timeline.current_ray(state.walk.position);
   // During predictions, future rays would reveal the answer.
   const bool foretells = question_waits(state) || state.predictions.on;
   const int last = foretells ? std::min(range.last, formed) : range.last;
@@ -91,20 +92,20 @@ TreePanel tree_panel(const State& state) {
     node.kind = ray.kind;
     node.formed = ray.formed;
     node.future = i >= formed;
-    node.known = !node.future && ray.found_at <= state.position;
+    node.known = !node.future && ray.found_at <= state.walk.position;
     node.current = i == current;
-    node.hovered = i == state.hovered_ray || is_lit(state, i);
-    node.colour = ray_style(state.theme, ray.kind).colour;
-    node.shade = palette(state.theme).empty_cell;
+    node.hovered = i == state.plan.hovered_ray || is_lit(state, i);
+    node.colour = ray_style(state.appearance.theme, ray.kind).colour;
+    node.shade = palette(state.appearance.theme).empty_cell;
     if (node.known) {
       node.ending = ray.ending;
       node.symbol = symbol(ray.ending);
       node.label = label_of(state, ray);
     }
-    if (!node.future) node.throughput = percent_text(max_component(ray.throughput), state.language);
+    if (!node.future) node.throughput = percent_text(max_component(ray.throughput), state.appearance.language);
     if (ray.shade >= 0) {
       const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(ray.shade)];
-      node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.position;
+      node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.walk.position;
       if (node.returned) node.shade = display_colour(frame.returned, state.scene().encoding);
     }
     panel.nodes.push_back(std::move(node));

@@ -8,7 +8,7 @@ namespace raywalk {
 
 namespace {
 
-std::optional<Vec2d> origin_of(const LessonSitting& sitting) {
+std::optional<Vec2d> origin_of(const LessonRoom& sitting) {
   const PlayedStep& step = *sitting.at();
   const EventDetail& detail = step.walk->timeline.event(step.shown - 1).detail;
   if (const auto* formed = std::get_if<RayFormed>(&detail)) return plan(formed->origin);
@@ -18,7 +18,7 @@ std::optional<Vec2d> origin_of(const LessonSitting& sitting) {
 
 }  // namespace
 
-bool is_open_question(const LessonSitting& sitting) {
+bool is_open_question(const LessonRoom& sitting) {
   const PlayedStep* step = sitting.at();
   return step != nullptr && step->step->question && !sitting.revealed &&
          !std::holds_alternative<LineQuestion>(*step->step->question);
@@ -39,7 +39,7 @@ int decimals_of(const NumberQuestion& question, double number) {
 
 std::optional<Vec2d> guess_origin(const State& state) {
   const PlayedStep* step = state.lessons.at();
-  if (!state.lessons.shown || step == nullptr || state.mode != Mode::trace || !step->step->question)
+  if (!state.lessons.shown || step == nullptr || state.walk.mode != Mode::trace || !step->step->question)
     return std::nullopt;
   if (!std::holds_alternative<ArrowQuestion>(*step->step->question)) return std::nullopt;
   if (state.scene() != step->walk->document.scene) return std::nullopt;
@@ -47,14 +47,14 @@ std::optional<Vec2d> guess_origin(const State& state) {
 }
 
 bool question_waits(const State& state) {
-  if (!state.lessons.shown || !is_open_question(state.lessons) || state.mode != Mode::trace) return false;
+  if (!state.lessons.shown || !is_open_question(state.lessons) || state.walk.mode != Mode::trace) return false;
   const PlayedStep& step = *state.lessons.at();
-  return state.position == step.asked && state.scene() == step.walk->document.scene;
+  return state.walk.position == step.asked && state.scene() == step.walk->document.scene;
 }
 
 std::optional<Vec2d> arrow_origin(const State& state) {
   const PlayedStep* step = state.lessons.at();
-  if (state.lessons.revealed || step == nullptr || state.position != step->asked) return std::nullopt;
+  if (state.lessons.revealed || step == nullptr || state.walk.position != step->asked) return std::nullopt;
   return guess_origin(state);
 }
 

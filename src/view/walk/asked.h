@@ -8,7 +8,7 @@
 namespace raywalk {
 
 /// Whether the open step asks, and its answer is not shown yet. (While searching a faulty line one walks freely.)
-[[nodiscard]] bool is_open_question(const LessonSitting& sitting);
+[[nodiscard]] bool is_open_question(const LessonRoom& sitting);
 
 /// Whether the walk is where a lesson asks, and the prediction is still missing. (While searching a faulty line one
 /// walks freely.)

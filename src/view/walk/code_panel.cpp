@@ -1,4 +1,5 @@
 #include "view/walk/code_panel.h"
+#include "view/bugs/bugs.h"
 #include "view/text/text.h"
 #include "view/walk/lit.h"
 
@@ -9,22 +10,23 @@ namespace raywalk {
 namespace {
 
 Blame blame_of(const State& state, Line line) {
-  if (state.bug && state.bug->known && faulty_line(state.bug->fault) == line) return Blame::at_fault;
+  if (state.walk.bug && state.walk.bug->known && faulty_line(state.walk.bug->fault) == line) return Blame::at_fault;
   return marked_line(state) == line ? Blame::marked : Blame::none;
 }
 
 CodeRow row_of(const State& state, const PseudocodeLine& line) {
   CodeRow row{line.line, line.indent, std::string(line.text)};
-  const Event* just_run = state.timeline->just_run(state.position);
-  const Event* next = state.timeline->next(state.position);
+  const Event* just_run = state.walk.timeline->just_run(state.walk.position);
+  const Event* next = state.walk.timeline->next(state.walk.position);
   row.just_run = just_run != nullptr && just_run->line == line.line;
   row.next = next != nullptr && next->line == line.line;
-  row.breakpoint = state.breakpoints.is_before(line.line);
+  row.breakpoint = state.walk.breakpoints.is_before(line.line);
   row.blame = blame_of(state, line.line);
-  row.hovered = state.hovered_line == line.line;
-  if (state.hovered_ray >= 0)
+  row.hovered = state.plan.hovered_line == line.line;
+  if (state.plan.hovered_ray >= 0)
     row.hovered =
-        row.hovered || concerns(line.line, state.timeline->rays()[static_cast<std::size_t>(state.hovered_ray)].kind);
+        row.hovered ||
+        concerns(line.line, state.walk.timeline->rays()[static_cast<std::size_t>(state.plan.hovered_ray)].kind);
   return row;
 }
 
@@ -33,8 +35,8 @@ CodeRow row_of(const State& state, const PseudocodeLine& line) {
 /// The lines that form a ray, find its end and shade it.
 CodePanel code_panel(const State& state) {
   CodePanel panel;
-  const Event* just_run = state.timeline->just_run(state.position);
-  const bool paths = state.timeline->of_paths();
+  const Event* just_run = state.walk.timeline->just_run(state.walk.position);
+  const bool paths = state.walk.timeline->of_paths();
   const std::span<const PseudocodeLine> lines = paths ? std::span<const PseudocodeLine>(path_pseudocode) : pseudocode;
   for (CodeBox& box : panel.boxes) {
     const bool first = &box == panel.boxes.data();
@@ -44,7 +46,8 @@ CodePanel code_panel(const State& state) {
     box.title = procedure_title(procedure);
     if (just_run != nullptr && pseudocode_of(just_run->line).procedure == procedure) box.depth = just_run->depth;
     if (box.depth.value_or(0) > 0)
-      box.badge = fill(paths ? "code.rays_badge" : "code.depth_badge", state.language, {{"number", *box.depth}});
+      box.badge =
+          fill(paths ? "code.rays_badge" : "code.depth_badge", state.appearance.language, {{"number", *box.depth}});
     for (const PseudocodeLine& line : lines)
       if (line.procedure == procedure) box.rows.push_back(row_of(state, line));
   }

@@ -30,10 +30,10 @@ double angle_between(const Vec3d& u, const Vec3d& v) {
 /// Writes the rows of one event. A row's numbers go through number(), so that what is shown is what is kept.
 class EquationWriter {
  public:
-  explicit EquationWriter(const State& state) : state_(state), timeline_(*state.timeline) {}
+  explicit EquationWriter(const State& state) : state_(state), timeline_(*state.walk.timeline) {}
 
   [[nodiscard]] EquationPanel panel() {
-    const Event* event = timeline_.just_run(state_.position);
+    const Event* event = timeline_.just_run(state_.walk.position);
     if (event == nullptr) return {};
     event_ = event;
     panel_.title = pseudocode_of(event->line).text;
@@ -73,17 +73,17 @@ class EquationWriter {
   };
   template <class... Parts>
   void row(Kind kind, const Parts&... parts) {
-    Row row(kind, state_.language);
+    Row row(kind, state_.appearance.language);
     static_cast<void>((row << ... << parts));
     panel_.rows.push_back(row.take());
   }
   /// `name`: in one piece or several.
   template <class... Name>
   void light(Kind kind, const Rgbd& colour, const Name&... name) {
-    Row row(kind, state_.language);
+    Row row(kind, state_.appearance.language);
     static_cast<void>((row << ... << name));
     row << " ";
-    const std::string_view between = state_.language.separator();
+    const std::string_view between = state_.appearance.language.separator();
     if (colour.x == colour.y && colour.y == colour.z)
       row << colour.x;
     else
@@ -96,7 +96,7 @@ class EquationWriter {
 
   [[nodiscard]] const Scene& scene() const { return state_.scene(); }
   [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(state_.position)); }
+  [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(state_.walk.position)); }
   [[nodiscard]] const RayRecord* parent() const { return current().parent < 0 ? nullptr : &ray(current().parent); }
   /// The normal where `ray` ended, facing the ray.
   static Vec3d facing(const RayRecord& ray) { return dot(ray.normal, ray.direction) > 0 ? -ray.normal : ray.normal; }
@@ -143,7 +143,7 @@ class EquationWriter {
     if (parent() == nullptr) return;
     const Vec3d normal = facing(*parent());
     row(Kind::formula, "cos θ = N·L / |L|");
-    row(Kind::numbers, "N = ", normal, state_.language.separator(), "|L| = ", length(formed.direction));
+    row(Kind::numbers, "N = ", normal, state_.appearance.language.separator(), "|L| = ", length(formed.direction));
     row(Kind::numbers, "θ = ", angle_between(normal, formed.direction), "°");
   }
 
@@ -152,7 +152,7 @@ class EquationWriter {
     const Vec3d normal = facing(*parent()), in = parent()->direction;
     row(Kind::formula, "R = D − 2 (N·D) N");
     row(Kind::numbers, "D = ", in);
-    row(Kind::numbers, "N = ", normal, state_.language.separator(), "N·D = ", dot(normal, in));
+    row(Kind::numbers, "N = ", normal, state_.appearance.language.separator(), "N·D = ", dot(normal, in));
     row(Kind::numbers, "R = ", formed.direction);
     row(Kind::note, Word{"equation.as_far_from_normal"}, " ", angle_between(normal, formed.direction), "°");
   }
@@ -209,7 +209,7 @@ class EquationWriter {
     if (found.object < 0)
       return row(Kind::note, shadow ? Word{"equation.nothing_between"} : Word{"equation.nothing_ahead"});
     std::visit([&](const auto& numbers) { solve(numbers, found.t); }, found.numbers);
-    const std::string_view between = state_.language.separator();
+    const std::string_view between = state_.appearance.language.separator();
     row(Kind::formula, shadow ? "P = P₀ + t L" : "P = O + t D");
     row(Kind::numbers, "P = ", found.point, between, "t = ", found.t);
     if (shadow) return row(Kind::note, Word{"equation.blocked_before"});
@@ -220,7 +220,7 @@ class EquationWriter {
   void solve(const std::monostate& /*none*/, double /*t*/) {}
   void solve(const QuadraticNumbers& q, double t) {
     row(Kind::formula, "a t² + b t + c = 0");
-    const std::string_view between = state_.language.separator();
+    const std::string_view between = state_.appearance.language.separator();
     row(Kind::numbers, "a = ", q.a, between, "b = ", q.b, between, "c = ", q.c);
     row(Kind::numbers, "b² − 4 a c = ", q.discriminant);
     if (!(q.discriminant >= 0)) return;
@@ -245,7 +245,7 @@ class EquationWriter {
     if (!decided.why) return row(Kind::note, decided.holds ? Word{"equation.above_zero"} : Word{"equation.is_zero"});
     // No transmission: Snell's law requires a sine above 1.
     const RayRecord& shaded =
-        ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.position))].ray);
+        ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.walk.position))].ray);
     const double angle = angle_between(facing(shaded), -shaded.direction);
     row(Kind::formula, Word{"equation.sine"}, " θ₂ = n₁ ", Word{"equation.sine"}, " θ₁ / n₂");
     if (decided.snell)
@@ -290,8 +290,8 @@ class EquationWriter {
     light(Kind::total, added.added, "+");
   }
   void weighted(double by_direction, double by_light, double weight) {
-    row(Kind::numbers, "p(", Word{"equation.direction"}, ") = ", by_direction, state_.language.separator(), "p(",
-        Word{"equation.light"}, ") = ", by_light);
+    row(Kind::numbers, "p(", Word{"equation.direction"}, ") = ", by_direction, state_.appearance.language.separator(),
+        "p(", Word{"equation.light"}, ") = ", by_light);
     row(Kind::numbers, Word{"equation.weight"}, " = ", weight);
   }
   void write(const DirectionChosen& chosen) {
@@ -320,26 +320,26 @@ std::string equation_number(double value, Language language) {
 EquationPanel equation_panel(const State& state) { return EquationWriter(state).panel(); }
 
 HitNotes hit_notes(const State& state) {
-  const Timeline& timeline = *state.timeline;
-  const int index = timeline.current_ray(state.position);
+  const Timeline& timeline = *state.walk.timeline;
+  const int index = timeline.current_ray(state.walk.position);
   if (index < 0) return {};
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-  if (!ray.formed || ray.found_at > state.position || ray.object < 0) return {};
+  if (!ray.formed || ray.found_at > state.walk.position || ray.object < 0) return {};
   const auto& found = std::get<Found>(timeline.event(ray.found_at - 1).detail);
-  HitNotes notes{"t = " + equation_number(found.t, state.language), {}};
+  HitNotes notes{"t = " + equation_number(found.t, state.appearance.language), {}};
   if (ray.ending != Ending::hit) return notes;
   const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
-  notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
+  notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
   return notes;
 }
 
 std::optional<BendNotes> bend_notes(const State& state) {
-  const Timeline& timeline = *state.timeline;
-  if (state.position == 0) return std::nullopt;
-  const auto* formed = std::get_if<RayFormed>(&timeline.event(state.position - 1).detail);
+  const Timeline& timeline = *state.walk.timeline;
+  if (state.walk.position == 0) return std::nullopt;
+  const auto* formed = std::get_if<RayFormed>(&timeline.event(state.walk.position - 1).detail);
   if (formed == nullptr) return std::nullopt;
   if (formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
-  const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.position))].parent;
+  const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))].parent;
   if (parent < 0) return std::nullopt;
   const RayRecord& in = timeline.rays()[static_cast<std::size_t>(parent)];
   if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
@@ -350,7 +350,7 @@ std::optional<BendNotes> bend_notes(const State& state) {
   notes.out = formed->direction;
   const double side = formed->kind == RayKind::refract ? -1 : 1;
   const auto angle = [&](const char* name, double cosine) {
-    return name + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.language) + "°";
+    return name + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
   };
   notes.angle_in = angle("θ₁ = ", formed->snell ? formed->snell->cos_in : dot(notes.normal, notes.back));
   notes.angle_out = angle("θ₂ = ", formed->snell ? formed->snell->cos_out : side * dot(notes.normal, notes.out));

@@ -25,10 +25,10 @@ Rgbd brought_by(const Timeline& timeline, const RayRecord& ray, const Rgbd& back
 }  // namespace
 
 Ghosts ghosts_of(const State& state) {
-  const Timeline& timeline = *state.timeline;
-  const int pixel = timeline.current_pixel(state.position);
+  const Timeline& timeline = *state.walk.timeline;
+  const int pixel = timeline.current_pixel(state.walk.position);
   Ghosts ghosts;
-  ghosts.of = state.timeline;
+  ghosts.of = state.walk.timeline;
   ghosts.pixel = pixel;
   if (pixel < 0 || timeline.of_paths()) return ghosts;  // a path has no tree
   // If DEPTH is not counted, a deeper limit cuts elsewhere, and rays cannot be matched.
@@ -82,10 +82,10 @@ Ghosts ghosts_of(const State& state) {
 }
 
 void follow_with_ghosts(State& state) {
-  if (!state.shows_ghosts || state.mode != Mode::trace) return state.ghosts.reset();
-  const int pixel = state.timeline->current_pixel(state.position);
-  if (state.ghosts && state.ghosts->of == state.timeline && state.ghosts->pixel == pixel) return;
-  state.ghosts = std::make_shared<const Ghosts>(ghosts_of(state));
+  if (!state.walk.shows_ghosts || state.walk.mode != Mode::trace) return state.walk.ghosts.reset();
+  const int pixel = state.walk.timeline->current_pixel(state.walk.position);
+  if (state.walk.ghosts && state.walk.ghosts->of == state.walk.timeline && state.walk.ghosts->pixel == pixel) return;
+  state.walk.ghosts = std::make_shared<const Ghosts>(ghosts_of(state));
 }
 
 double share_of(const Rgbd& contribution, const Ghosts& ghosts) {

@@ -22,12 +22,12 @@ bool concerns(Line line, RayKind kind) {
 }
 
 bool is_lit(const State& state, int ray) {
-  const Timeline& timeline = *state.timeline;
-  if (ray < 0 || ray >= static_cast<int>(timeline.rays_at(state.position).size())) return false;
-  if (ray == state.hovered_ray) return true;
+  const Timeline& timeline = *state.walk.timeline;
+  if (ray < 0 || ray >= static_cast<int>(timeline.rays_at(state.walk.position).size())) return false;
+  if (ray == state.plan.hovered_ray) return true;
   const RayRecord& record = timeline.rays()[static_cast<std::size_t>(ray)];
-  return state.hovered_line && record.pixel == timeline.current_pixel(state.position) &&
-         concerns(*state.hovered_line, record.kind);
+  return state.plan.hovered_line && record.pixel == timeline.current_pixel(state.walk.position) &&
+         concerns(*state.plan.hovered_line, record.kind);
 }
 
 }  // namespace raywalk

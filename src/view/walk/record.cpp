@@ -32,11 +32,14 @@ void limit_depth(SceneSeen& scene, int depth) {
 /// Records the current walk in this scene; all cells of the strip or one.
 Timeline record(const State& state, const Scene& scene, std::optional<Fault> fault, int samples,
                 std::optional<int> cell = {}) {
-  Recording how{state.image.single_precision ? Precision::float_ : Precision::double_, {}, fault, state.worlds.get()};
+  Recording how{state.picture.settings.single_precision ? Precision::float_ : Precision::double_,
+                {},
+                fault,
+                state.document.worlds.get()};
   how.sampling.per_pixel = samples;
-  how.stop = state.stop;
-  if (!state.walk) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
-  return record_pixel(scene, state.walk->size, state.walk->column, state.walk->row, how);
+  how.stop = state.document.stop;
+  if (!state.walk.pixel) return cell ? record_cell(scene, *cell, how) : record_strip(scene, how);
+  return record_pixel(scene, state.walk.pixel->size, state.walk.pixel->column, state.walk.pixel->row, how);
 }
 
 /// The strip or the pixel to the scene's depth, or the deepest that is not too long. A tree can double with every
@@ -68,7 +71,7 @@ Recorded record_to_depth(const State& state) {
 Recorded record_within(const State& state) {
   Recorded recorded = record_to_depth(state);
   const double room = max_events / std::max(1, recorded.timeline.steps());
-  recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.image.walk_samples)));
+  recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.picture.settings.walk_samples)));
   if (recorded.samples == 1) return recorded;
   SceneSeen limited = walked_scene(state);
   limit_depth(limited, recorded.depth);
@@ -80,7 +83,7 @@ Recorded record_within(const State& state) {
 std::shared_ptr<const Timeline> record_other(const State& state, int depth, int samples) {
   SceneSeen limited = walked_scene(state);
   limit_depth(limited, depth);
-  const std::optional<Fault> other = state.bug->mended ? std::optional(state.bug->fault) : std::nullopt;
+  const std::optional<Fault> other = state.walk.bug->mended ? std::optional(state.walk.bug->fault) : std::nullopt;
   return std::make_shared<const Timeline>(record(state, *limited, other, samples));
 }
 
@@ -105,21 +108,21 @@ Timeline record_under(const State& state, int column, int samples, const TraceLi
 }
 
 void record_again(State& state) {
-  state.planar = is_planar(state.scene());
+  state.walk.planar = is_planar(state.scene());
   Recorded recorded = record_within(state);
   if (recorded.depth < state.scene().limits.depth)
-    inform(state, fill("notice.too_many_steps", state.language, {{"depth", recorded.depth}}));
-  if (recorded.samples < state.image.walk_samples)
-    inform(state, fill("notice.too_many_samples", state.language, {{"samples", recorded.samples}}));
-  if (state.bug) state.bug->other = record_other(state, recorded.depth, recorded.samples);
+    inform(state, fill("notice.too_many_steps", state.appearance.language, {{"depth", recorded.depth}}));
+  if (recorded.samples < state.picture.settings.walk_samples)
+    inform(state, fill("notice.too_many_samples", state.appearance.language, {{"samples", recorded.samples}}));
+  if (state.walk.bug) state.walk.bug->other = record_other(state, recorded.depth, recorded.samples);
   const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
-  state.position = same_place(*state.timeline, state.position, *after);
-  state.timeline = after;
-  state.hovered_ray = -1;
-  if (!exists(state, state.selected)) state.selected = {};
-  if (!exists(state, state.hovered)) state.hovered = {};
-  if (state.hovered.kind == TargetKind::ray) state.hovered = {};
-  if (state.position == state.timeline->steps()) state.playing = false;
+  state.walk.position = same_place(*state.walk.timeline, state.walk.position, *after);
+  state.walk.timeline = after;
+  state.plan.hovered_ray = -1;
+  if (!exists(state, state.plan.selected)) state.plan.selected = {};
+  if (!exists(state, state.plan.hovered)) state.plan.hovered = {};
+  if (state.plan.hovered.kind == TargetKind::ray) state.plan.hovered = {};
+  if (state.walk.position == state.walk.timeline->steps()) state.walk.playing = false;
 }
 
 }  // namespace raywalk

@@ -14,7 +14,7 @@ namespace {
 
 template <class Id>
 std::string str(const State& state, Id id) {
-  return std::string(text(id, state.language));
+  return std::string(text(id, state.appearance.language));
 }
 
 std::string object_name(const State& state, int index) {
@@ -22,23 +22,24 @@ std::string object_name(const State& state, int index) {
 }
 
 std::string ray_text(const State& state, int index) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
   std::string what;
   if (ray.parent < 0) {
     const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
     what = timeline.of_strip()
-               ? fill("pointed.ray_of_cell", state.language,
-                      {{"ray", std::string(text(ray.kind, state.language))}, {"cell", column}})
-               : fill("pointed.ray_of_pixel", state.language, {{"ray", std::string(text(ray.kind, state.language))}});
+               ? fill("pointed.ray_of_cell", state.appearance.language,
+                      {{"ray", std::string(text(ray.kind, state.appearance.language))}, {"cell", column}})
+               : fill("pointed.ray_of_pixel", state.appearance.language,
+                      {{"ray", std::string(text(ray.kind, state.appearance.language))}});
   } else {
     const int from = timeline.rays()[static_cast<std::size_t>(ray.parent)].object;
-    what = fill(
-        "pointed.ray_from", state.language,
-        {{"ray", std::string(text(ray.kind, state.language))}, {"object", from < 0 ? "" : object_name(state, from)}});
+    what = fill("pointed.ray_from", state.appearance.language,
+                {{"ray", std::string(text(ray.kind, state.appearance.language))},
+                 {"object", from < 0 ? "" : object_name(state, from)}});
   }
-  const bool known = !ray.formed || ray.found_at <= state.position;
-  return known ? what + ": " + std::string(text(ray.ending, state.language)) : what;
+  const bool known = !ray.formed || ray.found_at <= state.walk.position;
+  return known ? what + ": " + std::string(text(ray.ending, state.appearance.language)) : what;
 }
 
 /// The name of an object or a light, or EYE or SCREEN.
@@ -50,43 +51,47 @@ std::string short_name(const State& state, const Target& target) {
 }
 
 std::string cell_text(const State& state, int cell) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   std::optional<Rgbd> shade;
   for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
     const PixelRecord& pixel = timeline.pixels()[i];
-    if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.position)) shade = pixel.mean;
+    if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.walk.position)) shade = pixel.mean;
   }
   if (shade)
-    return fill("pointed.cell_with_shade", state.language,
-                {{"cell", cell}, {"colour", colour_text(*shade, state.language)}});
-  return fill("pointed.cell", state.language, {{"cell", cell}});
+    return fill("pointed.cell_with_shade", state.appearance.language,
+                {{"cell", cell}, {"colour", colour_text(*shade, state.appearance.language)}});
+  return fill("pointed.cell", state.appearance.language, {{"cell", cell}});
 }
 
 /// Why the plan does not show the scene well, and how to fix that; empty if it does.
 std::string view_hint(const State& state) {
   constexpr double tiny = 0.15;  // of the size that fits
-  if (state.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(state, "plan.shown_tiny");
-  if (!state.selected || !exists(state, state.selected) || state.drag) return {};
-  const Vec2d at = to_pixels(state.camera, state.viewport, place_of(state, state.selected, state.viewport));
-  const bool inside = at.x >= 0 && at.y >= 0 && at.x <= state.viewport.width && at.y <= state.viewport.height;
-  return inside ? std::string()
-                : fill("plan.out_of_view", state.language, {{"name", short_name(state, state.selected)}});
+  if (state.plan.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(state, "plan.shown_tiny");
+  if (!state.plan.selected || !exists(state, state.plan.selected) || state.plan.drag) return {};
+  const Vec2d at =
+      to_pixels(state.plan.camera, state.plan.viewport, place_of(state, state.plan.selected, state.plan.viewport));
+  const bool inside = at.x >= 0 && at.y >= 0 && at.x <= state.plan.viewport.width && at.y <= state.plan.viewport.height;
+  return inside
+             ? std::string()
+             : fill("plan.out_of_view", state.appearance.language, {{"name", short_name(state, state.plan.selected)}});
 }
 
 std::string move_sentence(const State& state) {
   std::string said = str(state, "status.first_step_move");
-  const int steps = state.timeline->steps();
+  const int steps = state.walk.timeline->steps();
   if (const std::string hint = view_hint(state); !hint.empty()) return hint;
-  if (state.position == 0) return said;
-  if (state.position == steps) return said + " " + str(state, "status.walk_stands_at_end");
-  return said + " " + fill("status.walk_stands_at", state.language, {{"position", state.position}, {"steps", steps}});
+  if (state.walk.position == 0) return said;
+  if (state.walk.position == steps) return said + " " + str(state, "status.walk_stands_at_end");
+  return said + " " +
+         fill("status.walk_stands_at", state.appearance.language,
+              {{"position", state.walk.position}, {"steps", steps}});
 }
 
 }  // namespace
 
 std::string target_text(const State& state, const Target& target) {
   if (!exists(state, target)) return {};
-  const bool moving = state.mode == Mode::move;
+  const bool moving = state.walk.mode == Mode::move;
   switch (target.kind) {
     case TargetKind::nothing:
       return {};
@@ -105,16 +110,16 @@ std::string target_text(const State& state, const Target& target) {
       const std::string name = target.kind == TargetKind::object
                                    ? object_name(state, target.index)
                                    : state.scene().lights[static_cast<std::size_t>(target.index)].name;
-      return moving ? fill("drag.move", state.language, {{"name", name}}) : name;
+      return moving ? fill("drag.move", state.appearance.language, {{"name", name}}) : name;
     }
     case TargetKind::radius:
-      return fill("drag.radius", state.language, {{"name", object_name(state, target.index)}});
+      return fill("drag.radius", state.appearance.language, {{"name", object_name(state, target.index)}});
     case TargetKind::corner:
-      return fill("drag.corner", state.language, {{"name", object_name(state, target.index)}});
+      return fill("drag.corner", state.appearance.language, {{"name", object_name(state, target.index)}});
     case TargetKind::edge:
-      return fill("drag.edge", state.language, {{"name", object_name(state, target.index)}});
+      return fill("drag.edge", state.appearance.language, {{"name", object_name(state, target.index)}});
     case TargetKind::rotation:
-      return fill("drag.rotation", state.language, {{"name", object_name(state, target.index)}});
+      return fill("drag.rotation", state.appearance.language, {{"name", object_name(state, target.index)}});
     case TargetKind::ray:
       return ray_text(state, target.index);
   }
@@ -122,7 +127,7 @@ std::string target_text(const State& state, const Target& target) {
 }
 
 std::string sentence(const State& state) {
-  switch (state.mode) {
+  switch (state.walk.mode) {
     case Mode::move:
       return move_sentence(state);
     case Mode::help:
@@ -130,23 +135,24 @@ std::string sentence(const State& state) {
     case Mode::trace:
       break;
   }
-  if (state.position == 0) return str(state, "status.first_step_trace");
-  const std::string done = sentence_of(describe(state.scene(), *state.timeline, state.position), state.language);
-  if (state.position < state.timeline->steps()) return done;
-  return done + " " + str(state, state.walk ? "status.after_last_step_of_pixel" : "status.after_last_step");
+  if (state.walk.position == 0) return str(state, "status.first_step_trace");
+  const std::string done =
+      sentence_of(describe(state.scene(), *state.walk.timeline, state.walk.position), state.appearance.language);
+  if (state.walk.position < state.walk.timeline->steps()) return done;
+  return done + " " + str(state, state.walk.pixel ? "status.after_last_step_of_pixel" : "status.after_last_step");
 }
 
 Counts counts(const State& state) {
-  const Timeline& timeline = *state.timeline;
+  const Timeline& timeline = *state.walk.timeline;
   Counts counts;
-  counts.position = state.position;
+  counts.position = state.walk.position;
   counts.steps = timeline.steps();
-  counts.pixel = timeline.current_pixel(state.position) + 1;
+  counts.pixel = timeline.current_pixel(state.walk.position) + 1;
   counts.pixels = static_cast<int>(timeline.pixels().size());
-  if (const Event* just_run = timeline.just_run(state.position)) counts.depth = just_run->depth;
-  for (const RayRecord& ray : timeline.rays_at(state.position)) {
+  if (const Event* just_run = timeline.just_run(state.walk.position)) counts.depth = just_run->depth;
+  for (const RayRecord& ray : timeline.rays_at(state.walk.position)) {
     if (ray.formed) ++counts.formed[static_cast<std::size_t>(ray.kind)];
-    if (ray.found_at <= state.position) ++counts.ended[static_cast<std::size_t>(ray.ending)];
+    if (ray.found_at <= state.walk.position) ++counts.ended[static_cast<std::size_t>(ray.ending)];
   }
   return counts;
 }
@@ -156,15 +162,17 @@ std::string status_line(const State& state) {
   int rays = 0;
   for (const int formed : now.formed) rays += formed;
   const int cell = current_cell(state);
-  const std::string pixel = state.walk ? std::to_string(state.walk->column) + "," + std::to_string(state.walk->row)
+  const std::string pixel = state.walk.pixel
+                                ? std::to_string(state.walk.pixel->column) + "," + std::to_string(state.walk.pixel->row)
                             : cell < 0 ? str(state, "status.no_pixel")
                                        : std::to_string(cell);
-  return fill("status.whole", state.language,
+  return fill("status.whole", state.appearance.language,
               {{"position", now.position}, {"steps", now.steps}, {"pixel", pixel}, {"rays", rays}});
 }
 
 std::string short_status_line(const State& state) {
-  return fill("status.short", state.language, {{"position", state.position}, {"steps", state.timeline->steps()}});
+  return fill("status.short", state.appearance.language,
+              {{"position", state.walk.position}, {"steps", state.walk.timeline->steps()}});
 }
 
 std::string widest_status_line(const State& state, bool in_short) {
@@ -172,13 +180,13 @@ std::string widest_status_line(const State& state, bool in_short) {
   const auto digits = [](int number, std::size_t least) {
     return std::string(std::max(std::to_string(number).size(), least), '0');
   };
-  const std::string steps = digits(state.timeline->steps(), 4);
-  if (in_short) return fill("status.short", state.language, {{"position", steps}, {"steps", steps}});
-  return fill("status.whole", state.language,
+  const std::string steps = digits(state.walk.timeline->steps(), 4);
+  if (in_short) return fill("status.short", state.appearance.language, {{"position", steps}, {"steps", steps}});
+  return fill("status.whole", state.appearance.language,
               {{"position", steps},
                {"steps", steps},
-               {"pixel", state.walk ? "0000,0000" : digits(state.scene().camera.screen.cells - 1, 2)},
-               {"rays", digits(static_cast<int>(state.timeline->rays().size()), 3)}});
+               {"pixel", state.walk.pixel ? "0000,0000" : digits(state.scene().camera.screen.cells - 1, 2)},
+               {"rays", digits(static_cast<int>(state.walk.timeline->rays().size()), 3)}});
 }
 
 }  // namespace raywalk

@@ -22,27 +22,32 @@ std::optional<int> changed_ray(const Timeline& timeline, int from, int to) {
 
 double tween_seconds(const State& state) {
   constexpr double usual = 0.25, share = 0.6, least = 0.05;
-  if (!state.tweens || state.hold || state.mode != Mode::trace) return 0;
-  const double seconds = state.playing ? std::min(usual, share / state.lines_per_second) : usual;
+  if (!state.walk.tweens || state.walk.hold || state.walk.mode != Mode::trace) return 0;
+  const double seconds = state.walk.playing ? std::min(usual, share / state.walk.lines_per_second) : usual;
   return seconds < least ? 0 : seconds;
 }
 
 std::optional<Growth> growth_of(const State& state, int ray) {
-  if (!state.tween || state.tween->ray != ray) return std::nullopt;
-  const RayRecord& record = state.timeline->rays()[static_cast<std::size_t>(ray)];
+  if (!state.walk.tween || state.walk.tween->ray != ray) return std::nullopt;
+  const RayRecord& record = state.walk.timeline->rays()[static_cast<std::size_t>(ray)];
   const double seconds = tween_seconds(state);
-  const double left = seconds > 0 ? 1 - std::clamp(state.tween->seconds / seconds, 0.0, 1.0) : 0;
-  return Growth{record.formed_at > state.tween->from, 1 - left * left};
+  const double left = seconds > 0 ? 1 - std::clamp(state.walk.tween->seconds / seconds, 0.0, 1.0) : 0;
+  return Growth{record.formed_at > state.walk.tween->from, 1 - left * left};
 }
 
-void follow_with_tween(State& state, const Timeline* timeline, int position) {
-  if (state.timeline.get() != timeline || state.position != position) {
-    state.tween.reset();
-    const bool forward = state.timeline.get() == timeline && state.position > position;
-    if (!forward || !(tween_seconds(state) > 0) || state.window_export) return;
-    if (const auto ray = changed_ray(*state.timeline, position, state.position)) state.tween = Tween{*ray, position};
-  } else if (state.tween && state.tween->seconds >= tween_seconds(state)) {
-    state.tween.reset();
+/// Begins a tween if the walk went a small step forward from there, and ends one that is over.
+void WalkRoom::follow(State& state, const Before& before) {
+  follow_with_ghosts(state);
+  const Timeline* const timeline = before.timeline.get();
+  const int position = before.position;
+  if (state.walk.timeline.get() != timeline || state.walk.position != position) {
+    state.walk.tween.reset();
+    const bool forward = state.walk.timeline.get() == timeline && state.walk.position > position;
+    if (!forward || !(tween_seconds(state) > 0) || state.exports.window) return;
+    if (const auto ray = changed_ray(*state.walk.timeline, position, state.walk.position))
+      state.walk.tween = Tween{*ray, position};
+  } else if (state.walk.tween && state.walk.tween->seconds >= tween_seconds(state)) {
+    state.walk.tween.reset();
   }
 }
 

@@ -15,9 +15,7 @@ inline constexpr double max_events = 400'000;
 /// The number of recorded samples of that pixel (an index in Timeline::pixels()).
 [[nodiscard]] int samples_of_pixel(const Timeline& timeline, int pixel);
 
-/// Begins a tween if the walk went a small step forward from here, and ends one that is over.
-void follow_with_tween(State& state, const Timeline* timeline, int position);
-/// Updates State::ghosts for the current pixel.
+/// Updates WalkRoom::ghosts for the current pixel.
 void follow_with_ghosts(State& state);
 
 void go_to(State& state, int position);

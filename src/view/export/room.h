@@ -1,8 +1,11 @@
 #pragma once
 // Exports of a walk.
 
+#include "view/export/export.h"
 #include "view/fields.h"
+#include "view/room.h"
 
+#include <optional>
 #include <string>
 
 namespace raywalk::action {
@@ -27,6 +30,15 @@ struct FinishExport {
   void apply(State& state) const;
 };
 
-using OfExport = Types<AskExport, Export, FinishExport>;
-
 }  // namespace raywalk::action
+
+namespace raywalk {
+
+/// The walk for those without the program.
+struct ExportRoom {
+  using Actions = Types<action::AskExport, action::Export, action::FinishExport>;
+
+  std::optional<WindowExport> window;  ///< pending in the window
+};
+
+}  // namespace raywalk

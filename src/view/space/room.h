@@ -1,8 +1,23 @@
 #pragma once
-// Actions on the views in space: the 3-D picture and the scene as lines.
+// The views in space: the 3-D picture and the scene as lines.
 
+#include "scene/scene.h"
 #include "view/fields.h"
-#include "view/state.h"
+#include "view/room.h"
+
+#include <optional>
+
+namespace raywalk {
+
+/// The views that can be turned by hand.
+enum class SpaceView {
+  image,  ///< the 3-D picture
+  lines,  ///< the scene as lines in space, instead of the plan
+};
+template <>
+inline constexpr Word<SpaceView> words_of<SpaceView>[] = {{SpaceView::image, "image"}, {SpaceView::lines, "lines"}};
+
+}  // namespace raywalk
 
 namespace raywalk::action {
 
@@ -58,6 +73,18 @@ struct ShowLines {
   void apply(State& state) const;
 };
 
-using OfSpace = Types<WalkPixel, WalkStrip, Orbit, Shift, Approach, ResetView, UseImageCamera, ShowLines>;
-
 }  // namespace raywalk::action
+
+namespace raywalk {
+
+/// The scene as lines in space.
+struct SpaceRoom {
+  using Actions = Types<action::WalkPixel, action::WalkStrip, action::Orbit, action::Shift, action::Approach,
+                        action::ResetView, action::UseImageCamera, action::ShowLines>;
+
+  std::optional<Camera> lines_camera;        ///< absent: shows the whole scene
+  std::optional<bool> lines_wanted;          ///< chosen by hand; absent: lines if the plan cannot show the walk
+  SpaceView turned_last = SpaceView::image;  ///< or selected last: what the keys turn
+};
+
+}  // namespace raywalk

@@ -2,12 +2,43 @@
 // The pointer on the plan, in pixels of the viewport; pointing at things in other panels; what part of the plan is
 // visible.
 
+#include "trace/pseudocode.h"
+#include "view/drawing/display_list.h"
 #include "view/fields.h"
-#include "view/state.h"
+#include "view/room.h"
 
+#include <memory>
 #include <optional>
 
 namespace raywalk {
+
+/// The pane that shows the plan, in pixels.
+struct Viewport {
+  double width = 640, height = 480;
+  friend bool operator==(const Viewport&, const Viewport&) = default;
+};
+
+/// The visible part of the plan.
+struct PlanCamera {
+  Vec2d centre{0.0};            ///< scene units, in the middle of the pane
+  double pixels_per_unit = 50;  ///< > 0
+  bool fitted = true;           ///< follows the pane's size until zoomed or panned by hand
+  friend bool operator==(const PlanCamera&, const PlanCamera&) = default;
+};
+
+/// The state at the start of a drag, so that a drag is a pure function of the current pointer position, independent of
+/// its path.
+struct Drag {
+  Target target;          ///< the pressed target
+  bool pans = false;      ///< moves the plan under the pointer; else the target
+  Vec2d grabbed_px{0.0};  ///< where the pointer was pressed, pixels
+  Vec2d grabbed{0.0};     ///< the same in scene units
+  PlanCamera camera;      ///< at the start
+  bool aims = false;      ///< drags the arrow of a guess
+  bool moved = false;     ///< beyond the jitter of a click
+  /// At the start; null while nothing has moved.
+  std::shared_ptr<const Scene> scene{};
+};
 
 namespace action {
 enum class Button { left, middle, right };
@@ -114,8 +145,21 @@ struct Nudge {
   void apply(State& state) const;
 };
 
-using OfPlan = Types<ResizePlan, PointerMoved, PointerPressed, PointerReleased, PointerLeft, CancelDrag, Zoom, Pan,
-                     FitView, HoverRay, HoverLine, Select, Nudge>;
-
 }  // namespace action
+/// What part of the plan is visible, and what is pointed at, in it or elsewhere.
+struct PlanRoom {
+  using Actions = Types<action::ResizePlan, action::PointerMoved, action::PointerPressed, action::PointerReleased,
+                        action::PointerLeft, action::CancelDrag, action::Zoom, action::Pan, action::FitView,
+                        action::HoverRay, action::HoverLine, action::Select, action::Nudge>;
+
+  Viewport viewport;
+  PlanCamera camera;
+  Target selected;
+  Target hovered;                    ///< under the pointer in the plan
+  int hovered_ray = -1;              ///< hovered in plan or tree; highlighted in plan, tree and code
+  std::optional<Line> hovered_line;  ///< hovered in the code; highlights its ray in plan and tree
+  std::optional<Vec2d> pointer;      ///< pixels of the plan; none if it is elsewhere
+  std::optional<Drag> drag;
+};
+
 }  // namespace raywalk

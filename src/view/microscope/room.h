@@ -1,7 +1,8 @@
 #pragma once
-// Actions of the Microscope panel.
+// The Microscope panel.
 
 #include "view/fields.h"
+#include "view/room.h"
 
 namespace raywalk::action {
 
@@ -14,6 +15,16 @@ struct Magnify {
   void apply(State& state) const;
 };
 
-using OfMicroscope = Types<Magnify>;
-
 }  // namespace raywalk::action
+
+namespace raywalk {
+
+/// A hit at any magnification.
+struct MicroscopeRoom {
+  using Actions = Types<action::Magnify>;
+  static constexpr Tab tab{"microscope", true};
+
+  double magnified = 0;  ///< see action::Magnify
+};
+
+}  // namespace raywalk

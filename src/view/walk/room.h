@@ -1,10 +1,53 @@
 #pragma once
-// Actions on the walk: modes, steps, playback, breakpoints.
+// The walk: modes, steps, playback, breakpoints.
 
+#include "scene/scene.h"
+#include "timeline/stops.h"
+#include "timeline/timeline.h"
 #include "view/fields.h"
-#include "view/state.h"
+#include "view/room.h"
+#include "view/walk/fault.h"
+#include "view/walk/ghosts.h"
 
+#include <memory>
 #include <optional>
+
+namespace raywalk {
+
+enum class Mode { move, trace, help };
+template <>
+inline constexpr Word<Mode> words_of<Mode>[] = {{Mode::move, "move"}, {Mode::trace, "trace"}, {Mode::help, "help"}};
+/// The length of a step: a line of pseudocode, to the next ray, to the next pixel; over a line and any SHADE that it
+/// calls, out of the current SHADE.
+enum class Grain { line, ray, pixel, over, out };
+template <>
+inline constexpr Word<Grain> words_of<Grain>[] = {
+    {Grain::line, "line"}, {Grain::ray, "ray"}, {Grain::pixel, "pixel"}, {Grain::over, "over"}, {Grain::out, "out"}};
+/// A pixel of the 3-D picture that is walked instead of the strip.
+struct PixelWalk {
+  ImageSize size;  ///< of the picture
+  int column = 0, row = 0;
+  std::optional<Camera> camera{};  ///< absent: the scene's own
+  friend bool operator==(const PixelWalk&, const PixelWalk&) = default;
+};
+
+/// STEP or BACK is held down, with increasing speed.
+struct Hold {
+  bool forward = true;
+  double seconds = 0;  ///< so far
+  double owed = 0;     ///< steps due from ticks, below 1 between ticks
+};
+
+/// A ray grows, or shrinks to its found end, after a step forward; see view/tween.h.
+struct Tween {
+  int ray = 0;         ///< index in Timeline::rays()
+  int from = 0;        ///< the position before the step
+  double seconds = 0;  ///< so far
+};
+
+inline constexpr double min_speed = 0.25, max_speed = 2000;  ///< lines per second
+
+}  // namespace raywalk
 
 namespace raywalk::action {
 
@@ -17,7 +60,7 @@ struct SetMode {
 struct Step {
   static constexpr std::string_view word = "step";
   bool forward = true;
-  std::optional<Grain> grain{};  ///< absent: State::grain
+  std::optional<Grain> grain{};  ///< absent: WalkRoom::grain
   static void fields(auto& f, auto& a) { f(a.forward, forward_or_back), f(a.grain); }
   void apply(State& state) const;
 };
@@ -129,7 +172,35 @@ struct SetTweens {
   void apply(State& state) const;
 };
 
-using OfWalk = Types<SetMode, Step, Jump, JumpToRay, JumpToCell, RunToLine, RunOn, ToggleBreakpoint, SetBreakpoints,
-                     Hold, Release, PlayPause, SetSpeed, SetGrain, Clear, Tick, Wait, ShowGhosts, SetTweens>;
-
 }  // namespace raywalk::action
+
+namespace raywalk {
+
+/// The recorded walk, the position in it, and how it is played.
+struct WalkRoom {
+  using Actions = Types<action::SetMode, action::Step, action::Jump, action::JumpToRay, action::JumpToCell,
+                        action::RunToLine, action::RunOn, action::ToggleBreakpoint, action::SetBreakpoints,
+                        action::Hold, action::Release, action::PlayPause, action::SetSpeed, action::SetGrain,
+                        action::Clear, action::Tick, action::Wait, action::ShowGhosts, action::SetTweens>;
+  static void follow(State& state, const Before& before);
+
+  Mode mode = Mode::move;
+  Mode before_help = Mode::trace;            ///< the mode to return to from the help
+  std::shared_ptr<const Timeline> timeline;  ///< of the strip or of `pixel`; never null once made by make_state
+  std::optional<PixelWalk> pixel;            ///< absent: the strip is walked
+  bool planar = true;                        ///< the scene's strip is a row of its picture
+  std::optional<Bug> bug;                    ///< the tracer's current fault: from a hunt or a lesson's step
+  int position = 0;                          ///< 0..timeline->steps()
+  bool playing = false;
+  double lines_per_second = 4;  ///< of AUTO; with grains ray and pixel: rays or pixels per second
+  double owed = 0;              ///< steps due from ticks, below 1 between ticks
+  Grain grain = Grain::line;
+  std::optional<Hold> hold;
+  bool tweens = false;  ///< steps are animated briefly
+  std::optional<Tween> tween;
+  Breakpoints breakpoints;
+  bool shows_ghosts = false;             ///< in Trace: what the limits cut off in the current pixel
+  std::shared_ptr<const Ghosts> ghosts;  ///< null while not shown
+};
+
+}  // namespace raywalk

@@ -1,10 +1,19 @@
 #pragma once
-// Actions on the appearance of the window.
+// How the window looks.
 
+#include "text/language.h"
+#include "view/drawing/theme.h"
 #include "view/fields.h"
-#include "view/state.h"
+#include "view/picture/room.h"
+#include "view/room.h"
 
 #include <string>
+
+namespace raywalk {
+
+inline constexpr double min_ui_scale = 1, max_ui_scale = 3;
+
+}  // namespace raywalk
 
 namespace raywalk::action {
 
@@ -43,6 +52,19 @@ struct DismissNotice {
   void apply(State& state) const;
 };
 
-using OfAppearance = Types<SetTheme, SetLanguage, SetUiScale, SetTab, DismissNotice>;
-
 }  // namespace raywalk::action
+
+namespace raywalk {
+
+/// How the window looks.
+struct AppearanceRoom {
+  using Actions =
+      Types<action::SetTheme, action::SetLanguage, action::SetUiScale, action::SetTab, action::DismissNotice>;
+
+  Theme theme = Theme::dark;
+  Language language{};
+  double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
+  Tab tab = PictureRoom::tab;
+};
+
+}  // namespace raywalk

@@ -1,12 +1,59 @@
 #pragma once
-// Edits of the scene, undo, and files.
+// The scene and its file: edits, undo, questions.
 
+#include "io/scene_file.h"
+#include "math/stop.h"
+#include "render/world_cache.h"
+#include "view/drawing/display_list.h"
 #include "view/fields.h"
-#include "view/state.h"
+#include "view/room.h"
 
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace raywalk {
+
+/// A one-line message, until the next one.
+struct Notice {
+  enum class Kind { info, error };
+  Kind kind = Kind::info;
+  std::string text;
+};
+
+/// A request made while there was unsaved work.
+enum class Intent { new_scene, open, lesson, leave_lesson, quit };
+
+/// A path that the window must ask for; answered by the action of that name, or by CancelPrompt.
+enum class PathPrompt { none, open, save_as, save_predictions, export_walk };
+
+struct Question {
+  enum class Kind {
+    unsaved,    ///< answers: save, discard, cancel
+    recover,    ///< an autosave was found at the start; answers: recover, discard, cancel (asks at the next start)
+    overwrite,  ///< the file to be written exists; answers: save, cancel
+  };
+  Kind kind = Kind::unsaved;
+  Intent intent = Intent::quit;  ///< continues with this after save or discard
+  std::string path;        ///< of Intent::open, the name of a lesson, of the file that the autosave belongs to (may be
+                           ///< empty), or to overwrite
+  std::string autosave{};  ///< recover: the autosave
+  std::string when{};      ///< recover: when it was written, as text
+  PathPrompt file = PathPrompt::save_as;  ///< overwrite: the contents of the file
+};
+
+/// An undo entry's edit: edits that continue each other have equal marks.
+struct EditMark {
+  std::size_t edit = 0;  ///< index in Action
+  int index = -1;
+  friend bool operator==(const EditMark&, const EditMark&) = default;
+};
+
+inline constexpr std::size_t undo_entries = 256;
+inline constexpr std::size_t undo_bytes = 64 << 20;  ///< of undo and redo together, roughly
+inline constexpr double autosave_every = 5;          ///< seconds
 
 namespace action {
 enum class ObjectKind { solid_sphere, transparent_sphere, polygon, light };
@@ -177,9 +224,40 @@ struct Quit {
   void apply(State& state) const;
 };
 
-using OfDocument = Types<AddObject, RemoveSelected, InsertCorner, RemoveCorner, Rename, SetMaterial, SetShape, SetLight,
-                         SetCamera, SetLimits, SetNumerics, SetSurroundings, Undo, Redo, New, Open, Save, SaveAs,
-                         AskOpen, AskSaveAs, CancelPrompt, AnswerQuestion, Quit>;
-
 }  // namespace action
+/// The scene, its file, what can be undone, and what the user is asked or told about it.
+struct DocumentRoom {
+  using Actions = Types<action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner,
+                        action::Rename, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
+                        action::SetLimits, action::SetNumerics, action::SetSurroundings, action::Undo, action::Redo,
+                        action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs,
+                        action::CancelPrompt, action::AnswerQuestion, action::Quit>;
+
+  SceneDocument contents;
+  std::string path;               ///< empty: never saved
+  std::optional<Scene> saved;     ///< the scene as the file holds it; absent: as contents.scene
+  bool dirty = false;             ///< contents.scene differs from saved_scene
+  std::uint64_t revision = 0;     ///< incremented with every change of contents.scene, to restart the 3-D image
+  std::vector<Scene> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::shared_ptr<WorldCache>
+      worlds;   ///< of contents.scene; replaced with each change of it, so that copies may share it
+  Stop stop{};  ///< cancels a long update: it throws Stopped, and the state is then invalid
+  std::optional<EditMark> last_edit;
+  std::vector<std::string> recent;  ///< paths, most recent first
+  std::vector<std::string> keeps;   ///< files of the command line that must not be replaced, such as a demo
+  /// Folder for the autosave and the list of recent files; empty: neither is kept.
+  std::string state_dir;
+  /// This session's autosave: a name in state_dir that was unused at the start.
+  std::string autosave_file = "autosave.toml";
+  double autosave_in = 0;  ///< seconds until the next autosave may be written
+  std::uint64_t autosaved_revision = 0;
+
+  std::optional<Question> question;
+  PathPrompt prompt = PathPrompt::none;
+  std::optional<Intent> after_save;  ///< continues with this once SaveAs has succeeded
+  std::string after_save_path;       ///< of Intent::open
+  std::optional<Notice> notice;
+  bool quit = false;  ///< the window closes now
+};
+
 }  // namespace raywalk

@@ -1,0 +1,15 @@
+#pragma once
+// The live equation.
+
+#include "view/room.h"
+
+namespace raywalk {
+
+/// The live equation.
+struct EquationRoom {
+  static constexpr Tab tab{"equation"};
+  static constexpr Layer layer = Layer::under_labels;
+  static void draw_in_plan(Painter& painter);
+};
+
+}  // namespace raywalk

@@ -1,0 +1,106 @@
+#pragma once
+// Predictions on any walk.
+
+#include "timeline/timeline.h"
+#include "view/drawing/display_list.h"
+#include "view/fields.h"
+#include "view/room.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+/// What can be predicted.
+enum class PredictionKind {
+  way,  ///< the direction of the ray that the next line forms
+  end,  ///< what the ray that the next line follows will hit
+};
+struct PredictionAsked {
+  int ray;  ///< in the timeline's rays
+  PredictionKind what;
+  friend bool operator==(const PredictionAsked&, const PredictionAsked&) = default;
+};
+
+/// A guess about one ray.
+struct Prediction {
+  PredictionAsked of;
+  Vec2d arrow{0.0};    ///< for a direction: from the ray's origin, scene units, not 0
+  Target met{};        ///< for an end: an object, a light, or nothing
+  double degrees = 0;  ///< once judged, the error of a direction
+  bool right = false;  ///< once judged
+};
+
+/// A judged guess as it is saved.
+struct PredictionRecord {
+  std::string scene;  ///< its file, or empty
+  int step = 0;       ///< of the answer
+  RayKind kind{};
+  PredictionKind what{};
+  double degrees = 0;
+  bool right = false;
+};
+
+}  // namespace raywalk
+
+namespace raywalk::action {
+
+struct SetPredictions {
+  static constexpr std::string_view word = "predictions";
+  bool on;
+  static void fields(auto& f, auto& a) { f(a.on, on_or_off); }
+  void apply(State& state) const;
+};
+/// Only if a direction is asked for, by a lesson or here.
+struct GuessWay {
+  static constexpr std::string_view word = "guess-way";
+  Vec2d towards;  ///< the arrow's tip, scene units
+  static void fields(auto& f, auto& a) { f(a.towards); }
+  void apply(State& state) const;
+};
+/// Only if asked for.
+struct GuessEnd {
+  static constexpr std::string_view word = "guess-end";
+  Target met;  ///< an object, a light or nothing
+  static void fields(auto& f, auto& a) { f(a.met); }
+  void apply(State& state) const;
+};
+struct AskSavePredictions {
+  static constexpr std::string_view word = "ask-save-predictions";
+  void apply(State& state) const;
+};
+/// As comma-separated values.
+struct SavePredictions {
+  static constexpr std::string_view word = "save-predictions";
+  std::string path;
+  static void fields(auto& f, auto& a) { f(a.path, FilePath{}); }
+  static constexpr Traits traits{.answers_prompt = true};
+  void apply(State& state) const;
+};
+
+}  // namespace raywalk::action
+
+namespace raywalk {
+
+/// Predictions on any walk. For this session only.
+struct PredictRoom {
+  using Actions = Types<action::SetPredictions, action::GuessWay, action::GuessEnd, action::AskSavePredictions,
+                        action::SavePredictions>;
+  static constexpr Layer layer = Layer::on_top;
+  static void draw_in_plan(Painter& painter);
+  static void follow(State& state, const Before& before);
+
+  static constexpr double right_within = 10;  ///< degrees
+
+  bool on = false;
+  std::optional<Prediction> open;             ///< in progress
+  std::vector<Prediction> judged;             ///< of the current walk, in order
+  std::vector<PredictionRecord> made;         ///< of all walks
+  std::shared_ptr<const Timeline> of_walk{};  ///< of `open` and `judged`
+
+  [[nodiscard]] int right() const;
+};
+
+}  // namespace raywalk
