@@ -1,4 +1,6 @@
 #include "view/walk/status.h"
+
+#include "view/action.h"
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
 #include "view/text/text.h"
