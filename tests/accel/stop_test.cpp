@@ -4,6 +4,7 @@
 #include "meshes.h"
 #include "support/asked.h"
 #include "support/catch.h"
+#include "support/effort.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -14,10 +15,12 @@ constexpr AcceleratorKind kinds[] = {AcceleratorKind::none,  AcceleratorKind::sp
                                      AcceleratorKind::bvh,   AcceleratorKind::grid,    AcceleratorKind::octree,
                                      AcceleratorKind::kdtree};
 
+constexpr int finer = sanitized ? 4 : 6;  // icosphere's: 5,120 or 81,920 triangles
+
 template <class T>
 Primitives<T> ball() {
   Primitives<T> primitives;
-  primitives.add(icosphere(6), Affine<double>{}, false);  // 81,920 triangles
+  primitives.add(icosphere(finer), Affine<double>{}, false);
   return primitives;
 }
 
@@ -33,7 +36,7 @@ TEMPLATE_TEST_CASE("a build asks from its beginning to its end whether it is wan
                                 unasked = Accelerator<TestType>(primitives, kind).statistics();
     CHECK(statistics.nodes == unasked.nodes);
     CHECK(statistics.references == unasked.references);
-    CHECK(wanted.times > 81'920);
+    CHECK(wanted.times > primitives.size());
     // Also close to its end.
     for (const int until : {1, wanted.times.load() / 2, wanted.times.load() - 1}) {
       Asked unwanted(until);
