@@ -352,7 +352,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         {"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error, argc, argv)});
   }
   const ExitCode code = run();
-  // Whatever the command, it was told to overwrite its own input.
+  // A command that was refused because it would overwrite its own input was used wrongly.
   return code == ExitCode::failed && ledger.has_refused() ? ExitCode::wrong_usage : code;
 }
 

@@ -54,7 +54,7 @@ Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warning
   const std::string path = scene_path(scene);
   auto document = read_scene(path);
   if (document) {
-    // The minimum for any use of it; uses that need more check again.
+    // Enough for the cheapest use; those that need more memory check again.
     if (const auto large = why_no_room(document->scene, path, Precision::float_)) return tl::unexpected(*large);
     if (warnings == SceneWarnings::said) warn(collected(document->warnings));
     return document;

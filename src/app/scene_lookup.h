@@ -12,7 +12,7 @@ namespace raywalk {
 /// The folder of `scenes` and `lessons`: beside an installed program, else in the source tree.
 [[nodiscard]] std::string data_dir();
 
-/// The folder of the language files (io/languages.h).
+/// The folder of the language files (text/languages.h).
 [[nodiscard]] std::string text_dir();
 
 /// The names of the scenes in data_dir()/scenes, sorted: "classic".

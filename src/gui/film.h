@@ -12,7 +12,7 @@ namespace raywalk {
 
 class WalkFilm {
  public:
-  /// Of the walk from here: film_positions of view/export.h, at the speed of AUTO.
+  /// Of the walk from here: film_positions of view/export/export.h, at the speed of AUTO.
   explicit WalkFilm(const State& state);
 
   /// The position of the next frame.

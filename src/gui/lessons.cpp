@@ -200,7 +200,7 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
         action::GuessNumber{typed_guess(ui.state.lessons, number_).value_or(std::numeric_limits<double>::quiet_NaN())});
   }
   if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
-  // Further input is still for this field, and not for the walk.
+  // Keys typed next still go to this field, not to the walk.
   if (entered && !panel.can_reveal) ImGui::SetKeyboardFocusHere(-1);
   if (!panel.unit.empty()) {
     ImGui::SameLine();

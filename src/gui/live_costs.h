@@ -13,8 +13,8 @@ namespace raywalk {
 
 class LiveCosts {
  public:
-  /// Starts the state's attempts, and works for about `milliseconds` while the panel is open, or until `stop` is asked.
-  /// Returns whether more is to be done.
+  /// Starts the state's attempts, and works for about `milliseconds` while the panel is open, or until cancelled
+  /// through `stop`. Returns whether more is to be done.
   bool work(const State& state, double milliseconds, const Stop& stop = {});
   /// Nothing is to be done for this state.
   [[nodiscard]] bool rests(const State& state) const;

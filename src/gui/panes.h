@@ -11,7 +11,7 @@
 namespace raywalk {
 
 class LiveCosts;     // gui/live_costs.h
-struct LessonPanel;  // view/lesson_panel.h
+struct LessonPanel;  // view/lesson/lesson_panel.h
 
 inline constexpr int menu_count = 5;
 /// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Returns
@@ -122,8 +122,7 @@ void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
 /// The tabs' headings and the one that is open.
 class TabsPane {
  public:
-  /// `open_settings`: of the picture,
-  /// and `open_knobs`: of the Cost panel.
+  /// `open_settings`: opens the picture's settings; `open_knobs`: the Cost panel's knobs.
   void draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs);
 
  private:

@@ -15,7 +15,7 @@
 
 namespace raywalk {
 
-class SearchWalks;  // timeline/search_walk.h
+class SearchWalks;  // inspect/search_walk.h
 
 /// The walk of a step and those after it.
 struct LessonWalk {

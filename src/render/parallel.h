@@ -26,9 +26,9 @@ int parallel_for(int count, int threads, const std::function<void(int index)>& b
 /// thread is available: then nothing was run.
 [[nodiscard]] bool run_on_stack(std::size_t stack, const std::function<void()>& body);
 
-/// Runs work that cannot be cancelled in another thread and waits for it unless `stop` is asked; then throws Stopped
-/// and detaches it: `body` must own what it needs, and the program has to end without waiting for it. Without threads,
-/// it runs here to its end.
+/// Runs work that cannot be cancelled in another thread and waits for it unless cancelled through `stop`; then throws
+/// Stopped and detaches it: `body` must own what it needs, and the program has to end without waiting for it. Without
+/// threads, it runs here to its end.
 void run_detached(const Stop& stop, std::function<void()> body);
 /// Whether detached work is still running.
 [[nodiscard]] bool has_detached_work();

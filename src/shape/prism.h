@@ -119,8 +119,8 @@ struct SideCrossings {
   bool inside = false;
   FaceCrossing in, out, out_before{-infinity<double>, no_part, 0, 0};
   double in_error = 0, out_error = 0;  ///< bounds on the errors of in.t and out.t
-  bool sure = true;  ///< rounding cannot have decided on which side of the line a corner is, or on which side of
-                     ///< `start` an edge
+  bool sure = true;  ///< no rounding error can have changed on which side of the line a corner lies, or on which
+                     ///< side of `start` an edge is crossed
 };
 
 template <class T>

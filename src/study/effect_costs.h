@@ -49,8 +49,8 @@ class CostSurvey {
   /// warm-up.
   CostSurvey(const Scene& scene, int samples, int repetitions);
 
-  /// Renders the next picture; returns whether any is left. Throws Stopped when `stop` is asked: the next call begins
-  /// the picture anew.
+  /// Renders the next picture; returns whether any is left. Throws Stopped when cancelled through `stop`: the next
+  /// call begins the picture again.
   bool work(const Stop& stop = {});
   /// Fraction of the pictures that are rendered, 0..1.
   [[nodiscard]] double done() const;

@@ -17,7 +17,7 @@ struct Shot {
 };
 
 /// `shuffled`: each sample has its own seed, which a renderer must not do. `paths`: path length, for the path
-/// integrator only. Throws Stopped when `stop` is asked.
+/// integrator only. Throws Stopped when cancelled through `stop`.
 [[nodiscard]] Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled = false,
                          const std::optional<PathSettings>& paths = std::nullopt, const Stop& stop = {});
 

@@ -26,8 +26,8 @@ double rms(const std::vector<Rgbd>& differences) {
 class Workbench::Development {
  public:
   virtual ~Development() = default;
-  /// Traces the rest of one row at one sample. Returns whether anything is left. Throws Stopped when `stop` is asked:
-  /// the next call traces the interrupted pixel anew, and the counts are as if it had not been interrupted.
+  /// Traces the rest of one row at one sample. Returns whether anything is left. Throws Stopped when cancelled through
+  /// `stop`: the next call traces the interrupted pixel again, and the counts are as if it had not been interrupted.
   virtual bool step(const Stop& stop) = 0;
   [[nodiscard]] virtual double done() const = 0;
   [[nodiscard]] virtual Image image() const = 0;

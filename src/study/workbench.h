@@ -75,7 +75,7 @@ class Workbench {
   void try_out(const Setup& setup);
 
   /// Works for about `milliseconds`, at least one row. Returns whether anything is left to do. Throws Stopped when
-  /// `stop` is asked, also inside a pixel: the next call goes on from there.
+  /// cancelled through `stop`, also inside a pixel: the next call goes on from there.
   bool work(double milliseconds, const Stop& stop = {});
   [[nodiscard]] bool finished() const;
 

@@ -41,7 +41,7 @@ class FileWriter {
   unsigned old_mode_ = 0, old_user_ = 0, old_group_ = 0;
 };
 
-/// Announces, before hours of work, that a file will be written; fails if it may not (io/file_ledger.h) or could not
+/// Announces, before hours of work, that a file will be written; fails if it may not (text/file_ledger.h) or could not
 /// be. What shows only when writing, such as a full disk, is not detected. Nothing is touched.
 [[nodiscard]] Result<void> claim_output(const std::string& path, OutputUse use = OutputUse::once);
 

@@ -74,7 +74,7 @@ void clear_left_behind(const fs::path& folder) {
 int open_nameless([[maybe_unused]] const fs::path& folder) {
 #ifdef O_TMPFILE
   const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-  // It will be named through this folder, which not every container has.
+  // It gets its name through /proc/self/fd, which some containers lack.
   if (descriptor < 0 || ::access(("/proc/self/fd/" + std::to_string(descriptor)).c_str(), F_OK) == 0) return descriptor;
   ::close(descriptor);
 #endif

@@ -50,7 +50,7 @@ struct World {
   /// What light travels in; air has none.
   struct Medium {
     Rgb<T> absorption{0};  ///< per unit of length
-    T ior = 1;
+    T ior = 1;             ///< of air; a scene's default is that of Material
     bool absorbs = false;  ///< transmits, and absorption is not black
   };
 

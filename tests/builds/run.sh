@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The numbers hold however they are compiled: g++ and clang, without and with full optimisation, for any x86-64 processor
 # and with AVX2 and FMA. In each of the eight builds the hard-case suite and the tests of the floors that compute run
-# (invariants 1 to 3 of the design are among them), and the shipped scenes give the same pictures, bit for bit. A ninth
+# (invariants 1 to 3 of CONTRIBUTING.md are among them), and the shipped scenes give the same pictures, bit for bit. A ninth
 # build lets the compiler fuse multiplications and additions: what meshes promise must hold even so.
 #
 #   tests/builds/run.sh [NAME...]  all builds, or those named: g++-O0, g++-O0-fma, g++-O3, ... clang-O3-fma, contracted

@@ -1,4 +1,4 @@
-// Invariants 2 and 3 of the design: neither an observer nor threads, tile order or accelerator change a bit.
+// Invariants 2 and 3 of CONTRIBUTING.md: neither an observer nor threads, tile order or accelerator change a bit.
 #include "render/render.h"
 #include "render/scenes.h"
 

@@ -1,4 +1,4 @@
-// Invariant 1 of the design: the strip is the middle row of the image, bit for bit.
+// Invariant 1 of CONTRIBUTING.md: the strip is the middle row of the image, bit for bit.
 #include "render/render.h"
 #include "render/scenes.h"
 

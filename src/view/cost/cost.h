@@ -31,7 +31,7 @@ struct CostFindings {
 };
 
 /// Error against cost, both logarithmic: one mark per attempt, the Pareto front, and the floor below which differences
-/// mean nothing. In pixels of an area of this size; `unit`: a pixel at scale 1.
+/// mean nothing. Coordinates are pixels within width x height; `unit`: a pixel at scale 1.
 struct CostPlot {
   DisplayList list;
   struct Mark {
@@ -44,8 +44,8 @@ struct CostPlot {
                                  double unit);
 
 /// Each effect's share of the rays and of the time as two bars, the interval of the time as a whisker, and below them
-/// the total cost and the cost of computing every effect regardless. As cost_plot. `survey`: empty during the first
-/// round.
+/// the total cost and the cost of computing every effect regardless. Coordinates as in cost_plot. `survey`: empty
+/// during the first round.
 [[nodiscard]] DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width,
                                       double height, double unit);
 /// "12.3 k rays in 0.05 s; every effect regardless: 9.1 times the rays, 7.5 times the time".

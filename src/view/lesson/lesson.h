@@ -13,7 +13,8 @@ void begin_lesson(State& state, const std::string& name);
 void end_lesson(State& state);
 /// Back to the list, when another scene is about to replace the lesson's.
 void close_lesson(State& state);
-/// STEP while a lesson's question waits: shows the answer, once there is a prediction. Returns whether it did.
+/// STEP while a lesson's question waits: shows the answer, or asks for a prediction first. Returns whether a question
+/// took the press.
 [[nodiscard]] bool answered_by_step(State& state);
 
 }  // namespace raywalk

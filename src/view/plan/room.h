@@ -146,6 +146,7 @@ struct Nudge {
 };
 
 }  // namespace action
+
 /// What part of the plan is visible, and what is pointed at, in it or elsewhere.
 struct PlanRoom {
   using Actions = Types<action::ResizePlan, action::PointerMoved, action::PointerPressed, action::PointerReleased,

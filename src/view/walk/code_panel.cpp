@@ -32,7 +32,6 @@ CodeRow row_of(const State& state, const PseudocodeLine& line) {
 
 }  // namespace
 
-/// The lines that form a ray, find its end and shade it.
 CodePanel code_panel(const State& state) {
   CodePanel panel;
   const Event* just_run = state.walk.timeline->just_run(state.walk.position);

@@ -38,7 +38,7 @@ struct Hold {
   double owed = 0;     ///< steps due from ticks, below 1 between ticks
 };
 
-/// A ray grows, or shrinks to its found end, after a step forward; see view/tween.h.
+/// A ray grows, or shrinks to its found end, after a step forward; see view/walk/tween.h.
 struct Tween {
   int ray = 0;         ///< index in Timeline::rays()
   int from = 0;        ///< the position before the step
