@@ -114,7 +114,7 @@ TEST_CASE("naive rays are shown where they start: epsilon off the surface") {
 
 TEST_CASE("paths may be naive too, watched or not") {
   const Scene scene = shipped("cornell");
-  test::PathRecording recording;
+  test::Recording recording;
   const auto robust = test::path_picture<double>(scene, 24, 18),
              plain = test::path_picture<double>(naive(scene), 24, 18),
              watched = test::path_picture<double>(naive(scene), 24, 18, {}, {}, &recording),

@@ -4,6 +4,7 @@
 #include "trace/bsdf.h"
 
 #include "math/sampler.h"
+#include "trace/drawn.h"
 
 #include <utility>
 #include <vector>
@@ -11,16 +12,9 @@
 #include "support/catch.h"
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
-
-Vec2d drawn(std::uint32_t sample, std::uint32_t dimension = 0) {
-  RandomKey key{};
-  key.seed = 5;
-  key.sample = sample;
-  key.dimension = dimension;
-  return draw_pair<double>(Sampler::sobol, key, Strata(1u << 20));
-}
 
 // A surface z = 0 that a ray meets at an angle to the normal.
 Bsdf<double> surface(double degrees) {

@@ -5,6 +5,7 @@
 
 #include "math/sampler.h"
 #include "math/sampling.h"
+#include "trace/drawn.h"
 #include "trace/pictures.h"
 
 #include <utility>
@@ -16,14 +17,6 @@ using namespace raywalk;
 using namespace raywalk::test;
 
 namespace {
-
-Vec2d drawn(std::uint32_t sample, std::uint32_t dimension = 0) {
-  RandomKey key{};
-  key.seed = 23;
-  key.sample = sample;
-  key.dimension = dimension;
-  return draw_pair<double>(Sampler::sobol, key, Strata(1u << 20));
-}
 
 Scene lit_by(Shape<double> shape, std::vector<TransformStep> transform = {}) {
   Material material = black();

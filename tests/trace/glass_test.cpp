@@ -1,5 +1,7 @@
 // Weights resolved before SHADE's first line, total internal reflection, and shadows through glass.
 
+#include <numbers>
+
 #include "support/catch.h"
 #include "trace/pictures.h"
 
@@ -29,7 +31,7 @@ Scene pool(const Material& material, double sky, double ground) {
   return scene;
 }
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 Rgbd from_above(const Scene& scene, double degrees) {
   return shade_along(scene, {-std::sin(degrees * pi / 180), 0, std::cos(degrees * pi / 180)}, {0, 0, 0});

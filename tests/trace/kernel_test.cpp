@@ -12,21 +12,6 @@ using namespace raywalk::test;
 
 namespace {
 
-template <class T>
-bool same_bits(const Picture<T>& a, const Picture<T>& b) {
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int channel = 0; channel < 3; ++channel) {
-      const T x = a.pixels[i][channel], y = b.pixels[i][channel];
-      if (x != y || std::signbit(x) != std::signbit(y)) return false;
-    }
-  return a.pixels.size() == b.pixels.size();
-}
-
-bool same_counts(const Statistics& a, const Statistics& b) {
-  return a.rays == b.rays && a.ended == b.ended && a.tests.nodes == b.tests.nodes &&
-         a.tests.primitives == b.tests.primitives && a.random_draws == b.random_draws && a.not_finite == b.not_finite;
-}
-
 // The busy scene without what the set leaves out.
 Scene scene_for(const HitEffects& set) {
   Scene scene = busy_scene();

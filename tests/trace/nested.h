@@ -48,7 +48,7 @@ inline std::vector<RayFormed> secondary_rays(Scene scene, Integrator integrator,
   scene.render.integrator = integrator;
   std::vector<RayFormed> formed;
   if (integrator == Integrator::path) {
-    PathRecording recording;
+    Recording recording;
     static_cast<void>(path_picture<double>(looking(scene, eye, target), 1, 1, without_chance(), {}, &recording));
     formed = recording.all<RayFormed>();
   } else {

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "shape/numbers.h"
 #include "shape/quad.h"
@@ -13,7 +14,7 @@ using namespace raywalk::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // A unit ray at `angle` (radians from the normal) onto a surface whose normal is +z.
 template <class T = double>

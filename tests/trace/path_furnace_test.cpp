@@ -24,7 +24,6 @@ Scene room(const Shape<double>& shape, const Material& material) {
 }
 
 const Vec3d eye(-1, -0.75, 0.25), target(0, 0, 0);
-constexpr int never = 1 << 30;
 
 // Without draws of lights and without roulette every path brings the same: the sum of the series.
 PathSettings exactly(int length) { return {length, never, PathStrategy::directions}; }

@@ -3,15 +3,12 @@
 #include "support/catch.h"
 #include "trace/paths.h"
 
-#include <cstring>
 #include <set>
 
 using namespace raywalk;
 using namespace raywalk::test;
 
 namespace {
-
-constexpr int never = 1 << 30;
 
 // Lights of all kinds, an object that shines, all lobes.
 Scene all_scene() {
@@ -58,17 +55,6 @@ Scene plates() {
   return scene;
 }
 
-template <class T>
-bool same_bits(const Picture<T>& a, const Picture<T>& b) {
-  return a.pixels.size() == b.pixels.size() &&
-         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Rgb<T>)) == 0;
-}
-
-bool same_counts(const Statistics& a, const Statistics& b) {
-  return a.rays == b.rays && a.ended == b.ended && a.tests.nodes == b.tests.nodes &&
-         a.tests.primitives == b.tests.primitives && a.random_draws == b.random_draws && a.draws == b.draws;
-}
-
 // Whether two pictures of the same mean are told apart by more than chance.
 void agree(const Estimates& a, const Estimates& b) {
   double squares = 0, difference = 0, variance = 0;
@@ -98,7 +84,7 @@ TEMPLATE_TEST_CASE("watched and unwatched paths give the same bits and the same 
          {PathSettings{}, PathSettings{3, 1, PathStrategy::lights}, PathSettings{0, 2, PathStrategy::directions}}) {
       Scene scene = all_scene();
       scene.render.sampler = sampler;
-      PathRecording recording;
+      Recording recording;
       const auto plain = path_picture<T>(scene, 31, 23, settings, {3, 7});
       const auto watched = path_picture<T>(scene, 31, 23, settings, {3, 7}, &recording);
       CHECK(same_bits(plain, watched));
@@ -109,7 +95,7 @@ TEMPLATE_TEST_CASE("watched and unwatched paths give the same bits and the same 
 }
 
 TEST_CASE("what is told adds up: rays, endings, and the light of each pixel") {
-  PathRecording recording;
+  Recording recording;
   const auto traced = path_picture<double>(all_scene(), 41, 31, {5, 2, PathStrategy::both}, {2, 3}, &recording);
   const Statistics& statistics = traced.statistics;
   std::array<std::uint64_t, ray_kind_count> formed{};
@@ -146,7 +132,7 @@ TEST_CASE("what is told adds up: rays, endings, and the light of each pixel") {
 }
 
 TEST_CASE("both strategies' weights, as told, complement each other") {
-  PathRecording recording;
+  Recording recording;
   static_cast<void>(path_picture<double>(all_scene(), 41, 31, {}, {16, 3}, &recording));
   int lights = 0, emissions = 0;
   for (const LightAdded& light : recording.all<LightAdded>()) {

@@ -8,17 +8,8 @@
 
 namespace raywalk::test {
 
-struct PathRecording final : Observer {
-  std::vector<Event> events;
-  void record(Event&& event) override { events.push_back(std::move(event)); }
-  template <class Detail>
-  [[nodiscard]] std::vector<Detail> all() const {
-    std::vector<Detail> found;
-    for (const Event& event : events)
-      if (const auto* detail = std::get_if<Detail>(&event.detail)) found.push_back(*detail);
-    return found;
-  }
-};
+// As PathSettings::roulette_from: no path is ended by chance.
+inline constexpr int never = 1 << 30;
 
 inline Scene by_path(Scene scene, Sampler sampler = Sampler::random) {
   scene.render.integrator = Integrator::path;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,18 @@ struct Picture {
     return pixels[static_cast<std::size_t>(row * width + column)];
   }
 };
+
+template <class T>
+bool same_bits(const Picture<T>& a, const Picture<T>& b) {
+  return a.pixels.size() == b.pixels.size() &&
+         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Rgb<T>)) == 0;
+}
+
+inline bool same_counts(const Statistics& a, const Statistics& b) {
+  return a.rays == b.rays && a.ended == b.ended && a.tests.nodes == b.tests.nodes &&
+         a.tests.primitives == b.tests.primitives && a.random_draws == b.random_draws && a.draws == b.draws &&
+         a.not_finite == b.not_finite;
+}
 
 // `run(world, camera, block, put)` is one of the kernels.
 template <class T, class Run>

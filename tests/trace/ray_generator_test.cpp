@@ -1,6 +1,7 @@
 #include "trace/ray_generator.h"
 
 #include <map>
+#include <numbers>
 
 #include "support/catch.h"
 #include "support/table.h"
@@ -10,7 +11,7 @@ using namespace raywalk::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 template <class T>
 Vec3<T> direction(const RayGenerator<T>& camera, int column, int row, int sample = 0) {
