@@ -29,9 +29,8 @@ class Adaptive {
   /// The samples of the current pass: every active pixel takes those in from() .. to() - 1.
   [[nodiscard]] int from() const { return from_; }
   [[nodiscard]] int to() const { return to_; }
-  [[nodiscard]] bool is_active(int column, int row) const {
-    return active_.empty() || active_[index(column, row)] != 0;
-  }
+  [[nodiscard]] bool all_active() const { return active_.empty(); }
+  [[nodiscard]] bool is_active(int column, int row) const { return all_active() || active_[index(column, row)] != 0; }
 
   /// Calls `trace(begin, end)` for each run of active columns of a row, from `begin` up to `end`.
   template <class Trace>

@@ -29,6 +29,7 @@ class Picture {
       adaptive_.add(film_, p.column, p.row, p.sample, shade);
       each();
     };
+    if (adaptive_.all_active()) return trace_into(block, put);
     Statistics statistics;
     PixelBlock run = block;
     for (run.row_begin = block.row_begin; run.row_begin < block.row_end; ++run.row_begin) {

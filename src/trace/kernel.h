@@ -8,6 +8,7 @@
 #include "trace/world.h"
 
 #include <functional>
+#include <type_traits>
 
 namespace raywalk {
 
@@ -53,11 +54,19 @@ struct PixelBlock {
 template <class T>
 using PutPixel = std::function<void(const Pixel&, const Rgb<T>&)>;
 
-/// Runs MAIN ALGORITHM over a block with the kernel for exactly the world's effects.
-[[nodiscard]] Statistics trace(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,
-                               const PutPixel<float>& put);
-[[nodiscard]] Statistics trace(const World<double>& world, const RayGenerator<double>& camera, const PixelBlock& block,
-                               const PutPixel<double>& put);
+/// Runs MAIN ALGORITHM over a block of pixels.
+template <class T>
+using Kernel = Statistics (*)(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                              const PutPixel<T>& put);
+/// The kernel for exactly the world's effects.
+[[nodiscard]] Kernel<float> kernel_for(const World<float>& world);
+[[nodiscard]] Kernel<double> kernel_for(const World<double>& world);
+/// Runs it.
+template <class T>
+[[nodiscard]] Statistics trace(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                               const std::type_identity_t<PutPixel<T>>& put) {
+  return kernel_for(world)(world, camera, block, put);
+}
 
 /// The same with every effect's code in the loop, observed by `observer`: same bits, same statistics.
 Statistics trace_watched(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,

@@ -2,10 +2,7 @@
 
 namespace raywalk {
 
-Statistics trace(const World<double>& world, const RayGenerator<double>& camera, const PixelBlock& block,
-                 const PutPixel<double>& put) {
-  return detail::run_fitting_kernel(world, camera, block, put);
-}
+Kernel<double> kernel_for(const World<double>& world) { return detail::fitting_kernel(world); }
 
 Statistics trace_watched(const World<double>& world, const RayGenerator<double>& camera, const PixelBlock& block,
                          const PutPixel<double>& put, Observer& observer) {

@@ -2,10 +2,7 @@
 
 namespace raywalk {
 
-Statistics trace(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,
-                 const PutPixel<float>& put) {
-  return detail::run_fitting_kernel(world, camera, block, put);
-}
+Kernel<float> kernel_for(const World<float>& world) { return detail::fitting_kernel(world); }
 
 Statistics trace_watched(const World<float>& world, const RayGenerator<float>& camera, const PixelBlock& block,
                          const PutPixel<float>& put, Observer& observer) {

@@ -75,14 +75,12 @@ inline constexpr auto kernel_sets = [] {
 }
 
 template <class T>
-Statistics run_fitting_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
-                              const PutPixel<T>& put) {
-  if (world.numerics == Numerics::naive) return run_naive_kernel(world, camera, block, put);
-  using Kernel = Statistics (*)(const World<T>&, const RayGenerator<T>&, const PixelBlock&, const PutPixel<T>&);
+Kernel<T> fitting_kernel(const World<T>& world) {
+  if (world.numerics == Numerics::naive) return &run_naive_kernel<T>;
   static constexpr auto kernels = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Kernel, sizeof...(I)>{&run_kernel<T, kernel_sets[I]>...};
+    return std::array<Kernel<T>, sizeof...(I)>{&run_kernel<T, kernel_sets[I]>...};
   }(std::make_index_sequence<kernel_sets.size()>());
-  return kernels[kernel_set_for(hit_effects(world.effects, !world.bodies.empty()))](world, camera, block, put);
+  return kernels[kernel_set_for(hit_effects(world.effects, !world.bodies.empty()))];
 }
 
 template <class T>

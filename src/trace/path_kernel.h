@@ -32,14 +32,14 @@ class SceneKernel {
  public:
   /// `world` is the scene's, and outlives this. `paths`: traces paths so, whatever the scene's integrator.
   SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths = std::nullopt)
-      : world_(world) {
+      : world_(world), kernel_(kernel_for(world)) {
     if (paths || (scene.render.integrator == Integrator::path && !world.fault))
       emitters_.emplace(world), settings_ = paths.value_or(path_settings_of(scene));
   }
   [[nodiscard]] Statistics operator()(const RayGenerator<T>& camera, const PixelBlock& block,
                                       const PutPixel<T>& put) const {
     return emitters_ ? trace_paths(world_, *emitters_, settings_, camera, block, put)
-                     : trace(world_, camera, block, put);
+                     : kernel_(world_, camera, block, put);
   }
   /// The same without output, observed by `observer`.
   void watched(const RayGenerator<T>& camera, const PixelBlock& block, Observer& observer) const {
@@ -52,6 +52,7 @@ class SceneKernel {
 
  private:
   const World<T>& world_;
+  Kernel<T> kernel_;
   std::optional<Emitters<T>> emitters_;  ///< for path tracing
   PathSettings settings_;
 };

@@ -20,7 +20,7 @@ raywalk::Rgbd sum{0.0};
 extern "C" __attribute__((noinline)) void raywalk_trace_phase(const raywalk::World<double>& world,
                                                               const raywalk::RayGenerator<double>& camera,
                                                               const raywalk::PixelBlock& block) {
-  static_cast<void>(raywalk::detail::run_fitting_kernel<double>(
+  static_cast<void>(raywalk::detail::fitting_kernel(world)(
       world, camera, block, [](const raywalk::Pixel&, const raywalk::Rgbd& shade) { sum += shade; }));
 }
 
