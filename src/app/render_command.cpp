@@ -41,11 +41,12 @@ ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering, 
   const std::string interrupted = fmt::format("interrupted with {:.1f}% done", rendering.done * 100);
   if (rendering.done == 0) return fail({"", 0, 0, "interrupted before anything was done; nothing was written", ""});
   const auto path = new_partial_file(options.image);
-  constexpr double soon_written = 4e6;  // pixels
+  constexpr double soon_written = 1.5e7;  // pixels
   const Image image = rendering.image();
   if (static_cast<double>(image.pixels.size()) > soon_written)
     note("interrupted; writing what is done (once more gives that up)");
-  const auto written = path.and_then([&](const std::string& to) { return write_image(to, image, encoding); });
+  const auto written =
+      path.and_then([&](const std::string& to) { return write_image(to, image, encoding, Packing::quick); });
   if (!written) {
     note(interrupted);
     std::error_code ignored;

@@ -357,9 +357,8 @@ class Loop {
     Image picture;
     frames_due_ = 1;
     frame(&picture);
-    const Result<ImageWritten> written = write_image(options_.screenshot_path, picture);
-    if (!written) return tl::unexpected(written.error());
-    return failure_;
+    const Result<void> written = write_image(options_.screenshot_path, picture);
+    return written ? failure_ : written;
   }
 
   const GuiOptions& options_;

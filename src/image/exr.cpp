@@ -113,11 +113,11 @@ bool can_hold(std::size_t bytes, const Imf::Header& header) {
 
 bool has_exr() { return true; }
 
-Result<std::string> encode_exr(const Image& image) {
+Result<std::string> encode_exr(const Image& image, Packing packing) {
   std::string bytes;
   try {
     Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
+    header.compression() = packing == Packing::small ? Imf::ZIP_COMPRESSION : Imf::RLE_COMPRESSION;
     for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     StringOut stream(bytes);
     {
@@ -164,7 +164,9 @@ Error without_library(const std::string& file) {
 }  // namespace
 
 bool has_exr() { return false; }
-Result<std::string> encode_exr(const Image& /*image*/) { return tl::unexpected(without_library("")); }
+Result<std::string> encode_exr(const Image& /*image*/, Packing /*packing*/) {
+  return tl::unexpected(without_library(""));
+}
 Result<Image> decode_exr(std::string_view /*bytes*/, const std::string& file_name) {
   return tl::unexpected(without_library(file_name));
 }

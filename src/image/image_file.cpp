@@ -4,14 +4,12 @@
 #include "text/file.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include <png.h>
 
@@ -62,21 +60,20 @@ Result<ImageFormat> image_format_of(const std::string& path) {
             "name it .png for a picture to look at, .pfm or .exr for linear numbers to compute with"});
 }
 
-std::size_t count_nan_pixels(const Image& image) {
-  return static_cast<std::size_t>(std::count_if(image.pixels.begin(), image.pixels.end(), has_nan));
-}
-
 std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels.size() * 3);
+  std::vector<std::uint8_t> bytes(image.pixels.size() * 3);
+  auto at = bytes.begin();
   for (const Rgb<float>& pixel : image.pixels) {
     const Rgb<float> c = has_nan(pixel) ? Rgb<float>(1, 0, 1) : pixel;
-    for (const float channel : {c.x, c.y, c.z}) bytes.push_back(to_byte(channel, encoding));
+    if (is_black(c))  // as most of a picture is that was interrupted
+      at += 3;
+    else
+      for (const float channel : {c.x, c.y, c.z}) *at++ = to_byte(channel, encoding);
   }
   return bytes;
 }
 
-Result<std::string> encode_png(const Image& image, Encoding encoding) {
+Result<std::string> encode_png(const Image& image, Encoding encoding, Packing packing) {
   constexpr std::size_t max_pixels = std::size_t{1} << 28;
   if (image.pixels.empty() || image.pixels.size() > max_pixels)
     return tl::unexpected(Error{"", 0, 0,
@@ -88,6 +85,7 @@ Result<std::string> encode_png(const Image& image, Encoding encoding) {
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width), header.height = static_cast<png_uint_32>(image.height);
   header.format = PNG_FORMAT_RGB;
+  if (packing == Packing::quick) header.flags = PNG_IMAGE_FLAG_FAST;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string png(size, '\0');
   if (png_image_write_to_memory(&header, png.data(), &size, 0, bytes.data(), 0, nullptr) == 0)
@@ -98,30 +96,25 @@ Result<std::string> encode_png(const Image& image, Encoding encoding) {
 }
 
 std::string encode_pfm(const Image& image) {
+  static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
   std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
-  bytes.reserve(bytes.size() + image.pixels.size() * 12);
-  for (int row = image.height - 1; row >= 0; --row) {
-    for (int column = 0; column < image.width; ++column) {
-      const Rgb<float>& pixel = image.at(column, row);
-      for (const float channel : {pixel.x, pixel.y, pixel.z}) {
-        auto bits = std::bit_cast<std::uint32_t>(channel);
-        if constexpr (std::endian::native == std::endian::big) bits = swap_bytes(bits);
-        std::array<char, 4> four{};
-        std::memcpy(four.data(), &bits, 4);
-        bytes.append(four.data(), 4);
-      }
-    }
-  }
+  const std::size_t header = bytes.size(), row_bytes = static_cast<std::size_t>(image.width) * sizeof(Rgb<float>);
+  bytes.reserve(header + image.pixels.size() * sizeof(Rgb<float>));
+  for (int row = image.height - 1; row >= 0; --row)
+    bytes.append(reinterpret_cast<const char*>(&image.at(0, row)), row_bytes);
+  if constexpr (std::endian::native == std::endian::big)
+    for (auto number = bytes.begin() + static_cast<std::ptrdiff_t>(header); number != bytes.end(); number += 4)
+      std::reverse(number, number + 4);
   return bytes;
 }
 
-Result<ImageWritten> write_image(const std::string& path, const Image& image, Encoding encoding) {
+Result<void> write_image(const std::string& path, const Image& image, Encoding encoding, Packing packing) {
   const auto format = image_format_of(path);
   if (!format) return tl::unexpected(format.error());
   std::string bytes;
   switch (*format) {
     case ImageFormat::png: {
-      auto png = encode_png(image, encoding);
+      auto png = encode_png(image, encoding, packing);
       if (!png) {
         png.error().file = path;
         return tl::unexpected(png.error());
@@ -133,7 +126,7 @@ Result<ImageWritten> write_image(const std::string& path, const Image& image, En
       bytes = encode_pfm(image);
       break;
     case ImageFormat::exr: {
-      auto exr = encode_exr(image);
+      auto exr = encode_exr(image, packing);
       if (!exr) {
         exr.error().file = path;
         return tl::unexpected(exr.error());
@@ -142,8 +135,7 @@ Result<ImageWritten> write_image(const std::string& path, const Image& image, En
       break;
     }
   }
-  if (const auto written = write_file_atomically(path, bytes); !written) return tl::unexpected(written.error());
-  return ImageWritten{count_nan_pixels(image)};
+  return write_file_atomically(path, bytes);
 }
 
 Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name) {

@@ -20,26 +20,26 @@ enum class ImageFormat { png, pfm, exr };
 /// The format that the extension of `path` names, in either case. To be checked before a long render, not after.
 [[nodiscard]] Result<ImageFormat> image_format_of(const std::string& path);
 
-/// The number of pixels with a NaN channel: each is a defect of the tracer or the scene.
-[[nodiscard]] std::size_t count_nan_pixels(const Image& image);
+/// How a file is packed; both without loss.
+enum class Packing {
+  small,
+  quick,  ///< in a third of the time, for a picture that somebody waits for
+};
 
 /// 8 bits per channel. NaN pixels are painted full magenta, so that they stand out. Three bytes per pixel, row by row
 /// from the top; magenta for NaN.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding);
-[[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb);
+[[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb,
+                                             Packing packing = Packing::small);
 /// Portable float map: linear, bottom row first, little-endian; NaN is preserved.
 [[nodiscard]] std::string encode_pfm(const Image& image);
 
 /// OpenEXR: linear, 32-bit floats, packed without loss. Fails in a build without the library.
-[[nodiscard]] Result<std::string> encode_exr(const Image& image);
-
-struct ImageWritten {
-  std::size_t nan_pixels = 0;  ///< to be reported: they are in the image (magenta in a PNG)
-};
+[[nodiscard]] Result<std::string> encode_exr(const Image& image, Packing packing = Packing::small);
 
 /// Writes the format that the extension names, all or nothing. The encoding applies to 8-bit formats.
-[[nodiscard]] Result<ImageWritten> write_image(const std::string& path, const Image& image,
-                                               Encoding encoding = Encoding::srgb);
+[[nodiscard]] Result<void> write_image(const std::string& path, const Image& image, Encoding encoding = Encoding::srgb,
+                                       Packing packing = Packing::small);
 
 /// Reads a colour PFM of either byte order.
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);

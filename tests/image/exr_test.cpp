@@ -39,14 +39,12 @@ TEST_CASE("an OpenEXR picture reads back as it was, to the last bit and with the
   CHECK(folder.entries() == 1);  // nothing temporary is left
 }
 
-TEST_CASE("an OpenEXR picture keeps what is not a number, and says so") {
+TEST_CASE("an OpenEXR picture keeps what is not a number") {
   if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
   const TemporaryFolder folder;
   Image image = sample();
   image.at(1, 1).y = std::numeric_limits<float>::quiet_NaN();
-  const auto written = write_image(folder.file("a.EXR"), image);
-  REQUIRE(written);
-  CHECK(written->nan_pixels == 1);
+  REQUIRE(write_image(folder.file("a.EXR"), image));
   const auto again = decode_exr(contents(folder.file("a.EXR")), "a.EXR");
   REQUIRE(again);
   CHECK(std::isnan(again->at(1, 1).y));

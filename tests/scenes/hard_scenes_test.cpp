@@ -77,7 +77,6 @@ TEST_CASE("every hard scene is read, says what it is, has no NaN, and looks the 
         REQUIRE(rendering);
         CHECK(rendering->statistics.not_finite == 0);
         images.push_back(rendering->image());
-        CHECK(count_nan_pixels(images.back()) == 0);
         CHECK(images.back() == images.front());
       }
     }
