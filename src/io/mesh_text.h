@@ -72,9 +72,10 @@ class TextCursor {
   int line_;
 };
 
-/// A whole word as a number; none if it is anything else, or not finite.
+/// A whole word as a decimal number; none if it is anything else, or not finite.
 [[nodiscard]] inline std::optional<double> number_in(std::string_view word) {
-  if (word.empty() || word.size() > 400) return std::nullopt;
+  const bool hexadecimal = word.find_first_of("xX") != std::string_view::npos;  // which strtod reads
+  if (word.empty() || word.size() > 400 || hexadecimal) return std::nullopt;
   // The word is part of a null-terminated text, and is followed there by a blank or the end.
   char* end = nullptr;
   const double value = std::strtod(word.data(), &end);

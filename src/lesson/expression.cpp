@@ -223,8 +223,10 @@ std::optional<Expression> Expression::left_side() const {
 
 std::string text_of(const Value& value, int decimals, char decimal_mark) {
   const auto number = [&](double x) {
-    std::string text =
-        decimals >= 0 ? fmt::format("{:.{}f}", x, decimals) : fmt::format("{:.{}g}", x, decimals == -1 ? 3 : -decimals);
+    const bool whole = decimals == -1 && std::abs(x) >= 999.5 && std::abs(x) < 999999.5;  // not 1.02e+03
+    std::string text = decimals >= 0 ? fmt::format("{:.{}f}", x, decimals)
+                       : whole       ? fmt::format("{:.0f}", x)
+                                     : fmt::format("{:.{}g}", x, decimals == -1 ? 3 : -decimals);
     if (text.find_first_not_of("-0.") == std::string::npos && text.starts_with('-')) text.erase(0, 1);
     std::replace(text.begin(), text.end(), '.', decimal_mark);
     return text;

@@ -51,7 +51,11 @@ Result<std::string> read_text(const std::string& path, std::size_t max_bytes) {
   auto bytes = read_file(path, max_bytes);
   if (!bytes) return bytes;
   if (const auto plain = make_plain_text(*bytes, path); !plain) return tl::unexpected(plain.error());
-  return bytes;
+  const auto zero = std::find(bytes->begin(), bytes->end(), '\0');
+  if (zero == bytes->end()) return bytes;
+  const auto line = 1 + std::count(bytes->begin(), zero, '\n');
+  return tl::unexpected(Error{path, static_cast<int>(line), 0, "this is no text: it holds the byte 0x00",
+                              "is this the right file, and is it whole?"});
 }
 
 }  // namespace raywalk

@@ -25,7 +25,7 @@ void end_lines_with_lf(std::string& bytes, std::size_t begin, std::size_t end);
 /// first word. `path` is for messages.
 [[nodiscard]] Result<void> make_plain_text(std::string& bytes, const std::string& path);
 
-/// The normalized text of a file; refuses what read_file refuses.
+/// The normalized text of a file; refuses what read_file refuses, and a byte 0.
 [[nodiscard]] Result<std::string> read_text(const std::string& path, std::size_t max_bytes);
 
 }  // namespace raywalk

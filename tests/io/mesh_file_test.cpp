@@ -142,6 +142,7 @@ TEST_CASE("what is wrong with a mesh file is told with its place") {
   const auto obj = [](const std::string& text) { return parse_obj(text, "bad"); };
   check_error(obj("v 0 0 0\nv 1 0 0\nv 0 1\n"), 3, "a number is missing");
   check_error(obj("v 0 0 1e999\n"), 1, "no finite number");
+  check_error(obj("v 0 0 0x10\n"), 1, "no finite number");
   check_error(obj("v 0 0 0\nf 1 2 3\n"), 2, "names vertex 2 (expected 1 to 1");
   check_error(obj("v 0 0 0\nf 0 1 1\n"), 2, "names vertex 0");
   check_error(obj("v 0 0 0\nf 1/1 1/1 1/1\n"), 2, "names texture vertex 1");

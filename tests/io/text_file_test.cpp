@@ -150,6 +150,17 @@ TEST_CASE("materials of a mesh are text like any other") {
   CHECK_THAT(read.error().message, contains("UTF-16"));
 }
 
+TEST_CASE("a lesson or a demo with a byte 0 is no text") {
+  const TemporaryFolder folder;
+  for (const std::string where : {"title\n", "title\nwords\n"}) {
+    put(folder.file("en.md"), where + '\0' + "end\n");
+    const auto text = read_text(folder.file("en.md"), 1000);
+    REQUIRE_FALSE(text);
+    CHECK(text.error().line == 1 + std::count(where.begin(), where.end(), '\n'));
+    CHECK_THAT(text.error().message, contains("0x00"));
+  }
+}
+
 TEST_CASE("numbers of a binary PLY keep every byte, whatever line ends its header has") {
   const auto ply = [](const std::string& end) {
     std::string bytes = all_replaced(

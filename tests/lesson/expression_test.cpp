@@ -101,4 +101,7 @@ TEST_CASE("values are written with as many decimals as are asked for") {
   CHECK(text_of(Vec3d(0.5, 1, 0), 1) == "0.5, 1.0, 0.0");
   CHECK(text_of(Vec3d(0.5, 1, 0), 1, ',') == "0,5; 1,0; 0,0");
   CHECK(text_of(21.0) == "21");
+  CHECK(text_of(7381.0) == "7381");
+  CHECK(text_of(-1023.6) == "-1024");
+  CHECK(text_of(1e18) == "1e+18");
 }
