@@ -1,23 +1,20 @@
 #pragma once
 // Polls user input during long operations, so that the window can be closed at any time.
 
+#include "gui/reminder.h"
 #include "gui/window.h"
 #include "math/stop.h"
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 #include <thread>
 
 namespace raywalk {
 
-/// The stopper of the window's work. A thread periodically reminds it to poll events, which only the creating thread
-/// may do.
+/// The stopper of the window's work. It is reminded to poll events, which only the creating thread may do.
 class Attention final : public Stopper {
  public:
-  explicit Attention(Window& window);
-  ~Attention() override;
+  explicit Attention(Window& window) : window_(window), reminder_(raised) {}
 
   /// What ends the watched work.
   enum class To {
@@ -44,17 +41,13 @@ class Attention final : public Stopper {
  private:
   void begin(To what, double seconds);
   void end();
-  void remind();
 
   Window& window_;
   std::thread::id own_ = std::this_thread::get_id();
   To what_ = To::closing;
   std::optional<std::chrono::steady_clock::time_point> until_;
   std::atomic<bool> decided_{false};
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool watching_ = false, over_ = false;
-  std::thread reminder_;  ///< last: it uses the others
+  Reminder reminder_;
 };
 
 }  // namespace raywalk

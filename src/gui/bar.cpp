@@ -90,6 +90,7 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(6)});
   bool first = true;
   for (const MenuPart& part : menu.parts) {
+    if (part.more == nullptr && commands_in(part.section).empty()) continue;
     if (!std::exchange(first, false)) ImGui::Separator();
     for (const Command* each : commands_in(part.section)) menu_item(ui, *each);
     if (part.more != nullptr) part.more(ui);

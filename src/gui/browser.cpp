@@ -1,5 +1,6 @@
 #include "gui/browser.h"
 
+#include "gui/platform.h"
 #include "gui/widgets.h"
 #include "view/export/export.h"
 #include "view/text/text.h"
@@ -226,6 +227,13 @@ void Browser::draw(const Ui& ui, const std::string& home) {
   typed_ = buffer.data();
   ui.publish("browser-path");
   const ImVec2 large{ui.px(130), line};
+  if (!saves && platform::has_file_chooser()) {
+    if (button(ui, "browser-device", ui.say("files.from_device"), ui.say("files.from_device_hint"), {0, line}, {})) {
+      platform::choose_files();
+      ui.act(action::CancelPrompt{});
+    }
+    ImGui::SameLine();
+  }
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * large.x - ImGui::GetStyle().ItemSpacing.x -
                        ImGui::GetStyle().WindowPadding.x);
   const bool cancelled = button(ui, "browser-cancel", ui.say("answer.cancel"), "", large, {});

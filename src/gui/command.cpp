@@ -36,6 +36,7 @@ const std::vector<const Command*>& commands_in(Section section) {
   static const std::map<Section, std::vector<const Command*>> by_section = [] {
     std::map<Section, std::vector<const Command*>> sorted;
     for (const Command* each : commands()) sorted[each->section].push_back(each);
+    sorted[Section::quit];  // empty in a page
     return sorted;
   }();
   return by_section.at(section);

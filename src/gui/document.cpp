@@ -1,6 +1,9 @@
 // The commands for files and for taking changes back.
 
 #include "gui/command.h"
+#include "gui/platform.h"
+
+#include <iterator>
 
 namespace raywalk {
 
@@ -27,7 +30,7 @@ rows::Rows rows::document() {
        .run = [](const Ui& ui) { ui.act(action::Quit{}); }},
   };
   // clang-format on
-  return all;
+  return rows::Rows(all).first(std::size(all) - (platform::can_quit() ? 0 : 1));
 }
 
 }  // namespace raywalk

@@ -1,25 +1,24 @@
 #include "gui/gui.h"
 
 #include "gui/loading.h"
-#include "gui/loop.h"
+#include "gui/visualiser.h"
 #include "text/file.h"
 #include "text/text_file.h"
 #include "view/action_text.h"
 
-#include <optional>
 #include <utility>
 
 namespace raywalk {
 
-Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
+Result<Visualiser> open_visualiser(const GuiOptions& options, FileLedger& ledger) {
   const auto begun = std::chrono::steady_clock::now();
   // Otherwise the window is opened last: errors in a scene are reported without one.
   Result<std::unique_ptr<Window>> window{nullptr};
-  std::optional<Attention> attention;
+  std::unique_ptr<Attention> attention;
   if (takes_long_to_read(options)) {
     window = Window::open("Raywalk", options.width, options.height);
     if (!window) return tl::unexpected(window.error());
-    attention.emplace(**window);
+    attention = std::make_unique<Attention>(**window);
   }
   Result<State> state = attention ? start_in_sight(options, **window, *attention) : start(options);
   if (!state) return tl::unexpected(state.error());
@@ -36,14 +35,24 @@ Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
     if (const auto format = image_format_of(options.screenshot_path); !format) return tl::unexpected(format.error());
   }
   for (const std::string& path : {options.report_path, options.screenshot_path})
-    if (const auto claimed = path.empty() ? Result<void>() : claim_output(path); !claimed) return claimed;
+    if (const auto claimed = path.empty() ? Result<void>() : claim_output(path); !claimed)
+      return tl::unexpected(claimed.error());
   ledger.close();
   for (const std::string& path : {options.demo_path, options.report_path, options.screenshot_path})
     if (!path.empty()) state->document.keeps.push_back(path);
   if (*window == nullptr) window = Window::open("Raywalk", options.width, options.height);
   if (!window) return tl::unexpected(window.error());
-  if (!attention) attention.emplace(**window);
-  return run_loop(options, std::move(*state), **window, *attention, std::move(demo), begun);
+  if (!attention) attention = std::make_unique<Attention>(**window);
+  auto loop = std::make_unique<Loop>(options, std::move(*state), **window, *attention, std::move(demo), begun);
+  return Visualiser{std::move(*window), std::move(attention), std::move(loop)};
+}
+
+Result<void> run_gui(const GuiOptions& options, FileLedger& ledger) {
+  const Result<Visualiser> opened = open_visualiser(options, ledger);
+  if (!opened) return tl::unexpected(opened.error());
+  while (opened->loop->turn()) {
+  }
+  return opened->loop->end();
 }
 
 }  // namespace raywalk

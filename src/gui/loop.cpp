@@ -59,39 +59,66 @@ class ShownPicture {
   Clock::time_point at_{};
 };
 
-class Loop {
+}  // namespace
+
+class Loop::Parts {
  public:
-  Loop(const GuiOptions& options, State state, Window& window, Attention& attention, Demo demo, Clock::time_point begun)
-      : options_(options),
+  Parts(GuiOptions options, State state, Window& window, Attention& attention, Demo demo, Clock::time_point begun)
+      : options_(std::move(options)),
         state_(std::move(state)),
         window_(window),
         attention_(attention),
-        interface_(options.data_dir + "/scenes"),
+        interface_(options_.data_dir + "/scenes"),
         demo_(std::move(demo)),
         begun_(begun),
         settings_(settings_of(state_)),
-        fonts_found_(find_fonts(font_folders(options.data_dir))) {
+        fonts_found_(find_fonts(font_folders(options_.data_dir))) {
     state_.document.stop = Stop(attention_);
     ImGui::GetIO().ConfigDragClickToInputText = true;
   }
 
-  Result<void> run() {
-    while (!state_.document.quit) {
-      if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
-      pass_time();
-      for (const KeyPress& key : window_.take_keys()) press(key);
-      if (window_.take_key_release()) let_go();
-      if (window_.take_close_request()) act(action::Quit{});
-      if (window_.minimised()) continue;
+  [[nodiscard]] bool turn() {
+    if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
+    pass_time();
+    for (const KeyPress& key : window_.take_keys()) press(key);
+    if (window_.take_key_release()) let_go();
+    if (window_.take_close_request()) act(action::Quit{});
+    if (!window_.minimised()) {
       if (frames_due_ > 0) frame(nullptr);
       work_on_image();
       work_on_costs();
       work_on_export();
-      if (wants_picture() && settled()) return take_picture();
+      if (wants_picture() && settled()) return false;
     }
+    return !state_.document.quit;
+  }
+
+  Result<void> end() {
+    if (wants_picture() && settled()) return take_picture();
     keep_settings();
     return failure_;
   }
+
+  // Seconds until something must be done; negative: indefinitely.
+  [[nodiscard]] double patience() const {
+    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.exports.window) return 0;
+    return until_due();
+  }
+
+  void act(const Action& action) {
+    frames_due_ = frames_to_settle;
+    const Attention::Watch watch(attention_, Attention::To::closing);
+    try {
+      update(state_, action);
+    } catch (const Stopped&) {
+      // Closed during a change. Earlier changes are in the autosave.
+      state_.document.quit = true;
+      return;
+    }
+    if (!options_.demo_path.empty()) note_failure(action);
+  }
+
+  [[nodiscard]] const State& state() const { return state_; }
 
  private:
   // After each frame, and not only at the end, which may be abrupt.
@@ -119,13 +146,7 @@ class Loop {
            !state_.walk.hold && !state_.walk.tween && !state_.exports.window;
   }
 
-  // Seconds until something must be done; negative: indefinitely.
-  [[nodiscard]] double patience() const {
-    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.exports.window) return 0;
-    return until_due();
-  }
-
-  // The same for timed work.
+  // `patience` for timed work.
   [[nodiscard]] double until_due() const {
     double wait = -1;
     const auto at_most = [&](double seconds) {
@@ -139,19 +160,6 @@ class Loop {
       at_most(notice_lasts - notice_seen_);
     if (interface_.next_frame_in() >= 0) at_most(interface_.next_frame_in());
     return wait;
-  }
-
-  void act(const Action& action) {
-    frames_due_ = frames_to_settle;
-    const Attention::Watch watch(attention_, Attention::To::closing);
-    try {
-      update(state_, action);
-    } catch (const Stopped&) {
-      // Closed during a change. Earlier changes are in the autosave.
-      state_.document.quit = true;
-      return;
-    }
-    if (!options_.demo_path.empty()) note_failure(action);
   }
 
   // The demo may run unattended: if it fails to write a file or to open a lesson, it ends as a failure, with a message.
@@ -361,7 +369,7 @@ class Loop {
     return written ? failure_ : written;
   }
 
-  const GuiOptions& options_;
+  const GuiOptions options_;
   State state_;
   Window& window_;
   Attention& attention_;
@@ -384,11 +392,20 @@ class Loop {
   Result<void> failure_;
 };
 
-}  // namespace
+Loop::Loop(GuiOptions options, State state, Window& window, Attention& attention, Demo demo,
+           std::chrono::steady_clock::time_point begun)
+    : parts_(new Parts(std::move(options), std::move(state), window, attention, std::move(demo), begun)) {}
 
-Result<void> run_loop(const GuiOptions& options, State state, Window& window, Attention& attention, Demo demo,
-                      std::chrono::steady_clock::time_point begun) {
-  return Loop(options, std::move(state), window, attention, std::move(demo), begun).run();
-}
+Loop::~Loop() = default;
+
+bool Loop::turn() { return parts_->turn(); }
+
+double Loop::patience() const { return parts_->patience(); }
+
+void Loop::act(const Action& action) { parts_->act(action); }
+
+const State& Loop::state() const { return parts_->state(); }
+
+Result<void> Loop::end() { return parts_->end(); }
 
 }  // namespace raywalk

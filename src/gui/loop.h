@@ -6,12 +6,35 @@
 #include "gui/window.h"
 
 #include <chrono>
+#include <memory>
 
 namespace raywalk {
 
-/// Shows `state` in the window and follows its events until it is closed or, for a screenshot, idle. `begun`: when the
-/// program began, for its report. Fails where run_gui says.
-[[nodiscard]] Result<void> run_loop(const GuiOptions& options, State state, Window& window, Attention& attention,
-                                    Demo demo, std::chrono::steady_clock::time_point begun);
+/// Shows a state in the window and follows its events, one turn at a time: whoever runs it decides when the next
+/// begins.
+class Loop {
+ public:
+  /// `begun`: when the program began, for its report.
+  Loop(GuiOptions options, State state, Window& window, Attention& attention, Demo demo,
+       std::chrono::steady_clock::time_point begun);
+  ~Loop();
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  /// Waits for an event or for what is due, where waiting is possible, and does it. False once the window is closed or,
+  /// for a screenshot, idle.
+  [[nodiscard]] bool turn();
+  /// Seconds until the next turn is needed without an event; negative: it is not.
+  [[nodiscard]] double patience() const;
+  /// As if the user had done it.
+  void act(const Action& action);
+  [[nodiscard]] const State& state() const;
+  /// After the last turn. Fails where run_gui says.
+  [[nodiscard]] Result<void> end();
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace raywalk

@@ -1,5 +1,6 @@
 #include "gui/window.h"
 
+#include "gui/platform.h"
 #include "image/srgb.h"
 
 #include <GLFW/glfw3.h>
@@ -104,6 +105,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "raywalk");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raywalk");
+  platform::hint_window();
 
   constexpr int default_width = 1280, default_height = 720;
   const bool usual = width <= 0 || height <= 0;
@@ -136,7 +138,8 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   ImGui::GetIO().ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw forever
   // ImGui keeps the functions set above and calls them after its own.
   if (!ImGui_ImplGlfw_InitForOpenGL(window->window_, true)) return tl::unexpected(no_opengl());
-  if (!ImGui_ImplOpenGL3_Init("#version 150")) {
+  platform::connect_clipboard();
+  if (!ImGui_ImplOpenGL3_Init(platform::shading_language())) {
     ImGui_ImplGlfw_Shutdown();
     return tl::unexpected(no_opengl());
   }
@@ -221,6 +224,7 @@ bool Window::minimised() const {
 }
 
 bool Window::wait(double seconds) {
+  platform::follow_surroundings(window_);
   if (happened_) seconds = 0;  // in the middle of something else, where `look` took it in
   if (seconds < 0) {
     glfwWaitEvents();
@@ -236,7 +240,7 @@ bool Window::look(bool input) {
   glfwPollEvents();
   if (close_requested_ || !input) return close_requested_;
   const bool drags = happened_ && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-  return drags || !keys_.empty() || !button_places_.empty();
+  return drags || !keys_.empty() || !button_places_.empty() || platform::input_waits();
 }
 
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
@@ -247,18 +251,7 @@ bool Window::take_close_request() { return std::exchange(close_requested_, false
 
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
-void Window::toggle_full_screen() {
-  if (glfwGetWindowMonitor(window_) != nullptr) {
-    glfwSetWindowMonitor(window_, nullptr, restore_[0], restore_[1], restore_[2], restore_[3], GLFW_DONT_CARE);
-    return;
-  }
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
-  if (mode == nullptr) return;
-  glfwGetWindowPos(window_, &restore_[0], &restore_[1]);
-  glfwGetWindowSize(window_, &restore_[2], &restore_[3]);
-  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-}
+void Window::toggle_full_screen() { platform::toggle_full_screen(window_); }
 
 void Window::upload_fonts() {
 #if IMGUI_VERSION_NUM < 19200  // from 1.92 on the backend detects changes of the atlas
@@ -327,17 +320,17 @@ void Window::end_frame(const float (&background)[3], Image* picture) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   if (picture != nullptr && width > 0 && height > 0) {
-    const auto row_bytes = static_cast<std::size_t>(width) * 3;
+    const auto row_bytes = static_cast<std::size_t>(width) * 4;  // OpenGL ES reads nothing but RGBA everywhere
     std::vector<unsigned char> bytes(row_bytes * static_cast<std::size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     std::array<float, 256> linear{};
     for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = static_cast<float>(srgb_decode(double(i) / 255));
     *picture = {.width = width, .height = height, .pixels = {}};
-    picture->pixels.reserve(bytes.size() / 3);
+    picture->pixels.reserve(bytes.size() / 4);
     for (int row = height - 1; row >= 0; --row) {  // OpenGL's first row is the bottom one
       const unsigned char* at = bytes.data() + static_cast<std::size_t>(row) * row_bytes;
-      for (int column = 0; column < width; ++column, at += 3)
+      for (int column = 0; column < width; ++column, at += 4)
         picture->pixels.emplace_back(linear[at[0]], linear[at[1]], linear[at[2]]);
     }
   }

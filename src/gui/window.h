@@ -84,7 +84,6 @@ class Window {
   std::vector<FastKey> fast_keys_;
   std::vector<int> held_keys_;
   bool happened_ = true, close_requested_ = false, shown_ = false, key_released_ = false;
-  int restore_[4] = {0, 0, 0, 0};  ///< x, y, width, height before full screen
 };
 
 /// A GPU texture with nearest-neighbour magnification.

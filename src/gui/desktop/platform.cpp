@@ -1,0 +1,37 @@
+#include "gui/platform.h"
+
+#include <GLFW/glfw3.h>
+
+namespace raywalk::platform {
+
+void hint_window() {}
+
+const char* shading_language() { return "#version 150"; }
+
+void connect_clipboard() {}  // ImGui's GLFW backend has done so
+
+void follow_surroundings(GLFWwindow* /*window*/) {}
+
+bool input_waits() { return false; }
+
+void toggle_full_screen(GLFWwindow* window) {
+  static struct {
+    int x = 0, y = 0, width = 0, height = 0;
+  } before;
+  if (glfwGetWindowMonitor(window) != nullptr)
+    return glfwSetWindowMonitor(window, nullptr, before.x, before.y, before.width, before.height, GLFW_DONT_CARE);
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) return;
+  glfwGetWindowPos(window, &before.x, &before.y);
+  glfwGetWindowSize(window, &before.width, &before.height);
+  glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+bool can_quit() { return true; }
+
+bool has_file_chooser() { return false; }
+
+void choose_files() {}
+
+}  // namespace raywalk::platform

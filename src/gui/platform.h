@@ -1,0 +1,26 @@
+#pragma once
+// What the desktop and a page of a browser do each in its own way: gui/desktop has one file for it, gui/web another.
+
+struct GLFWwindow;
+
+namespace raywalk::platform {
+
+/// Tells GLFW what else the next window needs.
+void hint_window();
+/// The first line of the shaders that ImGui draws with.
+[[nodiscard]] const char* shading_language();
+/// Makes ImGui's current context copy to the system's clipboard and paste from it.
+void connect_clipboard();
+/// Makes the window as large as what it stands in, if that decides.
+void follow_surroundings(GLFWwindow* window);
+/// Whether the user did something that polling cannot report before the current work ends.
+[[nodiscard]] bool input_waits();
+void toggle_full_screen(GLFWwindow* window);
+/// Whether the program can end itself; a page cannot.
+[[nodiscard]] bool can_quit();
+/// Whether the user's files come through a chooser of the system's, and not by their paths.
+[[nodiscard]] bool has_file_chooser();
+/// Shows it. What is chosen is opened later.
+void choose_files();
+
+}  // namespace raywalk::platform

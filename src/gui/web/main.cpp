@@ -1,0 +1,125 @@
+// The page's program. Its JavaScript (page.js) gives it a turn a frame, and hands it files.
+
+#include "gui/command.h"
+#include "gui/visualiser.h"
+#include "image/image_file.h"
+#include "io/scene_file.h"
+#include "render/render.h"
+#include "text/languages.h"
+#include "text/text_file.h"
+
+#include <emscripten/em_js.h>
+#include <emscripten/emscripten.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+
+// clang-format off
+EM_JS(void, raywalk_fail, (const char* text), { Module["fail"](UTF8ToString(text)); });
+// clang-format on
+
+namespace raywalk {
+
+namespace {
+
+/// Where page.cmake puts the data, and page.js what is kept between visits and the user's files.
+constexpr const char *data_folder = "/raywalk", *kept_folder = "/kept", *files_folder = "/files";
+
+Visualiser& visualiser() {
+  static Visualiser only;  // never destroyed: a page just goes away
+  return only;
+}
+
+/// The options of the address, each a name and a value.
+Result<GuiOptions> options_of(int argc, char** argv) {
+  GuiOptions options;
+  options.data_dir = data_folder;
+  options.state_dir = kept_folder;
+  const LanguagesRead texts = read_languages(options.data_dir + "/text");
+  options.languages = texts.languages;
+  options.broken_texts = texts.broken;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string_view name = argv[i];
+    const std::string value = argv[i + 1];
+    if (name == "scene") options.scene_path = options.data_dir + "/scenes/" + value + ".toml";
+    if (name == "language") options.language = options.languages->find(value);
+    if (name == "demo") options.demo_path = value;
+    if (name == "report") options.report_path = value;
+  }
+  return options;
+}
+
+Result<void> open(int argc, char** argv) {
+  if (::chdir(files_folder) != 0) return tl::unexpected(Error{files_folder, 0, 0, "there is no such folder", ""});
+  const Result<GuiOptions> options = options_of(argc, argv);
+  if (!options) return tl::unexpected(options.error());
+  FileLedger ledger;
+  Result<Visualiser> opened = open_visualiser(*options, ledger);
+  if (!opened) return tl::unexpected(opened.error());
+  visualiser() = std::move(*opened);
+  return {};
+}
+
+}  // namespace
+
+}  // namespace raywalk
+
+using namespace raywalk;
+
+extern "C" {
+
+/// A turn of the loop. The seconds until the next is needed, negative if an event must come first; NaN: there is none.
+EMSCRIPTEN_KEEPALIVE double page_turn() {
+  Loop& loop = *visualiser().loop;
+  return loop.turn() ? loop.patience() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Opens the first scene among these files, one a line; asks before it drops changes.
+EMSCRIPTEN_KEEPALIVE void page_open(const char* paths) {
+  std::string_view rest = paths;
+  std::string_view chosen = rest.substr(0, rest.find('\n'));
+  while (!rest.empty()) {
+    const std::string_view path = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(path.size() + 1, rest.size()));
+    if (!has_scene_ending(path)) continue;
+    // A mesh may lie beside the scene that it belongs to.
+    chosen = path;
+    if (scene_format_of(path) == SceneFormat::toml) break;
+  }
+  visualiser().loop->act(action::Open{std::string(chosen)});
+}
+
+/// Whether a key press, "Ctrl+Shift+S", does anything in the window: the browser then should not.
+EMSCRIPTEN_KEEPALIVE bool page_uses_key(const char* written) {
+  const KeyPress press = key_press(written);
+  return is_key(press.key) && (commands_on(press, Mode::trace) > 0 || commands_on(press, Mode::move) > 0);
+}
+
+/// Renders a scene, as `raywalk render` does; null, or what is wrong.
+EMSCRIPTEN_KEEPALIVE const char* page_render(const char* scene, const char* image, int width, int height, bool single) {
+  static std::string wrong;
+  const auto document = read_scene(scene);
+  if (!document) return (wrong = document.error().text()).c_str();
+  RenderSettings settings;
+  settings.size = ImageSize{width, height};
+  settings.sampling.per_pixel = document->scene.render.samples;
+  settings.precision = single ? Precision::float_ : Precision::double_;
+  const auto rendering = render(document->scene, settings);
+  if (!rendering) return (wrong = rendering.error().text()).c_str();
+  const auto written = write_image(image, rendering->image(), document->scene.encoding);
+  if (!written) return (wrong = written.error().text()).c_str();
+  return nullptr;
+}
+}
+
+int main(int argc, char** argv) {
+  try {
+    if (const Result<void> opened = open(argc, argv); !opened) raywalk_fail(opened.error().text().c_str());
+  } catch (const std::exception& error) {
+    raywalk_fail(error.what());
+  }
+}

@@ -1,0 +1,48 @@
+# The page: raywalk.js and raywalk.wasm, which holds all data too, and what pack.mjs makes of them.
+set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
+
+# Fonts, scenes, lessons and texts, as the installed program has them.
+set(data "${CMAKE_BINARY_DIR}/data")
+set(fonts)
+foreach(font IN ITEMS opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf
+        truetype/jetbrains-mono/JetBrainsMono-Regular.ttf truetype/jetbrains-mono/JetBrainsMono-Bold.ttf)
+  if(NOT EXISTS "/usr/share/fonts/${font}")
+    message(FATAL_ERROR "The page holds its fonts, and /usr/share/fonts/${font} is not here. On Debian and Ubuntu:\n"
+                        "    sudo apt-get install fonts-inter fonts-jetbrains-mono")
+  endif()
+  list(APPEND fonts "/usr/share/fonts/${font}")
+endforeach()
+file(GLOB scenes CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/scenes/*.toml" "${CMAKE_SOURCE_DIR}/scenes/*.ply")
+file(GLOB_RECURSE lessons CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/lessons/*")
+file(GLOB texts CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/text/*.toml")
+add_custom_command(
+  OUTPUT "${data}.done"
+  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${data}"
+  COMMAND "${CMAKE_COMMAND}" -E make_directory "${data}/fonts" "${data}/scenes" "${data}/text"
+  COMMAND "${CMAKE_COMMAND}" -E copy ${fonts} "${data}/fonts"
+  COMMAND "${CMAKE_COMMAND}" -E copy ${scenes} "${data}/scenes"
+  COMMAND "${CMAKE_COMMAND}" -E copy_directory "${CMAKE_SOURCE_DIR}/lessons" "${data}/lessons"
+  COMMAND "${CMAKE_COMMAND}" -E copy ${texts} "${data}/text"
+  COMMAND "${CMAKE_COMMAND}" -E touch "${data}.done"
+  DEPENDS ${fonts} ${scenes} ${lessons} ${texts}
+  VERBATIM)
+add_custom_target(raywalk_data DEPENDS "${data}.done")
+
+add_executable(raywalk "${page}/main.cpp")
+target_link_libraries(raywalk PRIVATE raywalk_gui)
+add_dependencies(raywalk raywalk_data)
+set_target_properties(raywalk PROPERTIES LINK_DEPENDS "${data}.done")
+target_link_options(raywalk PRIVATE
+  "SHELL:--embed-file ${data}@/raywalk"
+  # No eval, which a Content-Security-Policy forbids. Under Node, tests call what they want themselves.
+  -sMODULARIZE -sEXPORT_NAME=Raywalk -sENVIRONMENT=web,worker,node -sDYNAMIC_EXECUTION=0
+  -sSTACK_SIZE=8MB -sINITIAL_MEMORY=64MB -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB
+  -sEXPORTED_RUNTIME_METHODS=FS,ccall -sFORCE_FILESYSTEM=1)
+
+find_program(RAYWALK_NODE node REQUIRED)
+add_custom_command(
+  OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"
+  COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site"
+  DEPENDS raywalk "${page}/pack.mjs" "${page}/page.html" "${page}/page.css" "${page}/page.js" ${texts}
+  VERBATIM)
+add_custom_target(site ALL DEPENDS "${CMAKE_BINARY_DIR}/site/raywalk.html")

@@ -1,0 +1,154 @@
+#!/usr/bin/env bash
+# What the page is built with: tools.sh BUILD unpacks Emscripten into BUILD/emscripten, and builds the libraries that the
+# page uses from Debian's sources into BUILD/web-libraries. Neither touches the system, and neither is done twice.
+#
+# Emscripten is Debian 13's, whatever this system is: Debian 12's has a standard library without ranges. Its compiler is
+# the clang of this system. The libraries are Debian 12's, so that the page has the versions that the window is tested
+# with.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$(realpath -m "$1")
+emscripten=$build/emscripten
+libraries=$build/web-libraries
+tools_suite=trixie
+sources_suite=bookworm
+
+say() { printf '%s\n' "raywalk: $*" >&2; }
+fail() {
+  say "$1"
+  [[ $# -gt 1 ]] && printf '%s\n' "    $2" >&2
+  exit 1
+}
+
+# done_once FOLDER WHAT: whether WHAT, a script's text, was carried out there.
+is_done() { [[ -f $1/done && $(<"$1/done") == "$(cksum <"${BASH_SOURCE[0]}")" ]]; }
+now_done() { cksum <"${BASH_SOURCE[0]}" >"$1/done"; }
+
+# --- A private apt, which knows two suites of the mirror that this system uses ---------------------------------------
+
+apt=()
+
+open_apt() {
+  ((${#apt[@]} == 0)) || return 0
+  command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null ||
+    fail "the page's tools come from Debian's packages, and there is no apt-get here." \
+      "Build the page on Debian, or in a container of it."
+  local mirror key=/usr/share/keyrings/debian-archive-keyring.gpg folder=$build/web-apt
+  mirror=$(apt-get indextargets --format '$(ORIGIN) $(LABEL) $(REPO_URI)' 'Created-By: Packages' |
+    awk '$1 == "Debian" && $2 == "Debian" { print $3; exit }')
+  [[ -n $mirror ]] || fail "this system's apt knows no mirror of Debian, which has the page's tools." \
+    "Build the page on Debian 12 or 13, or in a container of it."
+  [[ -f $key ]] || fail "the key of Debian's archive is not here ($key)." "apt-get install debian-archive-keyring"
+  mkdir -p "$folder"/{lists/partial,archives/partial}
+  printf 'deb%s [signed-by=%s] %s %s main\n' '' "$key" "$mirror" "$tools_suite" -src "$key" "$mirror" "$sources_suite" \
+    >"$folder/sources.list"
+  apt=(apt-get -qq -o "Dir::Etc::sourcelist=$folder/sources.list" -o Dir::Etc::sourceparts=/dev/null
+    -o "Dir::State::lists=$folder/lists" -o "Dir::Cache=$folder" -o "APT::Sandbox::User=$(id -un)")
+  "${apt[@]}" update || fail "the lists of Debian's packages could not be fetched (apt's message is above)."
+}
+
+# --- Emscripten ------------------------------------------------------------------------------------------------------
+
+unpack_emscripten() {
+  say "fetching Emscripten (once)"
+  open_apt
+  rm -rf "$emscripten"
+  mkdir -p "$emscripten"/{packages,root,binaryen/bin}
+  (cd "$emscripten/packages" && "${apt[@]}" download emscripten binaryen {libc6,libstdc++6,libgcc-s1}/$tools_suite) ||
+    fail "Emscripten's packages could not be fetched (apt's message is above)."
+  local package tool root=$emscripten/root
+  for package in "$emscripten"/packages/*.deb; do dpkg-deb -x "$package" "$root"; done
+  rm -rf "$emscripten/packages" "$root/usr/share/"{doc,man} "$root/usr/share/emscripten/"{test,docs}
+  ln -sfn /usr/share/nodejs "$root/usr/share/emscripten/node_modules"
+
+  # Its optimiser was linked with a newer C library than this system's may be: it runs with the one unpacked beside it.
+  local own
+  own=$(dirname "$(find "$root" -name 'ld-linux-*.so.*' -print -quit)")
+  [[ -d $own ]] || fail "Emscripten's packages hold no loader for this processor."
+  own=$(cd "$own" && pwd)
+  for tool in "$root"/usr/bin/wasm-*; do
+    printf '#!/bin/sh\nexec "%s" --library-path "%s" "%s" "$@"\n' "$(echo "$own"/ld-linux-*.so.*)" \
+      "$own:$(dirname "$(find "$root" -name 'libbinaryen.so*' -print -quit)")" "$tool" >"$emscripten/binaryen/bin/${tool##*/}"
+  done
+  chmod +x "$emscripten"/binaryen/bin/*
+  sed -i "s#^BINARYEN_ROOT.*#BINARYEN_ROOT = '$emscripten/binaryen'#" "$root/usr/share/emscripten/.emscripten"
+  now_done "$emscripten"
+}
+
+# --- Libraries -------------------------------------------------------------------------------------------------------
+
+# Small rather than fast: pictures and glyphs are read once. Like all of the page, they throw by WebAssembly's own means.
+flags="-Oz -msimd128 -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
+prefix=$libraries/prefix
+
+# by_cmake NAME ARGS...: configures, builds and installs it.
+by_cmake() {
+  local name=$1
+  shift
+  emcmake cmake -G Ninja -S "$libraries/sources/$name" -B "$libraries/work/$name" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" \
+    -DCMAKE_C_FLAGS_RELEASE=-DNDEBUG -DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG -DCMAKE_FIND_ROOT_PATH="$prefix" \
+    -DBUILD_SHARED_LIBS=OFF "$@" >/dev/null &&
+    ninja -C "$libraries/work/$name" install >/dev/null
+}
+
+# by_hand NAME LIBRARY FLAGS -- FILES...: compiles these files of it into libLIBRARY.a.
+by_hand() {
+  local name=$1 library=$2 folder file objects=() own=()
+  folder=$libraries/sources/$name
+  shift 2
+  while [[ $1 != -- ]]; do own+=("$1"); shift; done
+  shift
+  mkdir -p "$libraries/work/$name"
+  for file; do
+    objects+=("$libraries/work/$name/${file//\//_}.o")
+    # shellcheck disable=SC2086  # the flags are words
+    (cd "$folder" && emcc $flags "${own[@]}" -I. "-I$prefix/include" -c "$file" -o "${objects[-1]}") || return
+  done
+  emar rcs "$prefix/lib/lib$library.a" "${objects[@]}"
+}
+
+build_libraries() {
+  say "building the page's libraries (once)"
+  open_apt
+  rm -rf "$libraries"
+  mkdir -p "$libraries"/{packages,sources,work} "$prefix"/{include,lib}
+  (cd "$libraries/packages" &&
+    "${apt[@]}" source --download-only zlib libpng1.6 giflib libjpeg-turbo freetype fmtlib imgui >/dev/null) ||
+    fail "the libraries' sources could not be fetched (apt's message is above)."
+  local description name from=$libraries/sources
+  for description in "$libraries"/packages/*.dsc; do
+    name=${description##*/}
+    dpkg-source --no-check -x "$description" "$libraries/sources/${name%%_*}" >/dev/null
+  done
+  export PATH=$emscripten/root/usr/share/emscripten:$PATH
+
+  by_hand zlib z -- adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c uncompr.c zutil.c
+  cp "$from"/zlib/{zlib,zconf}.h "$prefix/include"
+  cp "$from"/libpng1.6/scripts/pnglibconf.h.prebuilt "$from"/libpng1.6/pnglibconf.h
+  by_hand libpng1.6 png -- png.c pngerror.c pngget.c pngmem.c pngpread.c pngread.c pngrio.c pngrtran.c pngrutil.c \
+    pngset.c pngtrans.c pngwio.c pngwrite.c pngwtran.c pngwutil.c
+  cp "$from"/libpng1.6/{png,pngconf,pnglibconf}.h "$prefix/include"
+  by_hand giflib gif -DHAVE_REALLOCARRAY=1 -- dgif_lib.c egif_lib.c gif_err.c gif_hash.c gifalloc.c openbsd-reallocarray.c
+  cp "$from"/giflib/gif_lib.h "$prefix/include"
+  by_cmake libjpeg-turbo -DENABLE_SHARED=0 -DWITH_SIMD=0 -DWITH_JAVA=0
+  by_cmake freetype -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
+    -DFT_DISABLE_BROTLI=ON
+  by_cmake fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
+  # With the parts that Debian's own has. GLFW is Emscripten's, which needs no library.
+  by_hand imgui imgui -std=c++17 "-I$prefix/include/freetype2" -Ibackends -DIMGUI_ENABLE_FREETYPE \
+    -DIMGUI_IMPL_OPENGL_ES3 -DIMGUI_DISABLE_DEMO_WINDOWS -- imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp \
+    backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp misc/freetype/imgui_freetype.cpp
+  mkdir -p "$prefix/include/imgui/backends"
+  cp "$from"/imgui/{imgui,imconfig}.h "$from"/imgui/misc/freetype/imgui_freetype.h "$prefix/include/imgui"
+  cp "$from"/imgui/backends/imgui_impl_{glfw,opengl3}.h "$prefix/include/imgui/backends"
+  # Libraries that are only headers are this system's own.
+  local header
+  for header in glm tl toml++ nlohmann; do ln -sfn "/usr/include/$header" "$prefix/include/$header"; done
+  rm -rf "$libraries"/{packages,sources,work}
+  now_done "$libraries"
+}
+
+is_done "$emscripten" || unpack_emscripten
+is_done "$libraries" || build_libraries

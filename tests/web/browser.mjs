@@ -1,0 +1,75 @@
+// A headless Chromium on the page, and the page's own report of what it shows.
+import { spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import puppeteer from 'puppeteer-core';
+
+export const build = process.env.RAYWALK_BUILD;
+export const site = join(build, 'web/site');
+export const pictures = join(build, 'web-tests/pictures');
+
+export const open_browser = () => puppeteer.launch({
+  browser: 'chrome',
+  executablePath: ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync),
+  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
+    '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+});
+
+// The site as any static host gives it: its address and how to end it.
+export function serve() {
+  const server = spawn('node', [join(process.env.RAYWALK_SOURCE_DIR, 'src/gui/web/serve.mjs'), site]);
+  return new Promise((resolve, reject) => {
+    server.stdout.on('data', (text) => resolve({ address: /http:\S+/.exec(text)[0], end: () => server.kill() }));
+    server.on('exit', reject);
+  });
+}
+
+// A page of the program, 1280 x 720 unless `size` says otherwise.
+export class Visit {
+  static async begin(browser, address, size = {}, more = '') {
+    const visit = new Visit;
+    visit.page = await browser.newPage();
+    visit.complaints = [];
+    visit.page.on('console', (said) => said.type() === 'error' && visit.complaints.push(said.text()));
+    visit.page.on('pageerror', (error) => visit.complaints.push(String(error)));
+    visit.requests = [];
+    visit.page.on('request', (request) => visit.requests.push(request.url()));
+    await visit.page.setViewport({ width: 1280, height: 720, ...size });
+    visit.begun = Date.now();
+    await visit.page.goto(`${address}?report=/report.json&language=en${more}`);
+    await visit.page.waitForFunction(() => document.getElementById('says').hidden, { timeout: 120000 });
+    await visit.settled();
+    return visit;
+  }
+  // What tests of the desktop's window read too (gui/report.h).
+  report() {
+    return this.page.evaluate(() => {
+      try {
+        return JSON.parse(window.raywalk.FS.readFile('/report.json', { encoding: 'utf8' }));
+      } catch {
+        return null;
+      }
+    });
+  }
+  // Waits until what is reported is as `is` wants it.
+  async until(is, what = String(is)) {
+    const last = Date.now() + 60000;
+    for (;;) {
+      const report = await this.report();
+      if (report && is(report)) return report;
+      if (Date.now() > last) throw new Error(`never: ${what}`);
+      await new Promise((again) => setTimeout(again, 20));
+    }
+  }
+  settled() {
+    return this.until(() => true);
+  }
+  async click(item) {
+    const report = await this.until((now) => item in now.items, `there is an item ${item}`);
+    const [x, y, width, height] = report.items[item];
+    await this.page.mouse.move(x + width / 2, y + height / 2);
+    await this.page.mouse.down();
+    await new Promise((again) => setTimeout(again, 60));
+    await this.page.mouse.up();
+  }
+}

@@ -1,0 +1,107 @@
+// The page in Chromium: it starts, walks, saves, survives a reload, takes and gives files, and rests when nothing moves.
+import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { Visit, open_browser, pictures, serve, site } from './browser.mjs';
+
+let browser, server;
+const downloads = mkdtempSync(join(tmpdir(), 'raywalk-downloads-'));
+mkdirSync(pictures, { recursive: true });
+
+before(async () => {
+  browser = await open_browser();
+  server = await serve();
+});
+after(async () => {
+  await browser?.close();
+  server?.end();
+  rmSync(downloads, { recursive: true });
+});
+
+const image_done = (report) => report.image.finished;
+
+for (const [name, size] of [['1280x720', {}], ['1280x720@2', { deviceScaleFactor: 2 }], ['360x640', { width: 360, height: 640 }]])
+  test(`the page starts and STEP steps, at ${name}`, async () => {
+    const visit = await Visit.begin(browser, server.address, size);
+    const report = await visit.report();
+    assert.deepEqual([report.window.width, report.window.height], [size.width ?? 1280, size.height ?? 720]);
+    await visit.page.keyboard.press('Space');
+    const { position } = await visit.until((now) => now.position === 1);
+    assert.equal(position, 1);
+    await visit.until(image_done, 'the image is finished');
+    await visit.page.screenshot({ path: join(pictures, `${name}.png`) });
+    assert.deepEqual(visit.complaints, []);
+    await visit.page.close();
+  });
+
+test('the one file works from a disk, without a network', async () => {
+  const page = pathToFileURL(join(site, 'raywalk.html')).href;
+  const visit = await Visit.begin(browser, page);
+  await visit.click('step');
+  await visit.until((now) => now.position === 1);
+  assert.deepEqual(visit.requests.filter((url) => !url.startsWith('file:') && !url.startsWith('blob:')), []);
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});
+
+test('a page at rest draws nothing', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  await visit.until(image_done, 'the image is finished');
+  await visit.page.evaluate(() => {
+    window.frames_asked = 0;
+    const ask = window.requestAnimationFrame;
+    window.requestAnimationFrame = (call) => (++window.frames_asked, ask(call));
+  });
+  await new Promise((again) => setTimeout(again, 8000)); // what is said for some seconds has gone by then
+  await visit.page.evaluate(() => { window.frames_asked = 0; });
+  await new Promise((again) => setTimeout(again, 2000));
+  assert.equal(await visit.page.evaluate(() => window.frames_asked), 0);
+  await visit.page.close();
+});
+
+test('the page fills a window that changes', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  await visit.page.setViewport({ width: 900, height: 640, deviceScaleFactor: 2 });
+  await visit.until((now) => now.window.width === 900 && now.window.height === 640);
+  const canvas = await visit.page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').height]);
+  assert.deepEqual(canvas, [1800, 1280]);
+  await visit.page.close();
+});
+
+test('an edit survives a reload, and belongs to its tab while that lives', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  await visit.page.keyboard.press('m');
+  await visit.until((now) => now.mode === 'move');
+  await visit.page.keyboard.press('1');
+  await visit.until((now) => now.dirty);
+  await visit.page.waitForFunction(() => window.raywalk.FS.analyzePath('/kept/autosave.toml').exists, { timeout: 60000 });
+  const other = await Visit.begin(browser, server.address);
+  assert.equal((await other.report()).question, '');
+  await other.page.close();
+  await visit.page.reload();
+  await visit.page.waitForFunction(() => document.getElementById('says').hidden);
+  await visit.until((now) => now.question === 'recover');
+  await visit.page.keyboard.press('Enter');
+  await visit.until((now) => now.question === '' && now.dirty);
+  await visit.page.close();
+});
+
+test('a file that is chosen is opened, and one that is saved is downloaded', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  const session = await visit.page.createCDPSession();
+  await session.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
+  const chooser = await visit.page.$('#chooser');
+  const scenes = join(process.env.RAYWALK_SOURCE_DIR, 'scenes');
+  await chooser.uploadFile(join(scenes, 'mesh.toml'), join(scenes, 'ball.ply'));
+  await visit.until((now) => now.path === '/files/mesh.toml');
+  await visit.page.keyboard.down('Control');
+  await visit.page.keyboard.press('s');
+  await visit.page.keyboard.up('Control');
+  for (let tries = 0; tries < 100 && !readdirSync(downloads).includes('mesh.toml'); ++tries)
+    await new Promise((again) => setTimeout(again, 100));
+  assert.equal(readFileSync(join(downloads, 'mesh.toml'), 'utf8'), readFileSync(join(scenes, 'mesh.toml'), 'utf8'));
+  await visit.page.close();
+});
