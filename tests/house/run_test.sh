@@ -143,6 +143,26 @@ expect "and fails the run" status_is 1
 go test --al
 expect "an unknown argument is refused" status_is 1
 expect "and nothing is done" [ ! -s "$calls" ]
+all_is_well
+stand_in node ''
+mkdir -p "$here/house/src/gui/web"
+cp "$here/bin/the-program" "$here/house/src/gui/web/tools.sh"
+stand_in cmake '[[ $1 != --build ]] || { mkdir -p "$2/site"; echo page >"$2/site/raywalk.html"; }'
+go web
+expect "the page is configured, built and served" called '^node .*/serve.mjs .*/house/build/web/site$'
+expect "as its preset says" called '^cmake --preset web$'
+go web --out "$here/elsewhere/site"
+expect "or written where one wants it" [ "$(cat "$here/elsewhere/site/raywalk.html")" = page ]
+expect "and not served" never_called '^node'
+go web --out
+expect "a folder has to be named" status_is 1
+go web elsewhere
+expect "and nothing else is taken" status_is 1
+stand_in cmake 'exit 1'
+go web
+expect "a page that cannot be built is not served" never_called '^node'
+
+all_is_well
 go help
 expect "help is given" says './run test --all' out
 
