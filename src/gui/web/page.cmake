@@ -1,9 +1,16 @@
 # The page: raywalk.js and raywalk.wasm, which holds all data too, and what pack.mjs makes of them.
 set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 
-# Fonts, scenes, lessons and texts, as the installed program has them.
+# Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what the page's languages and
+# formulas are written in: as blocks of Unicode, Latin, Greek, marks, arrows, mathematics and shapes. The hints of TrueType
+# fonts are left out, for nothing follows them.
 set(data "${CMAKE_BINARY_DIR}/data")
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(subset "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_SOURCE_DIR}/build/emscripten/root/usr/lib/python3/dist-packages"
+    "${Python3_EXECUTABLE}" -m fontTools.subset
+    --unicodes=0020-017F,0370-03FF,2000-22FF,25A0-25FF,2700-27BF,FFFD --layout-features= --name-IDs=0,1,2,13,14)
 set(fonts)
+set(subset_fonts)
 foreach(font IN ITEMS opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf
         truetype/jetbrains-mono/JetBrainsMono-Regular.ttf truetype/jetbrains-mono/JetBrainsMono-Bold.ttf)
   if(NOT EXISTS "/usr/share/fonts/${font}")
@@ -11,6 +18,11 @@ foreach(font IN ITEMS opentype/inter/Inter-Regular.otf opentype/inter/Inter-Semi
                         "    sudo apt-get install fonts-inter fonts-jetbrains-mono")
   endif()
   list(APPEND fonts "/usr/share/fonts/${font}")
+  get_filename_component(name "${font}" NAME)
+  list(APPEND subset_fonts COMMAND ${subset} "/usr/share/fonts/${font}" "--output-file=${data}/fonts/${name}")
+  if(font MATCHES "[.]ttf$")
+    list(APPEND subset_fonts --no-hinting)
+  endif()
 endforeach()
 file(GLOB scenes CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/scenes/*.toml" "${CMAKE_SOURCE_DIR}/scenes/*.ply")
 file(GLOB_RECURSE lessons CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/lessons/*")
@@ -19,7 +31,7 @@ add_custom_command(
   OUTPUT "${data}.done"
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${data}"
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${data}/fonts" "${data}/scenes" "${data}/text"
-  COMMAND "${CMAKE_COMMAND}" -E copy ${fonts} "${data}/fonts"
+  ${subset_fonts}
   COMMAND "${CMAKE_COMMAND}" -E copy ${scenes} "${data}/scenes"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${CMAKE_SOURCE_DIR}/lessons" "${data}/lessons"
   COMMAND "${CMAKE_COMMAND}" -E copy ${texts} "${data}/text"

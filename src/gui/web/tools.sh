@@ -21,9 +21,13 @@ fail() {
   exit 1
 }
 
-# done_once FOLDER WHAT: whether WHAT, a script's text, was carried out there.
-is_done() { [[ -f $1/done && $(<"$1/done") == "$(cksum <"${BASH_SOURCE[0]}")" ]]; }
-now_done() { cksum <"${BASH_SOURCE[0]}" >"$1/done"; }
+# once FOLDER FUNCTION: calls FUNCTION, which makes FOLDER, unless it was called as it stands here.
+once() {
+  [[ -f $1/done && $(<"$1/done") == "$(declare -f "$2")" ]] && return
+  rm -rf "$1"
+  "$2"
+  declare -f "$2" >"$1/done"
+}
 
 # --- A private apt, which knows two suites of the mirror that this system uses ---------------------------------------
 
@@ -53,9 +57,8 @@ open_apt() {
 unpack_emscripten() {
   say "fetching Emscripten (once)"
   open_apt
-  rm -rf "$emscripten"
   mkdir -p "$emscripten"/{packages,root,binaryen/bin}
-  (cd "$emscripten/packages" && "${apt[@]}" download emscripten binaryen {libc6,libstdc++6,libgcc-s1}/$tools_suite) ||
+  (cd "$emscripten/packages" && "${apt[@]}" download emscripten binaryen python3-fonttools {libc6,libstdc++6,libgcc-s1}/$tools_suite) ||
     fail "Emscripten's packages could not be fetched (apt's message is above)."
   local package tool root=$emscripten/root
   for package in "$emscripten"/packages/*.deb; do dpkg-deb -x "$package" "$root"; done
@@ -73,7 +76,6 @@ unpack_emscripten() {
   done
   chmod +x "$emscripten"/binaryen/bin/*
   sed -i "s#^BINARYEN_ROOT.*#BINARYEN_ROOT = '$emscripten/binaryen'#" "$root/usr/share/emscripten/.emscripten"
-  now_done "$emscripten"
 }
 
 # --- Libraries -------------------------------------------------------------------------------------------------------
@@ -112,7 +114,6 @@ by_hand() {
 build_libraries() {
   say "building the page's libraries (once)"
   open_apt
-  rm -rf "$libraries"
   mkdir -p "$libraries"/{packages,sources,work} "$prefix"/{include,lib}
   (cd "$libraries/packages" &&
     "${apt[@]}" source --download-only zlib libpng1.6 giflib libjpeg-turbo freetype fmtlib imgui >/dev/null) ||
@@ -147,8 +148,7 @@ build_libraries() {
   local header
   for header in glm tl toml++ nlohmann; do ln -sfn "/usr/include/$header" "$prefix/include/$header"; done
   rm -rf "$libraries"/{packages,sources,work}
-  now_done "$libraries"
 }
 
-is_done "$emscripten" || unpack_emscripten
-is_done "$libraries" || build_libraries
+once "$emscripten" unpack_emscripten
+once "$libraries" build_libraries
