@@ -134,6 +134,10 @@ build_libraries() {
   by_hand giflib gif -DHAVE_REALLOCARRAY=1 -- dgif_lib.c egif_lib.c gif_err.c gif_hash.c gifalloc.c openbsd-reallocarray.c
   cp "$from"/giflib/gif_lib.h "$prefix/include"
   by_cmake libjpeg-turbo -DENABLE_SHARED=0 -DWITH_SIMD=0 -DWITH_JAVA=0
+  # What the page's four fonts need, and nothing packed, whose reader would be a second zlib.
+  sed -i -E '/FT_USE_MODULE/{/ (autofit|tt_driver|cff_driver|psaux|psnames|pshinter|sfnt|ft_smooth_renderer)_/!d}' \
+    "$from"/freetype/include/freetype/config/ftmodule.h
+  sed -i -E 's/^#define (FT_CONFIG_OPTION_USE_(ZLIB|LZW))/#undef \1/' "$from"/freetype/include/freetype/config/ftoption.h
   by_cmake freetype -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
     -DFT_DISABLE_BROTLI=ON
   by_cmake fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
@@ -142,7 +146,7 @@ build_libraries() {
     -DIMGUI_IMPL_OPENGL_ES3 -DIMGUI_DISABLE_DEMO_WINDOWS -- imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp \
     backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp misc/freetype/imgui_freetype.cpp
   mkdir -p "$prefix/include/imgui/backends"
-  cp "$from"/imgui/{imgui,imconfig}.h "$from"/imgui/misc/freetype/imgui_freetype.h "$prefix/include/imgui"
+  cp "$from"/imgui/{imgui,imgui_internal,imconfig,imstb_textedit}.h "$from"/imgui/misc/freetype/imgui_freetype.h "$prefix/include/imgui"
   cp "$from"/imgui/backends/imgui_impl_{glfw,opengl3}.h "$prefix/include/imgui/backends"
   # Libraries that are only headers are this system's own.
   local header
