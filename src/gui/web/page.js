@@ -33,7 +33,7 @@ function fail(why) {
 //
 // An autosave belongs to its tab, under a key of its own, until that tab is gone; the others belong to all tabs.
 
-const tab = Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join('');
+let tab = '';
 const tabs = typeof BroadcastChannel === 'function' ? new BroadcastChannel('raywalk') : null;
 const is_own = (name) => name.startsWith('autosave');
 const key_of = (name) => is_own(name) ? `own/${tab}/${name}` : `shared/${name}`;
@@ -45,17 +45,29 @@ const done = (request) => new Promise((resolve, reject) => {
   request.onerror = () => reject(request.error);
 });
 
-// Those of living tabs, of which each holds a lock as long as it lives.
-async function living_tabs() {
-  await new Promise((held) => navigator.locks.request('raywalk/' + tab, () => (held(), new Promise(() => {}))));
-  return new Set((await navigator.locks.query()).held.map((lock) => lock.name));
+// Holds the lock of this name as long as the page lives; false when another page does not let it go.
+function hold(name) {
+  const patience = AbortSignal.timeout(1000); // a page that is loaded again waits for itself to be gone
+  return new Promise((held) => navigator.locks.request(name, { signal: patience }, () => (held(true), new Promise(() => {})))
+    .catch(() => held(false)));
+}
+
+// Names this tab, as before it was loaded again; but a tab that was made from another has that one's name.
+async function name_tab() {
+  tab = sessionStorage.getItem('raywalk') ?? '';
+  if (tab && await hold('raywalk/' + tab)) return;
+  tab = Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join('');
+  sessionStorage.setItem('raywalk', tab);
+  await hold('raywalk/' + tab);
 }
 
 // The kept files, by name. Autosaves of tabs that are gone become this tab's.
 async function recall() {
   const files = new Map();
   try {
-    const living = await living_tabs();
+    await name_tab();
+    const living = new Set((await navigator.locks.query()).held.map((lock) => lock.name));
+    living.delete('raywalk/' + tab);
     const opening = indexedDB.open('raywalk', 1);
     opening.onupgradeneeded = () => opening.result.createObjectStore('files');
     database = await done(opening);
@@ -174,7 +186,8 @@ window.addEventListener('drop', (event) => {
 
 // --- Turns: one a frame while there is something to do, none while there is not ----------------------------------------
 
-let frame = 0, timer = 0;
+let frame = 0, timer = 0, looked = 0;
+const look_every = 250; // milliseconds between looks at the files, while there is work
 
 function soon() {
   if (frame === 0 && program && !failed) frame = requestAnimationFrame(turn);
@@ -185,10 +198,12 @@ function turn() {
   clearTimeout(timer);
   try {
     const wait = program._page_turn();
-    if (wait === 0) return soon();
+    if (wait === 0) soon();
     if (wait > 0) timer = setTimeout(soon, 1000 * wait);
+    if (wait === 0 && performance.now() - looked < look_every) return;
     keep();
     download();
+    looked = performance.now();
   } catch (why) {
     fail(why);
   }
@@ -197,6 +212,8 @@ function turn() {
 for (const type of ['pointermove', 'pointerdown', 'pointerup', 'pointerleave', 'wheel', 'keydown', 'keypress', 'keyup',
   'paste', 'resize', 'focus', 'blur', 'touchstart', 'touchmove', 'touchend', 'fullscreenchange'])
   window.addEventListener(type, soon, true);
+
+window.addEventListener('pagehide', () => program && keep());
 
 // --- Keys: the program's own work, and no others are taken from the browser ------------------------------------------
 
