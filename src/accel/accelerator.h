@@ -4,43 +4,21 @@
 #include "accel/query.h"
 #include "accel/shaft.h"
 #include "math/stop.h"
+#include "math/words.h"
 
-#include <array>
 #include <memory>
-#include <string_view>
 
 namespace raywalk {
 
-enum class AcceleratorKind { automatic, none, spheres, ellipsoids, boxes, bvh, grid, octree, kdtree };
-inline constexpr std::array all_accelerators{
-    AcceleratorKind::automatic,  AcceleratorKind::none,   AcceleratorKind::spheres,
-    AcceleratorKind::ellipsoids, AcceleratorKind::boxes,  AcceleratorKind::bvh,
-    AcceleratorKind::grid,       AcceleratorKind::octree, AcceleratorKind::kdtree};
-
 /// `spheres`, `ellipsoids` and `boxes`: one around each object, no hierarchy.
-[[nodiscard]] constexpr std::string_view accelerator_name(AcceleratorKind kind) {
-  switch (kind) {
-    case AcceleratorKind::automatic:
-      return "auto";
-    case AcceleratorKind::none:
-      return "none";
-    case AcceleratorKind::spheres:
-      return "spheres";
-    case AcceleratorKind::ellipsoids:
-      return "ellipsoids";
-    case AcceleratorKind::boxes:
-      return "boxes";
-    case AcceleratorKind::bvh:
-      return "bvh";
-    case AcceleratorKind::grid:
-      return "grid";
-    case AcceleratorKind::octree:
-      return "octree";
-    case AcceleratorKind::kdtree:
-      return "kdtree";
-  }
-  return "";
-}
+enum class AcceleratorKind { automatic, none, spheres, ellipsoids, boxes, bvh, grid, octree, kdtree };
+template <>
+inline constexpr Word<AcceleratorKind> words_of<AcceleratorKind>[] = {
+    {AcceleratorKind::automatic, "auto"},  {AcceleratorKind::none, "none"},
+    {AcceleratorKind::spheres, "spheres"}, {AcceleratorKind::ellipsoids, "ellipsoids"},
+    {AcceleratorKind::boxes, "boxes"},     {AcceleratorKind::bvh, "bvh"},
+    {AcceleratorKind::grid, "grid"},       {AcceleratorKind::octree, "octree"},
+    {AcceleratorKind::kdtree, "kdtree"}};
 
 /// What is known about a shadow ray in advance. It changes the cost of the search, not its answer.
 struct ShadowHints {

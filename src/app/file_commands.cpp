@@ -79,8 +79,9 @@ void declare_generate(CLI::App& program, Run& run) {
   const auto asked = std::make_shared<Asked>();
   GenerateOptions& to = asked->options;
   using enum GeneratedKind;
-  add_choice(command, "KIND", to.kind, std::array{spheres, flake, mesh}, generated_name,
-             "spheres (strewn at random), flake (spheres on spheres) or mesh (a bumpy ball of triangles)")
+  add_choice<GeneratedKind>(
+      command, "KIND", to.kind,
+      "spheres (strewn at random), flake (spheres on spheres) or mesh (a bumpy ball of triangles)")
       ->required();
   add_whole(command, "--count", to.count, 1, std::numeric_limits<int>::max(),
             "About how many spheres or triangles (1000 when left out)");

@@ -27,7 +27,7 @@ bool may_draw(const Scene& scene, Integrator integrator) {
 std::vector<std::string> idle_options(const RenderOptions& given, const Scene& scene) {
   const RenderChoices& choices = scene.render;
   const Integrator integrator = integrator_of(scene, choices.samples);
-  const std::string_view name = integrator_name(integrator);
+  const std::string_view name = name_of(integrator);
   std::vector<std::string> lines;
   const auto idle = [&](std::string_view option, const std::string& why) {
     lines.push_back(fmt::format("raywalk render: note: {} has no effect: {}", option, why));
@@ -54,7 +54,7 @@ std::vector<std::string> idle_options(const RenderOptions& given, const Scene& s
   if (given.path_length && !path)
     idle("--path-length", fmt::format("the integrator is {} (expected --integrator path)", name));
   if (given.epsilon && choices.numerics != Numerics::naive)
-    idle("--epsilon", fmt::format("numerics are {} (expected --numerics naive)", numerics_name(choices.numerics)));
+    idle("--epsilon", fmt::format("numerics are {} (expected --numerics naive)", name_of(choices.numerics)));
   return lines;
 }
 

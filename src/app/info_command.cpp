@@ -57,18 +57,17 @@ std::string cells_text(const Scene& scene) {
 std::string structures_text(const Scene& scene, const World<double>& chosen) {
   constexpr double few = 20000;
   const AcceleratorKind automatic = chosen.accelerator.kind();
-  std::string text =
-      fmt::format("\nstructures over {}; {} is chosen\n",
-                  count_of(static_cast<std::size_t>(chosen.accelerator.primitives().size()), "primitive"),
-                  accelerator_name(automatic));
+  std::string text = fmt::format(
+      "\nstructures over {}; {} is chosen\n",
+      count_of(static_cast<std::size_t>(chosen.accelerator.primitives().size()), "primitive"), name_of(automatic));
   text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9}\n", "", "nodes", "depth", "references", "bytes",
                       "build ms");
-  for (const AcceleratorKind kind : all_accelerators) {
+  for (const AcceleratorKind kind : values_of<AcceleratorKind>) {
     const bool shown = kind == automatic || (kind != AcceleratorKind::automatic && entries_of(scene.objects) <= few);
     if (!shown) continue;
     const AcceleratorStatistics s = (kind == automatic ? chosen : World<double>(scene, kind)).accelerator.statistics();
-    text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9.2f}\n", accelerator_name(kind), s.nodes, s.depth,
-                        s.references, s.bytes, 1000 * s.build_seconds);
+    text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9.2f}\n", name_of(kind), s.nodes, s.depth, s.references,
+                        s.bytes, 1000 * s.build_seconds);
   }
   return text;
 }
@@ -77,10 +76,9 @@ std::string structures_text(const Scene& scene, const World<double>& chosen) {
 std::string render_text(const Scene& scene) {
   const RenderChoices& choices = scene.render;
   const bool chosen = choices.integrator != Integrator::automatic;
-  std::string text(integrator_name(integrator_of(scene, choices.samples)));
+  std::string text(name_of(integrator_of(scene, choices.samples)));
   text += chosen ? "" : ", as what it holds calls for";
-  if (choices.samples > 1)
-    text += fmt::format(", {} samples a pixel, {}", choices.samples, sampler_name(choices.sampler));
+  if (choices.samples > 1) text += fmt::format(", {} samples a pixel, {}", choices.samples, name_of(choices.sampler));
   if (choices.integrator == Integrator::path && choices.path_length)
     text += fmt::format(", at most {} a path", count_of(static_cast<std::size_t>(*choices.path_length), "ray"));
   if (choices.tolerance > 0) text += fmt::format(", fewer where known to {:g}", choices.tolerance);
@@ -119,7 +117,7 @@ std::string info_text(const Scene& scene, const std::string& path) {
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     const EffectUse& use = effects[effect];
-    text += row("  " + std::string(effect_name(effect)), (use.used ? "used: " : "") + use.why);
+    text += row("  " + std::string(name_of(effect)), (use.used ? "used: " : "") + use.why);
     if (effect == Effect::refraction && !world.bodies.empty())
       text += row("", "bodies may lie in one another or hold the eye: rays know all that they are inside of");
   }
@@ -133,7 +131,7 @@ std::string cost_text(const study::SceneCost& cost) {
                                  cost.size.width, cost.size.height, cost.repetitions);
   text += fmt::format("  {:<15} {:>9} {:>9}   {}\n", "", "of rays", "of time", "95% interval of the time");
   for (const study::EffectCost& e : cost.effects)
-    text += fmt::format("  {:<15} {:>9} {:>9}   {} to {}\n", effect_name(e.effect), percent(e.rays_share),
+    text += fmt::format("  {:<15} {:>9} {:>9}   {} to {}\n", name_of(e.effect), percent(e.rays_share),
                         percent(e.seconds_share), percent(e.seconds_low), percent(e.seconds_high));
   if (cost.whole.rays > 0)
     text += fmt::format("  {:<15} {:>9}             of all rays; lights without shadows are not to be had\n",

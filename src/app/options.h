@@ -3,7 +3,10 @@
 
 #include "app/arguments.h"
 #include "app/console.h"
+#include "math/words.h"
 #include "text/spelling.h"
+
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
@@ -53,25 +56,14 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& targ
 }
 
 /// An option that takes one of a few words.
-template <class Target, class Choice, std::size_t Count, class NameOf>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& target,
-                        const std::array<Choice, Count>& choices, NameOf name_of, const std::string& help) {
-  std::vector<std::string_view> words;
-  std::string type;
-  for (const Choice choice : choices) {
-    words.push_back(name_of(choice));
-    type += (type.empty() ? "" : "|") + std::string(words.back());
-  }
-  const auto parse = [choices, name_of](const std::string& word) -> std::optional<Choice> {
-    for (const Choice choice : choices)
-      if (word == name_of(choice)) return choice;
-    return std::nullopt;
-  };
+template <Worded Choice, class Target>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
+  const std::vector<std::string_view> words = all_words<Choice>();
   const auto complain = [words](const std::string& word) {
     const std::string meant = nearest_word(word, words);
     return "is not known (expected " + one_of(words) + ")" + (meant.empty() ? "" : "; did you mean " + meant + "?");
   };
-  return add_value(command, name, target, parse, complain, type, help);
+  return add_value(command, name, target, named<Choice>, complain, fmt::format("{}", fmt::join(words, "|")), help);
 }
 
 /// An option that names a file or a folder. An empty name, as from an unset shell variable, does not mean absent; and

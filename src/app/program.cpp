@@ -36,13 +36,12 @@ namespace raywalk {
 namespace {
 
 void add_precision(CLI::App& command, Precision& target) {
-  add_choice(command, "--precision", target, std::array{Precision::float_, Precision::double_}, precision_name,
-             "Numbers of 24 or of 53 bits (double when left out)");
+  add_choice<Precision>(command, "--precision", target, "Numbers of 24 or of 53 bits (double when left out)");
 }
 
 void add_numerics(CLI::App& command, std::optional<Numerics>& numerics, std::optional<double>& epsilon) {
-  add_choice(command, "--numerics", numerics, all_numerics, numerics_name,
-             "How crossings are computed: with error bounds and exact arithmetic, or as books print it");
+  add_choice<Numerics>(command, "--numerics", numerics,
+                       "How crossings are computed: with error bounds and exact arithmetic, or as books print it");
   add_parsed(command, "--epsilon", epsilon, parse_amount, "X", "a number that is 0 or more",
              "How far off a surface rays start with naive numerics, in scene units");
 }
@@ -56,8 +55,8 @@ void add_limits(CLI::App& command, std::optional<int>& depth, std::optional<doub
 }
 
 void add_integrator(CLI::App& command, std::optional<Integrator>& integrator, std::optional<int>& path_length) {
-  add_choice(command, "--integrator", integrator, all_integrators, integrator_name,
-             "How light is followed: shadows only, mirrors and glass too, soft effects, or everywhere");
+  add_choice<Integrator>(command, "--integrator", integrator,
+                         "How light is followed: shadows only, mirrors and glass too, soft effects, or everywhere");
   constexpr auto range = schema::path_length_count;
   add_whole(command, "--path-length", path_length, range.low, range.high,
             "With --integrator path: most rays between the eye and a light");
@@ -96,9 +95,7 @@ void declare_render(CLI::App& program, Run& run) {
   constexpr int max_threads = 1024;
   add_integrator(command, to.integrator, to.path_length);
   add_samples(command, to.samples);
-  add_choice(
-      command, "--sampler", to.sampler, std::array{Sampler::random, Sampler::jittered, Sampler::sobol},
-      [](Sampler sampler) { return sampler_name(sampler); }, "Where samples fall");
+  add_choice<Sampler>(command, "--sampler", to.sampler, "Where samples fall");
   add_light_grid(command, to.light_grid);
   add_parsed(
       command, "--tolerance", to.tolerance, parse_share, "X", "a number from 0 to 1",
@@ -114,8 +111,8 @@ void declare_render(CLI::App& program, Run& run) {
             "Threads; 0, as when left out: as many as the machine runs at once");
   add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which random numbers are drawn, where any are (0 when left out)");
-  add_choice(command, "--accel", to.accelerator, all_accelerators, accelerator_name,
-             "How the objects that a ray may meet are found; the picture is the same");
+  add_choice<AcceleratorKind>(command, "--accel", to.accelerator,
+                              "How the objects that a ray may meet are found; the picture is the same");
   auto* cached = command.add_flag_callback(
       "--shadow-cache", [&to] { to.shadow_cache = true; },
       "Shadow rays first try what hid the same light last (when left out: with any --accel but none); the picture is "
@@ -145,10 +142,10 @@ void declare_step(CLI::App& program, Run& run) {
   add_parsed(command, "--pixel", to.pixel, parse_pixel, "N|X,Y",
              "a cell of the strip, such as 10, or column and row of the image, such as 220,165",
              "Only cell N of the strip, or only the image's pixel in column X and row Y, all from 0");
-  add_choice(command, "--format", to.format,
-             std::array{StepFormat::text, StepFormat::json, StepFormat::html, StepFormat::svg}, step_format_name,
-             "One line a step for people (as when left out); all numbers of each step for programs; a page for any "
-             "browser that steps offline; the plan after the last step as a drawing");
+  add_choice<StepFormat>(
+      command, "--format", to.format,
+      "One line a step for people (as when left out); all numbers of each step for programs; a page for any "
+      "browser that steps offline; the plan after the last step as a drawing");
   add_language(command, to.language,
                "Of the sentences, as text, page or drawing; left out: en. JSON is English always");
   add_size(command, to.size);
@@ -156,8 +153,8 @@ void declare_step(CLI::App& program, Run& run) {
   add_limits(command, to.depth, to.threshold);
   add_precision(command, to.precision);
   add_numerics(command, to.numerics, to.epsilon);
-  add_choice(command, "--fault", to.fault, all_faults, fault_name,
-             "Breaks one line of the tracer on purpose, over naive numerics: lessons/README.md tells which");
+  add_choice<Fault>(command, "--fault", to.fault,
+                    "Breaks one line of the tracer on purpose, over naive numerics: lessons/README.md tells which");
   command.footer(
       "A step is one executed line of the pseudocode: its number, its DEPTH in brackets, the line, and what it did.\n"
       "Paths have a pseudocode of their own; in brackets stand the rays of the path so far.\n"

@@ -18,20 +18,20 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
                    {"samples", report.sampling.per_pixel},
                    {"corner_samples", report.sampling.corners},
                    {"seed", report.sampling.seed},
-                   {"integrator", integrator_name(report.choices.integrator)},
-                   {"sampler", sampler_name(report.choices.sampler)},
+                   {"integrator", name_of(report.choices.integrator)},
+                   {"sampler", name_of(report.choices.sampler)},
                    {"tolerance", report.choices.tolerance},
                    {"depth", report.limits.depth},
                    {"threshold", report.limits.threshold},
-                   {"precision", precision_name(report.precision)},
-                   {"numerics", numerics_name(report.choices.numerics)}};
+                   {"precision", name_of(report.precision)},
+                   {"numerics", name_of(report.choices.numerics)}};
   for (int i = 0; i < ray_kind_count; ++i) {
     const auto kind = static_cast<RayKind>(i);
-    json["rays"][std::string(ray_kind_name(kind))] = statistics.formed(kind);
+    json["rays"][std::string(name_of(kind))] = statistics.formed(kind);
   }
   for (int i = 0; i < ending_count; ++i) {
     const auto ending = static_cast<Ending>(i);
-    json["ended"][std::string(ending_name(ending))] = statistics.ends(ending);
+    json["ended"][std::string(name_of(ending))] = statistics.ends(ending);
   }
   json["tests"] = {{"nodes", statistics.tests.nodes},
                    {"primitives", statistics.tests.primitives},
@@ -39,11 +39,11 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
   json["random_draws"] = statistics.random_draws;
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
-    if (statistics.drawn(effect) > 0) json["draws"][std::string(effect_name(effect))] = statistics.drawn(effect);
+    if (statistics.drawn(effect) > 0) json["draws"][std::string(name_of(effect))] = statistics.drawn(effect);
   }
   json["not_finite"] = statistics.not_finite;
   json["not_finite_pixels"] = rendering.not_finite_pixels;
-  json["accelerator"] = {{"name", accelerator_name(rendering.accelerator)},
+  json["accelerator"] = {{"name", name_of(rendering.accelerator)},
                          {"nodes", rendering.structure.nodes},
                          {"references", rendering.structure.references},
                          {"depth", rendering.structure.depth},
@@ -57,7 +57,7 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     const EffectUse& use = rendering.effects[effect];
-    json["effects"][std::string(effect_name(effect))] = {{"used", use.used}, {"why", use.why}};
+    json["effects"][std::string(name_of(effect))] = {{"used", use.used}, {"why", use.why}};
   }
   // A path need not be UTF-8; invalid bytes become the replacement character.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

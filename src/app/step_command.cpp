@@ -26,9 +26,9 @@ Result<void> print_json(const Scene& scene, const Timeline& timeline, const Step
                               {"title", scene.title},
                               {"depth", scene.limits.depth},
                               {"threshold", scene.limits.threshold},
-                              {"precision", precision_name(options.precision)},
-                              {"numerics", numerics_name(scene.render.numerics)}};
-  if (options.fault) head["fault"] = fault_name(*options.fault);
+                              {"precision", name_of(options.precision)},
+                              {"numerics", name_of(scene.render.numerics)}};
+  if (options.fault) head["fault"] = name_of(*options.fault);
   return write_steps_json(scene, timeline, head, [](const std::string& part) { return print(part); });
 }
 

@@ -114,7 +114,7 @@ std::vector<Family> accelerator_families() {
   Family family{"accelerators", "", {}};
   for (const AcceleratorKind kind : {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
                                      AcceleratorKind::kdtree, AcceleratorKind::none}) {
-    const std::string name(kind == AcceleratorKind::none ? "permuted" : accelerator_name(kind));
+    const std::string name(kind == AcceleratorKind::none ? "permuted" : name_of(kind));
     const auto add = [&](const char* scalar, auto run) {
       family.lines.push_back({name,
                               scalar,

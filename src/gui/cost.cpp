@@ -121,7 +121,7 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   form.number("property.threshold", next.threshold, 0.0005, 0, 1);
   form.number("property.tolerance", next.tolerance, 0.0005, 0, 1);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
-  pick_among(ui, form, "property.numerics", all_numerics, next.numerics);
+  pick_among(ui, form, "property.numerics", values_of<Numerics>, next.numerics);
   if (next.numerics == Numerics::naive) form.number("property.epsilon", next.epsilon, 1e-6, 0, 1);
   pick_among(ui, form, "property.accelerator", pickable_accelerators, next.accelerator);
   if (!(next == now)) ui.act(action::SetCostKnobs{next});

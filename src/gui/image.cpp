@@ -222,12 +222,12 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   ImageSettings next = state.picture.settings;
 
   Integrator integrator = next.integrator.value_or(state.scene().render.integrator);
-  if (pick_among(ui, form, "property.integrator", all_integrators, integrator)) next.integrator = integrator;
+  if (pick_among(ui, form, "property.integrator", values_of<Integrator>, integrator)) next.integrator = integrator;
   pick_among(ui, form, "property.accelerator", pickable_accelerators, next.accelerator);
   form.whole("property.samples", next.samples, 1, max_image_samples);
   form.whole("property.walk_samples", next.walk_samples, 1, max_walk_samples);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
-  pick_among(ui, form, "property.heat", all_heats, next.heat, heat_word);
+  pick_among(ui, form, "property.heat", values_of<Heat>, next.heat, heat_word);
   if (next != state.picture.settings) ui.act(action::SetImageSettings{next});
 
   // These belong to the scene: they also affect the walk and the file.
@@ -236,7 +236,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   now |= form.number("property.threshold", limits.threshold, 0.0005, 0, 1);
   if (now) ui.act(action::SetLimits{limits, form.continues()});
   Numerics numerics = state.scene().render.numerics;
-  if (pick_among(ui, form, "property.numerics", all_numerics, numerics))
+  if (pick_among(ui, form, "property.numerics", values_of<Numerics>, numerics))
     ui.act(action::SetNumerics{numerics, state.scene().render.epsilon});
   epsilon_row(ui, form);
 
@@ -251,7 +251,7 @@ namespace {
 
 void change_heat(const Ui& ui) {
   ImageSettings settings = ui.state.picture.settings;
-  settings.heat = next_among(all_heats, settings.heat);
+  settings.heat = next_among(values_of<Heat>, settings.heat);
   ui.act(action::SetImageSettings{settings});
   ui.act(action::SetTab{PictureRoom::tab});
 }

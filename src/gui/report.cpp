@@ -1,6 +1,5 @@
 #include "gui/report.h"
 
-#include "gui/names.h"
 #include "view/plan/plan_view.h"
 #include "view/predict/predict.h"
 #include "view/structure/structure.h"
@@ -93,7 +92,7 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"naive", state.scene().render.numerics == Numerics::naive}};
   if (state.appearance.tab == CostRoom::tab) json["cost"] = cost_report(state.cost, costs);
   if (shows_structure(state))
-    json["structure"] = {{"kind", accelerator_name(state.structure.kind)},
+    json["structure"] = {{"kind", name_of(state.structure.kind)},
                          {"build", state.structure.page == StructurePage::build},
                          {"step", structure_step(state)},
                          {"steps", structure_steps(state)}};

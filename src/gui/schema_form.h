@@ -79,8 +79,8 @@ class SchemaForm {
   }
   bool row(const FormLabel& label, const schema::Flag& /*kind*/, bool& value) { return form_.flag(label, value); }
   template <class T>
-  bool row(const FormLabel& label, const schema::Choice<T>& kind, T& value) {
-    const std::vector<std::string_view> words = kind.words();
+  bool row(const FormLabel& label, const schema::Choice<T>& /*kind*/, T& value) {
+    const std::vector<std::string_view> words = all_words<T>();
     int chosen = static_cast<int>(value);
     if (!form_.pick(label, {words.begin(), words.end()}, chosen)) return false;
     value = static_cast<T>(chosen);

@@ -1,6 +1,5 @@
 #include "gui/session.h"
 
-#include "gui/names.h"
 #include "render/parallel.h"
 #include "scene/warnings.h"
 #include "text/file.h"

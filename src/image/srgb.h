@@ -1,5 +1,7 @@
 #pragma once
 
+#include "math/words.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -10,6 +12,8 @@ enum class Encoding {
   srgb,       ///< the sRGB curve, rounded
   truncated,  ///< no curve, floor(255 c): as course scenes want it
 };
+template <>
+inline constexpr Word<Encoding> words_of<Encoding>[] = {{Encoding::srgb, "srgb"}, {Encoding::truncated, "truncated"}};
 
 /// Linear light to the sRGB signal (IEC 61966-2-1), both 1 at white. Not clamped.
 [[nodiscard]] inline double srgb_encode(double linear) {

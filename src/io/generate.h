@@ -2,6 +2,7 @@
 // Scenes and meshes of any size, for measuring and viewing. All are computed from formulas and written on the fly, so
 // memory does not grow with their size.
 
+#include "math/words.h"
 #include "text/error.h"
 
 #include <cstdint>
@@ -16,17 +17,9 @@ enum class GeneratedKind {
   flake,    ///< a sphere on which nine smaller ones sit, and so on (E. Haines's sphereflake)
   mesh,     ///< a ball with bumps, of triangles with normals
 };
-[[nodiscard]] constexpr std::string_view generated_name(GeneratedKind kind) {
-  switch (kind) {
-    case GeneratedKind::spheres:
-      return "spheres";
-    case GeneratedKind::flake:
-      return "flake";
-    case GeneratedKind::mesh:
-      return "mesh";
-  }
-  return "";
-}
+template <>
+inline constexpr Word<GeneratedKind> words_of<GeneratedKind>[] = {
+    {GeneratedKind::spheres, "spheres"}, {GeneratedKind::flake, "flake"}, {GeneratedKind::mesh, "mesh"}};
 
 struct GenerateOptions {
   GeneratedKind kind = GeneratedKind::spheres;

@@ -173,9 +173,9 @@ void SceneReader::together(std::optional<T>& value) {
 }
 
 template <class T>
-bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Choice<T>& kind, T& value) {
-  const auto index = word_of(node, key, kind.words());
-  if (index) value = static_cast<T>(*index);
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Choice<T>& /*kind*/, T& value) {
+  const auto index = word_of(node, key, all_words<T>());
+  if (index) value = words_of<T>[*index].first;
   return index.has_value();
 }
 

@@ -31,8 +31,8 @@ inline Value tree(const schema::FileName& /*kind*/, const std::string& value) {
   return scalar(value.empty() ? "" : toml_text::quoted(value));
 }
 template <class T>
-Value tree(const schema::Choice<T>& kind, T value) {
-  return scalar(toml_text::quoted(kind.name_of(value)));
+Value tree(const schema::Choice<T>& /*kind*/, T value) {
+  return scalar(toml_text::quoted(name_of(value)));
 }
 template <class T>
 Value tree(const schema::Tuple& kind, T value) {

@@ -64,17 +64,17 @@ Value spawned(const Moment& at, Of of) {
 }
 
 Value kind_of(const Moment& at) {
-  const Value own = spawned(at, [](const auto& ray) -> Value { return std::string(ray_kind_name(ray.kind)); });
+  const Value own = spawned(at, [](const auto& ray) -> Value { return std::string(name_of(ray.kind)); });
   if (!std::holds_alternative<Nothing>(own)) return own;
   const RayRecord* ray = at.ray();
-  return ray != nullptr ? Value(std::string(ray_kind_name(ray->kind))) : Value(Nothing{});
+  return ray != nullptr ? Value(std::string(name_of(ray->kind))) : Value(Nothing{});
 }
 
 Value ending_of(const Moment& at) {
-  if (const auto* found = at.is<Found>()) return std::string(ending_name(found->ending));
-  if (const auto* stub = at.is<RayNotFormed>()) return std::string(ending_name(stub->why));
+  if (const auto* found = at.is<Found>()) return std::string(name_of(found->ending));
+  if (const auto* stub = at.is<RayNotFormed>()) return std::string(name_of(stub->why));
   if (const auto* decided = at.is<Decided>(); decided != nullptr && decided->why)
-    return std::string(ending_name(*decided->why));
+    return std::string(name_of(*decided->why));
   return Nothing{};
 }
 

@@ -59,10 +59,10 @@ Outcome Facts::of_ray(std::string_view name, int index) const {
   const auto named = [](const auto& list, int i) {
     return i < 0 ? Value(Nothing{}) : Value(list[static_cast<std::size_t>(i)].name);
   };
-  if (name == "kind") return known(index >= 0, std::string(ray_kind_name(ray.kind)));
+  if (name == "kind") return known(index >= 0, std::string(name_of(ray.kind)));
   if (name == "formed") return known(index >= 0, ray.formed);
   if (name == "depth") return known(index >= 0, static_cast<double>(ray.depth));
-  if (name == "ending") return known(found, std::string(ending_name(ray.ending)));
+  if (name == "ending") return known(found, std::string(name_of(ray.ending)));
   if (name == "object") return known(met, named(scene().objects, met ? ray.object : -1));
   if (name == "light") return known(index >= 0, named(scene().lights, ray.light));
   if (name == "origin") return known(index >= 0, ray.origin);
@@ -227,7 +227,7 @@ Outcome Facts::of_search(const std::vector<Expression>& arguments) const {
   }
   if (words.size() == 2 && step().walk->searches != nullptr)
     for (const AcceleratorKind kind : watched_accelerators) {
-      if (accelerator_name(kind) != words[0] || (words[1] != "tests" && words[1] != "nodes")) continue;
+      if (name_of(kind) != words[0] || (words[1] != "tests" && words[1] != "nodes")) continue;
       const int ray = timeline().current_ray(position_);
       const auto searches = ray >= 0 ? step().walk->searches->search(ray) : nullptr;
       if (searches == nullptr) return Nothing{};

@@ -5,6 +5,7 @@
 #include "accel/accelerator.h"
 #include "lesson/expression.h"
 #include "lesson/words.h"
+#include "math/words.h"
 #include "scene/scene.h"
 #include "text/error.h"
 #include "text/language.h"
@@ -69,6 +70,12 @@ struct PictureRequest {
 
 /// The tab shown beside the plan at a step.
 enum class LessonBeside { unchanged, picture, tree, stack, equation, structure };
+template <>
+inline constexpr Word<LessonBeside> words_of<LessonBeside>[] = {{LessonBeside::picture, "picture"},
+                                                                {LessonBeside::tree, "tree"},
+                                                                {LessonBeside::stack, "stack"},
+                                                                {LessonBeside::equation, "equation"},
+                                                                {LessonBeside::structure, "structure"}};
 
 /// A pixel of the scene's image, or, with row -1, a cell of the strip; both from 0.
 struct LessonPixel {

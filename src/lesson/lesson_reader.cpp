@@ -186,11 +186,8 @@ class LessonReader {
   std::optional<Fault> fault(const toml::table& table) {
     const auto word = text(table, "fault");
     if (!word) return std::nullopt;
-    std::vector<std::string_view> names;
-    for (const Fault each : all_faults) {
-      if (fault_name(each) == *word) return each;
-      names.push_back(fault_name(each));
-    }
+    if (const auto known = named<Fault>(*word)) return known;
+    const std::vector<std::string_view> names = all_words<Fault>();
     const std::string meant = nearest_word(*word, names);
     fail(line_of(*table.get("fault")), fmt::format("fault: \"{}\" is not known (expected {})", *word, one_of(names)),
          meant.empty() ? "lessons/README.md says what each of them breaks" : "did you mean \"" + meant + "\"?");
@@ -246,14 +243,12 @@ class LessonReader {
     request.samples = whole(table, "samples", 1, max_samples).value_or(1);
     if (const auto seed = whole(table, "seed", 0, max_seed)) request.seed = static_cast<std::uint64_t>(*seed);
     if (const auto word = text(table, "accelerator")) {
-      std::vector<std::string_view> names;
-      const auto at = std::find_if(all_accelerators.begin(), all_accelerators.end(),
-                                   [&](AcceleratorKind kind) { return accelerator_name(kind) == *word; });
-      for (const AcceleratorKind kind : all_accelerators) names.push_back(accelerator_name(kind));
-      if (at == all_accelerators.end())
-        fail(request.line, fmt::format("accelerator: \"{}\" is not known (expected {})", *word, one_of(names)), "");
-      else
-        request.accelerator = *at;
+      const auto known = named<AcceleratorKind>(*word);
+      if (!known)
+        fail(request.line,
+             fmt::format("accelerator: \"{}\" is not known (expected {})", *word, one_of(all_words<AcceleratorKind>())),
+             "");
+      request.accelerator = known.value_or(request.accelerator);
     }
     request.changes = changes(table, "set");
     return request;
@@ -262,13 +257,9 @@ class LessonReader {
   LessonBeside pane(const toml::table& table) {
     const auto word = text(table, "show");
     if (!word) return LessonBeside::unchanged;
-    if (*word == "picture") return LessonBeside::picture;
-    if (*word == "tree") return LessonBeside::tree;
-    if (*word == "stack") return LessonBeside::stack;
-    if (*word == "equation") return LessonBeside::equation;
-    if (*word == "structure") return LessonBeside::structure;
+    if (const auto known = named<LessonBeside>(*word)) return *known;
     fail(line_of(*table.get("show")),
-         "show: \"" + *word + "\" is not known (expected picture, tree, stack, equation or structure)", "");
+         fmt::format("show: \"{}\" is not known (expected {})", *word, one_of(all_words<LessonBeside>())), "");
     return LessonBeside::unchanged;
   }
 

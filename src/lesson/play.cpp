@@ -205,7 +205,7 @@ class Player {
     const Timeline with = walked(broken), without = walked({});
     const std::optional<int> first = first_difference(scene, with, without);
     if (!first)
-      return fail(step.line, fmt::format("fault: {} changes nothing in pixel {}", fault_name(*step.fault), at.column),
+      return fail(step.line, fmt::format("fault: {} changes nothing in pixel {}", name_of(*step.fault), at.column),
                   "take another pixel, or another scene");
     const Line line = with.event(std::min(*first, with.steps() - 1)).line, expected = faulty_line(*step.fault);
     if (line != expected)
@@ -245,7 +245,7 @@ class Player {
         fail(step.line, "predict: a line is asked for, and no line is at fault (expected fault = \"...\")");
       else if (const auto right = pseudocode_of(faulty_line(*step.fault)).text; line->answer != right)
         fail(step.line, fmt::format("predict: \"{}\" is not the line that {} breaks (expected \"{}\")", line->answer,
-                                    fault_name(*step.fault), right));
+                                    name_of(*step.fault), right));
     } else if (const auto* choice = std::get_if<ChoiceQuestion>(&*step.question)) {
       int right = 0;
       for (const Formula& each : choice->choices) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <string_view>
+#include "math/words.h"
 
 namespace raywalk {
 
@@ -10,17 +9,8 @@ enum class Numerics {
   robust,  ///< error bounds, and exact arithmetic where they leave a doubt; a ray knows the surface it starts on
   naive,   ///< as textbooks give it, for study (shape/naive.h); a ray starts a fixed epsilon off the surface
 };
-inline constexpr std::array all_numerics{Numerics::robust, Numerics::naive};
-
-[[nodiscard]] constexpr std::string_view numerics_name(Numerics numerics) {
-  switch (numerics) {
-    case Numerics::robust:
-      return "robust";
-    case Numerics::naive:
-      return "naive";
-  }
-  return "";
-}
+template <>
+inline constexpr Word<Numerics> words_of<Numerics>[] = {{Numerics::robust, "robust"}, {Numerics::naive, "naive"}};
 
 /// How far off the surface naive rays start, along its normal, in scene units: what many tracers use. Too small in one
 /// place of a scene and too large in another: no single number suits all.

@@ -6,18 +6,6 @@
 
 namespace raywalk {
 
-std::string_view sampler_name(Sampler sampler) {
-  switch (sampler) {
-    case Sampler::random:
-      return "random";
-    case Sampler::jittered:
-      return "jittered";
-    case Sampler::sobol:
-      return "sobol";
-  }
-  return "";
-}
-
 namespace detail {
 
 namespace {

@@ -4,8 +4,8 @@
 
 #include "math/random.h"
 #include "math/vec.h"
+#include "math/words.h"
 
-#include <string_view>
 #include <vector>
 
 namespace raywalk {
@@ -16,8 +16,9 @@ enum class Sampler {
              ///< single numbers: one in each of n cells. Every key has an order of its own
   sobol,     ///< a (0, 2)-sequence: every 2^m samples from a multiple of 2^m on have one in each elementary interval
 };
-
-[[nodiscard]] std::string_view sampler_name(Sampler sampler);  ///< "jittered"
+template <>
+inline constexpr Word<Sampler> words_of<Sampler>[] = {
+    {Sampler::random, "random"}, {Sampler::jittered, "jittered"}, {Sampler::sobol, "sobol"}};
 
 /// The number of samples to distribute, and what follows from it: computed once for the many draws of a picture.
 class Strata {

@@ -1,6 +1,8 @@
 #pragma once
 // The cost of each pixel of a picture, as colours.
 
+#include "math/words.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -16,7 +18,12 @@ enum class Heat {
   time,   ///< microseconds
   noise,  ///< the spread of its samples: the standard deviation of their grey (the mean of red, green and blue)
 };
-inline constexpr std::array all_heats{Heat::none, Heat::rays, Heat::tests, Heat::time, Heat::noise};
+template <>
+inline constexpr Word<Heat> words_of<Heat>[] = {{Heat::none, "picture"},
+                                                {Heat::rays, "rays"},
+                                                {Heat::tests, "tests"},
+                                                {Heat::time, "time"},
+                                                {Heat::noise, "noise"}};
 
 /// From dark blue to yellow, of uniformly growing lightness and safe for colour-blind people: "cividis" (J. Nunez, C.
 /// Anderton and R. Renslow, PLoS ONE 13(7), 2018). `part` in 0..1.

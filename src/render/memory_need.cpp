@@ -104,7 +104,7 @@ MemoryNeed needed(const Scene& scene, const RenderSettings& settings) {
   const auto with_structure = [&](double count, const char* what) {
     return fmt::format(
         "a scene of {:.0f} {}, with its {}", count, what,
-        settings.accelerator == AcceleratorKind::automatic ? "structure" : accelerator_name(settings.accelerator));
+        settings.accelerator == AcceleratorKind::automatic ? "structure" : name_of(settings.accelerator));
   };
   const double all = shapes + triangles + picture;
   if (most == picture)

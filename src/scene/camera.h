@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/vec.h"
+#include "math/words.h"
 
 #include <cmath>
 #include <optional>
@@ -8,6 +9,8 @@
 namespace raywalk {
 
 enum class FovAxis { x, y };
+template <>
+inline constexpr Word<FovAxis> words_of<FovAxis>[] = {{FovAxis::x, "x"}, {FovAxis::y, "y"}};
 
 /// A full view angle.
 struct FieldOfView {

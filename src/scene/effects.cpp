@@ -4,34 +4,6 @@
 
 namespace raywalk {
 
-std::string_view effect_name(Effect effect) {
-  switch (effect) {
-    case Effect::shadows:
-      return "shadows";
-    case Effect::reflection:
-      return "reflection";
-    case Effect::refraction:
-      return "refraction";
-    case Effect::gloss:
-      return "gloss";
-    case Effect::translucency:
-      return "translucency";
-    case Effect::penumbra:
-      return "penumbra";
-    case Effect::depth_of_field:
-      return "depth_of_field";
-    case Effect::motion_blur:
-      return "motion_blur";
-    case Effect::antialiasing:
-      return "antialiasing";
-    case Effect::indirect_light:
-      return "indirect_light";
-    case Effect::textures:
-      return "textures";
-  }
-  return "";
-}
-
 namespace {
 
 /// The first object whose material satisfies `calls`, or null.
@@ -61,7 +33,7 @@ bool is_translucent(const Material& m) { return m.translucency > 0 && m.transmit
 bool emits(const Material& m) { return !is_black(m.emission); }
 
 EffectUse left_out(Integrator integrator, std::string_view what) {
-  return {false, "none: " + std::string(integrator_name(integrator)) + " " + std::string(what)};
+  return {false, "none: " + std::string(name_of(integrator)) + " " + std::string(what)};
 }
 
 EffectUse refraction(const Scene& scene, Integrator integrator) {

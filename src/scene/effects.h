@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/words.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -22,6 +23,18 @@ enum class Effect {
   indirect_light,
   textures,
 };
+template <>
+inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"},
+                                                    {Effect::reflection, "reflection"},
+                                                    {Effect::refraction, "refraction"},
+                                                    {Effect::gloss, "gloss"},
+                                                    {Effect::translucency, "translucency"},
+                                                    {Effect::penumbra, "penumbra"},
+                                                    {Effect::depth_of_field, "depth_of_field"},
+                                                    {Effect::motion_blur, "motion_blur"},
+                                                    {Effect::antialiasing, "antialiasing"},
+                                                    {Effect::indirect_light, "indirect_light"},
+                                                    {Effect::textures, "textures"}};
 inline constexpr int effect_count = 11;
 
 [[nodiscard]] std::string_view effect_name(Effect effect);

@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "math/vec.h"
+#include "math/words.h"
 
 #include <memory>
 #include <optional>
@@ -34,12 +35,18 @@ struct ImageTexture {
 
 /// What a surface does to shadow rays: block them, or let them pass weighted by `transmission` at each crossing.
 enum class ShadowKind { opaque, filtered };
+template <>
+inline constexpr Word<ShadowKind> words_of<ShadowKind>[] = {{ShadowKind::opaque, "opaque"},
+                                                            {ShadowKind::filtered, "filtered"}};
 
 /// Which way the shading normal points.
 enum class ShadingNormal {
   facing,  ///< the side the ray came from: the normal turns to face the ray
   fixed,   ///< the front, whichever side the ray came from; highlights of lights behind show too (course scenes)
 };
+template <>
+inline constexpr Word<ShadingNormal> words_of<ShadingNormal>[] = {{ShadingNormal::facing, "facing"},
+                                                                  {ShadingNormal::fixed, "fixed"}};
 
 /// How a surface reflects and transmits light (J. Blinn 1977 for the highlight, T. Whitted 1980 for the secondary
 /// rays). All reflectances are linear RGB, normally in 0..1.

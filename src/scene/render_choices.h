@@ -2,6 +2,7 @@
 
 #include "math/numerics.h"
 #include "math/sampler.h"
+#include "math/words.h"
 
 #include <array>
 #include <cstddef>
@@ -36,15 +37,12 @@ inline constexpr std::array integrators{
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }
-[[nodiscard]] constexpr std::string_view integrator_name(Integrator integrator) { return traits_of(integrator).name; }
-/// The integrators themselves.
-inline constexpr auto all_integrators = [] {
-  std::array<Integrator, integrators.size()> all{};
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = integrators[i].integrator;
-  return all;
+template <>
+inline constexpr auto words_of<Integrator> = [] {
+  std::array<Word<Integrator>, integrators.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = {integrators[i].integrator, integrators[i].name};
+  return words;
 }();
-
-inline constexpr int sampler_count = 3;
 
 /// How a scene is rendered, unless the command line says otherwise. None of it changes what the scene is.
 struct RenderChoices {

@@ -3,6 +3,7 @@
 // scene/schema.h. A kind's `expected()` completes "expected ..." in messages and is part of the reference of the
 // format.
 
+#include "math/words.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -103,35 +104,24 @@ struct Flag {
   [[nodiscard]] static std::string expected() { return "true or false"; }
 };
 
-/// One of the first `count` values of an enumeration, by its name.
-template <class Value>
+/// One of the values of an enumeration, by its word.
+template <Worded Value>
 struct Choice {
-  int count;
-  std::string_view (*name_of)(Value);
-  [[nodiscard]] std::vector<std::string_view> words() const {
-    std::vector<std::string_view> words;
-    for (int i = 0; i < count; ++i) words.push_back(name_of(static_cast<Value>(i)));
-    return words;
-  }
-  [[nodiscard]] std::string expected() const;
+  [[nodiscard]] static std::string expected();
 };
 /// "a", "b" or "c", each in quotes.
 [[nodiscard]] std::string quoted_words(const std::vector<std::string_view>& words);
-template <class Value>
-std::string Choice<Value>::expected() const {
-  return quoted_words(words());
+template <Worded Value>
+std::string Choice<Value>::expected() {
+  return quoted_words(all_words<Value>());
 }
-inline constexpr Choice<FovAxis> fov_axes{
-    2, [](FovAxis axis) { return std::string_view(axis == FovAxis::x ? "x" : "y"); }};
-inline constexpr Choice<ShadowKind> shadow_kinds{
-    2, [](ShadowKind kind) { return std::string_view(kind == ShadowKind::opaque ? "opaque" : "filtered"); }};
-inline constexpr Choice<ShadingNormal> shading_normals{
-    2, [](ShadingNormal normal) { return std::string_view(normal == ShadingNormal::facing ? "facing" : "fixed"); }};
-inline constexpr Choice<Encoding> encodings{
-    2, [](Encoding encoding) { return std::string_view(encoding == Encoding::srgb ? "srgb" : "truncated"); }};
-inline constexpr Choice<Integrator> integrators{static_cast<int>(all_integrators.size()), integrator_name};
-inline constexpr Choice<Sampler> samplers{sampler_count, sampler_name};
-inline constexpr Choice<Numerics> numerics{static_cast<int>(all_numerics.size()), numerics_name};
+inline constexpr Choice<FovAxis> fov_axes;
+inline constexpr Choice<ShadowKind> shadow_kinds;
+inline constexpr Choice<ShadingNormal> shading_normals;
+inline constexpr Choice<Encoding> encodings;
+inline constexpr Choice<Integrator> integrators;
+inline constexpr Choice<Sampler> samplers;
+inline constexpr Choice<Numerics> numerics;
 
 /// Any text in quotes.
 struct Text {

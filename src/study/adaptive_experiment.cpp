@@ -32,7 +32,7 @@ Report conclude(const std::vector<Trial>& trials) {
   price.x_label = "tolerance X";
   price.y_label = "samples a pixel, mean";
   for (const Sampler sampler : samplers) {
-    const std::string name(sampler_name(sampler));
+    const std::string name(name_of(sampler));
     for (const Subject& subject : subjects()) {
       const std::string method = name + " " + subject.name;
       const ErrorCurve curve(trials, method, error_of, Pool::mean);
@@ -99,7 +99,7 @@ Experiment adaptive_experiment(Effort effort) {
             if (std::abs(shown_as(shown) - shown_as(truth)) > tolerance) ++off;
           });
           const double taken = static_cast<double>(rendering->statistics.formed(RayKind::primary)) / (edge * edge);
-          trials.push_back({round, std::string(sampler_name(sampler)) + " " + subject.name, tolerance,
+          trials.push_back({round, std::string(name_of(sampler)) + " " + subject.name, tolerance,
                             static_cast<double>(off) / counted, taken, cost_of(rendering->statistics, seconds)});
         }
     return trials;

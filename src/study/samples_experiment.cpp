@@ -59,7 +59,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
     cost.title = smooth ? "A smooth pixel: error against time" : "A pixel on an edge: error against time";
     cost.x_label = "processor seconds a picture, median";
     for (const Sampler sampler : samplers) {
-      const std::string name(sampler_name(sampler)), method = name + " " + subject;
+      const std::string name(name_of(sampler)), method = name + " " + subject;
       const ErrorCurve curve(trials, method);
       const Expected law = expected_of(sampler);
       PlotSeries series = curve.series(name);
@@ -131,7 +131,7 @@ Experiment samples_experiment(Effort effort, const Faults& faults) {
           Camera& camera = subject.scene.camera;
           camera.eye.x = camera.look_at.x = faults.shifted * pixel_at(0, 0, edge).area() / 2 * edge;
           const Shot shot = shoot(subject.scene, {edge, edge}, {n, seed_of(round)}, faults.shuffled_seed);
-          trials.push_back({round, std::string(sampler_name(sampler)) + " " + subject.name, static_cast<double>(n),
+          trials.push_back({round, std::string(name_of(sampler)) + " " + subject.name, static_cast<double>(n),
                             error_in(subject, shot.film, faults.reference), static_cast<double>(edge * edge),
                             shot.cost});
         }

@@ -68,7 +68,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
   plot.floor = time.floor = trials.empty() ? 0 : trials.front().other;
   plot.floor_name = time.floor_name = "difference of the two references";
   for (const Sampler sampler : samplers) {
-    const std::string name(sampler_name(sampler));
+    const std::string name(name_of(sampler));
     const ErrorCurve curve(trials, name);
     PlotSeries series = curve.series(name);
     PlotSeries timed = series;
@@ -122,7 +122,7 @@ Experiment scene_experiment(Effort effort) {
         const Shot shot = shoot(scene, size, {n, seed_of(round)});
         const Compared off = compared(shot.film, [&](int column, int row) { return truth.mean(column, row); });
         trials.push_back(
-            {round, std::string(sampler_name(sampler)), static_cast<double>(n), off.rms, truth.apart, shot.cost});
+            {round, std::string(name_of(sampler)), static_cast<double>(n), off.rms, truth.apart, shot.cost});
       }
     return trials;
   };

@@ -74,9 +74,9 @@ Report conclude(const std::vector<Trial>& trials) {
   build.y_label = "seconds, median";
   even.title = "From how many rays on building pays";
   even.y_label = "rays until it is cheaper than no structure";
-  const ErrorCurve none(trials, std::string(accelerator_name(Kind::none)), microseconds(), Pool::median);
+  const ErrorCurve none(trials, std::string(name_of(Kind::none)), microseconds(), Pool::median);
   for (const Kind kind : kinds) {
-    const std::string name(accelerator_name(kind));
+    const std::string name(name_of(kind));
     const ErrorCurve curve(trials, name, error_of, Pool::mean);
     const auto look = static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
     const auto add = [&](Plot& plot, PlotSeries more) {
@@ -180,7 +180,7 @@ Experiment structures_experiment(Effort effort) {
         }
         const double seconds = thread_seconds() - start;
         const Cost cost{asked, counts.nodes, counts.primitives, 0, seconds};
-        trials.push_back({round, std::string(accelerator_name(kind)), static_cast<double>(count),
+        trials.push_back({round, std::string(name_of(kind)), static_cast<double>(count),
                           static_cast<double>(counts.nodes + counts.primitives) / static_cast<double>(asked),
                           start - before, cost});
         if (!right) right = of_few;

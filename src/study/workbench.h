@@ -5,6 +5,7 @@
 #include "accel/accelerator.h"
 #include "image/image_file.h"
 #include "math/stop.h"
+#include "math/words.h"
 #include "study/trial.h"
 #include "trace/kernel.h"
 
@@ -112,3 +113,9 @@ class Workbench {
 };
 
 }  // namespace raywalk::study
+
+namespace raywalk {
+template <>
+inline constexpr Word<study::CostAxis> words_of<study::CostAxis>[] = {
+    {study::CostAxis::rays, "rays"}, {study::CostAxis::tests, "tests"}, {study::CostAxis::seconds, "seconds"}};
+}  // namespace raywalk

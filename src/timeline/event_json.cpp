@@ -33,7 +33,7 @@ class EventWriter {
 
   void operator()(const RayNotFormed& stub) const {
     to_["what"] = "ray_not_formed";
-    to_["why"] = ending_name(stub.why);
+    to_["why"] = name_of(stub.why);
     spawned(stub.kind, stub.parent, stub.origin, stub.direction, stub.throughput);
     light(stub.light);
     if (stub.light_sample > 0) to_["light_sample"] = stub.light_sample;
@@ -42,7 +42,7 @@ class EventWriter {
   void operator()(const Found& found) const {
     to_["what"] = "found";
     to_["ray"] = found.ray;
-    to_["ending"] = ending_name(found.ending);
+    to_["ending"] = name_of(found.ending);
     if (found.object >= 0) {
       to_["t"] = found.t;
       object(found.object);
@@ -60,7 +60,7 @@ class EventWriter {
     to_["what"] = "decided";
     to_["holds"] = decided.holds;
     to_["weight"] = triple(decided.weight);
-    if (decided.why) to_["why"] = ending_name(*decided.why);
+    if (decided.why) to_["why"] = name_of(*decided.why);
     if (decided.snell) snell(*decided.snell);
   }
 
@@ -117,7 +117,7 @@ class EventWriter {
     to_["what"] = "direction_chosen";
     to_["absorbed"] = chosen.absorbed;
     if (chosen.absorbed) return;
-    to_["lobe"] = lobe_name(chosen.lobe);
+    to_["lobe"] = name_of(chosen.lobe);
     to_["direction"] = triple(chosen.direction);
     to_["density"] = chosen.pdf;
     to_["share"] = triple(chosen.throughput);
@@ -127,7 +127,7 @@ class EventWriter {
     to_["what"] = "survival_decided";
     to_["survives"] = decided.survives;
     to_["survival"] = decided.survival;
-    if (decided.why) to_["why"] = ending_name(*decided.why);
+    if (decided.why) to_["why"] = name_of(*decided.why);
   }
 
  private:
@@ -147,7 +147,7 @@ class EventWriter {
     to_["sample"] = sample;
   }
   void spawned(RayKind kind, int parent, const Vec3d& origin, const Vec3d& direction, const Rgbd& throughput) const {
-    to_["kind"] = ray_kind_name(kind);
+    to_["kind"] = name_of(kind);
     if (parent >= 0) to_["parent"] = parent;
     to_["origin"] = triple(origin);
     to_["direction"] = triple(direction);

@@ -3,6 +3,7 @@
 // All numbers are passed in double, whatever scalar the tracer uses.
 
 #include "math/vec.h"
+#include "math/words.h"
 #include "trace/optics.h"
 #include "trace/pseudocode.h"
 
@@ -15,6 +16,11 @@
 namespace raywalk {
 
 enum class RayKind { primary, shadow, reflect, refract };
+template <>
+inline constexpr Word<RayKind> words_of<RayKind>[] = {{RayKind::primary, "primary"},
+                                                      {RayKind::shadow, "shadow"},
+                                                      {RayKind::reflect, "reflect"},
+                                                      {RayKind::refract, "refract"}};
 inline constexpr int ray_kind_count = 4;
 
 /// Why a ray ended, or why it was not formed. A formed ray ends in one of the first four.
@@ -30,10 +36,18 @@ enum class Ending {
   facing_away,                ///< not formed: the light is behind the surface
   outside_cone,               ///< not formed: outside the cone of the spot
 };
+template <>
+inline constexpr Word<Ending> words_of<Ending>[] = {{Ending::hit, "hit"},
+                                                    {Ending::missed, "missed"},
+                                                    {Ending::blocked, "blocked"},
+                                                    {Ending::reached_light, "reached_light"},
+                                                    {Ending::depth, "depth"},
+                                                    {Ending::threshold, "threshold"},
+                                                    {Ending::total_internal_reflection, "total_internal_reflection"},
+                                                    {Ending::path_length, "path_length"},
+                                                    {Ending::facing_away, "facing_away"},
+                                                    {Ending::outside_cone, "outside_cone"}};
 inline constexpr int ending_count = 10;
-
-[[nodiscard]] std::string_view ray_kind_name(RayKind kind);  ///< "primary"
-[[nodiscard]] std::string_view ending_name(Ending ending);   ///< "total_internal_reflection"
 
 /// The quadratic a t^2 + b t + c of a sphere (roots NaN when there are none).
 struct QuadraticNumbers {
@@ -142,8 +156,12 @@ struct PixelPut {
 /// How a surface scatters. Mirror and transparent lobes are sharp, or cones where the material is glossy or
 /// translucent.
 enum class Lobe { diffuse, highlight, mirror, transparent };
+template <>
+inline constexpr Word<Lobe> words_of<Lobe>[] = {{Lobe::diffuse, "diffuse"},
+                                                {Lobe::highlight, "highlight"},
+                                                {Lobe::mirror, "mirror"},
+                                                {Lobe::transparent, "transparent"}};
 inline constexpr int lobe_count = 4;
-[[nodiscard]] std::string_view lobe_name(Lobe lobe);  ///< "diffuse"
 
 /// add_background: the path has left the scene.
 struct BackgroundAdded {

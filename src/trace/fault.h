@@ -4,10 +4,8 @@
 // injected by hooks in a kernel of their own (Policy::faulty), with naive numerics, since only these have an epsilon
 // and a choice of roots to get wrong.
 
+#include "math/words.h"
 #include "trace/pseudocode.h"
-
-#include <array>
-#include <string_view>
 
 namespace raywalk {
 
@@ -22,32 +20,12 @@ enum class Fault {
   second_root_dropped,    ///< of a quadratic's roots only the nearer is considered, even from inside
   epsilon_too_small,      ///< a shadow ray starts on the surface itself
 };
-inline constexpr std::array all_faults{
-    Fault::shadow_ray_misaimed, Fault::reflection_flipped, Fault::refraction_inverted, Fault::attenuation_forgotten,
-    Fault::depth_not_counted,   Fault::epsilon_wrong_side, Fault::second_root_dropped, Fault::epsilon_too_small};
-
-/// "shadow_ray_misaimed"
-[[nodiscard]] constexpr std::string_view fault_name(Fault fault) {
-  switch (fault) {
-    case Fault::shadow_ray_misaimed:
-      return "shadow_ray_misaimed";
-    case Fault::reflection_flipped:
-      return "reflection_flipped";
-    case Fault::refraction_inverted:
-      return "refraction_inverted";
-    case Fault::attenuation_forgotten:
-      return "attenuation_forgotten";
-    case Fault::depth_not_counted:
-      return "depth_not_counted";
-    case Fault::epsilon_wrong_side:
-      return "epsilon_wrong_side";
-    case Fault::second_root_dropped:
-      return "second_root_dropped";
-    case Fault::epsilon_too_small:
-      return "epsilon_too_small";
-  }
-  return "";
-}
+template <>
+inline constexpr Word<Fault> words_of<Fault>[] = {
+    {Fault::shadow_ray_misaimed, "shadow_ray_misaimed"}, {Fault::reflection_flipped, "reflection_flipped"},
+    {Fault::refraction_inverted, "refraction_inverted"}, {Fault::attenuation_forgotten, "attenuation_forgotten"},
+    {Fault::depth_not_counted, "depth_not_counted"},     {Fault::epsilon_wrong_side, "epsilon_wrong_side"},
+    {Fault::second_root_dropped, "second_root_dropped"}, {Fault::epsilon_too_small, "epsilon_too_small"}};
 
 /// The line of pseudocode that is broken.
 [[nodiscard]] constexpr Line faulty_line(Fault fault) {

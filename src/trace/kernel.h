@@ -2,6 +2,7 @@
 // The tracer's compiled kernels: one for each scalar and each set of effects inside the hit loop, and an observed one.
 
 #include "math/stop.h"
+#include "math/words.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
@@ -14,6 +15,8 @@ namespace raywalk {
 
 /// The scalar type that a trace runs in: 24 or 53 bits.
 enum class Precision { float_, double_ };
+template <>
+inline constexpr Word<Precision> words_of<Precision>[] = {{Precision::float_, "float"}, {Precision::double_, "double"}};
 
 /// The pixels of a rectangle, row by row; with `stride` > 1 only every `stride`-th column and row, from the first.
 struct PixelBlock {

@@ -14,10 +14,10 @@
 // No word: it has no text form. No fields: it has none. No traits: those of Traits{}.
 
 #include "math/vec.h"
+#include "math/words.h"
 #include "render/heat.h"
 #include "scene/scene.h"
 #include "study/workbench.h"
-#include "view/words.h"
 
 #include <string_view>
 #include <type_traits>
@@ -98,36 +98,5 @@ void each_field(F& f, S& s) {
   f(s.samples), f(s.sampler), f(s.light_grid), f(s.depth), f(s.threshold), f(s.single_precision, float_or_double);
   f(s.accelerator), f(s.tolerance), f(s.numerics), f(s.epsilon);
 }
-
-// The words of enumerations of the floors below.
-template <>
-inline constexpr Word<Heat> words_of<Heat>[] = {{Heat::none, "picture"},
-                                                {Heat::rays, "rays"},
-                                                {Heat::tests, "tests"},
-                                                {Heat::time, "time"},
-                                                {Heat::noise, "noise"}};
-template <>
-inline constexpr Word<Integrator> words_of<Integrator>[] = {
-    {Integrator::automatic, integrator_name(Integrator::automatic)},
-    {Integrator::cast, integrator_name(Integrator::cast)},
-    {Integrator::whitted, integrator_name(Integrator::whitted)},
-    {Integrator::distributed, integrator_name(Integrator::distributed)},
-    {Integrator::path, integrator_name(Integrator::path)}};
-template <>
-inline constexpr Word<study::CostAxis> words_of<study::CostAxis>[] = {
-    {study::CostAxis::rays, "rays"}, {study::CostAxis::tests, "tests"}, {study::CostAxis::seconds, "seconds"}};
-template <>
-inline constexpr Word<Sampler> words_of<Sampler>[] = {
-    {Sampler::random, "random"}, {Sampler::jittered, "jittered"}, {Sampler::sobol, "sobol"}};
-template <>
-inline constexpr Word<Numerics> words_of<Numerics>[] = {{Numerics::robust, numerics_name(Numerics::robust)},
-                                                        {Numerics::naive, numerics_name(Numerics::naive)}};
-template <>
-inline constexpr Word<AcceleratorKind> words_of<AcceleratorKind>[] = {
-    {AcceleratorKind::automatic, "automatic"}, {AcceleratorKind::none, "none"},
-    {AcceleratorKind::spheres, "spheres"},     {AcceleratorKind::ellipsoids, "ellipsoids"},
-    {AcceleratorKind::boxes, "boxes"},         {AcceleratorKind::bvh, "bvh"},
-    {AcceleratorKind::grid, "grid"},           {AcceleratorKind::octree, "octree"},
-    {AcceleratorKind::kdtree, "kdtree"}};
 
 }  // namespace raywalk

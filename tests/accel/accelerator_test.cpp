@@ -126,7 +126,7 @@ void compare(int count, bool mixed) {
         ++differing;
       if (!stopped && filters != expected_filters) ++differing;
     }
-    INFO(accelerator_name(kind) << ", " << count << " primitives");
+    INFO(name_of(kind) << ", " << count << " primitives");
     CHECK(differing == 0);
     CHECK(hits > rounds(400));
     if (count >= 1000 && !mixed) CHECK(counts.primitives * 10 < brute.primitives);
@@ -168,7 +168,7 @@ TEMPLATE_TEST_CASE("accelerators hold nothing, one thing, and a thousand in one 
   using T = TestType;
   TestCounts counts;
   for (const AcceleratorKind kind : structures) {
-    INFO(accelerator_name(kind));
+    INFO(name_of(kind));
     const Accelerator<T> empty(Primitives<T>(), kind);
     CHECK_FALSE(empty.closest({Vec3<T>(0), {1, 0, 0}}, infinity<T>, counts));
     const Accelerator<T> plane(Primitives<T>({Plane<T>{}}), kind);

@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("accelerators miss nothing that aimed rays hit", "[accel]", f
   }
   const Accelerator<T> list(Primitives<T>(all), AcceleratorKind::none);
   for (const AcceleratorKind kind : structures) {
-    INFO(accelerator_name(kind));
+    INFO(name_of(kind));
     const Accelerator<T> structure(Primitives<T>(all), kind);
     TestCounts counts;
     int differing = 0, hits = 0;
@@ -126,7 +126,7 @@ TEMPLATE_TEST_CASE("accelerators miss nothing of polygons that are not quite fla
       for (std::size_t k = 0; k < others.size(); ++k) {
         const auto found = others[k].closest(ray, infinity<T>, counts);
         const bool same = found.has_value() == expected.has_value() && (!found || found->t == expected->t);
-        if (!same) FAIL(accelerator_name(structures[k]) << " in round " << round);
+        if (!same) FAIL(name_of(structures[k]) << " in round " << round);
       }
     }
   }

@@ -141,7 +141,7 @@ TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves
     rays.push_back(ray);
   }
   for (const AcceleratorKind kind : kinds) {
-    INFO(accelerator_name(kind));
+    INFO(name_of(kind));
     const Accelerator<T> structure(primitives, kind);
     TestCounts counts;
     int differing = 0, on_shapes = 0, on_meshes = 0, moving = 0;

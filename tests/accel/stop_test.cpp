@@ -29,7 +29,7 @@ Primitives<T> ball() {
 TEMPLATE_TEST_CASE("a build asks from its beginning to its end whether it is wanted", "[accel]", float, double) {
   const Primitives<TestType> primitives = ball<TestType>();
   for (const AcceleratorKind kind : kinds) {
-    CAPTURE(accelerator_name(kind));
+    CAPTURE(name_of(kind));
     Asked wanted;
     const Accelerator<TestType> whole(primitives, kind, Stop(wanted));
     const AcceleratorStatistics statistics = whole.statistics(),

@@ -104,7 +104,7 @@ void compare(AcceleratorKind kind) {
 
 TEST_CASE("a watched search finds and costs what the same search costs that nobody watches") {
   for (const AcceleratorKind kind : structures) {
-    INFO(accelerator_name(kind));
+    INFO(name_of(kind));
     compare<double, Ray<double>>(kind);
     compare<float, Ray<float>>(kind);
     compare<double, NaiveRay<double>>(kind);
@@ -118,7 +118,7 @@ TEST_CASE("filters are told as such, and what stops is told last") {
   std::vector<ShadowRole> roles(row.size(), ShadowRole::filters);
   roles[3] = ShadowRole::ignored, roles[7] = ShadowRole::stops;
   for (const AcceleratorKind kind : structures) {
-    INFO(accelerator_name(kind));
+    INFO(name_of(kind));
     const Accelerator<double> accelerator(Primitives<double>(row), kind);
     const WatchedAccelerator<double> watching(accelerator.primitives(), kind, 0);
     const Ray<double> ray{Vec3d(0, 0.125, 0), Vec3d(1, 0, 0)};
@@ -140,7 +140,7 @@ TEST_CASE("filters are told as such, and what stops is told last") {
 
 TEST_CASE("a skipped box is truly missed, behind or beyond, and each of these occurs in each tree") {
   for (const AcceleratorKind kind : {AcceleratorKind::bvh, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
-    INFO(accelerator_name(kind));
+    INFO(name_of(kind));
     const Primitives<double> primitives(room<double>(60));
     const WatchedAccelerator<double> accelerator(primitives, kind, 0);
     std::set<Skip> reasons;
@@ -221,7 +221,7 @@ TEST_CASE("a record that is full goes on counting") {
 TEST_CASE("the steps of a build are those of the structure that stands in the end") {
   for (const AcceleratorKind kind :
        {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
-    INFO(accelerator_name(kind));
+    INFO(name_of(kind));
     const Accelerator<double> renderers(Primitives<double>(room<double>(60)), kind);
     const WatchedAccelerator<double> accelerator(renderers.primitives(), kind, 100000);
     const BuildRecord& record = accelerator.build();

@@ -43,10 +43,10 @@ TEST_CASE("info names every effect and why it is used or not") {
   const Outcome outcome = folder.run({"info", "classic"});
   CHECK(outcome.exit_code == 0);
   for (int i = 0; i < effect_count; ++i)
-    CHECK_THAT(outcome.out, contains("\n  " + std::string(effect_name(static_cast<Effect>(i))) + " "));
-  for (const AcceleratorKind kind : all_accelerators)
+    CHECK_THAT(outcome.out, contains("\n  " + std::string(name_of(static_cast<Effect>(i))) + " "));
+  for (const AcceleratorKind kind : values_of<AcceleratorKind>)
     if (kind != AcceleratorKind::automatic)
-      CHECK_THAT(outcome.out, contains("\n  " + std::string(accelerator_name(kind)) + " "));
+      CHECK_THAT(outcome.out, contains("\n  " + std::string(name_of(kind)) + " "));
   CHECK_THAT(outcome.out, contains("structures over 4 primitives; bvh is chosen"));
   CHECK_THAT(outcome.out, contains("used: Transparent Sphere transmits") && contains("none: nothing moves"));
 }

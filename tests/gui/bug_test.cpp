@@ -113,7 +113,7 @@ TEST_CASE("everything of a hunt fits into its pane, in both languages, at every 
       for (const Language language : all_languages()) {
         update(bench.state, action::SetLanguage{std::string(language.code())});
         update(bench.state, action::SetLessonOptions{false, true});
-        for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+        for (int number = 1; number <= static_cast<int>(values_of<Fault>.size()); ++number) {
           update(bench.state, action::HuntBug{number});
           bench.frames(3);
           const Rect& pane = bench.interface().layout().lesson;

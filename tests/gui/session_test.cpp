@@ -1,5 +1,4 @@
 #include "gui/session.h"
-#include "gui/names.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -32,7 +32,7 @@ TEST_CASE("the structures take the code's place and leave the plan its room") {
   CHECK(bench.has("structure/sentence"));
   CHECK(bench.has("step"));  // the walk goes on beside it
   for (const AcceleratorKind kind : watched_accelerators) {
-    const Rect row = bench.rect("structure/" + std::string(accelerator_name(kind)));
+    const Rect row = bench.rect("structure/" + std::string(name_of(kind)));
     CHECK(row.bottom() <= 720);
     CHECK(row.right() <= 1280);
   }

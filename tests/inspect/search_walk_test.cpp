@@ -51,8 +51,7 @@ TEST_CASE("over a strip the watched searches cost what the renderer counts, in e
         const std::uint64_t afterwards = all.primitives - sums[brute].primitives;
         CHECK((afterwards > 0) == (name == "classic"));
         for (std::size_t i = 0; i < watched_count; ++i) {
-          CAPTURE(name, accelerator_name(watched_accelerators[i]), numerics_name(numerics),
-                  static_cast<int>(precision));
+          CAPTURE(name, name_of(watched_accelerators[i]), name_of(numerics), static_cast<int>(precision));
           const TestCounts counts = precision == Precision::float_ ? rendered<float>(scene, watched_accelerators[i])
                                                                    : rendered<double>(scene, watched_accelerators[i]);
           CHECK(sums[i].nodes == counts.nodes);

@@ -134,8 +134,8 @@ std::string random_text(Random& random) {
 
 RenderChoices random_choices(Random& random) {
   RenderChoices choices;
-  choices.integrator = static_cast<Integrator>(random.below(all_integrators.size()));
-  choices.sampler = static_cast<Sampler>(random.below(sampler_count));
+  choices.integrator = static_cast<Integrator>(random.below(values_of<Integrator>.size()));
+  choices.sampler = static_cast<Sampler>(random.below(values_of<Sampler>.size()));
   if (random.chance(0.5)) choices.samples = 1 + static_cast<int>(random.below(64));
   if (random.chance(0.5)) choices.light_grid = 1 + static_cast<int>(random.below(8));
   if (random.chance(0.5)) choices.tolerance = random.unit();

@@ -160,7 +160,7 @@ TEST_CASE("every single sample of every sampler is uniform over keys, in both co
   const Strata strata(16);
   for (const Sampler sampler : samplers)
     for (const std::uint32_t sample : {0u, 1u, 5u, 15u}) {
-      INFO(sampler_name(sampler) << ", sample " << sample);
+      INFO(name_of(sampler) << ", sample " << sample);
       std::vector<int> counts(256), single(256), low(256);
       for (std::uint32_t k = 0; k < 60000; ++k) {
         RandomKey key = key_number(k);
@@ -180,7 +180,7 @@ TEST_CASE("samples of two keys are independent: pixels, effects, paths, dimensio
   // order or the same strata in both would fill its diagonal.
   for (const Sampler sampler : samplers)
     for (std::uint32_t field = 0; field < 6; ++field) {
-      INFO(sampler_name(sampler) << ", field " << field);
+      INFO(name_of(sampler) << ", field " << field);
       std::vector<int> joint(256), singles(256);
       double correlation = 0;
       constexpr std::uint32_t keys = 1500, count = 16;

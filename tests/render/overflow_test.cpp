@@ -34,7 +34,7 @@ TEST_CASE("shades beyond a file's float are counted, by every integrator and in 
       scene.render.integrator = integrator;
       const auto too_bright = render(scene, settings);
       REQUIRE(too_bright);
-      INFO(integrator_name(integrator) << (precision == Precision::float_ ? ", float" : ", double"));
+      INFO(name_of(integrator) << (precision == Precision::float_ ? ", float" : ", double"));
       CHECK(too_bright->statistics.not_finite == 2 * 12);
       CHECK(too_bright->not_finite_pixels == 12);
       scene.objects[0].material.emission = Rgbd(3e38);

@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE("no accelerator changes a bit of the picture", "", float, dou
     for (const AcceleratorKind kind :
          {AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes, AcceleratorKind::bvh,
           AcceleratorKind::grid, AcceleratorKind::octree, AcceleratorKind::kdtree}) {
-      INFO(accelerator_name(kind));
+      INFO(name_of(kind));
       settings.accelerator = kind;
       const auto other = render(named.scene, settings).value();
       CHECK(other.accelerator == kind);

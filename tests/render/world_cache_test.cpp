@@ -29,7 +29,7 @@ TEST_CASE("what else a world is made from makes another") {
   constexpr auto automatic = AcceleratorKind::automatic;
   CHECK_FALSE(differs(scene, automatic, {}));
   CHECK(differs(scene, AcceleratorKind::grid, {}));
-  CHECK(differs(scene, automatic, all_faults.front()));
+  CHECK(differs(scene, automatic, values_of<Fault>.front()));
   const auto changed = [&](const auto& change) {
     Scene other = scene;
     change(other);

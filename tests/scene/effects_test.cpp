@@ -32,17 +32,17 @@ std::set<Effect> used(const Effects& effects) {
 
 TEST_CASE("effects have names of their own, as the statistics write them") {
   std::set<std::string_view> names;
-  for (const Effect effect : all_effects) names.insert(effect_name(effect));
+  for (const Effect effect : all_effects) names.insert(name_of(effect));
   CHECK(names.size() == static_cast<std::size_t>(effect_count));
-  CHECK(effect_name(Effect::depth_of_field) == "depth_of_field");
-  CHECK(effect_name(Effect::indirect_light) == "indirect_light");
+  CHECK(name_of(Effect::depth_of_field) == "depth_of_field");
+  CHECK(name_of(Effect::indirect_light) == "indirect_light");
 }
 
 TEST_CASE("each effect has a reason, used or not") {
   for (const Scene& scene : {Scene{}, scene_of({})}) {
     const Effects effects = effects_of(scene);
     for (const Effect effect : all_effects) {
-      INFO(effect_name(effect));
+      INFO(name_of(effect));
       CHECK_FALSE(effects[effect].why.empty());
       CHECK((effects[effect].why.rfind("none: ", 0) == 0) == !effects.used(effect));
     }

@@ -52,7 +52,7 @@ TEST_CASE("a scene without an effect does not call for it, and still for all oth
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     const auto changed = without(scene, effect);
-    CAPTURE(effect_name(effect));
+    CAPTURE(name_of(effect));
     CHECK(changed.has_value() == (effect != Effect::shadows));
     if (!changed || !all.used(effect)) continue;
     ++tried;

@@ -58,7 +58,7 @@ TEST_CASE("every event is told with its line and its numbers") {
       if (formed->light >= 0)
         CHECK(json.at("light_name") == scene.lights[static_cast<std::size_t>(formed->light)].name);
     } else if (const auto* found = std::get_if<Found>(&event.detail)) {
-      CHECK(json.at("ending") == std::string(ending_name(found->ending)));
+      CHECK(json.at("ending") == std::string(name_of(found->ending)));
       CHECK(json.contains("object_name") == (found->object >= 0));
       if (found->object >= 0) {
         CHECK(json.at("object_name") == scene.objects[static_cast<std::size_t>(found->object)].name);

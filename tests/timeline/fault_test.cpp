@@ -55,9 +55,9 @@ Image picture(const Scene& scene, std::optional<Fault> fault, Precision precisio
 }  // namespace
 
 TEST_CASE("every fault first changes the walk at the line that it breaks") {
-  for (const Fault fault : all_faults) {
+  for (const Fault fault : values_of<Fault>) {
     for (const Precision precision : {Precision::double_, Precision::float_}) {
-      CAPTURE(fault_name(fault), static_cast<int>(precision));
+      CAPTURE(name_of(fault), static_cast<int>(precision));
       const Scene scene = scene_for(fault);
       const Timeline whole = walk(scene, {}, precision), broken = walk(scene, fault, precision);
       const auto first = first_difference(scene, broken, whole);
@@ -73,8 +73,8 @@ TEST_CASE("every fault first changes the walk at the line that it breaks") {
 }
 
 TEST_CASE("every fault shows in the strip and in the picture, watched or not") {
-  for (const Fault fault : all_faults) {
-    CAPTURE(fault_name(fault));
+  for (const Fault fault : values_of<Fault>) {
+    CAPTURE(name_of(fault));
     const Scene scene = scene_for(fault);
     const Timeline whole = walk(scene, {}), broken = walk(scene, fault);
     REQUIRE(whole.pixels().size() == broken.pixels().size());
@@ -126,10 +126,10 @@ TEST_CASE("rays whose DEPTH is not counted go deeper than the limit, and come to
 }
 
 TEST_CASE("faults have names and lines of their own tracer") {
-  for (const Fault fault : all_faults) {
-    CHECK_FALSE(fault_name(fault).empty());
+  for (const Fault fault : values_of<Fault>) {
+    CHECK_FALSE(name_of(fault).empty());
     CHECK(static_cast<int>(faulty_line(fault)) < line_count);
-    for (const Fault other : all_faults) CHECK((other == fault) == (fault_name(other) == fault_name(fault)));
+    for (const Fault other : values_of<Fault>) CHECK((other == fault) == (name_of(other) == name_of(fault)));
   }
 }
 

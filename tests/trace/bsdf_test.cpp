@@ -104,7 +104,7 @@ TEST_CASE("each lobe is drawn by its density") {
   for (int one = 0; one < lobe_count; ++one) {
     Bsdf<double> bsdf = surface(40);
     const Lobe lobe = static_cast<Lobe>(one);
-    INFO(lobe_name(lobe));
+    INFO(name_of(lobe));
     bsdf.shininess = 30;
     bsdf.mirror_width = one_minus_cos_of(0.9);  // reaches below the horizon
     bsdf.transparent_width = one_minus_cos_of(1.4);

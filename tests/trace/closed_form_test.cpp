@@ -48,7 +48,7 @@ TEST_CASE("a rectangle of point lights parallel to a floor gives its solid angle
     scene.render.integrator = Integrator::distributed;
     for (const Sampler sampler : {Sampler::random, Sampler::jittered, Sampler::sobol})
       for (const int n : {1, 3}) {
-        CAPTURE(sampler_name(sampler), n);
+        CAPTURE(name_of(sampler), n);
         scene.render.sampler = sampler;
         scene.render.light_grid = n;
         const Sampled sampled = sample(scene, {0, -1, 1}, {0, 0, 0}, 4096);

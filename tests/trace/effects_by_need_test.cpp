@@ -128,7 +128,7 @@ void check_only(const std::set<Effect>& used, const Statistics& statistics) {
   using enum Effect;
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
-    INFO(effect_name(effect));
+    INFO(name_of(effect));
     CHECK((statistics.drawn(effect) > 0) == (used.count(effect) > 0 && draws_numbers(effect)));
   }
   CHECK((statistics.formed(RayKind::shadow) > 0) == (used.count(shadows) > 0));
@@ -157,7 +157,7 @@ TEMPLATE_TEST_CASE("each pair of effects costs what it calls for and nothing els
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i; j < all.size(); ++j) {  // i == j: one by itself
       const Switch &a = all[i], &b = all[j];
-      INFO(effect_name(a.effect) << " and " << effect_name(b.effect));
+      INFO(name_of(a.effect) << " and " << name_of(b.effect));
       Scene scene = plain_scene();
       a.on(scene);
       if (j != i) b.on(scene);
@@ -192,7 +192,7 @@ TEMPLATE_TEST_CASE("so does each pair of effects by paths, beside indirect light
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i; j < all.size(); ++j) {
       const Switch &a = all[i], &b = all[j];
-      INFO(effect_name(a.effect) << " and " << effect_name(b.effect));
+      INFO(name_of(a.effect) << " and " << name_of(b.effect));
       Scene scene = paths;
       a.on(scene);
       if (j != i) b.on(scene);
@@ -204,7 +204,7 @@ TEMPLATE_TEST_CASE("so does each pair of effects by paths, beside indirect light
       const auto traced = by_paths(scene, sampling);
       for (int each = 0; each < effect_count; ++each) {
         const auto effect = static_cast<Effect>(each);
-        INFO(effect_name(effect));
+        INFO(name_of(effect));
         CHECK((traced.statistics.drawn(effect) > 0) == (expected.count(effect) > 0 && draws_numbers(effect)));
       }
       CHECK((traced.statistics.formed(RayKind::shadow) > 0) == (expected.count(Effect::shadows) > 0));
@@ -224,7 +224,7 @@ TEST_CASE("an effect that is switched on leaves alone what holds nothing of it")
       const Effect effect = and_with.effect;
       // Every pixel draws for these; of what moves, a time that meets nothing of it changes nothing all the same.
       if (effect == Effect::depth_of_field || effect == Effect::antialiasing) continue;
-      INFO(effect_name(effect) << " beside " << effect_name(with.effect));
+      INFO(name_of(effect) << " beside " << name_of(with.effect));
       Scene before = plain_scene();
       with.on(before);
       Scene after = before;

@@ -37,11 +37,11 @@ Statistics count(const Scene& scene) { return picture<double>(scene, 1, 1).stati
 
 TEST_CASE("names of endings and ray kinds are those of the statistics file") {
   std::set<std::string_view> names;
-  for (int i = 0; i < ending_count; ++i) names.insert(ending_name(static_cast<Ending>(i)));
+  for (int i = 0; i < ending_count; ++i) names.insert(name_of(static_cast<Ending>(i)));
   CHECK(names == std::set<std::string_view>{"hit", "missed", "blocked", "reached_light", "depth", "threshold",
                                             "total_internal_reflection", "path_length", "facing_away", "outside_cone"});
   std::set<std::string_view> kinds;
-  for (int i = 0; i < ray_kind_count; ++i) kinds.insert(ray_kind_name(static_cast<RayKind>(i)));
+  for (int i = 0; i < ray_kind_count; ++i) kinds.insert(name_of(static_cast<RayKind>(i)));
   CHECK(kinds == std::set<std::string_view>{"primary", "shadow", "reflect", "refract"});
 }
 

@@ -101,7 +101,7 @@ TEST_CASE("total internal reflection is told, counted, and forms no refract ray"
   CHECK_FALSE(transparent.holds);
   CHECK(transparent.weight == Rgbd(0.0));
   REQUIRE(transparent.why);
-  CHECK(ending_name(*transparent.why) == "total_internal_reflection");
+  CHECK(name_of(*transparent.why) == "total_internal_reflection");
   const auto counted = picture<double>(looking(scene, eye, {0, 0, 0}), 1, 1).statistics;
   CHECK(counted.ends(Ending::total_internal_reflection) == 1);
   CHECK(counted.formed(RayKind::refract) == 0);

@@ -68,7 +68,7 @@ inline void check_indices(const Scene& scene, const Vec3d& eye, const Vec3d& tar
     Indices met;
     for (const RayFormed& ray : secondary_rays(scene, integrator, eye, target))
       if (ray.snell) met.emplace_back(ray.snell->n1, ray.snell->n2);
-    CAPTURE(integrator_name(integrator));
+    CAPTURE(name_of(integrator));
     CHECK(met == expected);
   }
 }

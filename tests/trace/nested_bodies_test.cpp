@@ -117,7 +117,7 @@ TEST_CASE("nesting keeps the promises: watched or not, by every structure, the s
   Recording recording;
   CHECK((watched_picture<double>(scene, 33, 25, recording).pixels == plain.pixels));
   const RayGenerator<double> camera(scene, {33, 25}, {33, 25});
-  for (const AcceleratorKind kind : all_accelerators) {
+  for (const AcceleratorKind kind : values_of<AcceleratorKind>) {
     const World<double> world(scene, kind);
     CHECK_FALSE(world.bodies.empty());
     std::vector<Rgbd> pixels(plain.pixels.size());

@@ -329,7 +329,7 @@ TEST_CASE("paths draw for the effects that the scene calls for, and for no other
     const Effects effects = effects_of(scene, samples);
     using enum Effect;
     for (const Effect effect : {gloss, translucency, penumbra, depth_of_field, antialiasing, indirect_light}) {
-      INFO(effect_name(effect) << ": " << effects[effect].why);
+      INFO(name_of(effect) << ": " << effects[effect].why);
       CHECK((traced.statistics.drawn(effect) > 0) == effects.used(effect));
     }
     CHECK((traced.statistics.formed(RayKind::shadow) > 0) == effects.used(shadows));

@@ -136,7 +136,7 @@ std::vector<std::string> names_in(const Formula& formula, Language language) {
     const std::string name = formula.text.substr(at + 1, end - at - 1);
     bool is_ending = false;
     for (int i = 0; i < ending_count; ++i)
-      if (ending_name(static_cast<Ending>(i)) == name) {
+      if (name_of(static_cast<Ending>(i)) == name) {
         names.emplace_back(text(static_cast<Ending>(i), language));
         is_ending = true;
       }

@@ -21,7 +21,7 @@ using namespace raywalk::test;
 namespace {
 
 std::string said_of(Fault fault, const std::string& what) {
-  return fill("fault." + std::string(fault_name(fault)) + "." + what, in_english);
+  return fill("fault." + std::string(name_of(fault)) + "." + what, in_english);
 }
 
 // The busy scene, with work in it that is not saved, in a folder of its own.
@@ -55,10 +55,10 @@ std::size_t items_in(const State& state) { return plan_view(state, state.plan.vi
 }  // namespace
 
 TEST_CASE("each bug opens a shipped scene that it spoils, at the first pixel in which it is seen") {
-  for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+  for (int number = 1; number <= static_cast<int>(values_of<Fault>.size()); ++number) {
     const State state = hunting(number);
-    const Fault fault = all_faults[static_cast<std::size_t>(number - 1)];
-    CAPTURE(fault_name(fault));
+    const Fault fault = values_of<Fault>[static_cast<std::size_t>(number - 1)];
+    CAPTURE(name_of(fault));
     REQUIRE(state.walk.bug);
     CHECK(state.walk.bug->fault == fault);
     CHECK(fault_at_work(state) == fault);
@@ -91,7 +91,7 @@ TEST_CASE("each bug opens a shipped scene that it spoils, at the first pixel in 
 }
 
 TEST_CASE("a wrong guess says what the line did right, and a hint; a right one says what was wrong, and the cure") {
-  for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+  for (int number = 1; number <= static_cast<int>(values_of<Fault>.size()); ++number) {
     State state = hunting(number);
     const Line right = faulty_line(state.walk.bug->fault), wrong = another_line(right);
     CHECK_FALSE(bug_panel(state).can_judge);
@@ -157,7 +157,7 @@ TEST_CASE("giving up shows the line, counts as no find, and a later find counts"
 }
 
 TEST_CASE("once it is known the bug can be mended and made again, and the other rays stand beside") {
-  for (int number = 1; number <= static_cast<int>(all_faults.size()); ++number) {
+  for (int number = 1; number <= static_cast<int>(values_of<Fault>.size()); ++number) {
     State state = hunting(number);
     CAPTURE(number);
     const auto broken = shades(*state.walk.timeline), whole = shades(*state.walk.bug->other);
@@ -319,14 +319,14 @@ TEST_CASE("a surprise is a bug that is not found yet, and its number is not told
   BugRoom bugs;
   std::set<int> drawn;
   for (unsigned draw = 0; draw < 40; ++draw) drawn.insert(surprising_bug(bugs, draw));
-  CHECK(drawn.size() == all_faults.size());
+  CHECK(drawn.size() == values_of<Fault>.size());
   for (std::size_t i = 0; i < bugs.ends.size(); ++i)
     if (i != 4) bugs.ends[i] = BugEnd::found;
   for (unsigned draw = 0; draw < 40; ++draw) CHECK(surprising_bug(bugs, draw) == 5);
   bugs.ends[4] = BugEnd::found;
   for (unsigned draw = 0; draw < 40; ++draw) {
     CHECK(surprising_bug(bugs, draw) >= 1);
-    CHECK(surprising_bug(bugs, draw) <= static_cast<int>(all_faults.size()));
+    CHECK(surprising_bug(bugs, draw) <= static_cast<int>(values_of<Fault>.size()));
   }
   State state = hunting(6, true);
   CHECK(bug_panel(state).heading == text("bug.surprise_title", in_english));

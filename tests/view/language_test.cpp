@@ -45,22 +45,22 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
   };
   const Language language;
   for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::reflect, RayKind::refract})
-    ask("ray", ray_kind_name(kind), text(kind, language));
+    ask("ray", name_of(kind), text(kind, language));
   for (int i = 0; i < ending_count; ++i)
-    ask("ending", ending_name(static_cast<Ending>(i)), text(static_cast<Ending>(i), language));
-  for (const AcceleratorKind kind : all_accelerators) ask("accelerator", accelerator_name(kind), text(kind, language));
+    ask("ending", name_of(static_cast<Ending>(i)), text(static_cast<Ending>(i), language));
+  for (const AcceleratorKind kind : values_of<AcceleratorKind>) ask("accelerator", name_of(kind), text(kind, language));
   for (const Integrator integrator :
        {Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed, Integrator::path})
-    ask("integrator", integrator_name(integrator), text(integrator, language));
+    ask("integrator", name_of(integrator), text(integrator, language));
   for (const Sampler sampler : {Sampler::random, Sampler::jittered, Sampler::sobol})
-    ask("sampler", sampler_name(sampler), text(sampler, language));
+    ask("sampler", name_of(sampler), text(sampler, language));
   for (const Numerics numerics : {Numerics::robust, Numerics::naive})
-    ask("numerics", numerics_name(numerics), text(numerics, language));
+    ask("numerics", name_of(numerics), text(numerics, language));
   for (int i = 0; i < effect_count; ++i)
-    ask("effect", effect_name(static_cast<Effect>(i)), text(static_cast<Effect>(i), language));
-  for (const Fault fault : all_faults)
+    ask("effect", name_of(static_cast<Effect>(i)), text(static_cast<Effect>(i), language));
+  for (const Fault fault : values_of<Fault>)
     for (const std::string what : {"symptom", "hint", "wrong", "cure"}) {
-      const std::string name = std::string(fault_name(fault)) + "." + what;
+      const std::string name = std::string(name_of(fault)) + "." + what;
       ask("fault", name, text("fault." + name, language));
     }
   for (const std::string_view id : Catalogue::embedded().ids()) {

@@ -32,7 +32,7 @@ int first_ray(const State& state, RayKind kind, Ending ending) {
     if (rays[i].kind == kind && rays[i].ending == ending && in_sight(state, rays[i].origin) &&
         in_sight(state, rays[i].end))
       return static_cast<int>(i);
-  FAIL("no " << ray_kind_name(kind) << " ray that ended with " << ending_name(ending));
+  FAIL("no " << name_of(kind) << " ray that ended with " << name_of(ending));
   return -1;
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("where a limit forbids a ray there is a stub") {
     const auto& rays = state.walk.timeline->rays();
     const auto found = std::find_if(rays.begin(), rays.end(),
                                     [&](const RayRecord& ray) { return !ray.formed && ray.ending == ending; });
-    INFO(ending_name(ending));
+    INFO(name_of(ending));
     REQUIRE(found != rays.end());
     const int ray = static_cast<int>(found - rays.begin());
     update(state, action::Jump{found->formed_at});

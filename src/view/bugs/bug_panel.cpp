@@ -81,7 +81,7 @@ BugPanel bug_panel(const State& state) {
   };
   BugPanel panel;
   const auto found = std::count(bugs.ends.begin(), bugs.ends.end(), BugEnd::found);
-  if (found > 0) panel.tally = say("bug.tally", {{"found", found}, {"all", all_faults.size()}});
+  if (found > 0) panel.tally = say("bug.tally", {{"found", found}, {"all", values_of<Fault>.size()}});
   panel.hunting = bugs.hunt.has_value();
   if (!bugs.hunt) {
     panel.heading = say("bug.title");
@@ -91,7 +91,7 @@ BugPanel bug_panel(const State& state) {
   }
   const BugHunt& hunt = *bugs.hunt;
   const auto know = [&](std::string_view what) {
-    return say(fmt::format("fault.{}.{}", fault_name(state.walk.bug->fault), what));
+    return say(fmt::format("fault.{}.{}", name_of(state.walk.bug->fault), what));
   };
   panel.heading = hunt.surprise && hunt.end == BugEnd::open ? say("bug.surprise_title")
                                                             : say("bug.number", {{"number", hunt.number}});

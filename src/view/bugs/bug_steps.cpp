@@ -78,8 +78,8 @@ void action::ShowBugs::apply(State& state) const {
 }
 
 void action::HuntBug::apply(State& state) const {
-  if (number < 1 || number > static_cast<int>(all_faults.size())) return;
-  const Fault fault = all_faults[static_cast<std::size_t>(number - 1)];
+  if (number < 1 || number > static_cast<int>(values_of<Fault>.size())) return;
+  const Fault fault = values_of<Fault>[static_cast<std::size_t>(number - 1)];
   auto document = stage_scene(std::string(bug_scene(fault)), {}, state.lessons.scenes_folder);
   if (!document) return complain(state, document.error().text());
   std::shared_ptr<const State> before;

@@ -16,7 +16,7 @@ enum class BugEnd { open, found, given_up };
 
 /// The hunt for one bug. Its scene replaces the user's own for the time being.
 struct BugHunt {
-  int number = 1;                   ///< in all_faults, from 1
+  int number = 1;                   ///< in values_of<Fault>, from 1
   bool surprise = false;            ///< the number is not shown
   int pixel = 0;                    ///< the first of SCREEN in which the bug is visible
   int first_pixel = 0;              ///< the same as index in the walk's pixels: rays of earlier pixels are hidden
@@ -38,7 +38,7 @@ struct ShowBugs {
 };
 struct HuntBug {
   static constexpr std::string_view word = "hunt-bug";
-  int number;  ///< from 1, in all_faults
+  int number;  ///< from 1, in values_of<Fault>
   bool surprise = false;
   static void fields(auto& f, auto& a) { f(a.number), f(a.surprise, Flag{"surprise"}); }
   void apply(State& state) const;
@@ -86,7 +86,7 @@ struct BugRoom {
 
   bool shown = false;
   std::optional<BugHunt> hunt{};
-  std::array<BugEnd, all_faults.size()> ends{};  ///< of each bug: the best result
+  std::array<BugEnd, values_of<Fault>.size()> ends{};  ///< of each bug: the best result
 };
 
 }  // namespace raywalk

@@ -2,12 +2,12 @@
 // The Cost panel without a window: the knobs, the attempts, and the plot of error against cost. Their results are
 // computed outside the state (study/workbench.h) and passed in.
 
+#include "math/words.h"
 #include "study/effect_costs.h"
 #include "study/workbench.h"
 #include "text/language.h"
 #include "view/cost/room.h"
 #include "view/drawing/display_list.h"
-#include "view/words.h"
 
 #include <optional>
 #include <string>

@@ -28,6 +28,11 @@ enum class Intent { new_scene, open, lesson, leave_lesson, quit };
 
 /// A path that the window must ask for; answered by the action of that name, or by CancelPrompt.
 enum class PathPrompt { none, open, save_as, save_predictions, export_walk };
+template <>
+inline constexpr Word<PathPrompt> words_of<PathPrompt>[] = {{PathPrompt::open, "open"},
+                                                            {PathPrompt::save_as, "save_as"},
+                                                            {PathPrompt::save_predictions, "save_predictions"},
+                                                            {PathPrompt::export_walk, "export"}};
 
 struct Question {
   enum class Kind {
@@ -43,6 +48,10 @@ struct Question {
   std::string when{};      ///< recover: when it was written, as text
   PathPrompt file = PathPrompt::save_as;  ///< overwrite: the contents of the file
 };
+template <>
+inline constexpr Word<Question::Kind> words_of<Question::Kind>[] = {{Question::Kind::unsaved, "unsaved"},
+                                                                    {Question::Kind::recover, "recover"},
+                                                                    {Question::Kind::overwrite, "overwrite"}};
 
 /// An undo entry's edit: edits that continue each other have equal marks.
 struct EditMark {

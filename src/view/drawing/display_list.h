@@ -3,8 +3,8 @@
 // Later items are on top. The window, exported slides and tests all use the same list.
 
 #include "math/vec.h"
+#include "math/words.h"
 #include "view/drawing/theme.h"
-#include "view/words.h"
 
 #include <array>
 #include <optional>

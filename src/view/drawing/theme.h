@@ -4,9 +4,9 @@
 // yellow is invisible on white and is replaced in the light theme.
 
 #include "math/vec.h"
+#include "math/words.h"
 #include "scene/scene.h"
 #include "trace/event.h"
-#include "view/words.h"
 
 #include <array>
 #include <cstdint>

@@ -3,8 +3,8 @@
 // it was built. All of it observes the renderer's own searches and structures.
 
 #include "math/bounds.h"
+#include "math/words.h"
 #include "view/structure/room.h"
-#include "view/words.h"
 
 #include <memory>
 #include <string>

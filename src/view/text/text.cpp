@@ -33,9 +33,9 @@ std::string value_text(const Argument& argument, Language language) {
 
 }  // namespace
 
-std::string_view text(RayKind kind, Language language) { return family_text("ray", ray_kind_name(kind), language); }
+std::string_view text(RayKind kind, Language language) { return family_text("ray", name_of(kind), language); }
 
-std::string_view text(Ending ending, Language language) { return family_text("ending", ending_name(ending), language); }
+std::string_view text(Ending ending, Language language) { return family_text("ending", name_of(ending), language); }
 
 /// Only characters that every font has.
 std::string_view symbol(Ending ending) {

@@ -1,11 +1,13 @@
 #pragma once
-// The words of an enumeration in demo files, once, beside it: `words_of<Mode>`.
+// The words of an enumeration in files, options and reports, once, beside it: `words_of<Sampler>`.
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -18,6 +20,22 @@ inline constexpr bool words_of = false;
 
 template <class E>
 concept Worded = requires { std::span<const Word<E>>(words_of<E>); };
+
+/// The values that have a word, in its order.
+template <Worded E>
+inline constexpr auto values_of = [] {
+  std::array<E, std::size(words_of<E>)> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = words_of<E>[i].first;
+  return values;
+}();
+
+/// Their words.
+template <Worded E>
+[[nodiscard]] std::vector<std::string_view> all_words() {
+  std::vector<std::string_view> words;
+  for (const auto& each : words_of<E>) words.push_back(each.second);
+  return words;
+}
 
 /// The word of a value; empty if it has none.
 template <Worded E>
