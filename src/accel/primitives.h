@@ -177,11 +177,6 @@ class Primitives {
   /// transform, and those that move, with or without one.
   enum class Plain : std::uint8_t { sphere, level, plane, polygon, bare, transformed, moving };
   static constexpr std::int32_t none = -1;
-#ifdef RAYWALK_WITHOUT_MOTION  // set only by the benchmark that measures what motion costs where nothing moves
-  static constexpr bool moves_compiled = false;
-#else
-  static constexpr bool moves_compiled = true;
-#endif
   [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
   template <class S>
   [[nodiscard]] const S* plain(int id, Plain kind) const {
@@ -194,8 +189,7 @@ class Primitives {
   [[nodiscard]] const Motion* motion_of(int id) const {
     const bool may =
         id < shape_count() ? plain_[static_cast<std::size_t>(id)] == Plain::moving : triangles_move_ && any_motion(id);
-    return moves_compiled && may ? &motions_[static_cast<std::size_t>(motion_of_[static_cast<std::size_t>(id)])]
-                                 : nullptr;
+    return may ? &motions_[static_cast<std::size_t>(motion_of_[static_cast<std::size_t>(id)])] : nullptr;
   }
   [[nodiscard]] bool any_motion(int id) const {
     return static_cast<std::size_t>(id) < motion_of_.size() && motion_of_[static_cast<std::size_t>(id)] != none;

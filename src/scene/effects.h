@@ -37,18 +37,6 @@ inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"}
                                                     {Effect::textures, "textures"}};
 inline constexpr int effect_count = 11;
 
-[[nodiscard]] std::string_view effect_name(Effect effect);
-
-/// Whether an effect's code is compiled: always, except in the programs with which tests/benchmark/effects.sh measures
-/// the cost of effects that a scene does not call for. They define RAYWALK_WITHOUT as the effect's name.
-[[nodiscard]] constexpr bool compiled([[maybe_unused]] Effect effect) {
-#ifdef RAYWALK_WITHOUT
-  return effect != Effect::RAYWALK_WITHOUT;
-#else
-  return true;
-#endif
-}
-
 struct EffectUse {
   bool used = false;
   std::string why;  ///< one clause, for people: "the material of Mirror Sphere reflects"

@@ -44,24 +44,13 @@ inline constexpr HitEffects all_hit_effects{};
           nesting};
 }
 
-[[nodiscard]] constexpr HitEffects compiled(HitEffects set) {
-  set.reflection = set.reflection && compiled(Effect::reflection);
-  set.refraction = set.refraction && compiled(Effect::refraction);
-  set.textures = set.textures && compiled(Effect::textures);
-  set.penumbra = set.penumbra && compiled(Effect::penumbra);
-  set.lobes = set.lobes && (compiled(Effect::gloss) || compiled(Effect::translucency));
-  set.shadows = set.shadows && compiled(Effect::shadows);
-  set.nesting = set.nesting && set.refraction;
-  return set;
-}
-
 /// Everything about the tracer that is fixed when it is compiled.
 template <class ScalarType, class ObserverType = NoObserver, HitEffects Set = all_hit_effects,
           Numerics Arithmetic = Numerics::robust, bool Faulty = false>
 struct Policy {
   using Scalar = ScalarType;
   using Observer = ObserverType;
-  static constexpr HitEffects effects = compiled(Set);
+  static constexpr HitEffects effects = Set;
   /// The ray type, which selects robust or naive intersections.
   using Ray = std::conditional_t<Arithmetic == Numerics::naive, NaiveRay<Scalar>, raywalk::Ray<Scalar>>;
   /// Whether there are hooks for fault injection: the fault that a world names breaks the tracer on purpose

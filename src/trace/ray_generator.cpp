@@ -8,14 +8,14 @@ template <class T>
 Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraws& draws,
                                     Statistics& statistics) const {
   if (!draws.hold(pixel)) draw_ahead(pixel, draws);
-  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) {
+  if (sampling_.per_pixel > 1) {
     if (draws_) statistics.drew(Effect::antialiasing, 2);
     place += draws.offsets[static_cast<std::size_t>(pixel.sample - draws.first)];
   }
   const Vec3<T> ahead = through(place);
   Vec3<T> origin = eye_, direction = normalize(ahead);
   T time = shutter_open_;
-  if (compiled(Effect::depth_of_field) && lens_radius_ > 0) {
+  if (lens_radius_ > 0) {
     // A thin lens: all rays of one pixel position meet in one point of the plane in focus.
     statistics.drew(Effect::depth_of_field, 2);
     const auto drawn = draws.lens.template draw<T>(static_cast<std::uint32_t>(pixel.sample));
@@ -24,7 +24,7 @@ Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraw
     origin = eye_ + aside;
     direction = normalize(focus_ * ahead - aside);
   }
-  if (compiled(Effect::motion_blur) && moves_) {
+  if (moves_) {
     const T share = draw<T>(sampler_, key(pixel, Effect::motion_blur), count());
     statistics.drew(Effect::motion_blur, 1);
     time = shutter_open_ + share * (shutter_close_ - shutter_open_);
@@ -37,15 +37,14 @@ void RayGenerator<T>::draw_ahead(const Pixel& pixel, PixelDraws& draws) const {
   draws.column = pixel.column, draws.row = pixel.row;
   draws.first = pixel.sample;
   draws.end = std::clamp(pixel.until, pixel.sample + 1, pixel.sample + PixelDraws::most);
-  if (compiled(Effect::antialiasing) && sampling_.per_pixel > 1) {
+  if (sampling_.per_pixel > 1) {
     const SamplePairs pairs = draws_ ? SamplePairs(sampler_, key(pixel, Effect::antialiasing), strata_) : SamplePairs();
     for (int sample = draws.first; sample < draws.end; ++sample) {
       const Vec2<T> unit = draws_ ? pairs.template draw<T>(static_cast<std::uint32_t>(sample)) : fixed_place(sample);
       draws.offsets[static_cast<std::size_t>(sample - draws.first)] = {2 * unit.x - 1, 2 * unit.y - 1};
     }
   }
-  if (compiled(Effect::depth_of_field) && lens_radius_ > 0)
-    draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
+  if (lens_radius_ > 0) draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
 }
 
 /// The position of a sample without random numbers: the first ones in a k x k grid, the rest in one row. The grid is

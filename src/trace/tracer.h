@@ -199,11 +199,7 @@ class Tracer {
   /// Passes what `make` returns to the observer; without an observer, `make` is not compiled into the kernel.
   template <class Make>
   void note(Line line, int depth, Make&& make) {
-#ifndef RAYWALK_WITHOUT_HOOKS  // set only by the benchmark that measures what the empty observer costs: nothing
     if constexpr (Observer::watches) observer_.record(Event{line, depth, make()});
-#else
-    static_cast<void>(line), static_cast<void>(depth), static_cast<void>(make);
-#endif
   }
 
   /// The policy's hook for fault injection: lets the fault that the world names change what a statement has computed.

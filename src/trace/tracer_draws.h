@@ -70,7 +70,7 @@ template <class Policy>
 auto Tracer<Policy>::sample_cone(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos,
                                  const Vec3<T>& facing_normal, Effect effect) -> Vec3<T> {
   if constexpr (Policy::effects.lobes) {
-    if (compiled(effect) && one_minus_cos > 0) {
+    if (one_minus_cos > 0) {
       RandomKey key = key_;
       key.effect = static_cast<std::uint32_t>(effect);
       key.path = ray.branch.path;

@@ -1,6 +1,6 @@
 #!/bin/bash
 # What an effect costs a scene that does not call for it: instructions of the trace phase (callgrind), against the same
-# source with the effect's code removed by a macro. Prints one line for each effect and scene; exits 1 when a ratio is
+# source with the effect's code removed. Prints one line for each effect and scene; exits 1 when a ratio is
 # above 1.001. Indirect light has a procedure of its own (trace/path.h): nothing of it stands in the tracer.
 #
 #   effects.sh [BUILD_FOLDER [SCENE...]]

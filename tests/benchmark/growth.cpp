@@ -101,7 +101,7 @@ std::string diagram(const std::map<AcceleratorKind, Curve>& curves, const std::s
     add("<polyline fill='none' stroke-width='2' stroke='%s' points='", colour);
     svg += points + "'/>\n";
     add("<text x='%.1f' y='%.1f' font-size='11' fill='%s'>%s</text>\n", x(curve.back().first) + 4,
-        y(curve.back().second.tests), colour, std::string(accelerator_name(kind)).c_str());
+        y(curve.back().second.tests), colour, std::string(name_of(kind)).c_str());
   }
   return svg;
 }
@@ -119,14 +119,14 @@ int main(int argc, char** argv) {
     std::map<AcceleratorKind, Curve> curves;
     for (int count = 100; count <= most; count *= 10) {
       const Primitives<double> spheres = field(count, clustered);
-      for (const AcceleratorKind kind : all_accelerators) {
+      for (const AcceleratorKind kind : values_of<AcceleratorKind>) {
         if (kind == AcceleratorKind::automatic) continue;
         const bool is_linear = kind <= AcceleratorKind::boxes;
         if (is_linear && count > 100000) continue;  // they have shown how they grow
         const Measure m = measure(spheres, kind, is_linear && count > 1000);
         curves[kind].emplace_back(count, m);
-        std::printf("%9d %-10s %10.3f %10.2f %12.3f %14.1f\n", count, std::string(accelerator_name(kind)).c_str(),
-                    m.build, m.bytes / (1 << 20), 1e6 * m.seconds, m.tests);
+        std::printf("%9d %-10s %10.3f %10.2f %12.3f %14.1f\n", count, std::string(name_of(kind)).c_str(), m.build,
+                    m.bytes / (1 << 20), 1e6 * m.seconds, m.tests);
         std::fflush(stdout);
       }
     }
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
       if (curve.size() < 3) continue;
       // a + b log N grows by the same for each factor of ten. With few spheres rays still miss them all.
       double last = 0, largest = 0;
-      std::printf("%s: %s costs more for ten times the spheres by", name, std::string(accelerator_name(kind)).c_str());
+      std::printf("%s: %s costs more for ten times the spheres by", name, std::string(name_of(kind)).c_str());
       for (std::size_t i = 1; i < curve.size(); ++i) {
         largest = std::max(largest, last);
         last = curve[i].second.tests - curve[i - 1].second.tests;

@@ -1,5 +1,5 @@
 // Traces a scene with nobody watching, for hooks.sh to count the instructions of. Compiled twice: as it stands, and by
-// hooks_removed.cpp with the hooks taken out of the tracer's source by a macro.
+// without.cmake with the hooks taken out of the tracer's source.
 //
 //   benchmark_hooks SCENE.toml [WIDTHxHEIGHT]
 

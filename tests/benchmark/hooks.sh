@@ -1,6 +1,6 @@
 #!/bin/bash
 # What the empty observer costs: instructions of the trace phase (callgrind), with the hooks and with the hooks removed
-# from the same source by a macro. Prints one line a scene; exits 1 when a ratio is above 1.01.
+# from the same source. Prints one line a scene; exits 1 when a ratio is above 1.01.
 #
 #   hooks.sh [BUILD_FOLDER [SCENE...]]
 set -euo pipefail

@@ -1,3 +1,0 @@
-// The same program from the same source, its tracer without hooks.
-#define RAYWALK_WITHOUT_HOOKS
-#include "hooks.cpp"
