@@ -25,7 +25,7 @@ std::string language_label(const State& state, bool in_short) {
 
 }  // namespace
 
-rows::Rows rows::appearance() {
+Commands AppearanceRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tweens", .keys = {"Shift+A"}, .section = Section::style,
@@ -39,15 +39,13 @@ rows::Rows rows::appearance() {
        .enabled = [](const State& state) { return state.appearance.ui_scale > min_ui_scale; },
        .run = [](const Ui& ui) { ui.act(action::SetUiScale{ui.state.appearance.ui_scale - scale_step}); }},
       {.name = "scale-reset", .keys = {"Ctrl+0"}, .section = Section::style, .line = "keys.scale",
-       .enabled = [](const State& state) { return state.appearance.ui_scale != 1; },
-       .run = [](const Ui& ui) { ui.act(action::SetUiScale{1}); }},
+       .enabled = [](const State& state) { return state.appearance.ui_scale != 1; }, .run = act<action::SetUiScale, 1>},
       {.name = "language", .keys = {"Ctrl+L"}, .section = Section::style, .label = language_label,
        .run = [](const Ui& ui) { ui.act(action::SetLanguage{std::string(ui.state.appearance.language.next().code())}); }},
-      {.name = "exchange", .keys = {"X"}, .section = Section::window,
-       .run = [](const Ui& ui) { ui.wish(WindowWish::exchange); }},
-      {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = [](const Ui& ui) { ui.wish(WindowWish::menu); }},
+      {.name = "exchange", .keys = {"X"}, .section = Section::window, .run = wish<WindowWish::exchange>},
+      {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = wish<WindowWish::menu>},
       {.name = "full-screen", .keys = {"F11"}, .section = Section::window, .line = "keys.menus",
-       .run = [](const Ui& ui) { ui.wish(WindowWish::full_screen); }},
+       .run = wish<WindowWish::full_screen>},
   };
   // clang-format on
   return all;

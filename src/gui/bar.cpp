@@ -150,21 +150,4 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   return is_open;
 }
 
-rows::Rows rows::bar() {
-  // clang-format off
-  static constexpr Command all[] = {
-      {.name = "mode-move", .keys = {"M"}, .section = Section::modes, .line = "keys.modes",
-       .chosen = [](const State& state) { return state.walk.mode == Mode::move; },
-       .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::move}); }},
-      {.name = "mode-trace", .keys = {"T"}, .section = Section::modes, .line = "keys.modes",
-       .chosen = [](const State& state) { return state.walk.mode == Mode::trace; },
-       .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::trace}); }},
-      {.name = "mode-help", .keys = {"F1", "H"}, .section = Section::modes, .line = "keys.modes",
-       .chosen = [](const State& state) { return state.walk.mode == Mode::help; },
-       .run = [](const Ui& ui) { ui.act(action::SetMode{Mode::help}); }},
-  };
-  // clang-format on
-  return all;
-}
-
 }  // namespace raywalk

@@ -65,35 +65,4 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
     ui.act(action::SetBreakpoints{});
 }
 
-namespace {
-
-const Event* next_event(const State& state) { return state.walk.timeline->next(state.walk.position); }
-
-bool breaks_here(const State& state) {
-  const Event* const next = next_event(state);
-  return next != nullptr && state.walk.breakpoints.is_before(next->line);
-}
-
-}  // namespace
-
-rows::Rows rows::breakpoints() {
-  // clang-format off
-  static constexpr Command all[] = {
-      {.name = "run-on", .keys = {"W"}, .section = Section::run, .line = "keys.run",
-       .enabled = [](const State& state) { return next_event(state) != nullptr; },
-       .run = [](const Ui& ui) { ui.act(action::RunOn{true}); }},
-      {.name = "run-back", .keys = {"Shift+W"}, .section = Section::run, .line = "keys.run",
-       .enabled = [](const State& state) { return state.walk.position > 0 || state.walk.playing; },
-       .run = [](const Ui& ui) { ui.act(action::RunOn{false}); }},
-      {.name = "break-here", .keys = {"Ctrl+B"}, .section = Section::run, .line = "keys.breaks",
-       .enabled = [](const State& state) { return next_event(state) != nullptr; }, .chosen = breaks_here,
-       .run = [](const Ui& ui) { ui.act(action::ToggleBreakpoint{next_event(ui.state)->line}); }},
-      {.name = "breakpoints", .keys = {"B", "J"}, .section = Section::run, .line = "keys.breaks",
-       .chosen = [](const State& state) { return state.walk.breakpoints.any(); },
-       .run = [](const Ui& ui) { ui.wish(WindowWish::breakpoints); }},
-  };
-  // clang-format on
-  return all;
-}
-
 }  // namespace raywalk

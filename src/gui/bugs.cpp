@@ -126,7 +126,7 @@ bool can_mark(const State& state) {
 
 }  // namespace
 
-rows::Rows rows::bugs() {
+Commands BugRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "bugs", .keys = {"Shift+F2"}, .section = Section::learn, .line = "keys.bugs",
@@ -137,7 +137,7 @@ rows::Rows rows::bugs() {
        .run = mark_line},
       {.name = "bug-cure", .keys = {"Shift+Enter"}, .line = "keys.bugs",
        .enabled = [](const State& state) { return state.bugs.hunt && state.bugs.hunt->end == BugEnd::open; },
-       .run = [](const Ui& ui) { ui.act(action::ShowCure{}); }},
+       .run = act<action::ShowCure>},
       {.name = "bug-mend", .keys = {"Alt+Enter"}, .line = "keys.bugs",
        .enabled = [](const State& state) { return state.walk.bug && state.walk.bug->known; },
        .chosen = [](const State& state) { return state.walk.bug && state.walk.bug->mended; },

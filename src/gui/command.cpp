@@ -8,9 +8,11 @@ namespace raywalk {
 
 namespace {
 
-/// One of its texts: label, short or hint.
-std::string_view command_text(const Command& command, std::string_view which, Language language) {
-  return family_text("command", std::string(command.name) + "." + std::string(which), language);
+/// One of its texts: label, short or hint; null if there is none.
+const std::string* command_text(const Command& command, std::string_view which, Language language) {
+  std::string id = "command." + std::string(command.name) + "." + std::string(which);
+  std::replace(id.begin(), id.end(), '-', '_');
+  return language.catalogue().find(id);
 }
 
 }  // namespace
@@ -18,15 +20,10 @@ std::string_view command_text(const Command& command, std::string_view which, La
 const std::vector<const Command*>& commands() {
   static const std::vector<const Command*> all = [] {
     std::vector<const Command*> gathered;
-    const auto gather = [&](auto... rows_of) {
-      for (const rows::Rows some : {rows_of()...})
-        for (const Command& command : some) gathered.push_back(&command);
-    };
-    gather(rows::walk, rows::breakpoints, rows::bar, rows::lessons, rows::bugs, rows::plan, rows::lines);
     for_each_room(Rooms(), [&]<class Room>() {
-      if constexpr (rooms::WithTab<Room>) gather(rows::of_tab<Room>);
+      if constexpr (requires { Room::commands(); })
+        for (const Command& command : Room::commands()) gathered.push_back(&command);
     });
-    gather(rows::palette, rows::properties, rows::document, rows::predict, rows::appearance);
     return gathered;
   }();
   return all;
@@ -51,14 +48,15 @@ const Command& command(std::string_view name) {
 
 std::string command_label(const Command& command, const State& state, bool in_short) {
   if (command.label != nullptr) return command.label(state, in_short);
-  std::string id = "command." + std::string(command.name) + ".short";
-  std::replace(id.begin(), id.end(), '-', '_');
-  const std::string* const brief = in_short ? state.appearance.language.catalogue().find(id) : nullptr;
-  return brief != nullptr ? *brief : std::string(command_text(command, "label", state.appearance.language));
+  const Language language = state.appearance.language;
+  const std::string* text = in_short ? command_text(command, "short", language) : nullptr;
+  if (text == nullptr) text = command_text(command, "label", language);
+  return text != nullptr ? *text : std::string(command.name);
 }
 
 std::string command_hint(const Command& command, Language language) {
-  return std::string(command_text(command, "hint", language));
+  const std::string* text = command_text(command, "hint", language);
+  return text != nullptr ? *text : std::string(command.name);
 }
 
 bool enabled(const Command& command, const State& state) {

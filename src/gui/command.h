@@ -1,5 +1,5 @@
 #pragma once
-// Commands: what buttons, menu entries and keys do. Each is one row, which stands in the gui/NAME.cpp of its subject;
+// Commands: what buttons, menu entries and keys do. Each is one row, which stands in the gui/NAME.cpp of its room;
 // menus, the choices of buttons and the list of keys are made from the rows. Their words are texts in src/text:
 // command.step_back.label, .hint, and .short for little room.
 
@@ -7,7 +7,6 @@
 #include "gui/ui.h"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,17 +56,25 @@ struct Command {
   void (*held)(const Ui&) = nullptr;  ///< while its key or its button is held down; null: nothing more
 };
 
-/// The rows by subject, as in gui/NAME.cpp.
-namespace rows {
-using Rows = std::span<const Command>;
-Rows appearance(), bar(), breakpoints(), bugs(), document(), lessons(), lines(), palette(), plan(), predict(),
-    properties(), walk();
-/// Those of a room with a tab.
+/// What rows do: `.run = act<action::Step, true>`.
+template <class Action, auto... fields>
+void act(const Ui& ui) {
+  ui.act(Action{fields...});
+}
+template <WindowWish what>
+void wish(const Ui& ui) {
+  ui.wish(what);
+}
 template <class Room>
-Rows of_tab();
-}  // namespace rows
+bool shows_tab(const State& state) {
+  return state.appearance.tab == Room::tab;
+}
+template <class Room>
+void open_tab(const Ui& ui) {
+  ui.act(action::SetTab{Room::tab});
+}
 
-/// All commands, in the order of menus and of the list of keys.
+/// All commands, in the order of the rooms and of their rows: that of menus and of the list of keys.
 [[nodiscard]] const std::vector<const Command*>& commands();
 [[nodiscard]] const std::vector<const Command*>& commands_in(Section section);
 /// The one of this name, which must exist: a test looks up those that the sources name.

@@ -190,10 +190,7 @@ void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
 
 }  // namespace
 
-template <>
-void draw_tab<CostRoom>(const Ui& ui, const Rect& where, TabContext& context) {
-  cost_tab(ui, where, context.picture);
-}
+void CostRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) { cost_tab(ui, where, context.picture); }
 
 namespace {
 
@@ -268,20 +265,17 @@ void turn_page(const Ui& ui) {
 
 }  // namespace
 
-template <>
-rows::Rows rows::of_tab<CostRoom>() {
+Commands CostRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
-      {.name = "tab-cost", .keys = {"F3"}, .section = Section::tabs, .line = "keys.cost",
-       .chosen = [](const State& state) { return state.appearance.tab == CostRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{CostRoom::tab}); }},
-      {.name = "cost-knobs", .keys = {"Shift+F3"}, .line = "keys.cost",
-       .run = [](const Ui& ui) { ui.wish(WindowWish::cost_knobs); }},
+      {.name = "tab-cost", .keys = {"F3"}, .section = Section::tabs, .line = "keys.cost", .chosen = shows_tab<CostRoom>,
+       .run = open_tab<CostRoom>},
+      {.name = "cost-knobs", .keys = {"Shift+F3"}, .line = "keys.cost", .run = wish<WindowWish::cost_knobs>},
       {.name = "cost-try", .keys = {"F4"}, .line = "keys.cost", .run = [](const Ui& ui) { try_cost(ui, false); }},
       {.name = "cost-ladder", .keys = {"Shift+F4"}, .line = "keys.cost",
        .run = [](const Ui& ui) { try_cost(ui, true); }},
       {.name = "cost-forget", .keys = {"Ctrl+F4"}, .line = "keys.cost", .enabled = has_tries,
-       .run = [](const Ui& ui) { ui.act(action::ForgetCosts{}); }},
+       .run = act<action::ForgetCosts>},
       {.name = "cost-next", .keys = {"F5"}, .section = Section::cost, .line = "keys.cost_views", .enabled = has_tries,
        .run = choose_next},
       {.name = "cost-against", .keys = {"Shift+F5"}, .section = Section::cost, .line = "keys.cost_views",

@@ -24,8 +24,7 @@ void swatch(const Ui& ui, const Rgbd& light, float height) {
 
 }  // namespace
 
-template <>
-void draw_tab<EquationRoom>(const Ui& ui, const Rect& where, TabContext&) {
+void EquationRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   const EquationPanel panel = equation_panel(ui.state);
   if (panel.rows.empty()) return paragraph(ui.colours.dim_text, ui.say("equation.empty"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(5)});
@@ -53,13 +52,11 @@ void draw_tab<EquationRoom>(const Ui& ui, const Rect& where, TabContext&) {
   ImGui::PopStyleVar();
 }
 
-template <>
-rows::Rows rows::of_tab<EquationRoom>() {
+Commands EquationRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
-      {.name = "tab-equation", .keys = {"E"}, .section = Section::tabs,
-       .chosen = [](const State& state) { return state.appearance.tab == EquationRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{EquationRoom::tab}); }},
+      {.name = "tab-equation", .keys = {"E"}, .section = Section::tabs, .chosen = shows_tab<EquationRoom>,
+       .run = open_tab<EquationRoom>},
   };
   // clang-format on
   return all;

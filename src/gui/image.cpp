@@ -137,10 +137,6 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
   ui.publish("heat-legend", {where.x, y, where.width, bar});
 }
 
-}  // namespace
-
-namespace {
-
 void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   const float line = line_height(ui.fonts, *ui.fonts.small), side = ui.px(12);
   push_font(ui.fonts.small);
@@ -201,8 +197,7 @@ void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
 
 }  // namespace
 
-template <>
-void draw_tab<PictureRoom>(const Ui& ui, const Rect& where, TabContext& context) {
+void PictureRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) {
   image_tab(ui, where, context.picture);
 }
 
@@ -258,18 +253,16 @@ void change_heat(const Ui& ui) {
 
 }  // namespace
 
-template <>
-rows::Rows rows::of_tab<PictureRoom>() {
+Commands PictureRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-image", .keys = {"I"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.appearance.tab == PictureRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{PictureRoom::tab}); }},
+       .chosen = shows_tab<PictureRoom>, .run = open_tab<PictureRoom>},
       {.name = "use-camera", .keys = {"U"}, .section = Section::show, .line = "keys.image",
        .enabled = [](const State& state) { return state.picture.camera.has_value(); },
-       .run = [](const Ui& ui) { ui.act(action::UseImageCamera{}); }},
+       .run = act<action::UseImageCamera>},
       {.name = "image-settings", .keys = {","}, .section = Section::show, .line = "keys.image",
-       .run = [](const Ui& ui) { ui.wish(WindowWish::image_settings); }},
+       .run = wish<WindowWish::image_settings>},
       {.name = "heat", .keys = {"G"}, .section = Section::show, .line = "keys.image", .run = change_heat},
   };
   // clang-format on

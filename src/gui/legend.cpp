@@ -25,8 +25,7 @@ void sample(const Ui& ui, const LegendRow& row, float x, float y, float length) 
 
 }  // namespace
 
-template <>
-void draw_tab<LegendRoom>(const Ui& ui, const Rect& where, TabContext&) {
+void LegendRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   const Legend content = legend(ui.state);
   const float column = ui.px(78);
   for (const LegendRow& row : content.rays) {
@@ -99,13 +98,11 @@ void legend_pane(const Ui& ui, const Rect& where) {
   pop_font();
 }
 
-template <>
-rows::Rows rows::of_tab<LegendRoom>() {
+Commands LegendRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-legend", .keys = {"L"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.appearance.tab == LegendRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{LegendRoom::tab}); }},
+       .chosen = shows_tab<LegendRoom>, .run = open_tab<LegendRoom>},
   };
   // clang-format on
   return all;

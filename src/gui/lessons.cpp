@@ -305,7 +305,7 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   return true;
 }
 
-rows::Rows rows::lessons() {
+Commands LessonRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "lessons", .keys = {"F2"}, .section = Section::learn,

@@ -106,14 +106,13 @@ bool is_turned(const State& state) {
 
 }  // namespace
 
-rows::Rows rows::lines() {
+Commands SpaceRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "lines", .keys = {"V"}, .section = Section::show, .line = "keys.lines", .label = lines_label,
        .run = [](const Ui& ui) { ui.act(action::ShowLines{!shows_lines(ui.state)}); }},
       {.name = "walk-strip", .keys = {{"S", When::trace}}, .section = Section::show, .line = "keys.lines",
-       .enabled = [](const State& state) { return state.walk.pixel.has_value(); },
-       .run = [](const Ui& ui) { ui.act(action::WalkStrip{}); }},
+       .enabled = [](const State& state) { return state.walk.pixel.has_value(); }, .run = act<action::WalkStrip>},
       {.name = "turn-left", .keys = {"Alt+Shift+Left"}, .line = "keys.turn",
        .run = [](const Ui& ui) { ui.act(action::Orbit{view_in_hand(ui.state), {-turn_step, 0}}); }},
       {.name = "turn-right", .keys = {"Alt+Shift+Right"}, .line = "keys.turn",

@@ -1,5 +1,6 @@
 // The numerical microscope: a hit at any magnification, and what robust and naive numerics make of it.
 
+#include "view/microscope/microscope.h"
 #include "gui/broken_lines.h"
 #include "gui/command.h"
 #include "gui/painter.h"
@@ -119,13 +120,15 @@ void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
   pop_font();
 }
 
-}  // namespace
+// What the tab keeps between frames.
+struct Kept {
+  Microscope microscope;
+  FormMemory epsilon;
+};
 
-namespace {
-
-void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, FormMemory& memory) {
+void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
   push_font(ui.fonts.small);
-  const auto specimen = specimen_of(microscope, ui.state);
+  const auto specimen = specimen_of(kept.microscope, ui.state);
   const float height = ui.px(28), gap = ui.px(8);
   const bool wide = where.width > 1.15f * where.height;
   ButtonRow row(ui, where, height);
@@ -154,7 +157,7 @@ void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, For
     draw_table(ui, inside, microscope_table(ui.state, *specimen));
     ImGui::SetCursorScreenPos({inside.x, ImGui::GetItemRectMax().y + 2 * gap});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
-    Form form(ui, memory, inside.width);
+    Form form(ui, kept.epsilon, inside.width);
     epsilon_row(ui, form);
     ImGui::PopStyleVar();
     fade_edges(ui, ui.colours.panel);
@@ -165,9 +168,8 @@ void microscope_tab(const Ui& ui, const Rect& where, Microscope& microscope, For
 
 }  // namespace
 
-template <>
-void draw_tab<MicroscopeRoom>(const Ui& ui, const Rect& where, TabContext& context) {
-  microscope_tab(ui, where, context.memory.microscope, context.memory.numerics);
+void MicroscopeRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) {
+  microscope_tab(ui, where, context.memory.of<Kept>());
 }
 
 namespace {
@@ -193,22 +195,21 @@ void set_precision(const Ui& ui, bool single) {
 
 }  // namespace
 
-template <>
-rows::Rows rows::of_tab<MicroscopeRoom>() {
+Commands MicroscopeRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-microscope", .keys = {"Y"}, .section = Section::tabs, .line = "keys.microscope",
-       .chosen = [](const State& state) { return state.appearance.tab == MicroscopeRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{MicroscopeRoom::tab}); }},
+       .chosen = shows_tab<MicroscopeRoom>, .run = open_tab<MicroscopeRoom>},
       {.name = "magnify", .keys = {"Z"}, .section = Section::microscope, .line = "keys.microscope",
-       .enabled = can_magnify, .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.microscope.magnified + magnify_step}); }},
+       .enabled = can_magnify,
+       .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.microscope.magnified + magnify_step}); }},
       {.name = "diminish", .keys = {"Shift+Z"}, .section = Section::microscope, .line = "keys.microscope",
        .enabled = can_diminish,
        .run = [](const Ui& ui) { ui.act(action::Magnify{ui.state.microscope.magnified - magnify_step}); }},
       {.name = "to-numbers", .keys = {"Alt+Z"}, .section = Section::microscope, .line = "keys.microscope",
-       .enabled = can_magnify, .run = [](const Ui& ui) { ui.act(action::Magnify{1}); }},
+       .enabled = can_magnify, .run = act<action::Magnify, 1>},
       {.name = "to-scene", .keys = {"Alt+Shift+Z"}, .section = Section::microscope, .line = "keys.microscope",
-       .enabled = can_diminish, .run = [](const Ui& ui) { ui.act(action::Magnify{0}); }},
+       .enabled = can_diminish, .run = act<action::Magnify, 0>},
       {.name = "numerics-robust", .keys = {"Shift+Q"}, .section = Section::numerics, .line = "keys.numerics",
        .chosen = [](const State& state) { return state.scene().render.numerics == Numerics::robust; },
        .run = [](const Ui& ui) { set_numerics(ui, Numerics::robust); }},

@@ -1,4 +1,4 @@
-// The buttons that add and remove objects, and the commands for these and for what is selected.
+// The buttons that add and remove objects.
 
 #include "gui/command.h"
 #include "gui/panes.h"
@@ -37,59 +37,6 @@ void palette_pane(const Ui& ui, const Rect& where) {
     ImGui::SameLine();
   }
   command_button(ui, removes, narrowed(removes, remove), remove, word(removes));
-}
-
-namespace {
-
-bool moves(const State& state) { return state.walk.mode == Mode::move; }
-
-template <action::ObjectKind kind>
-void add_object(const Ui& ui) {
-  ui.act(action::AddObject{kind});
-}
-
-// The targets of Tab, in order.
-std::vector<Target> selectable(const Scene& scene) {
-  std::vector<Target> targets;
-  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) targets.push_back({TargetKind::object, i});
-  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) targets.push_back({TargetKind::light, i});
-  targets.push_back({TargetKind::eye});
-  return targets;
-}
-
-void select_along(const Ui& ui, int direction) {
-  const std::vector<Target> targets = selectable(ui.state.scene());
-  const auto same = [&](const Target& t) {
-    return t.kind == ui.state.plan.selected.kind &&
-           (t.kind == TargetKind::eye || t.index == ui.state.plan.selected.index);
-  };
-  const auto at = std::find_if(targets.begin(), targets.end(), same);
-  const int count = static_cast<int>(targets.size());
-  int next = direction > 0 ? 0 : count - 1;
-  if (at != targets.end()) next = (static_cast<int>(at - targets.begin()) + direction + count) % count;
-  ui.act(action::Select{targets[static_cast<std::size_t>(next)]});
-}
-
-}  // namespace
-
-rows::Rows rows::palette() {
-  // clang-format off
-  static constexpr Command all[] = {
-      {.name = "add-solid-sphere", .keys = {{"1", When::move}}, .section = Section::add, .line = "keys.add",
-       .enabled = moves, .run = add_object<action::ObjectKind::solid_sphere>},
-      {.name = "add-transparent-sphere", .keys = {{"2", When::move}}, .section = Section::add, .line = "keys.add",
-       .enabled = moves, .run = add_object<action::ObjectKind::transparent_sphere>},
-      {.name = "add-polygon", .keys = {{"3", When::move}}, .section = Section::add, .line = "keys.add",
-       .enabled = moves, .run = add_object<action::ObjectKind::polygon>},
-      {.name = "add-light", .keys = {{"4", When::move}}, .section = Section::add, .line = "keys.add", .enabled = moves,
-       .run = add_object<action::ObjectKind::light>},
-      {.name = "select-next", .keys = {{"Tab", When::move}}, .section = Section::select, .line = "keys.select",
-       .enabled = moves, .run = [](const Ui& ui) { select_along(ui, 1); }},
-      {.name = "select-previous", .keys = {{"Shift+Tab", When::move}}, .section = Section::select,
-       .line = "keys.select", .enabled = moves, .run = [](const Ui& ui) { select_along(ui, -1); }},
-  };
-  // clang-format on
-  return all;
 }
 
 }  // namespace raywalk

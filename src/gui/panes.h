@@ -4,9 +4,11 @@
 #include "gui/form.h"
 #include "gui/key.h"
 #include "gui/ui.h"
-#include "view/microscope/microscope.h"
 
+#include <any>
 #include <cstdint>
+#include <map>
+#include <typeindex>
 
 namespace raywalk {
 
@@ -103,11 +105,18 @@ struct PictureView {
   std::uintptr_t cost_texture = 0;   ///< its picture, of costs->size()
 };
 
-/// What tabs keep between frames.
-struct TabMemory {
-  FormMemory numerics;
-  Microscope microscope;
-  int centred_on = -1;  ///< the ray that the tree last scrolled to
+/// What tabs keep between frames, each a type of its own.
+class TabMemory {
+ public:
+  template <class Kept>
+  Kept& of() {
+    std::any& kept = kept_[typeid(Kept)];
+    if (!kept.has_value()) kept.emplace<Kept>();
+    return *std::any_cast<Kept>(&kept);
+  }
+
+ private:
+  std::map<std::type_index, std::any> kept_;
 };
 /// What a tab is drawn with, beside the state.
 struct TabContext {
@@ -115,9 +124,6 @@ struct TabContext {
   TabMemory& memory;
   int pointed_at = -1;  ///< set to the hovered ray
 };
-/// Draws the tab of a room: each gui/NAME.cpp has its own.
-template <class Room>
-void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
 
 /// The tabs' headings and the one that is open.
 class TabsPane {

@@ -107,11 +107,10 @@ void zoom(const Ui& ui, double factor) {
 
 }  // namespace
 
-rows::Rows rows::plan() {
+Commands PlanRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
-      {.name = "fit", .keys = {"F"}, .section = Section::zoom, .line = "keys.zoom",
-       .run = [](const Ui& ui) { ui.act(action::FitView{}); }},
+      {.name = "fit", .keys = {"F"}, .section = Section::zoom, .line = "keys.zoom", .run = act<action::FitView>},
       {.name = "zoom-in", .keys = {"Alt+Up"}, .section = Section::zoom, .line = "keys.zoom",
        .run = [](const Ui& ui) { zoom(ui, 1.25); }},
       {.name = "zoom-out", .keys = {"Alt+Down"}, .section = Section::zoom, .line = "keys.zoom",

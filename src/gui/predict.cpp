@@ -4,14 +4,14 @@
 
 namespace raywalk {
 
-rows::Rows rows::predict() {
+Commands PredictRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "predict", .keys = {"Ctrl+P"}, .section = Section::learn, .line = "keys.predict",
        .chosen = [](const State& state) { return state.predictions.on; },
        .run = [](const Ui& ui) { ui.act(action::SetPredictions{!ui.state.predictions.on}); }},
       {.name = "save-predictions", .keys = {"Ctrl+Shift+P"}, .section = Section::save, .line = "keys.predict",
-       .run = [](const Ui& ui) { ui.act(action::AskSavePredictions{}); }},
+       .run = act<action::AskSavePredictions>},
   };
   // clang-format on
   return all;

@@ -136,30 +136,4 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   fade_edges(ui, ui.colours.panel);
 }
 
-namespace {
-
-bool can_remove(const State& state) {
-  const TargetKind kind = state.plan.selected.kind;
-  return state.walk.mode == Mode::move &&
-         (kind == TargetKind::object || kind == TargetKind::light || kind == TargetKind::corner);
-}
-
-}  // namespace
-
-rows::Rows rows::properties() {
-  // clang-format off
-  static constexpr Command all[] = {
-      {.name = "edit-properties", .keys = {{"Enter", When::move}}, .section = Section::select, .line = "keys.edit",
-       .enabled = [](const State& state) { return state.walk.mode == Mode::move && static_cast<bool>(state.plan.selected); },
-       .run = [](const Ui& ui) { ui.wish(WindowWish::properties); }},
-      {.name = "remove", .keys = {{"Delete", When::move}, {"Backspace", When::move}}, .section = Section::select,
-       .line = "keys.edit", .enabled = can_remove, .run = [](const Ui& ui) { ui.act(action::RemoveSelected{}); }},
-      {.name = "deselect", .section = Section::select,
-       .enabled = [](const State& state) { return static_cast<bool>(state.plan.selected); },
-       .run = [](const Ui& ui) { ui.act(action::Select{}); }},
-  };
-  // clang-format on
-  return all;
-}
-
 }  // namespace raywalk

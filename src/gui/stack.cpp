@@ -22,10 +22,6 @@ void draw_returned(const Ui& ui, const StackRow& row) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 int stack_tab(const Ui& ui, const Rect& where) {
   const StackPanel stack = stack_panel(ui.state);
   if (stack.rows.empty()) {
@@ -78,18 +74,15 @@ int stack_tab(const Ui& ui, const Rect& where) {
 
 }  // namespace
 
-template <>
-void draw_tab<StackRoom>(const Ui& ui, const Rect& where, TabContext& context) {
+void StackRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) {
   context.pointed_at = stack_tab(ui, where);
 }
 
-template <>
-rows::Rows rows::of_tab<StackRoom>() {
+Commands StackRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-stack", .keys = {"K"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.appearance.tab == StackRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{StackRoom::tab}); }},
+       .chosen = shows_tab<StackRoom>, .run = open_tab<StackRoom>},
   };
   // clang-format on
   return all;

@@ -75,7 +75,7 @@ float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
   y += line;
   for (const StructureRow& row : panel.rows) {
     const bool is_chosen = row.kind == ui.state.structure.kind;
-    const std::string name = "structure/" + std::string(accelerator_name(row.kind));
+    const std::string name = "structure/" + std::string(name_of(row.kind));
     ImGui::SetCursorScreenPos({where.x, y});
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {where.width, line});
     const bool pointed_at = ImGui::IsItemHovered();
@@ -98,8 +98,7 @@ float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
 
 }  // namespace
 
-template <>
-void draw_tab<StructureRoom>(const Ui& ui, const Rect& pane, TabContext&) {
+void StructureRoom::draw_tab(const Ui& ui, const Rect& pane, TabContext&) {
   // If scrolled, the bar takes some of the width, and the contents begin above the pane.
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect where{at.x, at.y, ImGui::GetContentRegionAvail().x, pane.height};
@@ -151,13 +150,11 @@ void turn_structure_page(const Ui& ui) {
 
 }  // namespace
 
-template <>
-rows::Rows rows::of_tab<StructureRoom>() {
+Commands StructureRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tab-structure", .keys = {"Ctrl+T"}, .section = Section::tabs, .line = "keys.structure",
-       .chosen = [](const State& state) { return state.appearance.tab == StructureRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{StructureRoom::tab}); }},
+       .chosen = shows_tab<StructureRoom>, .run = open_tab<StructureRoom>},
       {.name = "structure-kind", .keys = {"Ctrl+U"}, .section = Section::structure, .line = "keys.structure",
        .enabled = shows_structure, .run = watch_next_kind},
       {.name = "structure-page", .keys = {"Ctrl+I"}, .section = Section::structure, .line = "keys.structure",
@@ -171,7 +168,7 @@ rows::Rows rows::of_tab<StructureRoom>() {
       {.name = "structure-last", .keys = {"Ctrl+Shift+J"}, .line = "keys.structure_steps", .enabled = has_next_box,
        .run = [](const Ui& ui) { ui.act(action::GoInStructure{structure_steps(ui.state)}); }},
       {.name = "structure-first", .keys = {"Ctrl+Shift+K"}, .line = "keys.structure_steps", .enabled = has_last_box,
-       .run = [](const Ui& ui) { ui.act(action::GoInStructure{0}); }},
+       .run = act<action::GoInStructure, 0>},
   };
   // clang-format on
   return all;

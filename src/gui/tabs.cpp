@@ -31,7 +31,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
       TabContext context{picture, memory_};
       for_each_room(Rooms(), [&]<class Room>() {
         if constexpr (rooms::WithTab<Room>)
-          if (Room::tab == ui.state.appearance.tab) draw_tab<Room>(ui, inside, context);
+          if (Room::tab == ui.state.appearance.tab) Room::draw_tab(ui, inside, context);
       });
       pointed_at = context.pointed_at;
       if (!own) fade_edges(ui, ui.colours.panel);

@@ -98,21 +98,10 @@ void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& sp
             ui.colours.panel.with_alpha(200));
 }
 
-// The tooltip: the node's sign, and its ray's throughput.
-void explain(const Ui& ui, const TreeNode& node) {
-  const std::string what = node_text(ui.state, node);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
-  ImGui::BeginTooltip();
-  push_font(ui.fonts.small);
-  ImGui::TextUnformatted(what.c_str());
-  pop_font();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
-}
-
-}  // namespace
-
-namespace {
+// The ray that the tree last scrolled to.
+struct CentredOn {
+  int ray = -1;
+};
 
 int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   const TreePanel tree = tree_panel(ui.state);
@@ -176,18 +165,15 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
 
 }  // namespace
 
-template <>
-void draw_tab<TreeRoom>(const Ui& ui, const Rect& where, TabContext& context) {
-  context.pointed_at = tree_tab(ui, where, context.memory.centred_on);
+void TreeRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) {
+  context.pointed_at = tree_tab(ui, where, context.memory.of<CentredOn>().ray);
 }
 
-template <>
-rows::Rows rows::of_tab<TreeRoom>() {
+Commands TreeRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
-      {.name = "tab-tree", .keys = {"R"}, .section = Section::tabs, .line = "keys.tabs",
-       .chosen = [](const State& state) { return state.appearance.tab == TreeRoom::tab; },
-       .run = [](const Ui& ui) { ui.act(action::SetTab{TreeRoom::tab}); }},
+      {.name = "tab-tree", .keys = {"R"}, .section = Section::tabs, .line = "keys.tabs", .chosen = shows_tab<TreeRoom>,
+       .run = open_tab<TreeRoom>},
   };
   // clang-format on
   return all;

@@ -4,7 +4,9 @@
 //
 //     struct StructureRoom {
 //       using Actions = Types<action::ChooseStructure, ...>;     // view/fields.h
-//       static constexpr Tab tab{"structure"};                   // beside the plan; drawn by gui/structure.cpp
+//       static constexpr Tab tab{"structure"};                   // beside the plan
+//       static void draw_tab(const Ui&, const Rect&, TabContext&);  // in gui/structure.cpp
+//       static Commands commands();                              // in gui/structure.cpp
 //       static constexpr Layer layer = Layer::under_rays;        // what it draws in the plan in Trace mode
 //       static void draw_in_plan(Painter& painter);
 //       static void follow(State& state, const Before& before);  // after every action
@@ -14,6 +16,7 @@
 #include "view/fields.h"
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -22,6 +25,13 @@ namespace raywalk {
 struct State;
 class Timeline;
 class Painter;
+
+// What the window defines of a room.
+struct Command;     // gui/command.h
+struct Ui;          // gui/ui.h
+struct Rect;        // gui/layout.h
+struct TabContext;  // gui/panes.h
+using Commands = std::span<const Command>;
 
 /// A tab beside the plan, by its word.
 struct Tab {

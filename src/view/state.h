@@ -45,10 +45,10 @@ struct State {
   [[nodiscard]] const Scene& scene() const { return document.contents.scene; }
 };
 
-/// All rooms, tabs in the order in which they stand.
+/// All rooms, in the order of their tabs and of their commands in menus.
 using Rooms =
-    Types<DocumentRoom, WalkRoom, PlanRoom, SpaceRoom, PictureRoom, AppearanceRoom, LessonRoom, BugRoom, PredictRoom,
-          ExportRoom, TreeRoom, StackRoom, EquationRoom, LegendRoom, CostRoom, MicroscopeRoom, StructureRoom>;
+    Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
+          LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>

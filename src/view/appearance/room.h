@@ -60,6 +60,7 @@ namespace raywalk {
 struct AppearanceRoom {
   using Actions =
       Types<action::SetTheme, action::SetLanguage, action::SetUiScale, action::SetTab, action::DismissNotice>;
+  static Commands commands();
 
   Theme theme = Theme::dark;
   Language language{};

@@ -81,6 +81,7 @@ namespace raywalk {
 struct BugRoom {
   using Actions = Types<action::ShowBugs, action::HuntBug, action::MarkLine, action::JudgeLine, action::ShowCure,
                         action::MendBug, action::LeaveHunt>;
+  static Commands commands();
   static constexpr Layer layer = Layer::over_rays;
   static void draw_in_plan(Painter& painter);
 

@@ -77,6 +77,8 @@ struct CostRoom {
   using Actions = Types<action::SetCostKnobs, action::TryCost, action::ForgetCosts, action::ChooseCost,
                         action::ShowCosts, action::ShowCostPage>;
   static constexpr Tab tab{"cost", true};
+  static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
+  static Commands commands();
 
   static constexpr int max_tries = 64, max_samples = 4096, max_grid = 16, max_depth = 50;
 

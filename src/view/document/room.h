@@ -241,6 +241,7 @@ struct DocumentRoom {
                         action::SetLimits, action::SetNumerics, action::SetSurroundings, action::Undo, action::Redo,
                         action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs,
                         action::CancelPrompt, action::AnswerQuestion, action::Quit>;
+  static Commands commands();
 
   SceneDocument contents;
   std::string path;               ///< empty: never saved

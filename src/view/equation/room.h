@@ -8,6 +8,8 @@ namespace raywalk {
 /// The live equation.
 struct EquationRoom {
   static constexpr Tab tab{"equation"};
+  static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
+  static Commands commands();
   static constexpr Layer layer = Layer::under_labels;
   static void draw_in_plan(Painter& painter);
 };

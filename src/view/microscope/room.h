@@ -23,6 +23,8 @@ namespace raywalk {
 struct MicroscopeRoom {
   using Actions = Types<action::Magnify>;
   static constexpr Tab tab{"microscope", true};
+  static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
+  static Commands commands();
 
   double magnified = 0;  ///< see action::Magnify
 };

@@ -47,6 +47,8 @@ namespace raywalk {
 struct PictureRoom {
   using Actions = Types<action::SetImageSettings>;
   static constexpr Tab tab{"image", true};
+  static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
+  static Commands commands();
 
   std::optional<Camera> camera;  ///< its own; absent: the scene's
   ImageSettings settings;

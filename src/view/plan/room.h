@@ -152,6 +152,7 @@ struct PlanRoom {
   using Actions = Types<action::ResizePlan, action::PointerMoved, action::PointerPressed, action::PointerReleased,
                         action::PointerLeft, action::CancelDrag, action::Zoom, action::Pan, action::FitView,
                         action::HoverRay, action::HoverLine, action::Select, action::Nudge>;
+  static Commands commands();
 
   Viewport viewport;
   PlanCamera camera;

@@ -88,6 +88,7 @@ namespace raywalk {
 struct PredictRoom {
   using Actions = Types<action::SetPredictions, action::GuessWay, action::GuessEnd, action::AskSavePredictions,
                         action::SavePredictions>;
+  static Commands commands();
   static constexpr Layer layer = Layer::on_top;
   static void draw_in_plan(Painter& painter);
   static void follow(State& state, const Before& before);

@@ -49,6 +49,8 @@ namespace raywalk {
 struct StructureRoom {
   using Actions = Types<action::ChooseStructure, action::ShowStructurePage, action::GoInStructure>;
   static constexpr Tab tab{"structure"};
+  static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
+  static Commands commands();
   static constexpr Layer layer = Layer::under_rays;
   static void draw_in_plan(Painter& painter);
   static void follow(State& state, const Before& before);

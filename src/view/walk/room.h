@@ -182,6 +182,7 @@ struct WalkRoom {
                         action::RunToLine, action::RunOn, action::ToggleBreakpoint, action::SetBreakpoints,
                         action::Hold, action::Release, action::PlayPause, action::SetSpeed, action::SetGrain,
                         action::Clear, action::Tick, action::Wait, action::ShowGhosts, action::SetTweens>;
+  static Commands commands();
   static void follow(State& state, const Before& before);
 
   Mode mode = Mode::move;
