@@ -2,7 +2,7 @@
 
 #include "render/adaptive.h"
 #include "render/film.h"
-#include "trace/path_kernel.h"
+#include "trace/scene_kernel.h"
 
 #include <optional>
 

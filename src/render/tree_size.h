@@ -2,7 +2,7 @@
 // The size of the ray trees of a picture, estimated before hours are spent on them.
 
 #include "math/stop.h"
-#include "trace/path_kernel.h"
+#include "trace/scene_kernel.h"
 
 #include <optional>
 

@@ -177,7 +177,7 @@ class EventWriter {
 
 Json event_json(const Scene& scene, const Event& event) {
   const PseudocodeLine& line = pseudocode_of(event.line);
-  Json json{{"line", line.text}, {"procedure", procedure_title(line.procedure)}, {"depth", event.depth}};
+  Json json{{"line", line.text}, {"procedure", name_of(line.procedure)}, {"depth", event.depth}};
   std::visit(EventWriter(scene, json), event.detail);
   return json;
 }

@@ -151,62 +151,36 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& event, const Decided& decided) const {
-    switch (event.line) {
-      case Line::if_intersect_something:
-        if (!decided.holds) return {"walk.intersected_nothing", {}};
-        return {"walk.intersected", {{"object", object(current().object)}}};
-      case Line::if_reflective: {
-        if (!decided.holds) return {"walk.not_reflective", {{"object", shaded()}}};
-        // Under total internal reflection kt goes to kr.
-        const Material& material = scene_.objects[static_cast<std::size_t>(current().object)].material;
-        const Rgbd above = decided.weight - material.reflection, missing = above - material.transmission;
-        constexpr double rounding = 1e-6;  // of a recording in float
-        const bool totally =
-            material.transmits() && std::abs(missing.x) + std::abs(missing.y) + std::abs(missing.z) < rounding;
-        if (!totally) return {"walk.reflective", {{"object", shaded()}, {"weight", decided.weight}}};
-        return {came_from_outside() ? "walk.reflective_totally_in" : "walk.reflective_totally",
-                {{"object", shaded()}, {"weight", decided.weight}}};
-      }
-      case Line::if_transparent:
-        if (decided.why == Ending::total_internal_reflection)
-          return {came_from_outside() ? "walk.totally_reflected_in" : "walk.totally_reflected", {{"object", shaded()}}};
-        if (!decided.holds) return {"walk.not_transparent", {{"object", shaded()}}};
-        return {"walk.transparent", {{"object", shaded()}, {"weight", decided.weight}}};
-      case Line::follow_path:
-        return {"walk.path_called", {}};
-      case Line::while_ray:
-        if (decided.holds) return {"walk.path_goes_on", {{"ray", current().kind}}};
-        return {"walk.path_over", {{"colour", frame(timeline_.current_frame(position_)).returned}}};
-      case Line::if_intersect_nothing:
-        if (decided.holds) return {"walk.path_met_nothing", {}};
-        return {"walk.path_met", {{"object", object(current().object)}}};
-      case Line::for_each_pixel:
-      case Line::form_primary_ray:
-      case Line::find_closest_intersection:
-      case Line::shade_final:
-      case Line::put_final_shade:
-      case Line::form_shadow_ray:
-      case Line::find_intersection:
-      case Line::form_reflect_ray:
-      case Line::find_reflect_intersect:
-      case Line::shade_reflect:
-      case Line::form_refract_ray:
-      case Line::find_refract_intersect:
-      case Line::shade_refract:
-      case Line::compute_rtnshade:
-      case Line::path_for_each_pixel:
-      case Line::path_form_primary_ray:
-      case Line::path_put_final_shade:
-      case Line::path_find_closest_intersection:
-      case Line::add_background:
-      case Line::add_emission:
-      case Line::path_form_shadow_ray:
-      case Line::path_find_intersection:
-      case Line::add_light:
-      case Line::choose_direction:
-      case Line::if_path_survives:
-      case Line::form_next_ray:
-        break;  // these decide nothing, or have messages of their own
+    if (event.line == Line::if_intersect_something) {
+      if (!decided.holds) return {"walk.intersected_nothing", {}};
+      return {"walk.intersected", {{"object", object(current().object)}}};
+    }
+    if (event.line == Line::if_reflective) {
+      if (!decided.holds) return {"walk.not_reflective", {{"object", shaded()}}};
+      // Under total internal reflection kt goes to kr.
+      const Material& material = scene_.objects[static_cast<std::size_t>(current().object)].material;
+      const Rgbd above = decided.weight - material.reflection, missing = above - material.transmission;
+      constexpr double rounding = 1e-6;  // of a recording in float
+      const bool totally =
+          material.transmits() && std::abs(missing.x) + std::abs(missing.y) + std::abs(missing.z) < rounding;
+      if (!totally) return {"walk.reflective", {{"object", shaded()}, {"weight", decided.weight}}};
+      return {came_from_outside() ? "walk.reflective_totally_in" : "walk.reflective_totally",
+              {{"object", shaded()}, {"weight", decided.weight}}};
+    }
+    if (event.line == Line::if_transparent) {
+      if (decided.why == Ending::total_internal_reflection)
+        return {came_from_outside() ? "walk.totally_reflected_in" : "walk.totally_reflected", {{"object", shaded()}}};
+      if (!decided.holds) return {"walk.not_transparent", {{"object", shaded()}}};
+      return {"walk.transparent", {{"object", shaded()}, {"weight", decided.weight}}};
+    }
+    if (event.line == Line::follow_path) return {"walk.path_called", {}};
+    if (event.line == Line::while_ray) {
+      if (decided.holds) return {"walk.path_goes_on", {{"ray", current().kind}}};
+      return {"walk.path_over", {{"colour", frame(timeline_.current_frame(position_)).returned}}};
+    }
+    if (event.line == Line::if_intersect_nothing) {
+      if (decided.holds) return {"walk.path_met_nothing", {}};
+      return {"walk.path_met", {{"object", object(current().object)}}};
     }
     return {};
   }

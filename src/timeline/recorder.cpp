@@ -1,6 +1,6 @@
 #include "timeline/recorder.h"
 
-#include "trace/path_kernel.h"
+#include "trace/scene_kernel.h"
 
 namespace raywalk {
 

@@ -23,11 +23,11 @@ namespace raywalk {
 
 /// Where a walk pauses by itself.
 struct Breakpoints {
-  std::array<bool, line_count + path_line_count> before{};  ///< before this line runs
-  std::optional<int> depth;                ///< where SHADE is called with this DEPTH, or a path has this many rays
-  bool total_internal_reflection = false;  ///< where nothing is transmitted
-  std::string object;                      ///< where a ray hits the object of this name; empty: none
-  std::optional<int> pixel;                ///< where the pixel of this column begins, from 0
+  std::array<bool, all_lines_count> before{};  ///< before this line runs
+  std::optional<int> depth;                    ///< where SHADE is called with this DEPTH, or a path has this many rays
+  bool total_internal_reflection = false;      ///< where nothing is transmitted
+  std::string object;                          ///< where a ray hits the object of this name; empty: none
+  std::optional<int> pixel;                    ///< where the pixel of this column begins, from 0
 
   friend bool operator==(const Breakpoints&, const Breakpoints&) = default;
   [[nodiscard]] bool any() const { return *this != Breakpoints{}; }

@@ -64,7 +64,11 @@ class Timeline {
   [[nodiscard]] ImageSize image() const { return image_; }
   [[nodiscard]] bool of_strip() const { return image_.height == 1; }
   /// Whether it is a recording of PATH TRACING.
-  [[nodiscard]] bool of_paths() const { return !events_.empty() && events_.front().line == Line::path_for_each_pixel; }
+  [[nodiscard]] bool of_paths() const { return pseudocode().lines.front().line == Line::path_for_each_pixel; }
+  /// The pseudocode whose lines it walks.
+  [[nodiscard]] const Pseudocode& pseudocode() const {
+    return events_.empty() ? pseudocodes.front() : pseudocode_with(events_.front().line);
+  }
 
   /// Number of events; positions run from 0 to this.
   [[nodiscard]] int steps() const { return static_cast<int>(events_.size()); }

@@ -1,12 +1,20 @@
 #pragma once
 
+#include "math/words.h"
+
 #include <array>
+#include <span>
 #include <string_view>
 
 namespace raywalk {
 
 /// The procedures of the tracer, and those of path tracing.
 enum class Procedure { main_algorithm, shade, path_tracing, follow_path };
+template <>
+inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algorithm, "MAIN ALGORITHM"},
+                                                          {Procedure::shade, "SHADE (DEPTH, RTNSHADE)"},
+                                                          {Procedure::path_tracing, "PATH TRACING"},
+                                                          {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
 /// statement in trace/tracer.h or trace/path.h; a test holds the two together.
@@ -93,23 +101,24 @@ inline constexpr std::array<PseudocodeLine, path_line_count> path_pseudocode{{
     {Line::form_next_ray, Procedure::follow_path, 2, "Form next ray"},
 }};
 
-[[nodiscard]] constexpr const PseudocodeLine& pseudocode_of(Line line) {
-  const auto number = static_cast<std::size_t>(line);
-  return number < pseudocode.size() ? pseudocode[number] : path_pseudocode[number - pseudocode.size()];
-}
+/// The lines of two procedures: of the one that runs once for each pixel, and of the one that it calls.
+struct Pseudocode {
+  std::span<const PseudocodeLine> lines;
+  bool recursive;  ///< the second one calls itself, DEPTH deep
+};
+/// All pseudocodes, in the order of their lines.
+inline constexpr std::array<Pseudocode, 2> pseudocodes{{{pseudocode, true}, {path_pseudocode, false}}};
+inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
-[[nodiscard]] constexpr std::string_view procedure_title(Procedure procedure) {
-  switch (procedure) {
-    case Procedure::main_algorithm:
-      return "MAIN ALGORITHM";
-    case Procedure::shade:
-      return "SHADE (DEPTH, RTNSHADE)";
-    case Procedure::path_tracing:
-      return "PATH TRACING";
-    case Procedure::follow_path:
-      return "FOLLOW PATH (RTNSHADE)";
-  }
-  return "";
+/// The one that a line belongs to.
+[[nodiscard]] constexpr const Pseudocode& pseudocode_with(Line line) {
+  for (const Pseudocode& each : pseudocodes)
+    if (line <= each.lines.back().line) return each;
+  return pseudocodes.back();
+}
+[[nodiscard]] constexpr const PseudocodeLine& pseudocode_of(Line line) {
+  const Pseudocode& code = pseudocode_with(line);
+  return code.lines[static_cast<std::size_t>(line) - static_cast<std::size_t>(code.lines.front().line)];
 }
 
 }  // namespace raywalk

@@ -94,8 +94,7 @@ class ActionReader {
   void operator()(Line& value) {
     int row = 0;
     (*this)(row);
-    if (row < 1 || row > line_count + path_line_count)
-      return fail(fmt::format("a line's number from 1 to {}", line_count + path_line_count));
+    if (row < 1 || row > all_lines_count) return fail(fmt::format("a line's number from 1 to {}", all_lines_count));
     value = static_cast<Line>(row - 1);
   }
   void operator()(std::optional<Line>& value) {

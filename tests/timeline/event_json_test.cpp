@@ -47,7 +47,7 @@ TEST_CASE("every event is told with its line and its numbers") {
     const Event& event = timeline.event(i);
     const Json json = event_json(scene, event);
     CHECK(json.at("line") == std::string(pseudocode_of(event.line).text));
-    CHECK(json.at("procedure") == std::string(procedure_title(pseudocode_of(event.line).procedure)));
+    CHECK(json.at("procedure") == std::string(name_of(pseudocode_of(event.line).procedure)));
     CHECK(json.at("depth") == event.depth);
     kinds.insert(json.at("what").get<std::string>());
     for (const auto& [name, value] : json.items()) members.insert(name);

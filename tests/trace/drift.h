@@ -41,7 +41,7 @@ std::string drift(const std::string& source, const Table& table,
                   std::initializer_list<std::pair<Procedure, const char*>> heads) {
   for (const auto& [procedure, head] : heads) {
     const std::vector<std::string> body = body_of(source, head);
-    const std::string where = std::string(procedure_title(procedure)) + ": ";
+    const std::string where = std::string(name_of(procedure)) + ": ";
     if (body.empty()) return where + "no function `" + head + "`";
     std::size_t at = 0;
     for (const auto& line : table) {

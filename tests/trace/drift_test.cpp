@@ -58,9 +58,9 @@ TEST_CASE("the table of the path tracer's pseudocode is the enumeration, in orde
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK_FALSE(line.text.empty());
   }
-  CHECK(number == line_count + path_line_count);
+  CHECK(number == all_lines_count);
   CHECK(static_cast<int>(Line::form_next_ray) == number - 1);
-  CHECK(procedure_title(Procedure::path_tracing) == "PATH TRACING");
+  CHECK(name_of(Procedure::path_tracing) == "PATH TRACING");
 }
 
 TEST_CASE("every line of pseudocode heads its statement in the tracer") {
@@ -104,8 +104,8 @@ TEST_CASE("the table of the pseudocode is the enumeration, in order") {
   }
   CHECK(number == line_count);
   CHECK(static_cast<int>(Line::compute_rtnshade) == line_count - 1);
-  CHECK(procedure_title(Procedure::main_algorithm) == "MAIN ALGORITHM");
-  CHECK(procedure_title(Procedure::shade) == "SHADE (DEPTH, RTNSHADE)");
+  CHECK(name_of(Procedure::main_algorithm) == "MAIN ALGORITHM");
+  CHECK(name_of(Procedure::shade) == "SHADE (DEPTH, RTNSHADE)");
 }
 
 TEST_CASE("a deeper line follows the condition or loop that governs it") {

@@ -9,8 +9,8 @@
 
 #include "support/catch.h"
 #include "trace/kernel_of.h"
-#include "trace/path_kernel.h"
 #include "trace/pictures.h"
+#include "trace/scene_kernel.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -1,8 +1,8 @@
 // Paths for the path tracer's tests: pictures, means with their deviations, recordings.
 #pragma once
 
-#include "trace/path_kernel.h"
 #include "trace/pictures.h"
+#include "trace/scene_kernel.h"
 
 #include <cmath>
 
@@ -22,9 +22,8 @@ Picture<T> path_picture(const Scene& scene, int width, int height, const PathSet
                         Sampling sampling = {}, Observer* observer = nullptr) {
   return picture_by<T>(by_path(scene, scene.render.sampler), width, height, sampling,
                        [&](const World<T>& world, const auto& camera, const PixelBlock& block, const PutPixel<T>& put) {
-                         const Emitters<T> lights(world);
-                         return observer ? trace_paths_watched(world, lights, settings, camera, block, put, *observer)
-                                         : trace_paths(world, lights, settings, camera, block, put);
+                         const SceneKernel<T> kernel(scene, world, settings);
+                         return observer ? kernel.watched(camera, block, *observer, put) : kernel(camera, block, put);
                        });
 }
 
@@ -68,10 +67,10 @@ inline Estimates path_estimates(const Scene& scene, int width, int height, int s
                                 const PathSettings& settings = {}, std::uint64_t seed = 0) {
   const Scene own = by_path(scene, scene.render.sampler);
   const World<double> world(own);
-  const Emitters<double> lights(world);
+  const SceneKernel<double> kernel(own, world, settings);
   return estimates_by(own, width, height, samples, seed,
-                      [&](const auto& same, const auto& camera, const PixelBlock& block, const auto& put) {
-                        return trace_paths(same, lights, settings, camera, block, put);
+                      [&](const auto& /*same*/, const auto& camera, const PixelBlock& block, const auto& put) {
+                        return kernel(camera, block, put);
                       });
 }
 

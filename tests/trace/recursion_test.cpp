@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "support/catch.h"
-#include "trace/path_kernel.h"
+#include "trace/scene_kernel.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

@@ -78,7 +78,7 @@ class RandomActions {
   }
   void operator()(bool& value, Either) { value = flip(); }
   void operator()(bool& value, Flag) { value = flip(); }
-  void operator()(Line& line) { line = static_cast<Line>(whole(0, line_count + path_line_count - 1)); }
+  void operator()(Line& line) { line = static_cast<Line>(whole(0, all_lines_count - 1)); }
   template <Worded E>
   void operator()(E& value) {
     value = one_of<Word<E>>(std::span<const Word<E>>(words_of<E>)).first;

@@ -1,9 +1,9 @@
 #include "view/walk/code_panel.h"
 #include "view/bugs/bugs.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
+#include "view/walk/fault.h"
 #include "view/walk/lit.h"
-
-#include <span>
 
 namespace raywalk {
 
@@ -34,21 +34,20 @@ CodeRow row_of(const State& state, const PseudocodeLine& line) {
 
 CodePanel code_panel(const State& state) {
   CodePanel panel;
-  const Event* just_run = state.walk.timeline->just_run(state.walk.position);
-  const bool paths = state.walk.timeline->of_paths();
-  const std::span<const PseudocodeLine> lines = paths ? std::span<const PseudocodeLine>(path_pseudocode) : pseudocode;
-  for (CodeBox& box : panel.boxes) {
-    const bool first = &box == panel.boxes.data();
-    const Procedure procedure = paths ? (first ? Procedure::path_tracing : Procedure::follow_path)
-                                      : (first ? Procedure::main_algorithm : Procedure::shade);
-    box.procedure = procedure;
-    box.title = procedure_title(procedure);
-    if (just_run != nullptr && pseudocode_of(just_run->line).procedure == procedure) box.depth = just_run->depth;
+  const Timeline& timeline = *state.walk.timeline;
+  const Event* just_run = timeline.just_run(state.walk.position);
+  const Pseudocode& code = timeline.pseudocode();
+  const Procedure procedures[] = {code.lines.front().procedure, code.lines.back().procedure};
+  for (std::size_t i = 0; i < panel.boxes.size(); ++i) {
+    CodeBox& box = panel.boxes[i];
+    box.procedure = procedures[i];
+    box.title = name_of(box.procedure);
+    if (just_run != nullptr && pseudocode_of(just_run->line).procedure == box.procedure) box.depth = just_run->depth;
     if (box.depth.value_or(0) > 0)
-      box.badge =
-          fill(paths ? "code.rays_badge" : "code.depth_badge", state.appearance.language, {{"number", *box.depth}});
-    for (const PseudocodeLine& line : lines)
-      if (line.procedure == procedure) box.rows.push_back(row_of(state, line));
+      box.badge = fill(code.recursive ? "code.depth_badge" : "code.rays_badge", state.appearance.language,
+                       {{"number", *box.depth}});
+    for (const PseudocodeLine& line : code.lines)
+      if (line.procedure == box.procedure) box.rows.push_back(row_of(state, line));
   }
   return panel;
 }

@@ -1,0 +1,70 @@
+#include "trace/scene_kernel.h"
+
+namespace raywalk {
+
+namespace {
+
+/// Runs a procedure, such as PathTracer, over a block. `own`: what it takes beside the world.
+template <template <class> class Procedure, class T, class Watcher, class... Own>
+Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
+                         const PutPixel<T>& put, Watcher& observer, const Own&... own) {
+  const auto run_with = [&]<class Chosen>() {
+    Procedure<Chosen> procedure(world, own..., camera, observer, block.stop);
+    procedure.main_algorithm(block, put);
+    return procedure.statistics();
+  };
+  constexpr HitEffects no_nesting{.nesting = false};
+  if (world.numerics == Numerics::naive)
+    return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+  if (world.bodies.empty()) return run_with.template operator()<Policy<T, Watcher, no_nesting>>();
+  return run_with.template operator()<Policy<T, Watcher>>();
+}
+
+}  // namespace
+
+PathSettings path_settings_of(const Scene& scene) {
+  PathSettings settings;
+  settings.max_length = scene.render.path_length.value_or(0);
+  return settings;
+}
+
+template <class T>
+SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths)
+    : world_(world),
+      integrator_(paths         ? Integrator::path
+                  : world.fault ? Integrator::automatic
+                                : scene.render.integrator),
+      kernel_(kernel_for(world)),
+      settings_(paths.value_or(path_settings_of(scene))) {
+  if (integrator_ == Integrator::path) emitters_.emplace(world);
+}
+
+template <class T>
+template <class Watcher>
+Statistics SceneKernel<T>::run(const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put,
+                               Watcher& observer) const {
+  if (integrator_ == Integrator::path)
+    return run_procedure<PathTracer>(world_, camera, block, put, observer, *emitters_, settings_);
+  if constexpr (Watcher::watches)
+    return trace_watched(world_, camera, block, put, observer);
+  else
+    return kernel_(world_, camera, block, put);
+}
+
+template <class T>
+Statistics SceneKernel<T>::operator()(const RayGenerator<T>& camera, const PixelBlock& block,
+                                      const PutPixel<T>& put) const {
+  NoObserver no_observer;
+  return run(camera, block, put, no_observer);
+}
+
+template <class T>
+Statistics SceneKernel<T>::watched(const RayGenerator<T>& camera, const PixelBlock& block, Observer& observer,
+                                   const PutPixel<T>& put) const {
+  return run(camera, block, put, observer);
+}
+
+template class SceneKernel<float>;
+template class SceneKernel<double>;
+
+}  // namespace raywalk
