@@ -1,10 +1,10 @@
-#include "view/bugs/bugs.h"
 #include "gui/command.h"
 #include "gui/pane_words.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "text/language.h"
 #include "view/bugs/bug_panel.h"
+#include "view/walk/asked.h"
 
 #include <fmt/format.h>
 

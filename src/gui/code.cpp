@@ -1,7 +1,7 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/bugs/bugs.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 #include "view/walk/code_panel.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "view/plan/plan_view.h"
 #include "view/predict/predict.h"
 #include "view/structure/structure.h"
+#include "view/walk/asked.h"
 #include "view/walk/status.h"
 
 #include <nlohmann/json.hpp>

@@ -10,6 +10,7 @@
 //       static constexpr Layer layer = Layer::under_rays;        // what it draws in the plan in Trace mode
 //       static void draw_in_plan(Painter& painter);
 //       static void follow(State& state, const Before& before);  // after every action
+//       static void close(State& state);                         // before another scene is opened
 //       ... its state
 //     };
 

@@ -1,8 +1,6 @@
 #include "view/action.h"
-#include "view/bugs/bugs.h"
 #include "view/document/document.h"
 #include "view/plan/pointer.h"
-#include "view/structure/structure.h"
 #include "view/walk/walk.h"
 
 #include <cmath>
@@ -49,7 +47,7 @@ void update_by(State& state, const A& action) {
   const Traits traits = traits_of(action);
   if (!numbers.passed || !is_heard(state, traits)) return;
   if (state.plan.drag && !traits.keeps_drag) end_drag(state);
-  if (state.bugs.hunt && traits.of_own_scene) leave_hunt(state);
+  if (state.bugs.hunt && traits.of_own_scene) action::LeaveHunt{}.apply(state);
   if (!traits.keeps_tween) state.walk.tween.reset();
   const Before before{state.walk.timeline, state.walk.position};
   action.apply(state);

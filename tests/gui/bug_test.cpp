@@ -6,7 +6,7 @@
 #include "text/file.h"
 #include "view/action_text.h"
 #include "view/bugs/bug_panel.h"
-#include "view/bugs/bugs.h"
+#include "view/walk/asked.h"
 #include "view/walk/fault.h"
 
 using namespace raywalk;

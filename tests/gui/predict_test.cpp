@@ -3,6 +3,7 @@
 #include "view/predict/predict.h"
 #include "gui/bench.h"
 #include "support/catch.h"
+#include "view/walk/asked.h"
 
 using namespace raywalk;
 using namespace raywalk::test;

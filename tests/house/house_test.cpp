@@ -58,7 +58,7 @@ TEST_CASE("every floor of the tree stands on what it includes, and on no more") 
   CHECK(report(check_edges(declared_floors(read("CMakeLists.txt")), files_of({"src"}))) == "");
 }
 
-TEST_CASE("no feature of the tree includes another") {
+TEST_CASE("no room of the tree includes a feature") {
   const auto files = files_of({"src/view"});
   CHECK(breaches(files, check_rooms) == "");
 }

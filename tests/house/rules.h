@@ -43,7 +43,7 @@ std::vector<Breach> check_includes(const Floors& floors, const SourceFile& file)
 // Every floor that one is declared to stand on is included from, and not reached through another. `files`: all of src.
 std::vector<Breach> check_edges(const Floors& floors, const std::vector<SourceFile>& files);
 
-// A feature, which is a room of `view` that is not shared, includes no other feature.
+// No room of `view`, shared or not, includes a feature, which is a room that is not shared, other than itself.
 std::vector<Breach> check_rooms(const SourceFile& file);
 
 // Below `app` nothing prints or ends the program, and nothing is used that the web's older libc++ lacks.

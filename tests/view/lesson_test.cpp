@@ -1,5 +1,4 @@
 // Lessons as a student goes through them, without a window.
-#include "view/bugs/bugs.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/text/text.h"
 #include "view/tree/tree_panel.h"

@@ -4,6 +4,7 @@
 #include "fixtures.h"
 #include "support/catch.h"
 #include "text/file.h"
+#include "view/walk/asked.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,5 @@
 
 #include "view/bugs/bug_panel.h"
-#include "view/bugs/bugs.h"
 #include "view/text/text.h"
 #include "view/walk/fault.h"
 

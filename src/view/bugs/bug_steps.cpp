@@ -2,9 +2,9 @@
 
 #include "lesson/staging.h"
 #include "view/action.h"
-#include "view/bugs/bugs.h"
 #include "view/document/document.h"
 #include "view/plan/plan_view.h"
+#include "view/walk/asked.h"
 #include "view/walk/fault.h"
 #include "view/walk/walk.h"
 
@@ -14,6 +14,9 @@
 
 namespace raywalk {
 
+namespace {
+
+/// A shipped scene in whose strip and picture the fault is visible.
 std::string_view bug_scene(Fault fault) {
   switch (fault) {
     case Fault::shadow_ray_misaimed:
@@ -31,19 +34,6 @@ std::string_view bug_scene(Fault fault) {
   }
   return {};
 }
-
-bool asks_for_line(const State& state) {
-  if (state.bugs.hunt) return state.bugs.hunt->end == BugEnd::open;
-  const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
-  return step != nullptr && step->step->question && std::holds_alternative<LineQuestion>(*step->step->question) &&
-         !state.lessons.revealed;
-}
-
-std::optional<Line> marked_line(const State& state) {
-  return state.bugs.hunt ? state.bugs.hunt->marked : state.lessons.shown ? state.lessons.guess.line : std::nullopt;
-}
-
-namespace {
 
 /// The first pixel of the strip that the bug changes visibly, as index in the walk's pixels.
 int first_spoilt(const Timeline& broken, const Timeline& whole) {
@@ -70,7 +60,7 @@ void end_hunt(State& state, BugEnd end) {
 void action::ShowBugs::apply(State& state) const {
   if (!shown) {
     state.bugs.shown = false;
-    return leave_hunt(state);
+    return LeaveHunt{}.apply(state);
   }
   ShowLessons{false}.apply(state);
   state.bugs.shown = true;
@@ -142,9 +132,7 @@ void action::MendBug::apply(State& state) const {
   record_again(state);
 }
 
-void action::LeaveHunt::apply(State& state) const { leave_hunt(state); }
-
-void leave_hunt(State& state) {
+void action::LeaveHunt::apply(State& state) const {
   if (!state.bugs.hunt) return;
   State back = *state.bugs.hunt->before;
   // Appearance and progress are kept.
@@ -164,7 +152,7 @@ void leave_hunt(State& state) {
   back.document.notice.reset();
   if (back.plan.camera.fitted) back.plan.camera = fitted(back);
   state = std::move(back);
-  if (state.bugs.shown && state.lessons.shown) action::ShowLessons{false}.apply(state);  // there is room for one
+  if (state.bugs.shown && state.lessons.shown) ShowLessons{false}.apply(state);  // there is room for one
 }
 
 }  // namespace raywalk

@@ -67,7 +67,7 @@ void ask_to_recover(State& state) {
   if (found.empty()) return;
   const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), max_bytes);
   if (!autosaved) return;
-  state.document.question = Question{Question::Kind::recover, Intent::open, {}, found, {}};
+  state.document.question = Question{Question::Kind::recover, {}, {}, found, {}};
   std::size_t next = 0;
   if (const auto line = head_line(*autosaved, 0, autosave_head)) {
     state.document.question->path = line->value;

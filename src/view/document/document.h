@@ -35,10 +35,12 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 void show_document(State& state, SceneDocument document, std::string path);
 /// Opens the dialog for a path.
 void ask_path(State& state, PathPrompt prompt);
-void ask_or_do(State& state, Intent intent, const std::string& path);
+/// Carries out the intent, once unsaved work is settled.
+void ask_or_do(State& state, const Intent& intent, const std::string& path);
 /// Asks before overwriting an existing file, and refuses if it is in use. Returns whether it did either: then the file
-/// must not be written now.
-[[nodiscard]] bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what);
+/// must not be written now. `write`: writes it, once asked. `of_scene`: the scene, which may overwrite itself.
+[[nodiscard]] bool asks_to_overwrite(State& state, const std::string& path,
+                                     void (*write)(State& state, const std::string& path), bool of_scene = false);
 
 // autosave.cpp
 

@@ -3,10 +3,7 @@
 #include "text/file_ledger.h"
 #include "view/action.h"
 #include "view/document/document.h"
-#include "view/export/export.h"
-#include "view/lesson/lesson.h"
 #include "view/plan/plan_view.h"
-#include "view/predict/predict.h"
 #include "view/text/text.h"
 #include "view/walk/walk.h"
 
@@ -19,6 +16,14 @@ namespace {
 
 void complain(State& state, const Error& error) { complain(state, error.text()); }
 
+/// Before the user's scene is replaced.
+void close_scene(State& state) {
+  forget_autosave(state);
+  for_each_room(Rooms(), [&]<class Room>() {
+    if constexpr (requires { Room::close(state); }) Room::close(state);
+  });
+}
+
 void open_file(State& state, const std::string& path) {
   // A reader cannot be cancelled; its result is then dropped.
   const auto reading = std::make_shared<Result<SceneDocument>>();
@@ -26,44 +31,30 @@ void open_file(State& state, const std::string& path) {
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
-  forget_autosave(state);
-  close_lesson(state);
+  close_scene(state);
   show_document(state, std::move(*document), path);
   add_recent(state, path);
   inform(state,
          warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
 }
 
-/// Performs the intent, once unsaved work is settled.
-void carry_out(State& state, Intent intent, const std::string& path) {
-  switch (intent) {
-    case Intent::new_scene:
-      forget_autosave(state);
-      close_lesson(state);
-      show_document(state, {new_scene(state.appearance.language), {}, {}}, {});
-      return;
-    case Intent::open:
-      return open_file(state, path);
-    case Intent::lesson:
-      forget_autosave(state);
-      return begin_lesson(state, path);
-    case Intent::leave_lesson:
-      forget_autosave(state);
-      return end_lesson(state);
-    case Intent::quit:
-      forget_autosave(state);
-      state.document.quit = true;
-      return;
-  }
+void begin_scene(State& state, const std::string& /*path*/) {
+  close_scene(state);
+  show_document(state, {new_scene(state.appearance.language), {}, {}}, {});
 }
 
-/// True if the file was written; continues with the pending intent.
-bool write_to(State& state, const std::string& path) {
+void quit(State& state, const std::string& /*path*/) {
+  forget_autosave(state);
+  state.document.quit = true;
+}
+
+/// If the file was written, continues with the pending intent.
+void write_to(State& state, const std::string& path) {
   const Result<void> written = write_scene(state.document.contents, path);
   if (!written) {
     complain(state, written.error());
     if (state.document.prompt == PathPrompt::none) state.document.after_save.reset();
-    return false;
+    return;
   }
   state.document.prompt = PathPrompt::none;
   state.document.path = path;
@@ -74,23 +65,7 @@ bool write_to(State& state, const std::string& path) {
   add_recent(state, path);
   inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
   if (const std::optional<Intent> intent = std::exchange(state.document.after_save, std::nullopt))
-    carry_out(state, *intent, state.document.after_save_path);
-  return true;
-}
-
-void overwrite(State& state, const Question& question) {
-  switch (question.file) {
-    case PathPrompt::none:
-    case PathPrompt::open:
-      return;
-    case PathPrompt::save_as:
-      static_cast<void>(write_to(state, question.path));
-      return;
-    case PathPrompt::save_predictions:
-      return write_predictions(state, question.path);
-    case PathPrompt::export_walk:
-      return export_over(state, question.path);
-  }
+    intent->carry_out(state, state.document.after_save_path);
 }
 
 bool same_file(const std::string& a, const std::string& b) {
@@ -105,15 +80,15 @@ bool is_shipped(const State& state, const std::string& path) {
 }
 
 /// Files that must not be replaced. A scene may overwrite itself and the file that it was read from.
-std::vector<std::string> files_in_use(const State& state, PathPrompt what) {
+std::vector<std::string> files_in_use(const State& state, bool of_scene) {
   std::vector<std::string> files = state.document.keeps;
   const auto is_itself = [&](const std::string& file) {
     return scene_format_of(file) == SceneFormat::toml &&
            (same_file(file, state.document.path) || same_file(file, state.document.contents.path));
   };
   for (const std::string& file : state.document.contents.files)
-    if (what != PathPrompt::save_as || !is_itself(file)) files.push_back(file);
-  if (what != PathPrompt::save_as && !state.document.path.empty()) files.push_back(state.document.path);
+    if (!of_scene || !is_itself(file)) files.push_back(file);
+  if (!of_scene && !state.document.path.empty()) files.push_back(state.document.path);
   return files;
 }
 
@@ -153,7 +128,7 @@ void ask_path(State& state, PathPrompt prompt) {
   if (state.document.notice && state.document.notice->kind == Notice::Kind::error) state.document.notice.reset();
 }
 
-void action::New::apply(State& state) const { ask_or_do(state, Intent::new_scene, {}); }
+void action::New::apply(State& state) const { ask_or_do(state, {"question.unsaved_new", begin_scene}, {}); }
 
 void action::AskOpen::apply(State& state) const { ask_path(state, PathPrompt::open); }
 
@@ -170,33 +145,33 @@ void action::Quit::apply(State& state) const {
     return;
   }
   state.document.prompt = PathPrompt::none;
-  ask_or_do(state, Intent::quit, {});
+  ask_or_do(state, {"question.unsaved_quit", quit}, {});
 }
 
 void action::Open::apply(State& state) const {
   const bool asked = std::exchange(state.document.prompt, PathPrompt::none) == PathPrompt::open;
-  ask_or_do(state, Intent::open, path);
+  ask_or_do(state, {"question.unsaved_open", open_file}, path);
   // If it cannot be opened, the dialog stays and says why.
   if (asked && !state.document.question && state.document.notice && state.document.notice->kind == Notice::Kind::error)
     state.document.prompt = PathPrompt::open;
 }
 
-void ask_or_do(State& state, Intent intent, const std::string& path) {
+void ask_or_do(State& state, const Intent& intent, const std::string& path) {
   state.walk.playing = false;
-  if (!state.document.dirty) return carry_out(state, intent, path);
+  if (!state.document.dirty) return intent.carry_out(state, path);
   state.document.question = Question{Question::Kind::unsaved, intent, path};
 }
 
-bool asks_to_overwrite(State& state, const std::string& path, PathPrompt what) {
-  if (const auto error = why_in_use(path, files_in_use(state, what), "in use in this window")) {
+bool asks_to_overwrite(State& state, const std::string& path, void (*write)(State& state, const std::string& path),
+                       bool of_scene) {
+  if (const auto error = why_in_use(path, files_in_use(state, of_scene), "in use in this window")) {
     complain(state, *error);
     return true;
   }
   std::error_code failed;
   if (!std::filesystem::exists(path, failed)) return false;
-  if (std::filesystem::is_directory(path, failed)) return false;  // whoever writes says that it cannot
-  state.document.question = Question{Question::Kind::overwrite, Intent::quit, path};
-  state.document.question->file = what;
+  if (std::filesystem::is_directory(path, failed)) return false;  // the writer says that it cannot
+  state.document.question = Question{Question::Kind::overwrite, {"question.overwrite", write}, path};
   return true;
 }
 
@@ -208,7 +183,7 @@ void action::Save::apply(State& state) const {
     ask_path(state, PathPrompt::save_as);
     return inform(state, std::string(text("notice.save_elsewhere", state.appearance.language)));
   }
-  static_cast<void>(write_to(state, state.document.path));
+  write_to(state, state.document.path);
 }
 
 void action::SaveAs::apply(State& state) const {
@@ -218,7 +193,7 @@ void action::SaveAs::apply(State& state) const {
   const bool has_ending = std::filesystem::path(path).has_extension();
   const std::string whole = has_ending ? path : path + ".toml";
   const bool is_own = same_file(whole, state.document.path) && !is_shipped(state, whole);
-  if (is_own || !asks_to_overwrite(state, whole, PathPrompt::save_as)) static_cast<void>(write_to(state, whole));
+  if (is_own || !asks_to_overwrite(state, whole, write_to, true)) write_to(state, whole);
 }
 
 void action::AnswerQuestion::apply(State& state) const {
@@ -228,7 +203,7 @@ void action::AnswerQuestion::apply(State& state) const {
     case Question::Kind::unsaved:
       if (answer == Answer::recover) return;
       state.document.question.reset();
-      if (answer == Answer::discard) carry_out(state, question.intent, question.path);
+      if (answer == Answer::discard) question.intent.carry_out(state, question.path);
       if (answer != Answer::save) return;
       state.document.after_save = question.intent;
       state.document.after_save_path = question.path;
@@ -243,7 +218,7 @@ void action::AnswerQuestion::apply(State& state) const {
       if (answer == Answer::discard || answer == Answer::recover) return;
       state.document.question.reset();
       if (answer == Answer::save) {
-        overwrite(state, question);
+        question.intent.carry_out(state, question.path);
       } else if (state.document.prompt == PathPrompt::none) {  // else the dialog asks for another path
         state.document.after_save.reset();
       }

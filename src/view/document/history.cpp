@@ -1,5 +1,4 @@
 #include "view/action.h"
-#include "view/bugs/bugs.h"
 #include "view/document/document.h"
 #include "view/text/text.h"
 #include "view/walk/walk.h"
@@ -86,7 +85,7 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 
 void action::Undo::apply(State& state) const {
   // Once all edits in a hunt are undone, undo leaves the hunt.
-  if (state.document.undo.empty() && state.bugs.hunt) return leave_hunt(state);
+  if (state.document.undo.empty() && state.bugs.hunt) return LeaveHunt{}.apply(state);
   step_history(state, state.document.undo, state.document.redo, "notice.nothing_to_undo");
 }
 

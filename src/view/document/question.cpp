@@ -14,7 +14,7 @@ namespace {
 
 std::string said(const State& state, std::string_view id) { return std::string(text(id, state.appearance.language)); }
 
-/// A lesson as in the list: "5 Refraction and total reflection".
+/// A lesson as in the list: "5 Refraction and total reflection". A path as it is.
 std::string lesson_title(const State& state, const std::string& name) {
   const std::vector<LessonEntry>& list = state.lessons.list;
   const auto entry = std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == name; });
@@ -36,25 +36,8 @@ QuestionPanel question_panel(const State& state) {
                                                        : std::filesystem::path(state.document.path).filename().string();
   switch (question.kind) {
     case Question::Kind::unsaved:
-      switch (question.intent) {
-        case Intent::new_scene:
-          panel.text = fill("question.unsaved_new", state.appearance.language, {{"file", file}});
-          break;
-        case Intent::lesson:
-          panel.text = fill("question.unsaved_open", state.appearance.language,
-                            {{"file", file}, {"other", lesson_title(state, question.path)}});
-          break;
-        case Intent::open:
-          panel.text =
-              fill("question.unsaved_open", state.appearance.language, {{"file", file}, {"other", question.path}});
-          break;
-        case Intent::leave_lesson:
-          panel.text = said(state, "question.unsaved_lesson");
-          break;
-        case Intent::quit:
-          panel.text = fill("question.unsaved_quit", state.appearance.language, {{"file", file}});
-          break;
-      }
+      panel.text = fill(question.intent.question, state.appearance.language,
+                        {{"file", file}, {"other", lesson_title(state, question.path)}});
       choice(Answer::save, "answer.save");
       choice(Answer::discard, "answer.discard");
       choice(Answer::cancel, "answer.cancel");

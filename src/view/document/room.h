@@ -23,8 +23,11 @@ struct Notice {
   std::string text;
 };
 
-/// A request made while there was unsaved work.
-enum class Intent { new_scene, open, lesson, leave_lesson, quit };
+/// What is done once unsaved work is settled, or a file may be overwritten.
+struct Intent {
+  std::string_view question{};  ///< the id of the text that asks first
+  void (*carry_out)(State& state, const std::string& path_or_lesson) = nullptr;
+};
 
 /// A path that the window must ask for; answered by the action of that name, or by CancelPrompt.
 enum class PathPrompt { none, open, save_as, save_predictions, export_walk };
@@ -41,12 +44,10 @@ struct Question {
     overwrite,  ///< the file to be written exists; answers: save, cancel
   };
   Kind kind = Kind::unsaved;
-  Intent intent = Intent::quit;  ///< continues with this after save or discard
-  std::string path;        ///< of Intent::open, the name of a lesson, of the file that the autosave belongs to (may be
-                           ///< empty), or to overwrite
+  Intent intent{};         ///< continues with this after save or discard
+  std::string path{};      ///< of the intent, or of the file that the autosave belongs to (may be empty)
   std::string autosave{};  ///< recover: the autosave
   std::string when{};      ///< recover: when it was written, as text
-  PathPrompt file = PathPrompt::save_as;  ///< overwrite: the contents of the file
 };
 template <>
 inline constexpr Word<Question::Kind> words_of<Question::Kind>[] = {{Question::Kind::unsaved, "unsaved"},
@@ -265,7 +266,7 @@ struct DocumentRoom {
   std::optional<Question> question;
   PathPrompt prompt = PathPrompt::none;
   std::optional<Intent> after_save;  ///< continues with this once SaveAs has succeeded
-  std::string after_save_path;       ///< of Intent::open
+  std::string after_save_path;       ///< of the intent
   std::optional<Notice> notice;
   bool quit = false;  ///< the window closes now
 };

@@ -85,6 +85,27 @@ std::size_t foreign_ending(const std::string& path) {
   return fits && std::all_of(ending.begin() + 1, ending.end(), is(std::isalnum)) ? ending.size() : 0;
 }
 
+/// Overwrites an existing file.
+void export_over(State& state, const std::string& path) {
+  const ExportKind kind = *export_kind_of(path);
+  if (kind == ExportKind::picture || kind == ExportKind::film) {
+    // The window without the dialog and without hover effects.
+    state.document.prompt = PathPrompt::none;
+    state.document.notice.reset();
+    state.walk.playing = false;
+    state.plan.pointer.reset();
+    state.plan.hovered_line.reset();
+    hover(state);
+    if (kind == ExportKind::film) state.walk.mode = Mode::trace;
+    state.exports.window = WindowExport{kind, path};
+    return;
+  }
+  const auto text = exported(state, kind);
+  const auto written = text ? write_file_atomically(path, *text) : tl::unexpected(text.error());
+  action::FinishExport{written ? "" : written.error().text()}.apply(state);
+  if (written) inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
+}
+
 }  // namespace
 
 std::optional<ExportKind> export_kind_of(std::string_view path) {
@@ -143,30 +164,6 @@ Result<void> write_steps_json(const Scene& scene, const Timeline& timeline, cons
   return print(text + "\n]}\n");
 }
 
-}  // namespace raywalk
-
-namespace raywalk {
-
-void export_over(State& state, const std::string& path) {
-  const ExportKind kind = *export_kind_of(path);
-  if (kind == ExportKind::picture || kind == ExportKind::film) {
-    // The window without the dialog and without hover effects.
-    state.document.prompt = PathPrompt::none;
-    state.document.notice.reset();
-    state.walk.playing = false;
-    state.plan.pointer.reset();
-    state.plan.hovered_line.reset();
-    hover(state);
-    if (kind == ExportKind::film) state.walk.mode = Mode::trace;
-    state.exports.window = WindowExport{kind, path};
-    return;
-  }
-  const auto text = exported(state, kind);
-  const auto written = text ? write_file_atomically(path, *text) : tl::unexpected(text.error());
-  action::FinishExport{written ? "" : written.error().text()}.apply(state);
-  if (written) inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
-}
-
 void action::AskExport::apply(State& state) const { ask_path(state, PathPrompt::export_walk); }
 
 void action::Export::apply(State& state) const {
@@ -174,7 +171,7 @@ void action::Export::apply(State& state) const {
   if (state.document.prompt == PathPrompt::export_walk) state.document.notice.reset();
   if (!export_kind_of(path))
     return complain(state, fill("notice.export_endings", state.appearance.language, {{"file", path}}));
-  if (!asks_to_overwrite(state, path, PathPrompt::export_walk)) export_over(state, path);
+  if (!asks_to_overwrite(state, path, export_over)) export_over(state, path);
 }
 
 void action::FinishExport::apply(State& state) const {

@@ -61,7 +61,4 @@ inline constexpr int max_frames = 500;
                                             const nlohmann::ordered_json& head,
                                             const std::function<Result<void>(const std::string&)>& print);
 
-/// Overwrites an existing file.
-void export_over(State& state, const std::string& path);
-
 }  // namespace raywalk

@@ -3,7 +3,6 @@
 #include "text/file.h"
 #include "view/action.h"
 #include "view/document/document.h"
-#include "view/lesson/lesson.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/text/text.h"
 #include "view/walk/asked.h"
@@ -97,45 +96,17 @@ void stage(State& state) {
   state.lessons.guess = {};
   state.lessons.hands.clear();
   state.lessons.revealed = false;
-  switch (step.step->pane) {
-    case LessonBeside::unchanged:
-      break;
-    case LessonBeside::picture:
-      state.appearance.tab = PictureRoom::tab;
-      break;
-    case LessonBeside::tree:
-      state.appearance.tab = TreeRoom::tab;
-      break;
-    case LessonBeside::stack:
-      state.appearance.tab = StackRoom::tab;
-      break;
-    case LessonBeside::equation:
-      state.appearance.tab = EquationRoom::tab;
-      break;
-    case LessonBeside::structure:
-      state.appearance.tab = StructureRoom::tab;
-      break;
-  }
+  // What a lesson shows is a tab of the same word, or the picture.
+  if (step.step->pane == LessonBeside::picture)
+    state.appearance.tab = PictureRoom::tab;
+  else
+    state.appearance.tab = named<Tab>(name_of(step.step->pane)).value_or(state.appearance.tab);
   go_to(state, step.asked);
 }
 
-}  // namespace
-
-void action::ShowLessons::apply(State& state) const {
-  const bool opens = shown && !state.lessons.shown;
-  state.lessons.shown = shown;
-  if (!shown) {
-    // A fault without its lesson would be confusing.
-    if (state.lessons.at() != nullptr) set_bug(state, std::nullopt);
-    return;
-  }
-  state.bugs.shown = false;
-  if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
-  if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
-  read_list(state);
-}
-
+/// Opens it, once unsaved work is settled.
 void begin_lesson(State& state, const std::string& name) {
+  forget_autosave(state);
   LessonRoom& sitting = state.lessons;
   auto lesson = read_lesson(sitting.folder + "/" + name);
   if (!lesson) return complain(state, lesson.error().text());
@@ -158,6 +129,40 @@ void begin_lesson(State& state, const std::string& name) {
   stage(state);
 }
 
+/// Back to the list, and to the previous scene.
+void end_lesson(State& state, const std::string& /*name*/) {
+  forget_autosave(state);
+  const std::shared_ptr<const OwnScene> own = state.lessons.own;
+  LessonRoom::close(state);
+  if (!own) return;
+  show_document(state, own->document, own->path);
+  state.walk.mode = own->mode;
+}
+
+}  // namespace
+
+void LessonRoom::close(State& state) {
+  if (state.lessons.open) set_bug(state, std::nullopt);
+  state.lessons.open.reset();
+  state.lessons.own.reset();
+  state.lessons.guess = {};
+  state.lessons.revealed = false;
+}
+
+void action::ShowLessons::apply(State& state) const {
+  const bool opens = shown && !state.lessons.shown;
+  state.lessons.shown = shown;
+  if (!shown) {
+    // A fault without its lesson would be confusing.
+    if (state.lessons.at() != nullptr) set_bug(state, std::nullopt);
+    return;
+  }
+  state.bugs.shown = false;
+  if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
+  if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
+  read_list(state);
+}
+
 void action::OpenLesson::apply(State& state) const {
   ShowLessons{true}.apply(state);
   const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.appearance.language);
@@ -166,27 +171,11 @@ void action::OpenLesson::apply(State& state) const {
   if (row->locked) return inform(state, std::string(text("lesson.locked", state.appearance.language)));
   // Changes during a lesson belong to the lesson.
   if (state.lessons.open) state.document.dirty = false;
-  ask_or_do(state, Intent::lesson, name);
-}
-
-void close_lesson(State& state) {
-  if (state.lessons.open) set_bug(state, std::nullopt);
-  state.lessons.open.reset();
-  state.lessons.own.reset();
-  state.lessons.guess = {};
-  state.lessons.revealed = false;
+  ask_or_do(state, {"question.unsaved_open", begin_lesson}, name);
 }
 
 void action::LeaveLesson::apply(State& state) const {
-  if (state.lessons.open) ask_or_do(state, Intent::leave_lesson, {});
-}
-
-void end_lesson(State& state) {
-  const std::shared_ptr<const OwnScene> own = state.lessons.own;
-  close_lesson(state);
-  if (!own) return;
-  show_document(state, own->document, own->path);
-  state.walk.mode = own->mode;
+  if (state.lessons.open) ask_or_do(state, {"question.unsaved_lesson", end_lesson}, {});
 }
 
 void action::GoToLessonStep::apply(State& state) const {
@@ -228,7 +217,10 @@ void action::GuessNumber::apply(State& state) const {
 
 void action::RevealLesson::apply(State& state) const {
   LessonRoom& sitting = state.lessons;
-  if (!lesson_panel(state).can_reveal) return;
+  if (!lesson_panel(state).can_reveal) {
+    if (question_waits(state)) inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
+    return;
+  }
   sitting.revealed = true;
   const bool is_first = sitting.counted.emplace(sitting.open->lesson.name, sitting.step).second;
   if (const auto verdict = judge(sitting); verdict && is_first) {
@@ -248,15 +240,6 @@ void action::RevealLesson::apply(State& state) const {
   if (state.walk.timeline->current_pixel(step.shown) != state.walk.timeline->current_pixel(step.asked))
     sitting.first_pixel = 0;
   go_to(state, step.shown);
-}
-
-bool answered_by_step(State& state) {
-  if (!question_waits(state)) return false;
-  if (lesson_panel(state).can_reveal)
-    action::RevealLesson{}.apply(state);
-  else
-    inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
-  return true;
 }
 
 void action::SetLessonOptions::apply(State& state) const {

@@ -93,7 +93,7 @@ struct GuessNumber {
   static void fields(auto& f, auto& a) { f(a.number, Number::any); }
   void apply(State& state) const;
 };
-/// Shows the answer to the guess.
+/// Shows the answer to the guess, once there is one.
 struct RevealLesson {
   static constexpr std::string_view word = "reveal";
   void apply(State& state) const;
@@ -123,6 +123,8 @@ struct LessonRoom {
   using Actions =
       Types<action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice,
             action::GuessNumber, action::RevealLesson, action::ShowHands, action::SetLessonOptions>;
+  static Commands commands();
+  static void close(State& state);
 
   std::string folder, scenes_folder;  ///< of the lessons, and of the shipped scenes; empty: none
   bool shown = false;

@@ -3,8 +3,8 @@
 #include "view/document/document.h"
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
-#include "view/predict/predict.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 
 #include <algorithm>
 

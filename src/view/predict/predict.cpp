@@ -17,24 +17,6 @@ namespace raywalk {
 
 namespace {
 
-/// The question that the step after `position` answers.
-std::optional<PredictionAsked> answered_after(const Timeline& timeline, int position) {
-  if (position >= timeline.steps()) return std::nullopt;
-  const auto after = timeline.rays_at(position + 1);
-  const int ray = timeline.current_ray(position);
-  if (after.size() > timeline.rays_at(position).size()) {
-    // A primary ray goes through its pixel: nothing to predict.
-    const RayRecord& formed = after.back();
-    const bool can_be_seen = length(plan(formed.direction)) > 1e-9 * length(formed.direction);
-    if (!formed.formed || formed.kind == RayKind::primary || !can_be_seen) return std::nullopt;
-    return PredictionAsked{static_cast<int>(after.size()) - 1, PredictionKind::way};
-  }
-  if (ray < 0 || ray >= static_cast<int>(after.size())) return std::nullopt;
-  const RayRecord& followed = after[static_cast<std::size_t>(ray)];
-  if (!followed.formed || followed.found_at != position + 1) return std::nullopt;
-  return PredictionAsked{ray, PredictionKind::end};
-}
-
 const RayRecord& ray_of(const State& state, const PredictionAsked& asked) {
   return state.walk.timeline->rays()[static_cast<std::size_t>(asked.ray)];
 }
@@ -65,12 +47,6 @@ Target met_by(const RayRecord& ray) {
   return {};
 }
 
-/// Predictions are on, an arrow can be drawn, and neither a lesson nor a hunt asks its own questions.
-bool may_ask(const State& state) {
-  return state.predictions.on && !shows_lines(state) && !state.bugs.hunt &&
-         !(state.lessons.shown && state.lessons.at() != nullptr);
-}
-
 std::string name_of(const State& state, const Target& target) {
   return target ? target_text(state, target) : std::string(text("predict.nothing", state.appearance.language));
 }
@@ -79,28 +55,17 @@ std::string said(const State& state, std::string_view id, const TextArguments& a
   return fill(id, state.appearance.language, arguments);
 }
 
+void write_predictions(State& state, const std::string& path) {
+  if (const auto written = write_file_atomically(path, prediction_table(state.predictions)); !written)
+    return complain(state, written.error().text());
+  state.document.prompt = PathPrompt::none;
+  inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
+}
+
 }  // namespace
 
 int PredictRoom::right() const {
   return static_cast<int>(std::count_if(made.begin(), made.end(), [](const auto& one) { return one.right; }));
-}
-
-std::optional<PredictionAsked> prediction_asked(const State& state) {
-  if (!may_ask(state) || state.walk.mode != Mode::trace || state.walk.playing) return std::nullopt;
-  return answered_after(*state.walk.timeline, state.walk.position);
-}
-
-bool rests_for_prediction(const State& state, int position) {
-  if (!may_ask(state)) return false;
-  const auto asked = answered_after(*state.walk.timeline, position);
-  return asked && asked->what == PredictionKind::way;
-}
-
-std::optional<Vec2d> aim_origin(const State& state) {
-  if (const auto of_lesson = arrow_origin(state)) return of_lesson;
-  const auto asked = prediction_asked(state);
-  if (!asked || asked->what != PredictionKind::way) return std::nullopt;
-  return plan(ray_of(state, *asked).origin);
 }
 
 std::string prediction_sentence(const State& state) {
@@ -137,16 +102,12 @@ std::string prediction_table(const PredictRoom& predictions) {
     std::string scene = one.scene;
     std::replace_if(scene.begin(), scene.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, '_');
     const bool way = one.what == PredictionKind::way;
-    table += fmt::format("{},{},{},{},{},{}\n", scene, one.step, ray_kind_name(one.kind),
-                         way ? "where it goes" : "what it meets", way ? fmt::format("{:.1f}", one.degrees) : "",
-                         one.right ? 1 : 0);
+    table +=
+        fmt::format("{},{},{},{},{},{}\n", scene, one.step, name_of(one.kind), way ? "where it goes" : "what it meets",
+                    way ? fmt::format("{:.1f}", one.degrees) : "", one.right ? 1 : 0);
   }
   return table;
 }
-
-}  // namespace raywalk
-
-namespace raywalk {
 
 void action::SetPredictions::apply(State& state) const {
   state.predictions.on = on;
@@ -168,11 +129,6 @@ void action::GuessEnd::apply(State& state) const {
   state.predictions.open = Prediction{*asked, Vec2d(0.0), {met.kind, met.index}};
 }
 
-void forget_aim(State& state) {
-  state.lessons.guess.arrow.reset();
-  state.predictions.open.reset();
-}
-
 void action::AskSavePredictions::apply(State& state) const {
   if (state.predictions.made.empty())
     return inform(state, std::string(text("predict.nothing_to_save", state.appearance.language)));
@@ -182,14 +138,7 @@ void action::AskSavePredictions::apply(State& state) const {
 void action::SavePredictions::apply(State& state) const {
   if (path.empty()) return;
   if (state.document.prompt == PathPrompt::save_predictions) state.document.notice.reset();
-  if (!asks_to_overwrite(state, path, PathPrompt::save_predictions)) write_predictions(state, path);
-}
-
-void write_predictions(State& state, const std::string& path) {
-  if (const auto written = write_file_atomically(path, prediction_table(state.predictions)); !written)
-    return complain(state, written.error().text());
-  state.document.prompt = PathPrompt::none;
-  inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
+  if (!asks_to_overwrite(state, path, write_predictions)) write_predictions(state, path);
 }
 
 void PredictRoom::follow(State& state, const Before&) {

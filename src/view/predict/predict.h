@@ -18,22 +18,9 @@ namespace raywalk {
 
 struct State;
 
-/// What can be predicted at this position; nothing while a lesson or a hunt asks, while AUTO plays, or if the plan does
-/// not show the walk.
-[[nodiscard]] std::optional<PredictionAsked> prediction_asked(const State& state);
-/// Whether an automatic walk pauses at `position` for a prediction.
-[[nodiscard]] bool rests_for_prediction(const State& state, int position);
-
 /// While predictions are on: what to do now, how the last guess turned out, or how many were right.
 [[nodiscard]] std::string prediction_sentence(const State& state);
 /// Every guess of the session, one per line, under a heading.
 [[nodiscard]] std::string prediction_table(const PredictRoom& predictions);
-
-/// The origin of the arrow that can be drawn now: of a lesson's question, or of a prediction.
-[[nodiscard]] std::optional<Vec2d> aim_origin(const State& state);
-
-void forget_aim(State& state);
-/// Overwrites an existing file.
-void write_predictions(State& state, const std::string& path);
 
 }  // namespace raywalk

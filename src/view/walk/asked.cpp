@@ -16,6 +16,30 @@ std::optional<Vec2d> origin_of(const LessonRoom& sitting) {
   return std::nullopt;
 }
 
+/// The question that the step after `position` answers.
+std::optional<PredictionAsked> answered_after(const Timeline& timeline, int position) {
+  if (position >= timeline.steps()) return std::nullopt;
+  const auto after = timeline.rays_at(position + 1);
+  const int ray = timeline.current_ray(position);
+  if (after.size() > timeline.rays_at(position).size()) {
+    // A primary ray goes through its pixel: nothing to predict.
+    const RayRecord& formed = after.back();
+    const bool can_be_seen = length(plan(formed.direction)) > 1e-9 * length(formed.direction);
+    if (!formed.formed || formed.kind == RayKind::primary || !can_be_seen) return std::nullopt;
+    return PredictionAsked{static_cast<int>(after.size()) - 1, PredictionKind::way};
+  }
+  if (ray < 0 || ray >= static_cast<int>(after.size())) return std::nullopt;
+  const RayRecord& followed = after[static_cast<std::size_t>(ray)];
+  if (!followed.formed || followed.found_at != position + 1) return std::nullopt;
+  return PredictionAsked{ray, PredictionKind::end};
+}
+
+/// Predictions are on, an arrow can be drawn, and neither a lesson nor a hunt asks its own questions.
+bool may_ask(const State& state) {
+  return state.predictions.on && !shows_lines(state) && !state.bugs.hunt &&
+         !(state.lessons.shown && state.lessons.at() != nullptr);
+}
+
 }  // namespace
 
 bool is_open_question(const LessonRoom& sitting) {
@@ -63,6 +87,40 @@ void guess_arrow(State& state, const Vec2d& towards) {
   if (!origin) return;
   const Vec2d arrow = towards - *origin;
   if (length(arrow) > 0) state.lessons.guess.arrow = arrow;
+}
+
+std::optional<PredictionAsked> prediction_asked(const State& state) {
+  if (!may_ask(state) || state.walk.mode != Mode::trace || state.walk.playing) return std::nullopt;
+  return answered_after(*state.walk.timeline, state.walk.position);
+}
+
+bool rests_for_prediction(const State& state, int position) {
+  if (!may_ask(state)) return false;
+  const auto asked = answered_after(*state.walk.timeline, position);
+  return asked && asked->what == PredictionKind::way;
+}
+
+std::optional<Vec2d> aim_origin(const State& state) {
+  if (const auto of_lesson = arrow_origin(state)) return of_lesson;
+  const auto asked = prediction_asked(state);
+  if (!asked || asked->what != PredictionKind::way) return std::nullopt;
+  return plan(state.walk.timeline->rays()[static_cast<std::size_t>(asked->ray)].origin);
+}
+
+void forget_aim(State& state) {
+  state.lessons.guess.arrow.reset();
+  state.predictions.open.reset();
+}
+
+bool asks_for_line(const State& state) {
+  if (state.bugs.hunt) return state.bugs.hunt->end == BugEnd::open;
+  const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
+  return step != nullptr && step->step->question && std::holds_alternative<LineQuestion>(*step->step->question) &&
+         !state.lessons.revealed;
+}
+
+std::optional<Line> marked_line(const State& state) {
+  return state.bugs.hunt ? state.bugs.hunt->marked : state.lessons.shown ? state.lessons.guess.line : std::nullopt;
 }
 
 }  // namespace raywalk

@@ -1,5 +1,5 @@
 #pragma once
-// What a lesson asks at this position of the walk.
+// What is asked at this position of the walk: by a lesson, by predictions, or in a hunt for a bug.
 
 #include "view/state.h"
 
@@ -28,5 +28,20 @@ namespace raywalk {
 
 /// The open lesson's guess becomes the arrow from the ray's origin to `towards`, in scene units.
 void guess_arrow(State& state, const Vec2d& towards);
+
+/// What can be predicted at this position; nothing while a lesson or a hunt asks, while AUTO plays, or if the plan does
+/// not show the walk.
+[[nodiscard]] std::optional<PredictionAsked> prediction_asked(const State& state);
+/// Whether an automatic walk pauses at `position` for a prediction.
+[[nodiscard]] bool rests_for_prediction(const State& state, int position);
+
+/// The origin of the arrow that can be drawn now: of a lesson's question, or of a prediction.
+[[nodiscard]] std::optional<Vec2d> aim_origin(const State& state);
+void forget_aim(State& state);
+
+/// Whether a click on a line of code marks it now.
+[[nodiscard]] bool asks_for_line(const State& state);
+/// The line marked as faulty, in a hunt or in a lesson.
+[[nodiscard]] std::optional<Line> marked_line(const State& state);
 
 }  // namespace raywalk

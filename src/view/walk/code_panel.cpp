@@ -1,5 +1,4 @@
 #include "view/walk/code_panel.h"
-#include "view/bugs/bugs.h"
 #include "view/text/text.h"
 #include "view/walk/asked.h"
 #include "view/walk/fault.h"

@@ -1,8 +1,6 @@
 #include "view/action.h"
 #include "view/document/document.h"
-#include "view/lesson/lesson.h"
 #include "view/plan/pointer.h"
-#include "view/predict/predict.h"
 #include "view/text/text.h"
 #include "view/walk/asked.h"
 #include "view/walk/walk.h"
@@ -57,7 +55,7 @@ void go_to(State& state, int position) {
 }
 
 void action::Step::apply(State& state) const {
-  if (forward && answered_by_step(state)) return;
+  if (forward && question_waits(state)) return RevealLesson{}.apply(state);
   // Releasing a held button does not step again.
   if (state.walk.hold) return go_to(state, state.walk.position);
   const int to = stepped(*state.walk.timeline, state.walk.position, grain.value_or(state.walk.grain), forward);
@@ -116,7 +114,7 @@ void action::Hold::apply(State& state) const {
 void action::Release::apply(State& state) const { state.walk.hold.reset(); }
 
 void action::PlayPause::apply(State& state) const {
-  if (!state.walk.playing && answered_by_step(state)) return;
+  if (!state.walk.playing && question_waits(state)) return RevealLesson{}.apply(state);
   state.walk.owed = 0;
   state.walk.hold.reset();
   state.walk.mode = Mode::trace;
