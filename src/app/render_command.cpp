@@ -23,16 +23,12 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The limit of scene files (io/scene_file.cpp) and of the PNG encoder.
-constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
-
 std::optional<Error> why_too_large(ImageSize size) {
-  const std::uint64_t pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-  if (pixels <= max_pixels) return std::nullopt;
+  if (!has_too_many_pixels(size)) return std::nullopt;
   return Error{
       "", 0, 0,
       fmt::format("an image of {} x {} pixels is too large (expected at most {} pixels, such as 16384 x 16384)",
-                  size.width, size.height, max_pixels),
+                  size.width, size.height, max_image_pixels),
       "choose a smaller size with --size"};
 }
 

@@ -96,7 +96,7 @@ bool can_hold(std::size_t bytes, const Imf::Header& header) {
   const auto window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  const std::int64_t max_pixels = std::min(std::int64_t{1} << 28, 4096 * size);  // no compression is tighter
+  const std::int64_t max_pixels = std::min(max_image_pixels, 4096 * size);  // no compression is tighter
   if (width < 1 || height < 1 || width > max_pixels / height) return false;
   if (height > 32 * size) return false;  // each 256 rows, or fewer, have 8 bytes in the offset table
   std::int64_t pixel = 0;                // bytes

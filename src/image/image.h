@@ -3,6 +3,7 @@
 #include "math/vec.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace raywalk {
@@ -12,6 +13,12 @@ struct ImageSize {
   int width = 441, height = 331;
   friend bool operator==(const ImageSize&, const ImageSize&) = default;
 };
+
+/// The most pixels of a picture that is made or read, such as 16384 x 16384: what the PNG encoder can take.
+inline constexpr std::int64_t max_image_pixels = std::int64_t{1} << 28;
+[[nodiscard]] constexpr bool has_too_many_pixels(const ImageSize& size) {
+  return std::int64_t{size.width} * size.height > max_image_pixels;
+}
 
 /// A picture in linear RGB. Row 0 is the top one; rows follow each other without gaps.
 struct Image {

@@ -74,11 +74,11 @@ std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
 }
 
 Result<std::string> encode_png(const Image& image, Encoding encoding, Packing packing) {
-  constexpr std::size_t max_pixels = std::size_t{1} << 28;
-  if (image.pixels.empty() || image.pixels.size() > max_pixels)
+  if (image.pixels.empty() || has_too_many_pixels({image.width, image.height}))
     return tl::unexpected(Error{"", 0, 0,
                                 "a PNG of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                    " pixels cannot be made (expected 1 to " + std::to_string(max_pixels) + " pixels)",
+                                    " pixels cannot be made (expected 1 to " + std::to_string(max_image_pixels) +
+                                    " pixels)",
                                 "choose another size"});
   const std::vector<std::uint8_t> bytes = bytes_of(image, encoding);
   png_image header{};

@@ -51,26 +51,22 @@ void check_camera(const Camera& camera, const toml::table& root, ReadLog& log) {
     log.fail(place_of(root, "camera", "fov"),
              "the picture has no width (expected either fov in [camera] or width in [screen])",
              "add fov = 45 to [camera]");
-  const Vec3d view = camera.look_at - camera.eye;
-  const double least = 1 / schema::max_magnitude;
-  if (!(length(view) >= least))
+  if (!looks_somewhere(camera))
     return log.fail(place_of(root, "camera", "look_at"),
                     "look_at of [camera] is the same point as eye (expected a point that the eye sees)",
                     "move look_at to the middle of what is to be seen");
-  constexpr double least_sine = 1e-9;
-  if (length(cross(normalize(view), normalize(camera.up))) < least_sine)
+  if (looks_along_up(camera))
     log.fail(place_of(root, "camera", root["camera"]["up"] ? "up" : "look_at"),
              "up of [camera] is parallel to the view (expected any other direction)",
              "when looking straight down or up, give up = [0, 1, 0]");
 }
 
 void check_image(const ImageSize& image, const toml::table& root, ReadLog& log) {
-  constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
-  if (std::int64_t{image.width} * image.height > max_pixels)
-    log.fail(
-        place_of(root, "image", "height"),
-        fmt::format("[image] has {} x {} pixels (expected at most {} in all)", image.width, image.height, max_pixels),
-        "make it narrower or lower");
+  if (has_too_many_pixels(image))
+    log.fail(place_of(root, "image", "height"),
+             fmt::format("[image] has {} x {} pixels (expected at most {} in all)", image.width, image.height,
+                         max_image_pixels),
+             "make it narrower or lower");
 }
 
 void check_entries(const Scene& scene, const toml::table& root, ReadLog& log) {

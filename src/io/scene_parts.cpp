@@ -87,22 +87,19 @@ std::optional<Error> make_room(Scene& scene, std::string_view text, const std::s
 }
 
 void check_camera(const Camera& camera, WordReader& words) {
-  const Vec3d view = camera.look_at - camera.eye;
-  if (!(length(view) >= 1 / schema::max_magnitude))
+  if (!looks_somewhere(camera))
     return words.fail_item("the camera looks at the point where it stands (expected a point that the eye sees)",
                            "move one of the two points");
-  constexpr double least_sine = 1e-9;
-  if (!(length(camera.up) > 0) || length(cross(normalize(view), normalize(camera.up))) < least_sine)
+  if (looks_along_up(camera))
     words.fail_item("up is parallel to the view (expected any other direction)",
                     "when looking straight down or up, give up = 0 1 0");
 }
 
 void check_image(const ImageSize& image, WordReader& words) {
-  constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
-  if (std::int64_t{image.width} * image.height > max_pixels)
-    words.fail(
-        fmt::format("the image has {} x {} pixels (expected at most {} in all)", image.width, image.height, max_pixels),
-        "make it narrower or lower");
+  if (has_too_many_pixels(image))
+    words.fail(fmt::format("the image has {} x {} pixels (expected at most {} in all)", image.width, image.height,
+                           max_image_pixels),
+               "make it narrower or lower");
 }
 
 }  // namespace raywalk::detail

@@ -56,7 +56,6 @@ class WordReader {
   [[nodiscard]] bool ok() const { return !error_; }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-  [[nodiscard]] int item_line() const { return item_place_.line; }
 
  private:
   /// Skips blanks and comments, and line ends if `over_lines`. Stops at a word, a line end or the text's end.

@@ -50,4 +50,13 @@ struct Camera {
   [[nodiscard]] double screen_width() const { return fov ? 2 * screen.distance * half_extent() : *screen.width; }
 };
 
+/// Whether eye and look_at differ, by more than what scene files can hold rounds away.
+[[nodiscard]] inline bool looks_somewhere(const Camera& camera) { return length(camera.look_at - camera.eye) >= 1e-15; }
+/// Whether `up` is no direction across the view: then nothing is up in the picture.
+[[nodiscard]] inline bool looks_along_up(const Camera& camera) {
+  constexpr double least_sine = 1e-9;
+  return !(length(camera.up) > 0) ||
+         length(cross(normalize(camera.look_at - camera.eye), normalize(camera.up))) < least_sine;
+}
+
 }  // namespace raywalk
