@@ -24,20 +24,17 @@ void add(Family& family) {
   }
 }
 
+template <template <class> class... Shapes>
+void add_all(Family& family) {
+  (add<Shapes>(family), ...);
+}
+
 }  // namespace
 
 std::vector<Family> invariance_families() {
   Family family{"laws", "", {}};
-  add<Sphere>(family);
-  add<Plane>(family);
-  add<Disk>(family);
-  add<Box>(family);
-  add<Ellipsoid>(family);
-  add<EllipticParaboloid>(family);
-  add<Cone>(family);
-  add<Cylinder>(family);
-  add<HyperboloidOneSheet>(family);
-  add<HyperboloidTwoSheets>(family);
+  add_all<Sphere, Plane, Disk, Box, Ellipsoid, EllipticParaboloid, Cone, Cylinder, HyperboloidOneSheet,
+          HyperboloidTwoSheets>(family);
   return {family};
 }
 

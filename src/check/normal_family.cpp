@@ -13,23 +13,17 @@ void add(Family& family) {
   family.lines.push_back({name, "double", try_normals<S<double>, double>, {}});
 }
 
+template <template <class> class... Shapes>
+void add_all(Family& family) {
+  (add<Shapes>(family), ...);
+}
+
 }  // namespace
 
 std::vector<Family> normal_families() {
   Family family{"normals", "", {}};
-  add<Sphere>(family);
-  add<Plane>(family);
-  add<Disk>(family);
-  add<Box>(family);
-  add<Triangle>(family);
-  add<Polygon>(family);
-  add<Prism>(family);
-  add<Ellipsoid>(family);
-  add<EllipticParaboloid>(family);
-  add<Cone>(family);
-  add<Cylinder>(family);
-  add<HyperboloidOneSheet>(family);
-  add<HyperboloidTwoSheets>(family);
+  add_all<Sphere, Plane, Disk, Box, Triangle, Polygon, Prism, Ellipsoid, EllipticParaboloid, Cone, Cylinder,
+          HyperboloidOneSheet, HyperboloidTwoSheets>(family);
   return {family};
 }
 

@@ -13,22 +13,17 @@ void add(Family& family) {
   family.lines.push_back({name, "double", spawn<S<double>, double>, {}});
 }
 
+template <template <class> class... Shapes>
+void add_all(Family& family) {
+  (add<Shapes>(family), ...);
+}
+
 }  // namespace
 
 std::vector<Family> spawn_families() {
   Family family{"spawned", "", {}};
-  add<Sphere>(family);
-  add<Plane>(family);
-  add<Disk>(family);
-  add<Box>(family);
-  add<Triangle>(family);
-  add<Polygon>(family);
-  add<Ellipsoid>(family);
-  add<EllipticParaboloid>(family);
-  add<Cone>(family);
-  add<Cylinder>(family);
-  add<HyperboloidOneSheet>(family);
-  add<HyperboloidTwoSheets>(family);
+  add_all<Sphere, Plane, Disk, Box, Triangle, Polygon, Ellipsoid, EllipticParaboloid, Cone, Cylinder,
+          HyperboloidOneSheet, HyperboloidTwoSheets>(family);
   Family prisms{"spawned_polygon", "", {}};
   add<Prism>(prisms);
   return {family, prisms};

@@ -65,14 +65,7 @@ void pointer_actions(const Ui& ui, const Rect& where) {
 // The tooltip of what is under the pointer, without delay.
 void name_target(const Ui& ui) {
   const std::string what = target_text(ui.state, ui.state.plan.hovered);
-  if (what.empty()) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
-  ImGui::BeginTooltip();
-  push_font(ui.fonts.small);
-  ImGui::TextUnformatted(what.c_str());
-  pop_font();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  if (!what.empty()) tooltip_now(ui, what);
 }
 
 }  // namespace

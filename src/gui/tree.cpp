@@ -145,7 +145,7 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
       if (ImGui::IsItemHovered()) {
         pointed_at = node.ray;
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        explain(ui, node);
+        tooltip_now(ui, node_text(ui.state, node));
       }
       ui.publish(name);
       draw_node(ui, node, at, {column, level, radius});

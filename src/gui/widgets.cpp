@@ -164,6 +164,16 @@ void tooltip(const Ui& ui, std::string_view name, const std::string& text) {
   ImGui::PopStyleVar();
 }
 
+void tooltip_now(const Ui& ui, const std::string& text) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
+  ImGui::BeginTooltip();
+  push_font(ui.fonts.small);
+  ImGui::TextUnformatted(text.c_str());
+  pop_font();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
 bool button(const Ui& ui, std::string_view name, const std::string& label, const std::string& hint, ImVec2 size,
             const ButtonLook& look, bool is_chosen, bool is_enabled) {
   const Shades shades(ui.state.appearance.theme);

@@ -68,6 +68,8 @@ void menu_item(const Ui& ui, const Command& command);
 
 /// Shows `text` beside the pointer once it has rested on the last item.
 void tooltip(const Ui& ui, std::string_view name, const std::string& text);
+/// The same at once, whatever the pointer is on, in one line.
+void tooltip_now(const Ui& ui, const std::string& text);
 
 /// Draws an icon into a square of this edge around `centre`.
 void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 colour);

@@ -28,10 +28,6 @@ Rgba rgba_of(const Rgb<T>& colour, Encoding encoding) {
   return {to_byte(c.x, encoding), to_byte(c.y, encoding), to_byte(c.z, encoding), 255};
 }
 
-}  // namespace
-
-namespace {
-
 double cost_of(Heat heat, const Statistics& own, double microseconds) {
   switch (heat) {
     case Heat::none:

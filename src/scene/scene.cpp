@@ -57,10 +57,6 @@ void collect(const std::vector<Object>& objects, std::set<const GroupContent*>& 
   }
 }
 
-}  // namespace
-
-namespace {
-
 const Object* first_moving_object(const std::vector<Object>& objects, double open, double close,
                                   std::set<const GroupContent*>& groups) {
   for (const Object& object : objects) {

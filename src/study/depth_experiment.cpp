@@ -2,6 +2,7 @@
 #include "study/curve.h"
 #include "study/reference.h"
 #include "study/shot.h"
+#include "study/subjects.h"
 
 #include <fmt/format.h>
 
@@ -15,19 +16,9 @@ namespace {
 constexpr std::array albedos{0.3, 0.5, 0.7, 0.9};
 constexpr double least = 1e-7;  ///< relative error below which rounding begins to show
 
-/// Inside a glowing ball that reflects: as a mirror, or diffusely.
 Scene room(double albedo, bool mirror, int depth, int round) {
-  Scene scene;
-  Material wall;
-  wall.emission = Rgbd(1.0);
-  wall.diffuse = Rgbd(mirror ? 0.0 : albedo);
-  wall.reflection = Rgbd(mirror ? albedo : 0.0);
-  scene.objects = {{"Room", Sphere<double>{{0, 0, 0}, 2}, wall}};
-  scene.camera.eye = {drawn_for(round, 0) - 0.5, drawn_for(round, 1) - 0.5, drawn_for(round, 2) - 0.5};
-  scene.camera.look_at = {1, 0.2, 0.1};
-  scene.camera.screen = {1, 2.0, 1};
+  Scene scene = glowing_room(albedo, mirror, round);
   scene.limits.depth = depth;
-  scene.render.integrator = mirror ? Integrator::whitted : Integrator::path;
   return scene;
 }
 

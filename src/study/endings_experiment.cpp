@@ -2,6 +2,7 @@
 #include "study/curve.h"
 #include "study/reference.h"
 #include "study/shot.h"
+#include "study/subjects.h"
 
 #include <fmt/format.h>
 
@@ -18,18 +19,9 @@ const std::string threshold_room = "threshold room", by_depth = "depth", by_thre
                   roulette = "roulette";
 
 Scene room(bool mirror, int round) {
-  Scene scene;
-  Material wall;
-  wall.emission = Rgbd(1.0);
-  wall.diffuse = Rgbd(mirror ? 0.0 : albedo);
-  wall.reflection = Rgbd(mirror ? albedo : 0.0);
-  scene.objects = {{"Room", Sphere<double>{{0, 0, 0}, 2}, wall}};
-  scene.camera.eye = {drawn_for(round, 0) - 0.5, drawn_for(round, 1) - 0.5, drawn_for(round, 2) - 0.5};
-  scene.camera.look_at = {1, 0.2, 0.1};
-  scene.camera.screen = {1, 2.0, 1};
+  Scene scene = glowing_room(albedo, mirror, round);
   scene.limits.depth = 1 << 20;
   scene.render.sampler = Sampler::random;
-  scene.render.integrator = mirror ? Integrator::whitted : Integrator::path;
   return scene;
 }
 
@@ -144,11 +136,11 @@ Report conclude(const std::vector<Trial>& trials, double max_samples) {
 
 Experiment endings_experiment(Effort effort) {
   constexpr int edge = 6;
-  const int samples = effort == Effort::full ? 4096 : effort == Effort::quick ? 1024 : 64;
-  const int width = effort == Effort::full ? 120 : effort == Effort::quick ? 48 : 16;
+  const int samples = by_effort(effort, 4096, 1024, 64);
+  const int width = by_effort(effort, 120, 48, 16);
   Experiment e;
   e.number = "E5", e.name = "endings", e.title = "Ends of a ray tree";
-  e.question = "Rays beget rays. Who ends that, and what does it cost: a bias, or noise?";
+  e.question = "Every hit spawns new rays. What ends that, and at what cost: bias, or noise?";
   e.weight = 5;
   e.columns = {"setting", "error", "pixels_or_mean_error"};
   e.run = [=](int round, const Stop& stop) {

@@ -14,6 +14,10 @@ namespace raywalk::study {
 
 /// How much is computed: for a test, for minutes, or until the results are sharp.
 enum class Effort { glance, quick, full };
+/// The one of three numbers that belongs to an effort.
+[[nodiscard]] constexpr int by_effort(Effort effort, int full, int quick, int glance) {
+  return effort == Effort::full ? full : effort == Effort::quick ? quick : glance;
+}
 
 /// Deliberate faults, for tests that a study finds them.
 struct Faults {

@@ -169,7 +169,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
 }  // namespace
 
 Experiment lights_experiment(Effort effort, const Faults& faults) {
-  const int most = effort == Effort::full ? 32 : effort == Effort::quick ? 16 : 8;
+  const int most = by_effort(effort, 32, 16, 8);
   Experiment e;
   e.number = "E6", e.name = "lights", e.title = "Points on a light";
   e.question = "A penumbra by n x n shadow rays: where should they go?";

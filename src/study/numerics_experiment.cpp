@@ -173,7 +173,7 @@ Report conclude(const std::vector<Trial>& trials) {
 }  // namespace
 
 Experiment numerics_experiment(Effort effort) {
-  const int rays = effort == Effort::full ? 4000 : effort == Effort::quick ? 600 : 60;
+  const int rays = by_effort(effort, 4000, 600, 60);
   Experiment e;
   e.number = "E1", e.name = "numerics", e.title = "The arithmetic of one test";
   e.question = "How many digits does it take to say whether a ray meets a sphere?";

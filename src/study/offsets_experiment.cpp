@@ -163,7 +163,7 @@ Report conclude(const std::vector<Trial>& trials) {
 }  // namespace
 
 Experiment offsets_experiment(Effort effort) {
-  const int rays = effort == Effort::full ? 20000 : effort == Effort::quick ? 4000 : 300;
+  const int rays = by_effort(effort, 20000, 4000, 300);
   Experiment e;
   e.number = "E2", e.name = "offsets", e.title = "Where a ray leaves";
   e.question = "A reflected or shadow ray starts on a surface. How far from it should it start?";

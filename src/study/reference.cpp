@@ -43,12 +43,6 @@ double silhouette_radius(double radius, double distance) {
   return radius / std::sqrt(distance * distance - radius * radius);
 }
 
-double disk_beyond(double edge) {
-  if (edge >= 1) return 0;
-  if (edge <= -1) return 1;
-  return 0.5 - (edge * std::sqrt(1 - edge * edge) + std::asin(edge)) / std::numbers::pi;
-}
-
 double disk_form_factor(double radius, double height, double aside) {
   const double r2 = radius * radius, h2 = height * height, a2 = aside * aside;
   const double sum = h2 + a2 + r2;

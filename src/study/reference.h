@@ -22,9 +22,6 @@ struct Rectangle {
 /// radius. It is a little more than radius / distance: the silhouette is nearer than the centre.
 [[nodiscard]] double silhouette_radius(double radius, double distance);
 
-/// Fraction of a unit disk at x > edge: what a lens sees past an edge that is out of focus.
-[[nodiscard]] double disk_beyond(double edge);
-
 /// Radiance that a diffuse point of albedo 1 reflects from a disk that emits radiance 1, parallel to its surface at
 /// `height` above it, the disk's axis `aside` away: the form factor (J. Howell's catalogue, B-13).
 [[nodiscard]] double disk_form_factor(double radius, double height, double aside);

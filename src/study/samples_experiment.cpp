@@ -114,7 +114,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
 
 Experiment samples_experiment(Effort effort, const Faults& faults) {
   const int edge = effort == Effort::full ? 16 : 8;
-  const int most = effort == Effort::full ? 4096 : effort == Effort::quick ? 1024 : 256;
+  const int most = by_effort(effort, 4096, 1024, 256);
   Experiment e;
   e.number = "E3", e.name = "samples", e.title = "Samples and samplers";
   e.question = "How much better is a pixel when it takes four times the samples, and does it matter where they lie?";

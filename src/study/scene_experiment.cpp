@@ -98,7 +98,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
 }  // namespace
 
 Experiment scene_experiment(Effort effort) {
-  const int most = effort == Effort::full ? 256 : effort == Effort::quick ? 64 : 16;
+  const int most = by_effort(effort, 256, 64, 16);
   const int of_reference = effort == Effort::glance ? 400 : 100 * most;
   struct Once {
     std::once_flag flag;

@@ -150,7 +150,7 @@ Report conclude(const std::vector<Trial>& trials) {
 Experiment structures_experiment(Effort effort) {
   constexpr int least = 100;
   const int most = effort == Effort::full ? 100000 : 10000;
-  const int rays = effort == Effort::full ? 4000 : effort == Effort::quick ? 1000 : 100;
+  const int rays = by_effort(effort, 4000, 1000, 100);
   Experiment e;
   e.number = "E7", e.name = "structures", e.title = "Structures over the scene";
   e.question = "What does a ray cost among N things, and when does building a structure pay?";

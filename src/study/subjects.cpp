@@ -51,7 +51,7 @@ Subject lens_subject() {
   made.scene.camera.aperture = aperture;
   made.scene.objects = {{"Sheet", Triangle<double>{{edge, -far, 1}, {far, 0, 1}, {edge, far, 1}}, glow()}};
   made.truth = [=](const Rectangle& pixel) {
-    // The integral of disk_beyond from 1 on down.
+    // The integral, from 1 on down, of the share of a unit disk beyond x: what a lens sees past an edge.
     const auto sum = [](double e) {
       if (e >= 1) return 0.0;
       if (e <= -1) return e;
@@ -62,6 +62,20 @@ Subject lens_subject() {
     return (sum(high) - sum(low)) / (high - low);
   };
   return made;
+}
+
+Scene glowing_room(double albedo, bool mirror, int round) {
+  Scene scene;
+  Material wall;
+  wall.emission = Rgbd(1.0);
+  wall.diffuse = Rgbd(mirror ? 0.0 : albedo);
+  wall.reflection = Rgbd(mirror ? albedo : 0.0);
+  scene.objects = {{"Room", Sphere<double>{{0, 0, 0}, 2}, wall}};
+  scene.camera.eye = {drawn_for(round, 0) - 0.5, drawn_for(round, 1) - 0.5, drawn_for(round, 2) - 0.5};
+  scene.camera.look_at = {1, 0.2, 0.1};
+  scene.camera.screen = {1, 2.0, 1};
+  scene.render.integrator = mirror ? Integrator::whitted : Integrator::path;
+  return scene;
 }
 
 Rectangle pixel_at(int column, int row, int edge) {

@@ -23,6 +23,9 @@ struct Subject {
 /// The straight edge of an emitter, nearer than the plane of focus.
 [[nodiscard]] Subject lens_subject();
 
+/// Inside a glowing ball that reflects, as a mirror or diffusely: furnace() of study/reference.h says what is seen.
+[[nodiscard]] Scene glowing_room(double albedo, bool mirror, int round);
+
 /// A pixel's square in a picture `edge` pixels wide.
 [[nodiscard]] Rectangle pixel_at(int column, int row, int edge);
 

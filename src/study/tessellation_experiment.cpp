@@ -83,8 +83,8 @@ Report conclude(const std::vector<Trial>& trials, double most) {
 }  // namespace
 
 Experiment tessellation_experiment(Effort effort) {
-  const int most = effort == Effort::full ? 256 : effort == Effort::quick ? 128 : 32;
-  const int rays = effort == Effort::full ? 20000 : effort == Effort::quick ? 4000 : 500;
+  const int most = by_effort(effort, 256, 128, 32);
+  const int rays = by_effort(effort, 20000, 4000, 500);
   Experiment e;
   e.number = "E9", e.name = "tessellation", e.title = "Triangles for a ball";
   e.question = "How many triangles make a ball, and what do they cost?";

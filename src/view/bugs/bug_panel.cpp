@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace raywalk {
@@ -17,59 +18,14 @@ std::string line_text(Line line) { return std::string(pseudocode_of(line).text);
 }  // namespace
 
 std::string_view duty_of(Line line) {
-  switch (line) {
-    case Line::for_each_pixel:
-      return "duty.for_each_pixel";
-    case Line::form_primary_ray:
-      return "duty.form_primary_ray";
-    case Line::find_closest_intersection:
-      return "duty.find_closest_intersection";
-    case Line::if_intersect_something:
-      return "duty.if_intersect_something";
-    case Line::shade_final:
-      return "duty.shade_final";
-    case Line::put_final_shade:
-      return "duty.put_final_shade";
-    case Line::form_shadow_ray:
-      return "duty.form_shadow_ray";
-    case Line::find_intersection:
-      return "duty.find_intersection";
-    case Line::if_reflective:
-      return "duty.if_reflective";
-    case Line::form_reflect_ray:
-      return "duty.form_reflect_ray";
-    case Line::find_reflect_intersect:
-      return "duty.find_reflect_intersect";
-    case Line::shade_reflect:
-      return "duty.shade_reflect";
-    case Line::if_transparent:
-      return "duty.if_transparent";
-    case Line::form_refract_ray:
-      return "duty.form_refract_ray";
-    case Line::find_refract_intersect:
-      return "duty.find_refract_intersect";
-    case Line::shade_refract:
-      return "duty.shade_refract";
-    case Line::compute_rtnshade:
-      return "duty.compute_rtnshade";
-    case Line::path_for_each_pixel:
-    case Line::path_form_primary_ray:
-    case Line::follow_path:
-    case Line::path_put_final_shade:
-    case Line::while_ray:
-    case Line::path_find_closest_intersection:
-    case Line::if_intersect_nothing:
-    case Line::add_background:
-    case Line::add_emission:
-    case Line::path_form_shadow_ray:
-    case Line::path_find_intersection:
-    case Line::add_light:
-    case Line::choose_direction:
-    case Line::if_path_survives:
-    case Line::form_next_ray:
-      break;  // paths have no faults
-  }
-  return {};
+  constexpr std::array<std::string_view, line_count> duties{
+      "duty.for_each_pixel",  "duty.form_primary_ray", "duty.find_closest_intersection", "duty.if_intersect_something",
+      "duty.shade_final",     "duty.put_final_shade",  "duty.form_shadow_ray",           "duty.find_intersection",
+      "duty.if_reflective",   "duty.form_reflect_ray", "duty.find_reflect_intersect",    "duty.shade_reflect",
+      "duty.if_transparent",  "duty.form_refract_ray", "duty.find_refract_intersect",    "duty.shade_refract",
+      "duty.compute_rtnshade"};
+  const auto number = static_cast<std::size_t>(line);
+  return number < duties.size() ? duties[number] : std::string_view();  // paths have no faults
 }
 
 BugPanel bug_panel(const State& state) {
@@ -114,7 +70,6 @@ BugPanel bug_panel(const State& state) {
       panel.learnt = {{say("bug.wrong"), know("wrong")}, {say("bug.cure"), know("cure")}};
       if (!other_rays(state).empty())
         panel.learnt.push_back({{}, say(state.walk.bug->mended ? "bug.other_rays_broken" : "bug.other_rays_whole")});
-      panel.can_mend = true;
       return panel;
   }
   return panel;

@@ -27,7 +27,7 @@ struct BugPanel {
   std::string verdict;
   bool is_right = false;
   std::vector<BugPassage> learnt;  ///< at the end: what was wrong, and the fix
-  bool can_judge = false, can_give_up = false, can_mend = false;
+  bool can_judge = false, can_give_up = false;
 };
 [[nodiscard]] BugPanel bug_panel(const State& state);
 
