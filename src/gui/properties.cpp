@@ -6,6 +6,8 @@
 #include "view/text/text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace raywalk {
@@ -33,9 +35,20 @@ void light_rows(const Ui& ui, Form& form, int index) {
 }
 
 void camera_rows(const Ui& ui, Form& form) {
-  Camera camera = ui.state.scene().camera;
-  const bool moved = SchemaForm::draw(form, "camera", camera);
-  if (SchemaForm::draw(form, "screen", camera.screen) || moved) ui.act(action::SetCamera{camera, form.continues()});
+  const Camera& before = ui.state.scene().camera;
+  Camera camera = before;
+  const bool changed = SchemaForm::draw(form, "camera", camera),
+             resized = SchemaForm::draw(form, "screen", camera.screen);
+  if (!changed && !resized) return;
+  // What is now stated begins as it was without; the picture's width is stated by the angle or by the screen.
+  if (camera.focus && !before.focus) camera.focus = before.focus_distance();
+  if (camera.screen.width && !before.screen.width) {
+    camera.screen.width = before.screen_width();
+    camera.fov.reset();
+  } else if (!camera.screen.width && before.screen.width) {
+    camera.fov = FieldOfView{2 * std::atan(before.half_extent()) * 180 / std::numbers::pi};
+  }
+  ui.act(action::SetCamera{camera, form.continues()});
 }
 
 void scene_rows(const Ui& ui, Form& form) {

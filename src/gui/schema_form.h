@@ -39,6 +39,8 @@ class SchemaForm {
   }
   template <class T, class Kind>
   void key(std::string_view name, std::optional<T>& value, const Kind& kind, std::string_view sentence) {
+    const std::string set = std::string(name) + "_set";
+    switch_on({table_, set, sentence}, value);
     if (value) key(name, *value, kind, sentence);
   }
   template <class T>
@@ -118,6 +120,15 @@ class SchemaForm {
     return false;
   }
 
+  /// A flag: whether there is a value.
+  template <class T>
+  void switch_on(const FormLabel& label, std::optional<T>& value) {
+    bool is_there = value.has_value();
+    if (!form_.flag(label, is_there)) return;
+    is_changed_ = true;
+    value = is_there ? std::optional<T>(T{}) : std::nullopt;
+  }
+
   /// Of dragging by a pixel.
   static double step_of(const schema::Number& kind, double value) {
     return kind.unit == schema::degrees ? 0.2 : std::max(0.005, std::abs(value) / 200);
@@ -136,12 +147,18 @@ class SchemaForm {
 
 template <class T>
 void SchemaForm::key(std::string_view name, std::optional<T>& value, const schema::Table& /*kind*/) {
-  bool is_there = value.has_value();
-  // A texture is there with its file, which a form cannot give.
-  const bool can_begin = !std::is_same_v<T, ImageTexture>;
-  if ((is_there || can_begin) && form_.flag({table_, name, {}}, is_there)) {
-    is_changed_ = true;
-    value = is_there ? std::optional<T>(T{}) : std::nullopt;
+  if constexpr (requires { value->file; }) {
+    // It is there with its file.
+    std::string file = value ? value->file : std::string();
+    if (form_.text({table_, name, {}}, file)) {
+      is_changed_ = true;
+      if (!value) value.emplace();
+      value->file = file;
+      value->pixels = nullptr;  // loaded with the change
+      if (file.empty()) value.reset();
+    }
+  } else {
+    switch_on({table_, name, {}}, value);
   }
   if (!value) return;
   const std::string_view outer = std::exchange(table_, name);

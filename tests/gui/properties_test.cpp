@@ -1,7 +1,10 @@
+#include <cmath>
 #include <set>
 #include <string>
 
 #include "gui/bench.h"
+#include "gui/folder.h"
+#include "image/image_file.h"
 #include "io/key_reference.h"
 #include "support/catch.h"
 #include "support/languages.h"
@@ -208,16 +211,57 @@ TEST_CASE("all that a material says has a field") {
   type_into(bench, field("property.size"), "2");
   CHECK(material().checker->size == 2);
 
-  Material with_texture = material();
-  with_texture.texture = ImageTexture{"wood.png", 1, 1};
-  update(bench.state, action::SetMaterial{0, with_texture});
-  bench.frames(2);
+  // A texture begins with the name of its file, which is read at once, and ends without one.
+  const Folder folder;
+  REQUIRE(write_image(folder / "wood.png", Image{1, 1, {Rgb<float>(0.5f)}}));
+  const auto name_texture = [&](const std::string& file) {
+    bench.point_at(field("property.size"));
+    bench.wheel(-30);
+    bench.frames(10);
+    bench.click(field("property.texture"));
+    bench.key("Ctrl+A");
+    bench.type(file);
+    bench.enter();
+    bench.frames(2);
+  };
+  name_texture(folder / "none.png");
+  CHECK_FALSE(material().texture);
+  CHECK(bench.state.document.notice->kind == Notice::Kind::error);
+  name_texture(folder / "wood.png");
+  REQUIRE(material().texture);
+  CHECK(material().texture->pixels->width == 1);
   bench.point_at(field("property.size"));
   bench.wheel(-30);
   bench.frames(10);
   type_into(bench, field("property.texture_width"), "4");
   CHECK(material().texture->width == 4);
-  CHECK(material().texture->file == "wood.png");
+  CHECK(material().texture->file == folder / "wood.png");
+}
+
+TEST_CASE("what a camera may leave out is stated, and left out again") {
+  Bench bench(selected({TargetKind::eye}));
+  const auto camera = [&]() -> const Camera& { return bench.state.scene().camera; };
+  bench.frames(2);
+  REQUIRE_FALSE(camera().focus);
+  const double before = camera().focus_distance();
+  bench.click(field("property.focus_set"));
+  bench.frames(2);
+  CHECK(camera().focus == before);
+  type_into(bench, field("property.focus"), "2.5");
+  CHECK(camera().focus == 2.5);
+  bench.click(field("property.focus_set"));
+  CHECK_FALSE(camera().focus);
+  // The picture is as wide as before, whichever says so.
+  REQUIRE(camera().screen.width);
+  const double width = *camera().screen.width;
+  bench.click(field("property.screen_width_set"));
+  bench.frames(2);
+  REQUIRE(camera().fov);
+  CHECK_FALSE(camera().screen.width);
+  CHECK(std::abs(camera().screen_width() - width) < 1e-12);
+  bench.click(field("property.screen_width_set"));
+  CHECK_FALSE(camera().fov);
+  CHECK(std::abs(camera().screen.width.value_or(0) - width) < 1e-12);
 }
 
 TEST_CASE("lights of every kind have fields, and what breaks a rule is not taken over") {

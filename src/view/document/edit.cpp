@@ -1,3 +1,4 @@
+#include "io/textures.h"
 #include "view/action.h"
 #include "view/document/document.h"
 #include "view/plan/plan_geometry.h"
@@ -221,7 +222,17 @@ void commit_edit(State& state, const Edit& edit, Scene next, int object = -1, in
 void action::SetMaterial::apply(State& state) const {
   if (!exists(state, {TargetKind::object, object})) return;
   Scene next = state.scene();
-  next.objects[static_cast<std::size_t>(object)].material = material;
+  Object& changed = next.objects[static_cast<std::size_t>(object)];
+  if (material.texture && (!changed.material.texture || changed.material.texture->file != material.texture->file)) {
+    Scene alone;
+    alone.objects = {{changed.name, Sphere<double>{{0, 0, 0}, 1}, material}};
+    const std::string& path = state.document.contents.path;
+    if (const auto loaded = load_textures(alone, path.substr(0, path.find_last_of('/') + 1)); !loaded)
+      return complain(state, loaded.error().text());
+    changed.material = alone.objects.front().material;
+  } else {
+    changed.material = material;
+  }
   commit_edit(state, *this, std::move(next), object);
 }
 
