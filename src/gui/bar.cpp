@@ -86,8 +86,12 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   const bool is_open = ImGui::BeginMenu(heading.c_str());
   ui.publish(menu.name);
   if (!is_open) return false;
-  // So tight that the longest menu fits below the bar of a window of 720 units.
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(6)});
+  // As tight as it must be to fit below the bar of the window.
+  std::size_t rows = 0;
+  for (const MenuPart& part : menu.parts) rows += commands_in(part.section).size() + 1;
+  const float row = (window - bar - ui.px(24)) / static_cast<float>(rows);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      {ui.px(10), std::clamp(row - ImGui::GetTextLineHeight(), ui.px(1), ui.px(6))});
   bool first = true;
   for (const MenuPart& part : menu.parts) {
     if (part.more == nullptr && commands_in(part.section).empty()) continue;

@@ -98,6 +98,7 @@ class Drawing {
   const Specimen& specimen_;
   double scale_;  ///< pixels per scene unit
   Vec2d middle_;  ///< where the focus is, pixels
+  PixelRect scale_box_{};
   double unit_;
 };
 
@@ -239,10 +240,16 @@ void Drawing::draw_sign(const PointMark& mark) {
 void Drawing::point_at(const PointMark& mark) {
   const Vec2d way = mark.at - middle_, room = middle_ - Vec2d(26 * unit_);
   const double part = std::min(room.x / std::max(std::abs(way.x), 1e-9), room.y / std::max(std::abs(way.y), 1e-9));
-  const Vec2d towards = way / length(way), tip = middle_ + part * way;
+  const Vec2d towards = way / length(way), arrow = 24 * unit_ * towards;
+  Vec2d tip = middle_ + part * way;
+  const auto crosses_scale = [&] {
+    const Vec2d centre = tip - arrow / 2.0, half = Vec2d(std::abs(arrow.x), std::abs(arrow.y)) / 2.0 + Vec2d(6 * unit_);
+    return scale_box_.overlap({centre - half, centre + half}) > 0;
+  };
+  while (crosses_scale() && length(tip - middle_) > 2 * length(arrow)) tip -= 4 * unit_ * towards;
   const Stroke stroke{painter_.colours.error, 2.4 * unit_};
-  painter_.add(LineItem{tip - 24 * unit_ * towards, tip, stroke, 11 * unit_});
-  label(tip - 12 * unit_ * towards, 16 * unit_,
+  painter_.add(LineItem{tip - arrow, tip, stroke, 11 * unit_});
+  label(tip - arrow / 2.0, 16 * unit_,
         fill("microscope.off_sight", painter_.state.appearance.language,
              {{"point", name_of(mark)},
               {"ulps", ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.appearance.language)}}));
@@ -357,7 +364,8 @@ void Drawing::draw_scale() {
                             at + Vec2d(width, 6 * unit_), at + Vec2d(-6 * unit_, 6 * unit_)},
                            painter_.colours.plan.with_alpha(225),
                            std::nullopt});
-  painter_.kept_free.push_back({at + Vec2d(-6 * unit_, -1.7 * size), at + Vec2d(width, 6 * unit_)});
+  scale_box_ = {at + Vec2d(-6 * unit_, -1.7 * size), at + Vec2d(width, 6 * unit_)};
+  painter_.kept_free.push_back(scale_box_);
   const Stroke stroke{painter_.colours.text, 2 * unit_};
   painter_.add(LineItem{at, at + Vec2d(bar, 0), stroke});
   for (const double end : {0.0, bar})
