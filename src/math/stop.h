@@ -1,5 +1,5 @@
 #pragma once
-// Cancellation of long work, like std::stop_source and std::stop_token. Whoever may cancel (a signal, a person at the
+// Cancellation of long work, like std::stop_source and std::stop_token. What may cancel (a signal, a person at the
 // window, a clock) is a Stopper; long work is given a Stop by value, checks it regularly, and throws Stopped. This
 // needs neither threads nor signals: a Stopper that is always raised is asked each time.
 

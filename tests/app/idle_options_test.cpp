@@ -121,7 +121,7 @@ TEST_CASE("paths have a limit of their own, and all others theirs") {
   CHECK(with(Integrator::automatic) == "--path-length ");
 }
 
-TEST_CASE("an epsilon is for naive numerics, whoever chose them") {
+TEST_CASE("an epsilon is for naive numerics, whether the scene or an option chose them") {
   RenderOptions given;
   given.epsilon = 0.01;
   Scene scene = plain();

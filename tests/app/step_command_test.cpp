@@ -140,7 +140,7 @@ TEST_CASE("step speaks Portuguese as text and as a page; JSON is the same in eve
 
 TEST_CASE("a walk without end is refused, a deep one with an end is not") {
   const Folder folder;
-  // Inside a glass ball in a glass ball every ray goes on as two, for ever.
+  // Inside a glass ball in a glass ball every ray goes on as two, without end.
   const std::string camera = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n[screen]\ncells = 5\n";
   const auto ball = [](const std::string& name, const std::string& radius, const std::string& material) {
     return "[[object]]\nname = \"" + name + "\"\ntype = \"sphere\"\ncentre = [0.1, 0.2]\nradius = " + radius +

@@ -299,7 +299,7 @@ TEST_CASE("a demo that cannot open its lesson says so, with exit code 1", "[wind
   ends_with("04-reflection", 1, "Locked: finish the lesson above it first");
 }
 
-TEST_CASE("a demo that would wait for an answer for ever ends with exit code 1", "[window]") {
+TEST_CASE("a demo that waits for an answer that cannot come ends with exit code 1", "[window]") {
   NEEDS_A_DESKTOP
   const Desktop desktop(640, 480);
   const std::string demo = (desktop.folder() / "show.demo").string();

@@ -68,7 +68,7 @@ Bytes window(int sentence) {
 
 }  // namespace
 
-TEST_CASE("a film shows its frames in their order and for their time, for ever") {
+TEST_CASE("a film shows its frames in order, each for its time, and repeats") {
   GifFilm film({40, 30});
   film.add(drawing(2), 0.25);
   film.add(drawing(5), 0.5);

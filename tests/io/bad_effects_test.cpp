@@ -53,7 +53,7 @@ TEST_CASE("bad lenses, shutters and lobes are refused at the place of their faul
       {"shutter as a number", with_camera("shutter = 1"), 5, 11, "found 1 (expected [open, close])", ""},
       {"shutter of three times", with_camera("shutter = [0, 1, 2]"), 5, 11, "found a list of 3", ""},
       {"shutter closes first", with_camera("shutter = [1, 0.5]"), 5, 11, "closes before it opens", "freeze"},
-      {"shutter for ever", with_camera("shutter = [0, inf]"), 5, 15, "found inf", "finite"},
+      {"endless shutter", with_camera("shutter = [0, inf]"), 5, 15, "found inf", "finite"},
       {"negative gloss", with_material("gloss = -1"), 10, 22, "from 0 to 90", "sharp"},
       {"gloss of a full angle", with_material("gloss = 180"), 10, 22, "from 0 to 90", ""},
       {"translucency as a word", with_material("translucency = \"a lot\""), 10, 29, "from 0 to 90", "without quotes"},

@@ -10,7 +10,7 @@ using namespace raywalk::test;
 
 TEST_CASE("the classic scene explains each of its keys") {
   const std::string classic = contents(RAYWALK_SOURCE_DIR "/scenes/classic.toml");
-  // Whoever reads it sees what each line means: none without a comment, but for those that repeat an earlier one.
+  // A reader sees what each line means: none without a comment, but for those that repeat an earlier one.
   const std::size_t transparent = classic.find("\"Transparent Sphere\"");
   REQUIRE(transparent != std::string::npos);
   for (std::size_t at = 0; at < transparent;) {

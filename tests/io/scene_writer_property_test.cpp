@@ -51,7 +51,7 @@ Decorated decorate(const std::string& text, Random& random) {
       if (element) table = lines[i + 1];
       const bool within = header.find('.') != std::string::npos;
       if (!within && !element) table.clear();
-      // Set apart by an empty line it is nobody's, except inside of a light or object.
+      // Set apart by an empty line it belongs to nothing, except inside of a light or object.
       if (random.chance(0.4)) result.text += (within ? comment(table, header) : comment("", "")) + "\n\n";
       if (random.chance(0.5)) result.text += comment(table, header) + "\n";
       result.text += line + (random.chance(0.5) ? " \t" + comment(table, header) : "") + "\n";

@@ -43,7 +43,7 @@ verdict() {
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
     "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then
     printf 'broken'
-  elif (ulimit -t 60; exec "$work/$1.bin") >>"$log" 2>&1; then  # of the processor's time: nobody else's work kills
+  elif (ulimit -t 60; exec "$work/$1.bin") >>"$log" 2>&1; then  # of the processor's time: other processes cannot kill it
     printf 'survived'
   else
     printf 'killed'

@@ -1,4 +1,4 @@
-// Renders that nobody wants any more, inside a pixel that would take for ever.
+// Cancelling a render inside a pixel that would never end.
 
 #include "render/render.h"
 #include "render/scenes.h"

@@ -126,7 +126,7 @@ TEST_CASE("at the critical angle all is reflected, on whichever side rounding pu
   in_both("critical_angle", [](const Shown& picture) { CHECK(picture.middle().x == 0.5f); });
 }
 
-TEST_CASE("a ray that grazes the inside of a ball is reflected for ever") {
+TEST_CASE("a ray that grazes the inside of a ball is reflected without end") {
   in_both("grazing_inside", [](const Shown& picture) {
     CHECK(picture.count(1.0f) == picture.size());
     CHECK(picture.rays(RayKind::reflect) == 31u * 9u);

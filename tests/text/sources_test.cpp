@@ -179,7 +179,8 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
                                     "walk.shade_called_unlit", "walk.direction_diffuse",     "walk.direction_highlight",
                                     "walk.direction_mirror",   "walk.direction_transparent", "structure.test_missed",
                                     "structure.test_nearest",  "structure.test_farther",     "structure.test_blocks",
-                                    "structure.test_filters"};
+                                    "structure.test_filters",  "question.unsaved_new",       "question.unsaved_open",
+                                    "question.unsaved_quit"};
   std::map<std::string, bool> filled;
   for (const Use& use : uses()) {
     if (use.arguments.empty()) continue;

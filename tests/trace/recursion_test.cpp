@@ -1,4 +1,4 @@
-// How much stack SHADE takes to call itself, of every kernel: what is promised to whoever makes the stack.
+// How much stack SHADE takes to call itself, of every kernel: what is promised to those who make the stack.
 
 #include "trace/recursion.h"
 

@@ -1,4 +1,4 @@
-// Whoever answers the lessons' questions as theory says is right, and the usual mistakes are wrong.
+// Answers to the lessons' questions as theory gives them are right, and the usual mistakes are wrong.
 
 #include <cmath>
 #include <cstdlib>
@@ -149,7 +149,7 @@ void judge_all(const auto& list, const Told& tell) {
 
 }  // namespace
 
-TEST_CASE("whoever answers as theory says is right, in every step of every lesson") {
+TEST_CASE("the answer by theory is right, in every step of every lesson") {
   std::set<std::pair<std::string, std::string>> known;
   judge_all(theory, [&](const Theory& each, bool right) {
     CHECK(right);

@@ -232,7 +232,7 @@ TEST_CASE("CLEAR starts the walk of a bug over, and does not mend it") {
   CHECK(fault_at_work(state) == Fault::shadow_ray_misaimed);
 }
 
-TEST_CASE("a hunt's scene is nobody's work: what is unsaved is autosaved before, and kept") {
+TEST_CASE("a hunt's scene is not autosaved: unsaved work is, before the hunt, and kept") {
   const TemporaryFolder folder;
   State state = at_work(folder);
   update(state, action::HuntBug{1});

@@ -17,7 +17,7 @@ const std::string root = RAYWALK_SOURCE_DIR;
 
 }  // namespace
 
-TEST_CASE("whoever leaves a lesson has the scene back that was open before") {
+TEST_CASE("leaving a lesson restores the scene that was open before") {
   const TemporaryFolder folder;
   State state = make_state(read_scene(root + "/scenes/classic.toml").value());
   state.lessons.folder = root + "/lessons";

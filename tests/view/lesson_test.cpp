@@ -161,7 +161,7 @@ TEST_CASE("what is typed and is no number takes the guess before it back") {
   CHECK_FALSE(state.lessons.guess.number);
 }
 
-TEST_CASE("whoever walks away from a question is shown the way back") {
+TEST_CASE("a student who leaves a question is shown the way back") {
   State state = with_lessons();
   update(state, action::OpenLesson{state.lessons.list[0].name});
   go_to_question(state, Asks::choice);
@@ -386,7 +386,7 @@ TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer wh
   CHECK_FALSE(state.walk.bug);
 }
 
-TEST_CASE("whoever changes the scene of a bug gets it back with the answer") {
+TEST_CASE("a changed scene of a bug is restored with the answer") {
   State state = with_lessons();
   update(state, action::SetLessonOptions{false, true});
   update(state, action::OpenLesson{"04-reflection"});
