@@ -18,6 +18,7 @@
 #include "render/adaptive.h"
 #include "scene/schema_kinds.h"
 #include "text/file_ledger.h"
+#include "view/action_text.h"
 
 #include <fmt/format.h>
 
@@ -203,6 +204,11 @@ std::string name_of(const CLI::Option& option) {
   return words.empty() ? option.get_name() : "--" + words.front();
 }
 
+ExitCode printed(const std::string& text) {
+  const auto result = print(text);
+  return result ? ExitCode::done : fail(result.error());
+}
+
 /// Window options for screenshots and tests; users find them in the window itself.
 void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   struct Asked {
@@ -213,6 +219,8 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   GuiOptions& to = asked->options;
   program.add_option("SCENE", to.scene_path, std::string(scene_help) + "; left out: the classic scene")->type_name("");
   add_file(program, "--demo", to.demo_path, "FILE", "Replay the actions in a file, one a line");
+  const CLI::Option* const demo_help_wanted =
+      program.add_flag("--demo-help")->description("Print the actions that such a file may have, and exit");
   add_language(program, to.language, "Of the window; left out: as it was left, else the environment's");
   const auto hide = [](CLI::Option* option) { option->group(""); };
   hide(program.add_option("--state-dir", to.state_dir));
@@ -224,7 +232,11 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   hide(program.add_option("--ui-scale", to.ui_scale));
   hide(add_file(program, "--report", to.report_path, "FILE", ""));
   hide(add_parsed(program, "--window", asked->window, parse_size, "WxH", "such as 1280x720", ""));
-  program.callback([asked, &program, &ledger, &run] {
+  program.callback([asked, demo_help_wanted, &program, &ledger, &run] {
+    if (program.get_subcommands().empty() && demo_help_wanted->count() > 0) {
+      run = [] { return printed(demo_help()); };
+      return;
+    }
     if (program.get_subcommands().empty()) {
       asked->options.width = asked->window.width;
       asked->options.height = asked->window.height;
@@ -306,11 +318,6 @@ std::optional<Error> why_misplaced(const CLI::App& program, int argc, const char
   return Error{"", 0, 0,
                fmt::format("raywalk: the command {} comes after the scene {}; it has to come first", command, given),
                fmt::format("raywalk {} {}{}", command, given, rest)};
-}
-
-ExitCode printed(const std::string& text) {
-  const auto result = print(text);
-  return result ? ExitCode::done : fail(result.error());
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv) {

@@ -2,6 +2,7 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "text/language.h"
+#include "view/text/shown.h"
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@ namespace {
 // The objects to choose from, after "nowhere".
 std::vector<std::string> object_names(const Ui& ui) {
   std::vector<std::string> names{ui.say("breakpoints.nowhere")};
-  for (const Object& object : ui.state.scene().objects) names.push_back(object.name);
+  for (const Object& object : ui.state.scene().objects) names.push_back(shown_name(ui.state, object.name));
   return names;
 }
 
@@ -48,10 +49,11 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   optional_whole(form, "breakpoints.at_pixel", next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
   form.flag("breakpoints.at_total", next.total_internal_reflection);
   const std::vector<std::string> names = object_names(ui);
-  const auto at = std::find(names.begin() + 1, names.end(), next.object);
-  int chosen = at == names.end() ? 0 : static_cast<int>(at - names.begin());
+  const std::vector<Object>& objects = state.scene().objects;
+  const auto at = std::find_if(objects.begin(), objects.end(), [&](const Object& o) { return o.name == next.object; });
+  int chosen = at == objects.end() ? 0 : static_cast<int>(at - objects.begin()) + 1;
   if (form.pick("breakpoints.at_object", names, chosen))
-    next.object = chosen == 0 ? std::string() : names[static_cast<std::size_t>(chosen)];
+    next.object = chosen == 0 ? std::string() : objects[static_cast<std::size_t>(chosen) - 1].name;
   if (next != state.walk.breakpoints) ui.act(action::SetBreakpoints{next});
 
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};

@@ -1,6 +1,8 @@
 #include "gui/command.h"
+#include "gui/painter.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "view/plan/pictogram.h"
 #include "view/text/text.h"
 
 #include <algorithm>
@@ -32,6 +34,13 @@ void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
         label(ui.colours.text, entry.term);
         ImGui::PopTextWrapPos();
         pop_font();
+        if (entry.picture) {
+          const float edge = ui.px(52);
+          const ImVec2 at = ImGui::GetCursorScreenPos();
+          paint(*ImGui::GetWindowDrawList(), pictogram(*entry.picture, ui.state.appearance.theme, edge),
+                {at.x, at.y, edge, edge}, 1, ui.fonts);
+          ImGui::Dummy({edge, edge});
+        }
         bottom = ImGui::GetCursorPosY();
         text_left = left + term_width;
       }

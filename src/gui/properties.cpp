@@ -3,6 +3,7 @@
 #include "gui/panes.h"
 #include "gui/schema_form.h"
 #include "gui/widgets.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 void object_rows(const Ui& ui, Form& form, int index) {
   const Object& object = ui.state.scene().objects[static_cast<std::size_t>(index)];
-  std::string name = object.name;
+  std::string name = shown_name(ui.state, object.name);
   if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::object, index}, name});
   ObjectShape shape = object.shape;
   if (std::visit([&](auto& s) { return SchemaForm::draw(form, schema::type_name(s), s); }, shape))
@@ -29,7 +30,7 @@ void object_rows(const Ui& ui, Form& form, int index) {
 
 void light_rows(const Ui& ui, Form& form, int index) {
   Light light = ui.state.scene().lights[static_cast<std::size_t>(index)];
-  std::string name = light.name;
+  std::string name = shown_name(ui.state, light.name);
   if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::light, index}, name});
   if (SchemaForm::draw(form, "light", light)) ui.act(action::SetLight{index, light, form.continues()});
 }
@@ -63,17 +64,15 @@ void scene_rows(const Ui& ui, Form& form) {
 }
 
 std::string title_of(const Ui& ui, const Target& target) {
-  const Scene& scene = ui.state.scene();
-  const auto index = static_cast<std::size_t>(std::max(target.index, 0));
   switch (target.kind) {
     case TargetKind::object:
     case TargetKind::radius:
     case TargetKind::corner:
     case TargetKind::edge:
     case TargetKind::rotation:
-      return scene.objects[index].name;
+      return object_name(ui.state, target.index);
     case TargetKind::light:
-      return scene.lights[index].name;
+      return light_name(ui.state, target.index);
     case TargetKind::eye:
     case TargetKind::view_direction:
     case TargetKind::screen_height:

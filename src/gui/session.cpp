@@ -37,8 +37,9 @@ Result<void> choose(const std::string& name, const char* what, Choice& to) {
 }  // namespace
 
 Settings settings_of(const State& state) {
-  return {state.appearance.theme, state.appearance.ui_scale, state.appearance.tab,
-          std::string(state.appearance.language.code()), state.walk.tweens};
+  return {state.appearance.theme, state.appearance.ui_scale,
+          state.appearance.tab,   std::string(state.appearance.language.code()),
+          state.walk.tweens,      state.appearance.english_code};
 }
 
 Settings read_settings(const std::string& state_dir) {
@@ -58,6 +59,8 @@ Settings read_settings(const std::string& state_dir) {
   if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
     settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
   if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
+  if (const auto at = json.find("english_code"); at != json.end() && at->is_boolean())
+    settings.english_code = at->get<bool>();
   return settings;
 }
 
@@ -66,7 +69,8 @@ void write_settings(const std::string& state_dir, const Settings& settings) {
   nlohmann::json json{{"theme", name_of(settings.theme)},
                       {"tab", name_of(settings.tab)},
                       {"ui_scale", settings.ui_scale},
-                      {"tweens", settings.tweens}};
+                      {"tweens", settings.tweens},
+                      {"english_code", settings.english_code}};
   if (!settings.language.empty()) json["language"] = settings.language;
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
@@ -121,6 +125,7 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
                                                              {{"why", options.broken_texts.front().text()}})};
 
   state.appearance.theme = settings.theme;
+  state.appearance.english_code = settings.english_code;
   state.appearance.ui_scale =
       options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
   state.appearance.tab = settings.tab;

@@ -18,6 +18,7 @@ struct Settings {
   Tab tab = PictureRoom::tab;
   std::string language{};  ///< its code; empty: none saved
   bool tweens = true;
+  bool english_code = false;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 [[nodiscard]] Settings settings_of(const State& state);

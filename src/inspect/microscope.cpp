@@ -120,6 +120,8 @@ struct Microscope::PreparedScene {
 
  private:
   void survey(T now);
+  [[nodiscard]] std::shared_ptr<const Specimen> passed_by(int number, const Ray<T>& ray);
+  static void set_numbers(Specimen& specimen);
   template <class AnyRay>
   [[nodiscard]] Reading read(const AnyRay& ray, const HitSurface& found) const;
   template <class AnyRay>
@@ -217,11 +219,48 @@ void Microscope::PreparedScene<T>::survey(T now) {
 }
 
 template <class T>
+void Microscope::PreparedScene<T>::set_numbers(Specimen& specimen) {
+  for (int axis = 0; axis < 3; ++axis) specimen.spacing[axis] = spacing_in<T>(specimen.focus[axis]);
+  for (const int axis : specimen.axes) specimen.ulp = std::max(specimen.ulp, specimen.spacing[axis]);
+}
+
+/// Of spheres alone, where a ray that is off by a hair is a lesson: at rest, and not transformed.
+template <class T>
+std::shared_ptr<const Specimen> Microscope::PreparedScene<T>::passed_by(int number, const Ray<T>& ray) {
+  const Ray<double> line = wide_ray(ray);
+  auto specimen = std::make_shared<Specimen>();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const auto* sphere = std::get_if<Sphere<double>>(&object.shape);
+    if (sphere == nullptr || !object.transform.empty() || !object.motion.empty()) continue;
+    const double t = dot(sphere->centre - line.origin, line.direction) / dot(line.direction, line.direction);
+    const Vec3d next = line.at(t), out = next - sphere->centre;
+    const double gap = length(out) - sphere->radius;
+    if (!(t > 0 && gap > 0) || (specimen->passed >= 0 && gap >= specimen->gap)) continue;
+    specimen->passed = static_cast<int>(i);
+    specimen->gap = gap;
+    specimen->normal = out / length(out);
+    specimen->focus = sphere->centre + sphere->radius * specimen->normal;
+    specimen->on_ray = gap * specimen->normal;
+  }
+  if (specimen->passed < 0) return nullptr;
+  if (!surfaces || ray.time != time) survey(ray.time);
+  specimen->ray = number;
+  specimen->kind = record(number).kind;
+  specimen->precision = precision_of<T>;
+  specimen->surfaces = surfaces;
+  specimen->origin = line.origin, specimen->direction = line.direction;
+  specimen->axes = axes_for(specimen->normal, specimen->direction);
+  set_numbers(*specimen);
+  return specimen;
+}
+
+template <class T>
 std::shared_ptr<const Specimen> Microscope::PreparedScene<T>::examine(int number) {
   const auto twins = retraced_ray(*world, camera, timeline, number);
   if (!twins) return nullptr;
   const auto robust = find(twins->robust), naive = find(twins->naive);
-  if (!robust && !naive) return nullptr;
+  if (!robust && !naive) return record(number).parent < 0 ? passed_by(number, twins->robust) : nullptr;
   if (!surfaces || twins->robust.time != time) survey(twins->robust.time);
   const HitSurface& best = robust ? *robust : *naive;
   const std::optional<HitSurface>& recorded = is_naive() ? naive : robust;
@@ -245,8 +284,7 @@ std::shared_ptr<const Specimen> Microscope::PreparedScene<T>::examine(int number
   specimen->focus = wide(best.point.position);
   specimen->normal = wide(best.point.normal);
   specimen->axes = axes_for(specimen->normal, specimen->direction);
-  for (int axis = 0; axis < 3; ++axis) specimen->spacing[axis] = spacing_in<T>(specimen->focus[axis]);
-  for (const int axis : specimen->axes) specimen->ulp = std::max(specimen->ulp, specimen->spacing[axis]);
+  set_numbers(*specimen);
   specimen->on_ray = place_on(line, DoubleDouble(static_cast<double>(best.hit.t)), specimen->focus);
   if (const auto t = surfaces->crossing(best.hit.primitive, line, largest_spacing(best.point.position)))
     specimen->crossing = place_on(line, *t, specimen->focus);

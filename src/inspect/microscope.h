@@ -61,7 +61,12 @@ struct Specimen {
   /// surface. (A running error analysis: N. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002, 3.3.)
   Vec3d error_box{0.0};
   std::shared_ptr<const TrueSurfaces> surfaces;
+  // Of a primary ray that meets nothing, and passes a sphere; the focus is then the point of the sphere next to it.
+  int passed = -1;  ///< index in Scene::objects
+  double gap = 0;   ///< between ray and sphere, scene units
 
+  /// Index in Scene::objects of what is met or passed.
+  [[nodiscard]] int object() const { return robust ? robust->object : naive ? naive->object : passed; }
   /// A distance in ulps of the drawn axes.
   [[nodiscard]] double in_ulps(double way) const { return way / ulp; }
 };
@@ -76,7 +81,8 @@ struct Specimen {
 class Microscope {
  public:
   /// The current hit at a position: of the ray of the line just run or, if that ray misses, of the ray at whose hit it
-  /// was formed. None before the first hit. `scene`: the recorded one, as long as `timeline` is the same.
+  /// was formed. Without one, the sphere that the ray passes closest; none if it passes none. `scene`: the recorded
+  /// one, as long as `timeline` is the same.
   [[nodiscard]] std::shared_ptr<const Specimen> look(const std::shared_ptr<const Timeline>& timeline, int position,
                                                      const Scene& scene, Precision precision);
 

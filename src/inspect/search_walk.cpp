@@ -1,6 +1,7 @@
 #include "inspect/search_walk.h"
 
 #include "inspect/retraced_ray.h"
+#include "scene/names.h"
 
 #include <algorithm>
 
@@ -38,6 +39,7 @@ struct SearchWalks::PreparedScene {
 SearchWalks::SearchWalks(const Scene& scene, std::shared_ptr<const Timeline> timeline, Precision precision)
     : timeline_(std::move(timeline)) {
   for (const Object& object : scene.objects) object_names_.push_back(object.name);
+  translated_names_ = scene.translated;
   switch (precision) {
     case Precision::float_:
       fill<float>(scene);
@@ -66,12 +68,13 @@ void SearchWalks::fill(const Scene& scene) {
   }
 }
 
-std::string SearchWalks::name(int primitive) const {
+std::string SearchWalks::name(int primitive, Language language) const {
   return std::visit(
       [&](const auto& prepared) {
-        std::string name = object_names_[static_cast<std::size_t>(prepared->world.object(primitive))];
+        const auto shown = [&](const std::string& own) { return shown_name(translated_names_, own, language); };
+        std::string name = shown(object_names_[static_cast<std::size_t>(prepared->world.object(primitive))]);
         const auto piece = prepared->world.piece(primitive);
-        if (!piece.member.empty()) name += " / " + piece.member;
+        if (!piece.member.empty()) name += " / " + shown(piece.member);
         if (piece.triangle >= 0) name += " #" + std::to_string(piece.triangle);
         return name;
       },

@@ -2,6 +2,7 @@
 // The searches for a recorded ray in each accelerator, observed; and how each accelerator was built.
 
 #include "accel/watched.h"
+#include "text/language.h"
 #include "timeline/timeline.h"
 #include "trace/kernel.h"
 
@@ -66,8 +67,8 @@ class SearchWalks {
   /// A primitive's box; infinite for one that has none.
   [[nodiscard]] Bounds<double> box(int primitive) const;
   [[nodiscard]] const WatchedBuild& build(AcceleratorKind kind) const { return builds_[watched_index(kind)]; }
-  /// A primitive's readable name: the object's name, and which part of it.
-  [[nodiscard]] std::string name(int primitive) const;
+  /// A primitive's readable name: the object's as shown in `language`, and which part of it.
+  [[nodiscard]] std::string name(int primitive, Language language) const;
   /// Of a formed ray; null for a stub, or if the ray cannot be retraced.
   [[nodiscard]] std::shared_ptr<const RaySearches> search(int ray) const;
 
@@ -80,7 +81,7 @@ class SearchWalks {
   std::shared_ptr<const Timeline> timeline_;
   int primitives_ = 0, bounded_ = 0, unbounded_ = 0;
   std::array<WatchedBuild, watched_count> builds_;
-  std::vector<std::string> object_names_;
+  std::vector<std::string> object_names_, translated_names_;
   std::variant<std::shared_ptr<const PreparedScene<float>>, std::shared_ptr<const PreparedScene<double>>> prepared_;
 };
 

@@ -229,6 +229,17 @@ bool SceneReader::read(const toml::node& node, std::string_view key, const schem
   return true;
 }
 
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Names& kind,
+                       std::vector<std::string>& value) {
+  value.clear();
+  const toml::array* array = node.as_array();
+  const bool fits = array != nullptr && array->size() <= kind.most;
+  if (!fits) fail_type(node, key, kind.expected(), "such as [\"Lamp\", \"Floor\"]");
+  for (std::size_t i = 0; fits && i < array->size(); ++i)
+    if (!read(*array->get(i), key, schema::text, value.emplace_back())) return false;
+  return fits;
+}
+
 bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Flag& kind, bool& value) {
   const auto* flag = node.as_boolean();
   if (flag == nullptr)

@@ -24,6 +24,11 @@ inline Value tree(const schema::Whole& /*kind*/, int value) { return scalar(std:
 inline Value tree(const schema::Flag& /*kind*/, bool value) { return scalar(value ? "true" : "false"); }
 inline Value tree(const schema::Text& /*kind*/, const std::string& value) { return scalar(toml_text::quoted(value)); }
 inline Value tree(const schema::Name& /*kind*/, const std::string& value) { return scalar(toml_text::quoted(value)); }
+inline Value tree(const schema::Names& /*kind*/, const std::vector<std::string>& value) {
+  Value names{.kind = Value::Kind::list};
+  for (const std::string& name : value) names.children.push_back(scalar(toml_text::quoted(name)));
+  return names;
+}
 inline Value tree(const schema::GroupName& /*kind*/, const Instance& value) {
   return scalar(toml_text::quoted(value.group));
 }

@@ -2,6 +2,7 @@
 
 #include "lesson/check.h"
 #include "lesson/script.h"
+#include "scene/names.h"
 
 #include <fmt/format.h>
 #include "text/spelling.h"
@@ -232,10 +233,12 @@ Result<std::string> filled(const PlayedLesson& played, std::size_t index, int po
     if (!value) return wrong(slot.formula + ": " + value.error());
     if (std::holds_alternative<Nothing>(*value))
       return wrong(fmt::format("{{{}}} is nothing at step {} of the walk", slot.formula, position));
-    text += text_of(*value, slot.decimals, language.decimal_mark());
+    const auto* const name = std::get_if<std::string>(&*value);
+    text += name != nullptr ? shown_name(played.steps[index].walk->document.scene, *name, language)
+                            : text_of(*value, slot.decimals, language.decimal_mark());
     at = close + 1;
   }
-  return text;
+  return with_quotes(text, language);
 }
 
 LessonCheck check_lesson(const Lesson& lesson, const LessonCheckSettings& settings) {

@@ -69,13 +69,12 @@ struct PictureRequest {
 };
 
 /// The tab shown beside the plan at a step.
-enum class LessonBeside { unchanged, picture, tree, stack, equation, structure };
+enum class LessonBeside { unchanged, picture, tree, stack, equation, microscope, structure };
 template <>
-inline constexpr Word<LessonBeside> words_of<LessonBeside>[] = {{LessonBeside::picture, "picture"},
-                                                                {LessonBeside::tree, "tree"},
-                                                                {LessonBeside::stack, "stack"},
-                                                                {LessonBeside::equation, "equation"},
-                                                                {LessonBeside::structure, "structure"}};
+inline constexpr Word<LessonBeside> words_of<LessonBeside>[] = {
+    {LessonBeside::picture, "picture"},       {LessonBeside::tree, "tree"},
+    {LessonBeside::stack, "stack"},           {LessonBeside::equation, "equation"},
+    {LessonBeside::microscope, "microscope"}, {LessonBeside::structure, "structure"}};
 
 /// A pixel of the scene's image, or, with row -1, a cell of the strip; both from 0.
 struct LessonPixel {

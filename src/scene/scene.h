@@ -64,6 +64,8 @@ struct Scene {
   std::vector<Group> groups;
   std::vector<Light> lights;
   std::vector<Object> objects;
+  /// Names that are shown in the language of the window (scene/names.h); all others are shown as they are.
+  std::vector<std::string> translated{};
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 

@@ -375,6 +375,8 @@ void describe(Fields& f, Scene& scene) {
   f.about("What stands at the top of the file.");
   f.key("title", scene.title, text, "What the scene is called.");
   f.key("description", scene.description, text, "One line about what there is to see.");
+  f.key("translated", scene.translated, names,
+        "Names that are shown in the language of the window, by [name] of its texts; others are shown as they are.");
   f.key("background", scene.background, light_colour, "What a ray brings back that hits nothing.");
   f.key("ambient", scene.ambient, light_colour, "Light from everywhere, multiplied by each material's ambient.");
   f.required("camera", scene.camera, table);

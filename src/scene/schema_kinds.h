@@ -132,6 +132,11 @@ struct Name {
   std::size_t longest;  ///< in bytes
   [[nodiscard]] std::string expected() const;
 };
+/// Names of lights, objects and groups.
+struct Names {
+  std::size_t most;
+  [[nodiscard]] static std::string expected() { return "names in quotes, in brackets"; }
+};
 /// The name of a group defined before.
 struct GroupName {
   [[nodiscard]] static std::string expected() { return "the name of a group in quotes"; }
@@ -238,6 +243,7 @@ struct Tables {
 };
 inline constexpr Flag yes_or_no;
 inline constexpr Text text;
+inline constexpr Names names{10'000};
 inline constexpr GroupName group_name;
 inline constexpr Table table;
 inline constexpr Tables tables;

@@ -85,6 +85,20 @@ std::string fill(std::string_view id, Language language, const TextArguments& ar
   return result;
 }
 
+std::string with_quotes(std::string_view text, Language language) {
+  const std::string_view both = said(language.catalogue(), "language.quotes");  // with a blank between them
+  const std::size_t blank = std::min(both.find(' '), both.size());
+  const std::string_view opening = both.substr(0, blank), closing = both.substr(std::min(blank + 1, both.size()));
+  std::string result;
+  bool code = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '`') code = !code;
+    const bool begins = at == 0 || std::string_view(" \n([").find(text[at - 1]) != std::string_view::npos;
+    result += text[at] != '"' || code ? text.substr(at, 1) : begins ? opening : closing;
+  }
+  return result;
+}
+
 std::string_view family_text(std::string_view family, std::string_view name, Language language) {
   std::string id = std::string(family) + "." + std::string(name);
   std::replace_if(id.begin(), id.end(), [](char c) { return c == ' ' || c == '-'; }, '_');

@@ -86,6 +86,10 @@ using TextArguments = std::vector<TextArgument>;
 /// A text with its arguments filled in, in the plural form for {count} if it has several.
 [[nodiscard]] std::string fill(std::string_view id, Language language, const TextArguments& arguments = {});
 
+/// A text with straight double quotes, with those of the language ("language.quotes") in their place; not within `code`
+/// in backquotes.
+[[nodiscard]] std::string with_quotes(std::string_view text, Language language);
+
 /// A text of a family, by the name used in files and options: family_text("effect", "depth of field", language) is the
 /// text of "effect.depth_of_field".
 [[nodiscard]] std::string_view family_text(std::string_view family, std::string_view name, Language language);

@@ -17,7 +17,7 @@ inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algor
                                                           {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h or trace/path.h; a test holds the two together.
+/// statement in trace/tracer.h or trace/path.h; a test holds the two together, and another each to its translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,
@@ -56,6 +56,7 @@ enum class Line {
 
 struct PseudocodeLine {
   Line line;
+  std::string_view id;  ///< of its translation: the text "line.ID"
   Procedure procedure;
   int indent;
   std::string_view text;
@@ -63,42 +64,44 @@ struct PseudocodeLine {
 
 inline constexpr int line_count = 17;
 inline constexpr std::array<PseudocodeLine, line_count> pseudocode{{
-    {Line::for_each_pixel, Procedure::main_algorithm, 0, "For each pixel"},
-    {Line::form_primary_ray, Procedure::main_algorithm, 1, "Form primary ray"},
-    {Line::find_closest_intersection, Procedure::main_algorithm, 1, "Find closest intersection"},
-    {Line::if_intersect_something, Procedure::main_algorithm, 1, "If intersect something"},
-    {Line::shade_final, Procedure::main_algorithm, 2, "Shade (DEPTH+1, final)"},
-    {Line::put_final_shade, Procedure::main_algorithm, 1, "Put final shade in pixel"},
-    {Line::form_shadow_ray, Procedure::shade, 0, "Form shadow ray"},
-    {Line::find_intersection, Procedure::shade, 0, "Find intersection"},
-    {Line::if_reflective, Procedure::shade, 0, "If reflective"},
-    {Line::form_reflect_ray, Procedure::shade, 1, "Form reflect ray"},
-    {Line::find_reflect_intersect, Procedure::shade, 1, "Find closest intersect"},
-    {Line::shade_reflect, Procedure::shade, 1, "Shade (DEPTH+1, REFLSHADE)"},
-    {Line::if_transparent, Procedure::shade, 0, "If transparent"},
-    {Line::form_refract_ray, Procedure::shade, 1, "Form refract ray"},
-    {Line::find_refract_intersect, Procedure::shade, 1, "Find closest intersect"},
-    {Line::shade_refract, Procedure::shade, 1, "Shade (DEPTH+1, REFRSHADE)"},
-    {Line::compute_rtnshade, Procedure::shade, 0, "Compute rtnshade"},
+    {Line::for_each_pixel, "for_each_pixel", Procedure::main_algorithm, 0, "For each pixel"},
+    {Line::form_primary_ray, "form_primary_ray", Procedure::main_algorithm, 1, "Form primary ray"},
+    {Line::find_closest_intersection, "find_closest_intersection", Procedure::main_algorithm, 1,
+     "Find closest intersection"},
+    {Line::if_intersect_something, "if_intersect_something", Procedure::main_algorithm, 1, "If intersect something"},
+    {Line::shade_final, "shade_final", Procedure::main_algorithm, 2, "Shade (DEPTH+1, final)"},
+    {Line::put_final_shade, "put_final_shade", Procedure::main_algorithm, 1, "Put final shade in pixel"},
+    {Line::form_shadow_ray, "form_shadow_ray", Procedure::shade, 0, "Form shadow ray"},
+    {Line::find_intersection, "find_intersection", Procedure::shade, 0, "Find intersection"},
+    {Line::if_reflective, "if_reflective", Procedure::shade, 0, "If reflective"},
+    {Line::form_reflect_ray, "form_reflect_ray", Procedure::shade, 1, "Form reflect ray"},
+    {Line::find_reflect_intersect, "find_reflect_intersect", Procedure::shade, 1, "Find closest intersect"},
+    {Line::shade_reflect, "shade_reflect", Procedure::shade, 1, "Shade (DEPTH+1, REFLSHADE)"},
+    {Line::if_transparent, "if_transparent", Procedure::shade, 0, "If transparent"},
+    {Line::form_refract_ray, "form_refract_ray", Procedure::shade, 1, "Form refract ray"},
+    {Line::find_refract_intersect, "find_refract_intersect", Procedure::shade, 1, "Find closest intersect"},
+    {Line::shade_refract, "shade_refract", Procedure::shade, 1, "Shade (DEPTH+1, REFRSHADE)"},
+    {Line::compute_rtnshade, "compute_rtnshade", Procedure::shade, 0, "Compute rtnshade"},
 }};
 
 inline constexpr int path_line_count = 15;
 inline constexpr std::array<PseudocodeLine, path_line_count> path_pseudocode{{
-    {Line::path_for_each_pixel, Procedure::path_tracing, 0, "For each pixel"},
-    {Line::path_form_primary_ray, Procedure::path_tracing, 1, "Form primary ray"},
-    {Line::follow_path, Procedure::path_tracing, 1, "Follow path (final)"},
-    {Line::path_put_final_shade, Procedure::path_tracing, 1, "Put final shade in pixel"},
-    {Line::while_ray, Procedure::follow_path, 0, "While there is a ray"},
-    {Line::path_find_closest_intersection, Procedure::follow_path, 1, "Find closest intersection"},
-    {Line::if_intersect_nothing, Procedure::follow_path, 1, "If intersect nothing"},
-    {Line::add_background, Procedure::follow_path, 2, "Add background and end"},
-    {Line::add_emission, Procedure::follow_path, 1, "Add emission, weighted"},
-    {Line::path_form_shadow_ray, Procedure::follow_path, 1, "Form shadow ray"},
-    {Line::path_find_intersection, Procedure::follow_path, 1, "Find intersection"},
-    {Line::add_light, Procedure::follow_path, 1, "Add light, weighted"},
-    {Line::choose_direction, Procedure::follow_path, 1, "Choose direction"},
-    {Line::if_path_survives, Procedure::follow_path, 1, "If path survives"},
-    {Line::form_next_ray, Procedure::follow_path, 2, "Form next ray"},
+    {Line::path_for_each_pixel, "for_each_pixel", Procedure::path_tracing, 0, "For each pixel"},
+    {Line::path_form_primary_ray, "form_primary_ray", Procedure::path_tracing, 1, "Form primary ray"},
+    {Line::follow_path, "follow_path", Procedure::path_tracing, 1, "Follow path (final)"},
+    {Line::path_put_final_shade, "put_final_shade", Procedure::path_tracing, 1, "Put final shade in pixel"},
+    {Line::while_ray, "while_ray", Procedure::follow_path, 0, "While there is a ray"},
+    {Line::path_find_closest_intersection, "find_closest_intersection", Procedure::follow_path, 1,
+     "Find closest intersection"},
+    {Line::if_intersect_nothing, "if_intersect_nothing", Procedure::follow_path, 1, "If intersect nothing"},
+    {Line::add_background, "add_background", Procedure::follow_path, 2, "Add background and end"},
+    {Line::add_emission, "add_emission", Procedure::follow_path, 1, "Add emission, weighted"},
+    {Line::path_form_shadow_ray, "form_shadow_ray", Procedure::follow_path, 1, "Form shadow ray"},
+    {Line::path_find_intersection, "find_intersection", Procedure::follow_path, 1, "Find intersection"},
+    {Line::add_light, "add_light", Procedure::follow_path, 1, "Add light, weighted"},
+    {Line::choose_direction, "choose_direction", Procedure::follow_path, 1, "Choose direction"},
+    {Line::if_path_survives, "if_path_survives", Procedure::follow_path, 1, "If path survives"},
+    {Line::form_next_ray, "form_next_ray", Procedure::follow_path, 2, "Form next ray"},
 }};
 
 /// The lines of two procedures: of the one that runs once for each pixel, and of the one that it calls.
@@ -119,6 +122,21 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
 [[nodiscard]] constexpr const PseudocodeLine& pseudocode_of(Line line) {
   const Pseudocode& code = pseudocode_with(line);
   return code.lines[static_cast<std::size_t>(line) - static_cast<std::size_t>(code.lines.front().line)];
+}
+
+/// Of the translation of its title: the text "procedure.ID".
+[[nodiscard]] constexpr std::string_view procedure_id(Procedure procedure) {
+  switch (procedure) {
+    case Procedure::main_algorithm:
+      return "main_algorithm";
+    case Procedure::shade:
+      return "shade";
+    case Procedure::path_tracing:
+      return "path_tracing";
+    case Procedure::follow_path:
+      return "follow_path";
+  }
+  return "";
 }
 
 }  // namespace raywalk

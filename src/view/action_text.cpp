@@ -168,6 +168,48 @@ class ActionReader {
   std::string error_;
 };
 
+/// Lists the arguments of an action: words to choose from, or what stands there in capitals.
+class ArgumentLister {
+ public:
+  explicit ArgumentLister(std::string_view word) : line_(word) {}
+  [[nodiscard]] std::string take() { return std::move(line_); }
+
+  void operator()(const int& /*value*/) { add("INTEGER"); }
+  void operator()(const double& /*value*/, Number = Number::finite) { add("NUMBER"); }
+  void operator()(const std::string& /*text*/) { add("TEXT"); }
+  void operator()(const std::string& /*path*/, FilePath) { add("FILE"); }
+  void operator()(const bool& /*value*/, Either words) { add(fmt::format("{}|{}", words.yes, words.no)); }
+  void operator()(const bool& /*value*/, Flag flag) { add(fmt::format("[{}]", flag.word)); }
+  void operator()(const Line& /*value*/) { add("LINE"); }
+  void operator()(const std::optional<Line>& /*value*/) { add("LINE|none"); }
+  template <Worded E>
+  void operator()(const E& /*value*/) {
+    add(choices<E>());
+  }
+  template <Worded E>
+  void operator()(const std::optional<E>& /*value*/) {
+    add("[" + choices<E>() + "]");
+  }
+  template <class Value>
+  void operator()(const Value&, Unwritten) {}
+  template <class Value>
+    requires(std::is_class_v<Value> && !Worded<Value>)
+  void operator()(const Value& value) {
+    each_field(*this, value);
+  }
+
+ private:
+  template <Worded E>
+  static std::string choices() {
+    std::string all;
+    for (const auto& [each, word] : words_of<E>) all += (all.empty() ? "" : "|") + std::string(word);
+    return all;
+  }
+  void add(std::string_view argument) { line_.append(" ").append(argument); }
+
+  std::string line_;
+};
+
 std::string_view trimmed(std::string_view line) {
   constexpr std::string_view blanks = " \t\r";
   const std::size_t begin = line.find_first_not_of(blanks);
@@ -186,17 +228,27 @@ Action read_fields(ActionReader& reader) {
   return value;
 }
 
+template <class A>
+std::string list_fields() {
+  ArgumentLister lister(word_of<A>());
+  const A value{};
+  each_field(lister, value);
+  return lister.take();
+}
+
 /// Reads an action, by its word.
 struct ActionRow {
   std::string_view word;  ///< "": it cannot be written
   Action (*read)(ActionReader& reader);
+  std::string (*list)();
 };
 template <class Actions = std::make_index_sequence<std::variant_size_v<Action>>>
 struct ActionTable;
 template <std::size_t... Is>
 struct ActionTable<std::index_sequence<Is...>> {
   static constexpr std::array rows{ActionRow{word_of<std::variant_alternative_t<Is, Action>>(),
-                                             &read_fields<std::variant_alternative_t<Is, Action>>}...};
+                                             &read_fields<std::variant_alternative_t<Is, Action>>,
+                                             &list_fields<std::variant_alternative_t<Is, Action>>}...};
 };
 
 }  // namespace
@@ -223,6 +275,20 @@ Result<Action> parse_action(std::string_view line) {
   Action action = row->read(reader);
   if (const std::string error = reader.error(); !error.empty()) return wrong(std::string(word) + ": " + error, {});
   return action;
+}
+
+std::string demo_help() {
+  std::vector<std::string> lines;
+  for (const ActionRow& row : ActionTable<>::rows)
+    if (!row.word.empty()) lines.push_back(row.list());
+  std::sort(lines.begin(), lines.end());
+  std::string text = fmt::format(
+      "A demo file has an action a line; lines that begin with # say nothing. a|b: one of these words, [a]: may be\n"
+      "left out, LINE: a line of the pseudocode by its number, 1 to {} and for path tracing to {}, FILE: a path,\n"
+      "TEXT: the rest of the line. Places are in pixels of the plan.\n\n",
+      line_count, line_count + path_line_count);
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
 }
 
 Result<std::vector<Action>> parse_demo(std::string_view text, const std::string& file_name) {

@@ -18,6 +18,9 @@ namespace raywalk {
 /// Parses one line; an error lists the expected words.
 [[nodiscard]] Result<Action> parse_action(std::string_view line);
 
+/// Every action with its arguments, one a line, in the order of the words, below what the arguments stand for.
+[[nodiscard]] std::string demo_help();
+
 /// A whole demo; errors carry `file_name` and the line.
 [[nodiscard]] Result<std::vector<Action>> parse_demo(std::string_view text, const std::string& file_name);
 

@@ -103,7 +103,7 @@ TEST_CASE("step's JSON holds every step with its numbers and its sentence") {
     const auto& step = steps.at(static_cast<std::size_t>(position) - 1);
     CHECK(step.at("step") == position);
     CHECK(step.at("depth") == timeline.event(position - 1).depth);
-    CHECK(step.at("sentence") == sentence_of(describe(scene, timeline, position), in_english));
+    CHECK(step.at("sentence") == sentence_of(scene, describe(scene, timeline, position), in_english));
   }
   // One line a step, between a line at the top and one at the bottom.
   CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == timeline.steps() + 2);

@@ -294,3 +294,26 @@ TEST_CASE("moving and transformed surfaces are seen where they are") {
       });
     }
 }
+
+TEST_CASE("a primary ray that misses is seen beside the sphere that it passes, a touching one on it") {
+  Scene scene = scene_of("hard/tangent_ray");
+  const auto seen = [&] {
+    const auto timeline = std::make_shared<const Timeline>(record_cell(scene, 10));
+    Microscope microscope;
+    return microscope.look(timeline, timeline->steps(), scene, Precision::double_);
+  };
+  const auto touching = seen();
+  REQUIRE(touching);
+  CHECK(touching->robust.has_value());
+  CHECK(touching->passed == -1);
+  std::get<Sphere<double>>(scene.objects[0].shape).centre.y += 1e-6;
+  const auto passing = seen();
+  REQUIRE(passing);
+  CHECK_FALSE((passing->robust || passing->naive));
+  CHECK(passing->passed == 0);
+  CHECK(passing->object() == 0);
+  CHECK(std::abs(passing->gap - 1e-6) < 1e-14);
+  CHECK(passing->normal.y == -1);
+  scene.objects[0].transform.push_back({});
+  CHECK_FALSE(seen());
+}

@@ -97,6 +97,18 @@ TEST_CASE("arguments stand where their names are, whatever they hold") {
   CHECK(fill("a.b", french) == "{x} et {y}, {x}; {z} {");
 }
 
+TEST_CASE("straight quotes become those of the language, but not within code") {
+  Languages languages;
+  languages.add(Catalogue::parse("[language]\nname = \"x\"\ndecimal_mark = \".\"\nseparator = \", \"\n"
+                                 "quotes = \"\u00ab \u00bb\"\n",
+                                 "es")
+                    .value());
+  const std::string text = "\"One\" and (\"two\"), `key = \"three\"`.\n\"Four.\"";
+  CHECK(with_quotes(text, languages.find("es").value()) ==
+        "\u00abOne\u00bb and (\u00abtwo\u00bb), `key = \"three\"`.\n\u00abFour.\u00bb");
+  CHECK(with_quotes("\"a\"", Language()) == "\u201ca\u201d");
+}
+
 TEST_CASE("a count chooses the form, and none has one of its own where the language wants it") {
   Languages languages;
   languages.add(

@@ -1,5 +1,8 @@
 #include "view/action_text.h"
 
+#include <set>
+#include <string>
+
 #include "support/catch.h"
 #include "support/languages.h"
 
@@ -149,6 +152,24 @@ TEST_CASE("a line that is none says what was expected") {
   CHECK_THAT(message("run-to-line 33"), raywalk::test::contains("from 1 to 32"));
   CHECK_THAT(message("undo twice"), raywalk::test::contains("nothing more"));
   CHECK_THAT(message("open"), raywalk::test::contains("a text"));
+}
+
+TEST_CASE("the list of actions names each that can be read, once, with its arguments") {
+  const std::string help = demo_help();
+  const std::string list = help.substr(help.find("\n\n") + 2);
+  std::set<std::string> words;
+  for (std::size_t at = 0; at < list.size(); at = list.find('\n', at) + 1) {
+    const std::string line = list.substr(at, list.find('\n', at) - at), word = line.substr(0, line.find(' '));
+    INFO(line);
+    CHECK(words.insert(word).second);
+    // What stands alone is read alone; what wants more says so, and no longer that there is no such action.
+    const Result<Action> alone = parse_action(word);
+    const bool wants_more = line.find_first_of("|ABCDEFGHIJKLMNOPQRSTUVWXYZ") != std::string::npos;
+    if (!wants_more || line.find('[') == word.size() + 1) CHECK(alone.has_value());
+    if (!alone) CHECK(alone.error().message.find("is no action") == std::string::npos);
+  }
+  CHECK(words.size() > 60);
+  CHECK_THAT(list, test::contains("step forward|back line|ray|pixel|") && test::contains("\ntheme dark|projector\n"));
 }
 
 TEST_CASE("a demo is a list of lines with comments; errors name file and line") {

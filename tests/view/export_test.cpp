@@ -140,8 +140,9 @@ TEST_CASE("a script has all that its presenter needs, with the answers of the tr
         for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1)) ++times;
         return times;
       };
-      for (const std::string tag : {"div", "span", "p", "ul", "ol", "li", "code", "h2", "section"})
+      for (const std::string tag : {"div", "span", "p", "ul", "ol", "li", "code", "em", "h2", "section"})
         CHECK(count("<" + tag + ">") + count("<" + tag + " ") == count("</" + tag + ">"));
+      CHECK(page.find('*') == std::string::npos);
     }
   }
   const auto lesson = read_lesson(root + "/lessons/05-refraction");

@@ -130,11 +130,11 @@ TEST_CASE("the equation's numbers are the same in both languages, and written as
   CHECK(comma);
 }
 
-TEST_CASE("a question and a new scene speak the language; names in a scene stay as they are") {
+TEST_CASE("a question and a new scene speak the language; a scene names things in English, whatever it is") {
   State state = classic_state();
   update(state, action::SetLanguage{"pt"});
   update(state, action::AddObject{action::ObjectKind::transparent_sphere});
-  CHECK(state.scene().objects.back().name == "Esfera transparente");
+  CHECK(state.scene().objects.back().name == "Transparent Sphere 2");
   CHECK(state.scene().objects.front().name == "Solid Sphere");
   update(state, action::New{});
   REQUIRE(state.document.question);

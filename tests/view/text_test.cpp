@@ -52,6 +52,7 @@ TEST_CASE("numbers are written as the language writes them") {
   CHECK(percent_text(1e-9, in_portuguese) == "menos de 0,001%");
   CHECK(colour_text(Rgbd(0.25, 0.5, 1), in_portuguese) == "(0,25; 0,5; 1)");
   CHECK(sentence_of(
+            Scene(),
             {"walk.found_hit", {{"ray", RayKind::reflect}, {"object", std::string("Polygon 1.5")}, {"distance", 2.5}}},
             in_portuguese) == "O raio refletido encontra Polygon 1.5 \u00e0 dist\u00e2ncia 2,5.");
 }
@@ -63,7 +64,7 @@ TEST_CASE("every step of every shipped scene has a whole sentence that names how
     INFO(scene.title);
     const Timeline timeline = record_strip(scene);
     for (int position = 0; position <= timeline.steps(); ++position) {
-      const std::string sentence = sentence_of(describe(scene, timeline, position), in_english);
+      const std::string sentence = sentence_of(scene, describe(scene, timeline, position), in_english);
       INFO("step " << position << ": " << sentence);
       REQUIRE(sentence.size() > 10);
       REQUIRE(sentence.back() == '.');
@@ -99,7 +100,8 @@ TEST_CASE("the transcript numbers every step and shows line, depth and sentence"
     const Event& event = *state.walk.timeline->just_run(position);
     CHECK_THAT(step, contains(std::to_string(position)));
     CHECK_THAT(step, contains(std::string(pseudocode_of(event.line).text)));
-    CHECK_THAT(step, contains(sentence_of(describe(state.scene(), *state.walk.timeline, position), in_english)));
+    CHECK_THAT(step, contains(sentence_of(state.scene(), describe(state.scene(), *state.walk.timeline, position),
+                                          in_english)));
     CHECK_THAT(lines, contains(step + "\n"));
     if (event.depth > 0) CHECK_THAT(step, contains("[" + std::to_string(event.depth) + "]"));
   }
@@ -117,8 +119,8 @@ TEST_CASE("the help names the objects, the modes and the buttons as they are cal
       }
     }
     for (const std::string_view id :
-         {"object.eye", "object.screen", "object.solid_sphere", "object.transparent_sphere", "object.polygon",
-          "object.light_source", "command.mode_move.label", "command.mode_trace.label", "command.mode_help.label",
+         {"object.eye", "object.screen", "name.Solid Sphere", "name.Transparent Sphere", "name.Polygon",
+          "name.Light Source", "command.mode_move.label", "command.mode_trace.label", "command.mode_help.label",
           "command.step.label", "command.step_back.label", "command.play.label", "command.clear.label",
           "command.tab_tree.label", "command.tab_stack.label", "command.tab_legend.label", "command.tab_image.label",
           "command.tab_cost.label"})

@@ -21,6 +21,8 @@ void action::SetLanguage::apply(State& state) const {
   state.document.notice.reset();  // it is in the old language
 }
 
+void action::SetEnglishCode::apply(State& state) const { state.appearance.english_code = on; }
+
 void action::SetUiScale::apply(State& state) const {
   state.appearance.ui_scale = std::clamp(scale, min_ui_scale, max_ui_scale);
   refit(state);

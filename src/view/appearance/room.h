@@ -32,6 +32,14 @@ struct SetLanguage {
   static constexpr Traits traits{.keeps_drag = true, .always = true};
   void apply(State& state) const;
 };
+/// The pseudocode in English, whatever the language.
+struct SetEnglishCode {
+  static constexpr std::string_view word = "english-code";
+  bool on;
+  static void fields(auto& f, auto& a) { f(a.on, on_or_off); }
+  static constexpr Traits traits{.keeps_drag = true, .always = true};
+  void apply(State& state) const;
+};
 struct SetUiScale {
   static constexpr std::string_view word = "ui-scale";
   double scale;  ///< clamped
@@ -58,14 +66,18 @@ namespace raywalk {
 
 /// How the window looks.
 struct AppearanceRoom {
-  using Actions =
-      Types<action::SetTheme, action::SetLanguage, action::SetUiScale, action::SetTab, action::DismissNotice>;
+  using Actions = Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale,
+                        action::SetTab, action::DismissNotice>;
   static Commands commands();
 
   Theme theme = Theme::dark;
   Language language{};
-  double ui_scale = 1;  ///< min_ui_scale..max_ui_scale
+  bool english_code = false;  ///< the pseudocode, whatever the language
+  double ui_scale = 1;        ///< min_ui_scale..max_ui_scale
   Tab tab = PictureRoom::tab;
+
+  /// Of the pseudocode.
+  [[nodiscard]] Language code_language() const { return english_code ? language.others().english() : language; }
 };
 
 }  // namespace raywalk

@@ -13,7 +13,9 @@ namespace raywalk {
 
 namespace {
 
-std::string line_text(Line line) { return std::string(pseudocode_of(line).text); }
+std::string line_text(const State& state, Line line) {
+  return std::string(text(line, state.appearance.code_language()));
+}
 
 }  // namespace
 
@@ -55,7 +57,7 @@ BugPanel bug_panel(const State& state) {
     case BugEnd::open:
       panel.said.push_back({{}, say("bug.task", {{"pixel", hunt.pixel}})});
       panel.marked =
-          hunt.marked ? say("bug.line_marked", {{"line", line_text(*hunt.marked)}}) : say("bug.no_line_marked");
+          hunt.marked ? say("bug.line_marked", {{"line", line_text(state, *hunt.marked)}}) : say("bug.no_line_marked");
       panel.can_judge = hunt.marked.has_value();
       panel.can_give_up = true;
       if (!hunt.acquitted) return panel;
@@ -65,8 +67,8 @@ BugPanel bug_panel(const State& state) {
     case BugEnd::found:
     case BugEnd::given_up:
       panel.is_right = hunt.end == BugEnd::found;
-      panel.verdict =
-          say(panel.is_right ? "bug.right" : "bug.was", {{"line", line_text(faulty_line(state.walk.bug->fault))}});
+      panel.verdict = say(panel.is_right ? "bug.right" : "bug.was",
+                          {{"line", line_text(state, faulty_line(state.walk.bug->fault))}});
       panel.learnt = {{say("bug.wrong"), know("wrong")}, {say("bug.cure"), know("cure")}};
       if (!other_rays(state).empty())
         panel.learnt.push_back({{}, say(state.walk.bug->mended ? "bug.other_rays_broken" : "bug.other_rays_whole")});

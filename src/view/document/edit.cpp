@@ -96,15 +96,15 @@ Prism<double> new_polygon(const Vec2d& centre, double size) {
 std::string_view name_of(action::ObjectKind kind) {
   switch (kind) {
     case action::ObjectKind::solid_sphere:
-      return "object.solid_sphere";
+      return "name.Solid Sphere";
     case action::ObjectKind::transparent_sphere:
-      return "object.transparent_sphere";
+      return "name.Transparent Sphere";
     case action::ObjectKind::polygon:
-      return "object.polygon";
+      return "name.Polygon";
     case action::ObjectKind::light:
-      return "object.light_source";
+      return "name.Light Source";
   }
-  return "object.solid_sphere";
+  return "name.Solid Sphere";
 }
 
 Prism<double>* prism_of(Scene& scene, int object) {
@@ -123,7 +123,9 @@ void action::AddObject::apply(State& state) const {
   const Vec2d place = to_grid(free_place(state, kind == ObjectKind::light ? size / 2 : size), grid);
 
   Scene next = state.scene();
-  const std::string name = unique_name(next, std::string(text(name_of(kind), state.appearance.language)));
+  const std::string name =
+      unique_name(next, std::string(text(name_of(kind), state.appearance.language.others().english())));
+  next.translated.push_back(name);
   Target added;
   if (kind == ObjectKind::light) {
     added = {TargetKind::light, static_cast<int>(next.lights.size())};
@@ -204,6 +206,8 @@ void action::Rename::apply(State& state) const {
   if (name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.appearance.language)));
   if (unique_name(next, name) != name)
     return complain(state, fill("notice.refused_name_taken", state.appearance.language, {{"name", name}}));
+  std::erase(next.translated, current);  // what a person calls a thing is called so in every language
+  std::erase(next.translated, name);
   current = name;
   commit_if_valid(state, std::move(next), is_object ? target.index : -1, is_object ? -1 : target.index);
 }

@@ -17,6 +17,7 @@ std::string unique_name(const Scene& scene, const std::string& wanted) {
 
 /// The initial scene: EYE, SCREEN, a light, a sphere, and a floor below the plan for the picture.
 Scene new_scene(Language language) {
+  const Language english = language.others().english();
   Scene scene;
   scene.title = text("scene.new_title", language);
   scene.background = Rgbd(0.16, 0.20, 0.30);
@@ -25,23 +26,24 @@ Scene new_scene(Language language) {
   scene.camera.screen = Screen{2.5, 2.5, 21};
 
   Light light;
-  light.name = text("object.light_source", language);
+  light.name = text("name.Light Source", english);
   light.kind = PointLight{Vec3d(-2.5, 4.2, 0), {}};
   scene.lights.push_back(light);
 
   Object sphere;
-  sphere.name = text("object.solid_sphere", language);
+  sphere.name = text("name.Solid Sphere", english);
   sphere.shape = Sphere<double>{Vec3d(1, 0.5, 0), 1.4};
   sphere.material.ambient = Rgbd(0.09, 0.02, 0.01);
   sphere.material.diffuse = Rgbd(0.65, 0.16, 0.08);
   scene.objects.push_back(sphere);
 
   Object floor;
-  floor.name = text("object.plane", language);
+  floor.name = text("name.Floor", english);
   floor.shape = Plane<double>{Vec3d(0, 0, -1.4), Vec3d(0, 0, 1)};
   floor.material.ambient = Rgbd(0.1);
   floor.material.checker = Checker{Rgbd(0.95, 0.93, 0.88), Rgbd(0.35, 0.42, 0.40), 1.0};
   scene.objects.push_back(floor);
+  scene.translated = {light.name, sphere.name, floor.name};
   return scene;
 }
 

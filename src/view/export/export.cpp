@@ -154,7 +154,7 @@ Result<void> write_steps_json(const Scene& scene, const Timeline& timeline, cons
   for (int position = 1; position <= timeline.steps(); ++position) {
     Json step{{"step", position}};
     step.update(event_json(scene, timeline.event(position - 1)));
-    step["sentence"] = sentence_of(describe(scene, timeline, position), Language());
+    step["sentence"] = sentence_of(scene, describe(scene, timeline, position), Language());
     text += (position == 1 ? "\n" : ",\n") + dump(step);
     constexpr std::size_t enough = 1 << 16;
     if (text.size() < enough) continue;

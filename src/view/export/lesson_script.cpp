@@ -62,8 +62,8 @@ std::string question_of(const PlayedLesson& played, std::size_t i, const StepWor
     if (const double* truth = value ? std::get_if<double>(&*value) : nullptr)
       question +=
           "\n\n" + text_of(*truth, decimals_of(*number, *truth), language.decimal_mark()) + number->unit + " \u2713";
-  } else if (const auto* line = std::get_if<LineQuestion>(&*step.step->question)) {
-    question += "\n\n" + line->answer + " \u2713";
+  } else if (std::holds_alternative<LineQuestion>(*step.step->question) && step.walk->fault) {
+    question += "\n\n" + std::string(text(faulty_line(*step.walk->fault), language)) + " \u2713";
   }
   return question;
 }
@@ -79,7 +79,7 @@ std::vector<ScriptStep> steps_of(const PlayedLesson& played, const LessonWords& 
     };
     const ScriptTime time = script_time(*played.lesson, words, i);
     const ScriptParts script = parts_of_script(filled_at(said->presenter, step.shown));
-    ScriptStep written{said->heading,
+    ScriptStep written{with_quotes(said->heading, language),
                        step.step->extra ? std::string(text("lesson.extra", language))
                                         : minutes_text(time.begin) + "\u2013" + minutes_text(time.end),
                        {{Role::screen, filled_at(said->text, step.asked)},
@@ -95,13 +95,20 @@ std::vector<ScriptStep> steps_of(const PlayedLesson& played, const LessonWords& 
   return steps;
 }
 
-/// Words with `code` in backquotes as HTML.
+/// Words with `code` in backquotes and *emphasis* as HTML. An asterisk between blanks, or alone, stays.
 std::string inline_html(std::string_view text) {
-  std::string html = escaped(text);
-  bool open = false;
-  for (std::size_t at = html.find('`'); at != std::string::npos; at = html.find('`', at)) {
-    html.replace(at, 1, open ? "</code>" : "<code>");
-    open = !open;
+  const std::string words = escaped(text);
+  std::string html;
+  for (std::size_t at = 0; at < words.size();) {
+    const char sign = words[at];
+    const bool is_code = sign == '`', opens = is_code || (sign == '*' && words.substr(at + 1, 1) != " ");
+    const std::size_t close = opens ? words.find(sign, at + 1) : std::string::npos;
+    if (close == std::string::npos) {
+      html += words[at++];
+      continue;
+    }
+    html += fmt::format("<{0}>{1}</{0}>", is_code ? "code" : "em", words.substr(at + 1, close - at - 1));
+    at = close + 1;
   }
   return html;
 }
@@ -204,6 +211,8 @@ std::string page(const LessonWords& words, const std::vector<ScriptStep>& steps,
 std::string lesson_script(const PlayedLesson& played, Language language, ScriptForm form) {
   const Language told_in = played.lesson->told_in(language);
   LessonWords words = played.lesson->told(language);
+  for (Passage* const passage : {&words.summary, &words.teacher, &words.sources})
+    passage->text = with_quotes(passage->text, told_in);
   if (told_in != language)
     words.summary.text =
         fill("lesson.in_english", language, {{"language", language.name()}}) + "\n\n" + words.summary.text;

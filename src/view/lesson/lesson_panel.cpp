@@ -124,8 +124,8 @@ LessonPanel lesson_panel(const State& state) {
     return filled(sitting.open->played, static_cast<std::size_t>(sitting.step), position, passage, told_in)
         .value_or(passage.text);
   };
-  panel.heading = said->heading;
-  if (sitting.step == 0) panel.summary = words.summary.text;
+  panel.heading = with_quotes(said->heading, told_in);
+  if (sitting.step == 0) panel.summary = with_quotes(words.summary.text, told_in);
   panel.text = said_at(said->text, step->asked);
   panel.is_last = panel.step == panel.steps;
   panel.can_go_back = sitting.step > 0;
@@ -141,9 +141,10 @@ LessonPanel lesson_panel(const State& state) {
                  : std::holds_alternative<LineQuestion>(question) ? Asks::line
                                                                   : Asks::arrow;
     if (panel.asks == Asks::line)
-      panel.marked = sitting.guess.line ? fill("bug.line_marked", language,
-                                               {{"line", std::string(pseudocode_of(*sitting.guess.line).text)}})
-                                        : std::string(text("bug.task_of_lesson", language));
+      panel.marked = sitting.guess.line
+                         ? fill("bug.line_marked", language,
+                                {{"line", std::string(text(*sitting.guess.line, state.appearance.code_language()))}})
+                         : std::string(text("bug.task_of_lesson", language));
     int hands = 0, hands_right = 0;
     for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i) {
       std::string text = said_at(said->choices[i], step->asked);
@@ -182,7 +183,10 @@ LessonPanel lesson_panel(const State& state) {
     const std::string script = said_at(said->presenter, step->shown);
     panel.presenter = answered ? script : parts_of_script(script).before;
     if (answered) panel.teacher = said_at(said->teacher, step->shown);
-    if (answered && panel.is_last) panel.notes = words.teacher.text, panel.sources = words.sources.text;
+    if (answered && panel.is_last) {
+      panel.notes = with_quotes(words.teacher.text, told_in);
+      panel.sources = with_quotes(words.sources.text, told_in);
+    }
   }
   return panel;
 }

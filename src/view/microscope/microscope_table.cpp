@@ -2,6 +2,7 @@
 
 #include "view/microscope/microscope.h"
 #include "view/state.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <fmt/format.h>
@@ -106,12 +107,20 @@ std::string magnification_text(double factor, Language language) {
 MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
   const Language language = state.appearance.language;
   const auto name_of = [&](const std::optional<Reading>& reading) {
-    return reading ? state.scene().objects[static_cast<std::size_t>(reading->object)].name
-                   : std::string(text("microscope.nothing", language));
+    return reading ? object_name(state, reading->object) : std::string(text("microscope.nothing", language));
   };
   MicroscopeTable table;
   std::string ray(text(specimen.kind, language));
   if (!ray.empty()) ray[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(ray[0])));
+  if (specimen.passed >= 0) {
+    const std::string passed = object_name(state, specimen.passed);
+    table.title = fill("microscope.title_passed", language, {{"ray", ray}, {"object", passed}});
+    table.sentence = fill("microscope.says_passed", language,
+                          {{"object", passed},
+                           {"gap", number_text(specimen.gap, language)},
+                           {"ulps", ulps_text(specimen.in_ulps(specimen.gap), language)}});
+    return table;
+  }
   table.title = fill("microscope.title", language,
                      {{"ray", ray}, {"object", name_of(specimen.robust ? specimen.robust : specimen.naive)}});
   table.sentence = sentence_on(specimen, language);

@@ -5,6 +5,7 @@
 
 #include "view/microscope/room.h"
 #include "view/plan/painter.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <fmt/format.h>
@@ -42,6 +43,7 @@ class Drawing {
     draw_leaving(specimen_.robust, false);
     draw_leaving(specimen_.naive, true);
     draw_scale();  // before the labels, which avoid it
+    draw_gap();
     draw_marks();
     draw_factor();
     return std::move(painter_.list);
@@ -87,6 +89,7 @@ class Drawing {
   void draw_error_box();
   void draw_ray();
   void draw_leaving(const std::optional<Reading>& reading, bool naive);
+  void draw_gap();
   void draw_marks();
   void draw_scale();
   void draw_factor();
@@ -130,8 +133,8 @@ void Drawing::draw_surfaces() {
   constexpr double line_apart = 2.5, tick_apart = 13;  // pixels at scale 1
   const std::array<int, 2> lines{static_cast<int>(2 * middle_.x / (line_apart * unit_)) + 2,
                                  static_cast<int>(2 * middle_.y / (line_apart * unit_)) + 2};
-  const int met = (specimen_.robust ? specimen_.robust : specimen_.naive)->object;
-  const std::string& name = painter_.scene().objects[static_cast<std::size_t>(met)].name;
+  const int met = specimen_.object();
+  const std::string name = object_name(painter_.state, met);
   const double room = std::max(50 * unit_, text_width(name, painter_.sizes.text) / 2 + 4 * unit_);
   std::optional<Vec2d> name_at;
   double farthest = 0;
@@ -184,7 +187,8 @@ void Drawing::draw_ray() {
   const Vec2d origin = place_of(specimen_.origin);
   const Vec2d from = length(origin - to) < across() ? origin : to - across() * towards;
   const RayStyle& style = ray_style(painter_.state.appearance.theme, specimen_.kind);
-  painter_.add_clipped({from, to, {style.colour, 2.6 * unit_, painter_.scaled(style.dash)}, 12 * unit_, 0.6});
+  const Vec2d end = specimen_.passed < 0 ? to : to + across() * towards;
+  painter_.add_clipped({from, end, {style.colour, 2.6 * unit_, painter_.scaled(style.dash)}, 12 * unit_, 0.6});
 }
 
 /// One ray of each kind; naive ones if they start elsewhere. One that hits its own surface at once is cut off.
@@ -253,6 +257,18 @@ void Drawing::point_at(const PointMark& mark) {
         fill("microscope.off_sight", painter_.state.appearance.language,
              {{"point", name_of(mark)},
               {"ulps", ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.appearance.language)}}));
+}
+
+/// Between a sphere and the ray that passes it.
+void Drawing::draw_gap() {
+  const Vec2d at = pixels(flat(specimen_.on_ray));
+  if (specimen_.passed < 0 || length(at - middle_) < 3 * unit_ || !in_sight(at, 0)) return;
+  painter_.add(LineItem{middle_, at, {painter_.colours.error, 2 * unit_}});
+  const Language language = painter_.state.appearance.language;
+  label((at + middle_) / 2.0, 8 * unit_,
+        fill("microscope.bar", language,
+             {{"length", number_text(specimen_.gap, language)},
+              {"ulps", ulps_text(specimen_.in_ulps(specimen_.gap), language)}}));
 }
 
 void Drawing::draw_marks() {

@@ -1,6 +1,7 @@
 // Names beside the things of the plan.
 
 #include "view/plan/labels_place.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
     const Target target{TargetKind::object, static_cast<int>(i)};
     if (painter.scene().objects.size() > few_objects && state.plan.selected != target && state.plan.hovered != target)
       continue;
-    Labelled thing{object.name,
+    Labelled thing{shown_name(state, object.name),
                    Vec2d(0.0),
                    Vec2d(0.0),
                    false,
@@ -97,8 +98,9 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
   things.push_back(
       {std::string(text("object.screen", painter.state.appearance.language)), (first + last) / 2.0, screen_half});
   for (const Light& light : painter.scene().lights)
-    things.push_back({light.name, painter.pixels(light_place(light, painter.state.plan.camera, painter.viewport)),
-                      Vec2d(14 * unit), true});
+    things.push_back({shown_name(painter.state, light.name),
+                      painter.pixels(light_place(light, painter.state.plan.camera, painter.viewport)), Vec2d(14 * unit),
+                      true});
   add_objects(painter, bodies, things);
   return things;
 }

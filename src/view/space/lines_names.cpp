@@ -1,6 +1,7 @@
 #include "view/space/lines_names.h"
 
 #include "view/plan/labels_place.h"
+#include "view/text/shown.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +25,7 @@ struct Named {
   }
 };
 
-std::optional<Named> named(const Projection& seen, const Object& object) {
+std::optional<Named> named(const State& state, const Projection& seen, const Object& object) {
   const Bounds<double> box = bounds(object.shape);
   if (box.empty() || !box.bounded()) return std::nullopt;
   const Affine<double> place = affine_of(object.transform);
@@ -34,7 +35,7 @@ std::optional<Named> named(const Projection& seen, const Object& object) {
   };
   const auto middle = at(0.5, 0.5, 0.5);
   if (!middle) return std::nullopt;
-  Named thing{object.name, {*middle, *middle}, {*middle}};
+  Named thing{shown_name(state, object.name), {*middle, *middle}, {*middle}};
   for (int corner = 0; corner < 8; ++corner)
     if (const auto p = at(corner & 1, corner >> 1 & 1, corner >> 2))
       thing.seen = {{std::min(thing.seen.min.x, p->x), std::min(thing.seen.min.y, p->y)},
@@ -112,7 +113,8 @@ void draw_object_names(Painter& painter, const Projection& seen) {
   if (painter.scene().objects.size() > few_named) return;
   std::vector<Named> things;
   for (const Object& object : painter.scene().objects)
-    if (auto thing = named(seen, object); thing && !thing->text.empty()) things.push_back(std::move(*thing));
+    if (auto thing = named(painter.state, seen, object); thing && !thing->text.empty())
+      things.push_back(std::move(*thing));
   // Small ones first: those around and behind them have more room.
   std::stable_sort(things.begin(), things.end(), [](const Named& a, const Named& b) { return a.area() < b.area(); });
   for (const Named& thing : things) name_one(painter, thing, things);

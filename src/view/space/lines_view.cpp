@@ -5,6 +5,7 @@
 #include "view/space/lines_names.h"
 #include "view/space/orbit.h"
 #include "view/space/outlines.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 #include "view/walk/lit.h"
 #include "view/walk/tween.h"
@@ -189,7 +190,7 @@ class Lines {
         const Vec2d out(std::cos(angle), std::sin(angle));
         painter_.add_clipped({*at + 1.4 * least * out, *at + 2 * least * out, stroke}, target);
       }
-      draw_name(painter_, light.name, *at - Vec2d(0, 3.4 * least));
+      draw_name(painter_, shown_name(painter_.state, light.name), *at - Vec2d(0, 3.4 * least));
     }
   }
 

@@ -1,4 +1,5 @@
 #include "view/stack/stack_panel.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <vector>
@@ -39,7 +40,7 @@ std::string ray_text(const State& state, const RayRecord& ray) {
     return fill("stack.primary_ray", state.appearance.language,
                 {{"pixel", timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column}});
   const int from = ray_of(timeline, ray.parent).object;
-  const std::string name = from < 0 ? std::string() : state.scene().objects[static_cast<std::size_t>(from)].name;
+  const std::string name = from < 0 ? std::string() : object_name(state, from);
   return fill("stack.ray_from", state.appearance.language,
               {{"ray", std::string(text(ray.kind, state.appearance.language))}, {"object", name}});
 }
@@ -75,7 +76,7 @@ StackPanel stack_panel(const State& state) {
   const Event* next = timeline.next(state.walk.position);
   const bool running = next != nullptr && !timeline.pixel_done(pixel, state.walk.position);
   const std::string at = running ? fill("stack.works_on", state.appearance.language,
-                                        {{"line", std::string(pseudocode_of(next->line).text)}})
+                                        {{"line", std::string(text(next->line, state.appearance.code_language()))}})
                                  : "";
 
   // What the row below the current one waits for; the innermost call is executing.
@@ -96,7 +97,7 @@ StackPanel stack_panel(const State& state) {
                     : fill("stack.shade", state.appearance.language, {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
-    if (ray.object >= 0) row.object = state.scene().objects[static_cast<std::size_t>(ray.object)].name;
+    if (ray.object >= 0) row.object = object_name(state, ray.object);
     const bool returns_now = returning && call == calls.front();
     row.waiting = returns_now ? fill("stack.returns", state.appearance.language,
                                      {{"colour", colour_text(frame.returned, state.appearance.language)}})
@@ -107,7 +108,8 @@ StackPanel stack_panel(const State& state) {
     panel.rows.push_back(std::move(row));
   }
   StackRow main;
-  main.title = str(state, timeline.of_paths() ? "stack.paths" : "stack.main");
+  main.title =
+      text(timeline.of_paths() ? Procedure::path_tracing : Procedure::main_algorithm, state.appearance.code_language());
   main.waiting = waiting();
   if (range.first < formed && range.first < range.last) add_returned(state, range.first, main.returned);
   panel.rows.push_back(std::move(main));

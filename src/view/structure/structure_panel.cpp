@@ -140,7 +140,7 @@ class PanelWords {
       case SearchEvent::Kind::tested:
         return of_tested(event);
       case SearchEvent::Kind::passed:
-        return say("structure.passed", {{"name", sitting_.walks->name(event.primitive)}});
+        return say("structure.passed", {{"name", sitting_.walks->name(event.primitive, language_)}});
       case SearchEvent::Kind::ended:
         return of_end(event, search);
     }
@@ -161,7 +161,7 @@ class PanelWords {
   }
 
   [[nodiscard]] std::string of_tested(const SearchEvent& event) const {
-    const TextArguments arguments{{"name", sitting_.walks->name(event.primitive)}, {"t", number(event.t)}};
+    const TextArguments arguments{{"name", sitting_.walks->name(event.primitive, language_)}, {"t", number(event.t)}};
     std::string sentence;
     switch (event.test) {
       case SearchEvent::Test::missed:
@@ -200,9 +200,9 @@ class PanelWords {
         break;
     }
     return sentence + " " +
-           (search.t
-                ? say("structure.found", {{"name", sitting_.walks->name(search.primitive)}, {"t", number(*search.t)}})
-                : say("structure.found_nothing"));
+           (search.t ? say("structure.found",
+                           {{"name", sitting_.walks->name(search.primitive, language_)}, {"t", number(*search.t)}})
+                     : say("structure.found_nothing"));
   }
 
   void build() {
@@ -252,7 +252,8 @@ class PanelWords {
         return say("structure.cells",
                    {{"shapes", held}, {"nx", step.cells[0]}, {"ny", step.cells[1]}, {"nz", step.cells[2]}});
       case BuildStep::Kind::listed:
-        return say("structure.listed", {{"name", sitting_.walks->name(step.primitive)}, {"count", step.items}});
+        return say("structure.listed",
+                   {{"name", sitting_.walks->name(step.primitive, language_)}, {"count", step.items}});
     }
     return {};
   }

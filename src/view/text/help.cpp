@@ -6,8 +6,11 @@ namespace raywalk {
 
 namespace {
 
+using action::ObjectKind;
+
 struct Entry {
   std::string_view term, text;  ///< ids; a paragraph has no term
+  std::optional<ObjectKind> picture{};
 };
 struct Section {
   std::string_view title;  ///< the id
@@ -21,10 +24,10 @@ const std::vector<Section>& sections() {
       {"help.plan.title",
        {{"object.eye", "help.plan.eye"},
         {"object.screen", "help.plan.screen"},
-        {"object.solid_sphere", "help.plan.solid_sphere"},
-        {"object.transparent_sphere", "help.plan.transparent_sphere"},
-        {"object.polygon", "help.plan.polygon"},
-        {"object.light_source", "help.plan.light_source"}}},
+        {"name.Solid Sphere", "help.plan.solid_sphere", ObjectKind::solid_sphere},
+        {"name.Transparent Sphere", "help.plan.transparent_sphere", ObjectKind::transparent_sphere},
+        {"name.Polygon", "help.plan.polygon", ObjectKind::polygon},
+        {"name.Light Source", "help.plan.light_source", ObjectKind::light}}},
       {"help.modes.title",
        {{"command.mode_move.label", "help.modes.move"},
         {"command.mode_trace.label", "help.modes.trace"},
@@ -78,6 +81,7 @@ const std::vector<Section>& sections() {
         {"help.endings.share_too_small_term", "help.endings.share_too_small"},
         {"help.endings.total_internal_reflection_term", "help.endings.total_internal_reflection"},
         {"help.endings.faces_away_term", "help.endings.faces_away"}}},
+      {"help.credits.title", {{"", "help.credits.text"}}},
   };
   return all;
 }
@@ -90,7 +94,7 @@ std::vector<HelpSection> help(Language language) {
     HelpSection& said = all.emplace_back(HelpSection{fill(section.title, language), {}});
     for (const Entry& entry : section.entries)
       said.entries.push_back(
-          {entry.term.empty() ? std::string() : fill(entry.term, language), fill(entry.text, language)});
+          {entry.term.empty() ? std::string() : fill(entry.term, language), fill(entry.text, language), entry.picture});
   }
   return all;
 }

@@ -1,6 +1,7 @@
 #include "view/text/text.h"
 
 #include "math/overloaded.h"
+#include "scene/names.h"
 
 #include <fmt/format.h>
 
@@ -11,22 +12,23 @@ namespace raywalk {
 
 namespace {
 
-std::string met_text(const HitObject& met, Language language) {
-  std::string name = met.object;
-  if (!met.member.empty()) name = fill("object.member_of", language, {{"member", met.member}, {"group", name}});
+std::string met_text(const Scene& scene, const HitObject& met, Language language) {
+  std::string name = shown_name(scene, met.object, language);
+  if (!met.member.empty())
+    name = fill("object.member_of", language, {{"member", shown_name(scene, met.member, language)}, {"group", name}});
   if (met.triangle >= 0) name = fill("object.triangle_of", language, {{"number", met.triangle}, {"mesh", name}});
   return name;
 }
 
-std::string value_text(const Argument& argument, Language language) {
+std::string value_text(const Scene& scene, const Argument& argument, Language language) {
   return std::visit(Overloaded{
                         [](int value) { return std::to_string(value); },
                         [&](double value) { return number_text(value, language); },
                         [&](const Rgbd& colour) { return colour_text(colour, language); },
                         [&](Fraction share) { return percent_text(share.value, language); },
                         [&](RayKind kind) { return std::string(text(kind, language)); },
-                        [](const std::string& name) { return name; },
-                        [&](const HitObject& met) { return met_text(met, language); },
+                        [&](const std::string& name) { return shown_name(scene, name, language); },
+                        [&](const HitObject& met) { return met_text(scene, met, language); },
                     },
                     argument.value);
 }
@@ -36,6 +38,12 @@ std::string value_text(const Argument& argument, Language language) {
 std::string_view text(RayKind kind, Language language) { return family_text("ray", name_of(kind), language); }
 
 std::string_view text(Ending ending, Language language) { return family_text("ending", name_of(ending), language); }
+
+std::string_view text(Line line, Language language) { return family_text("line", pseudocode_of(line).id, language); }
+
+std::string_view text(Procedure procedure, Language language) {
+  return family_text("procedure", procedure_id(procedure), language);
+}
 
 /// Only characters that every font has.
 std::string_view symbol(Ending ending) {
@@ -94,13 +102,13 @@ std::string colour_text(const Rgbd& c, Language language) {
   return fmt::format("({}{}{}{}{})", part(c.x), between, part(c.y), between, part(c.z));
 }
 
-std::string sentence_of(const Message& message, Language language) {
+std::string sentence_of(const Scene& scene, const Message& message, Language language) {
   TextArguments arguments;
   for (const Argument& argument : message.arguments) {
     if (const int* const number = std::get_if<int>(&argument.value))
       arguments.emplace_back(argument.name, *number);  // may select a plural form
     else
-      arguments.emplace_back(argument.name, value_text(argument, language));
+      arguments.emplace_back(argument.name, value_text(scene, argument, language));
   }
   return fill(message.id, language, arguments);
 }
@@ -112,7 +120,7 @@ std::string_view explanation(std::string_view property, Language language) {
 }
 
 std::string step_text(const Scene& scene, const Timeline& timeline, int position, Language language) {
-  const std::string said = sentence_of(describe(scene, timeline, position), language);
+  const std::string said = sentence_of(scene, describe(scene, timeline, position), language);
   const Event* event = timeline.just_run(position);
   if (event == nullptr) return said;
   const PseudocodeLine& line = pseudocode_of(event->line);
@@ -120,7 +128,8 @@ std::string step_text(const Scene& scene, const Timeline& timeline, int position
   const int level = line.procedure == Procedure::follow_path ? 1 : std::min(event->depth, 20);
   const std::string indented(static_cast<std::size_t>(2 * level + 2 * line.indent), ' ');
   const std::string depth = event->depth > 0 ? fmt::format("[{}]", event->depth) : "";
-  return fmt::format("{:>5} {:>4}  {:<38}  {}", position, depth, indented + std::string(line.text), said);
+  return fmt::format("{:>5} {:>4}  {:<38}  {}", position, depth, indented + std::string(text(event->line, language)),
+                     said);
 }
 
 std::string transcript(const Scene& scene, const Timeline& timeline, Language language) {

@@ -5,16 +5,20 @@
 #include "text/language.h"
 #include "timeline/message.h"
 #include "timeline/timeline.h"
+#include "view/document/room.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace raywalk {
 
-[[nodiscard]] std::string_view text(RayKind kind, Language language);   ///< "reflect ray"
-[[nodiscard]] std::string_view text(Ending ending, Language language);  ///< a clause: "left the scene"
-[[nodiscard]] std::string_view symbol(Ending ending);                   ///< one or two characters for the tree
+[[nodiscard]] std::string_view text(RayKind kind, Language language);         ///< "reflect ray"
+[[nodiscard]] std::string_view text(Ending ending, Language language);        ///< a clause: "left the scene"
+[[nodiscard]] std::string_view text(Line line, Language language);            ///< of the pseudocode: "Form shadow ray"
+[[nodiscard]] std::string_view text(Procedure procedure, Language language);  ///< its title
+[[nodiscard]] std::string_view symbol(Ending ending);                         ///< one or two characters for the tree
 
 // Numbers in the format of the language.
 /// Printed digits: with the language's decimal separator and a true minus sign.
@@ -24,8 +28,8 @@ namespace raywalk {
 /// "(0.2, 0.5, 1)", in Portuguese "(0,2; 0,5; 1)", or one number for a grey.
 [[nodiscard]] std::string colour_text(const Rgbd& c, Language language);
 
-/// A message of the timeline as one sentence.
-[[nodiscard]] std::string sentence_of(const Message& message, Language language);
+/// A message about a timeline of `scene` as one sentence.
+[[nodiscard]] std::string sentence_of(const Scene& scene, const Message& message, Language language);
 
 /// The step that leads to `position`, 1 <= position <= steps(), as one line of a transcript: number, indentation by
 /// depth, the line of pseudocode and its sentence.
@@ -43,6 +47,7 @@ namespace raywalk {
 struct HelpEntry {
   std::string term;  ///< a button, a key, an object; empty for a paragraph
   std::string text;
+  std::optional<action::ObjectKind> picture{};  ///< of the object (view/plan/pictogram.h)
 };
 struct HelpSection {
   std::string title;

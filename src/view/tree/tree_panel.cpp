@@ -1,4 +1,5 @@
 #include "view/tree/tree_panel.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 #include "view/walk/asked.h"
 #include "view/walk/lit.h"
@@ -9,14 +10,14 @@ namespace raywalk {
 
 namespace {
 
-std::string name_of(const Scene& scene, const RayRecord& ray) {
-  if (ray.object >= 0) return scene.objects[static_cast<std::size_t>(ray.object)].name;
-  if (ray.light >= 0) return scene.lights[static_cast<std::size_t>(ray.light)].name;
+std::string name_of(const State& state, const RayRecord& ray) {
+  if (ray.object >= 0) return object_name(state, ray.object);
+  if (ray.light >= 0) return light_name(state, ray.light);
   return {};
 }
 
 std::string label_of(const State& state, const RayRecord& ray) {
-  std::string name = name_of(state.scene(), ray);
+  std::string name = name_of(state, ray);
   switch (ray.ending) {
     case Ending::hit:
     case Ending::reached_light:

@@ -14,7 +14,7 @@ Blame blame_of(const State& state, Line line) {
 }
 
 CodeRow row_of(const State& state, const PseudocodeLine& line) {
-  CodeRow row{line.line, line.indent, std::string(line.text)};
+  CodeRow row{line.line, line.indent, std::string(text(line.line, state.appearance.code_language()))};
   const Event* just_run = state.walk.timeline->just_run(state.walk.position);
   const Event* next = state.walk.timeline->next(state.walk.position);
   row.just_run = just_run != nullptr && just_run->line == line.line;
@@ -40,7 +40,7 @@ CodePanel code_panel(const State& state) {
   for (std::size_t i = 0; i < panel.boxes.size(); ++i) {
     CodeBox& box = panel.boxes[i];
     box.procedure = procedures[i];
-    box.title = name_of(box.procedure);
+    box.title = text(box.procedure, state.appearance.code_language());
     if (just_run != nullptr && pseudocode_of(just_run->line).procedure == box.procedure) box.depth = just_run->depth;
     if (box.depth.value_or(0) > 0)
       box.badge = fill(code.recursive ? "code.depth_badge" : "code.rays_badge", state.appearance.language,

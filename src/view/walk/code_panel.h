@@ -26,7 +26,7 @@ struct CodeRow {
 
 struct CodeBox {
   Procedure procedure;
-  std::string title;  ///< "MAIN ALGORITHM" or "SHADE (DEPTH, RTNSHADE)", or path tracing's
+  std::string title;  ///< in English "MAIN ALGORITHM" or "SHADE (DEPTH, RTNSHADE)", or path tracing's
   /// DEPTH of the executing call, or the number of rays of the path so far, for its box; 0 in the first procedure.
   /// Absent in the other box.
   std::optional<int> depth;

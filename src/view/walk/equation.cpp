@@ -1,5 +1,6 @@
 #include "view/walk/equation.h"
 
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ class EquationWriter {
     const Event* event = timeline_.just_run(state_.walk.position);
     if (event == nullptr) return {};
     event_ = event;
-    panel_.title = pseudocode_of(event->line).text;
+    panel_.title = text(event->line, state_.appearance.code_language());
     std::visit([&](const auto& detail) { write(detail); }, event->detail);
     return std::move(panel_);
   }
@@ -101,7 +102,7 @@ class EquationWriter {
   /// The normal where `ray` ended, facing the ray.
   static Vec3d facing(const RayRecord& ray) { return dot(ray.normal, ray.direction) > 0 ? -ray.normal : ray.normal; }
   [[nodiscard]] std::string light_name(int light) const {
-    return light < 0 ? std::string() : scene().lights[static_cast<std::size_t>(light)].name;
+    return light < 0 ? std::string() : raywalk::light_name(state_, light);
   }
 
   void line(std::string_view origin, const Vec3d& from, std::string_view direction, const Vec3d& along) {
@@ -124,7 +125,7 @@ class EquationWriter {
   void write(const RayFormed& formed) {
     switch (formed.kind) {
       case RayKind::primary:
-        line("EYE", formed.origin, "D", formed.direction);
+        line(text("object.eye", state_.appearance.language), formed.origin, "D", formed.direction);
         return row(Kind::note, Word{"equation.unit_direction"});
       case RayKind::shadow:
         return shadow(formed);

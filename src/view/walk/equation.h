@@ -24,7 +24,7 @@ struct EquationRow {
 };
 
 struct EquationPanel {
-  std::string title;  ///< the line of pseudocode
+  std::string title;  ///< the line of pseudocode, as the panel of code shows it
   std::vector<EquationRow> rows;
 };
 

@@ -3,6 +3,7 @@
 #include "view/action.h"
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <fmt/format.h>
@@ -17,10 +18,6 @@ namespace {
 template <class Id>
 std::string str(const State& state, Id id) {
   return std::string(text(id, state.appearance.language));
-}
-
-std::string object_name(const State& state, int index) {
-  return state.scene().objects[static_cast<std::size_t>(index)].name;
 }
 
 std::string ray_text(const State& state, int index) {
@@ -46,7 +43,7 @@ std::string ray_text(const State& state, int index) {
 
 /// The name of an object or a light, or EYE or SCREEN.
 std::string short_name(const State& state, const Target& target) {
-  if (target.kind == TargetKind::light) return state.scene().lights[static_cast<std::size_t>(target.index)].name;
+  if (target.kind == TargetKind::light) return light_name(state, target.index);
   if (belongs_to_object(target)) return object_name(state, target.index);
   return str(state, target.kind == TargetKind::eye || target.kind == TargetKind::view_direction ? "object.eye"
                                                                                                 : "object.screen");
@@ -109,9 +106,8 @@ std::string target_text(const State& state, const Target& target) {
       return moving ? str(state, "drag.screen_distance") : cell_text(state, target.index);
     case TargetKind::object:
     case TargetKind::light: {
-      const std::string name = target.kind == TargetKind::object
-                                   ? object_name(state, target.index)
-                                   : state.scene().lights[static_cast<std::size_t>(target.index)].name;
+      const std::string name =
+          target.kind == TargetKind::object ? object_name(state, target.index) : light_name(state, target.index);
       return moving ? fill("drag.move", state.appearance.language, {{"name", name}}) : name;
     }
     case TargetKind::radius:
@@ -138,8 +134,8 @@ std::string sentence(const State& state) {
       break;
   }
   if (state.walk.position == 0) return str(state, "status.first_step_trace");
-  const std::string done =
-      sentence_of(describe(state.scene(), *state.walk.timeline, state.walk.position), state.appearance.language);
+  const std::string done = sentence_of(
+      state.scene(), describe(state.scene(), *state.walk.timeline, state.walk.position), state.appearance.language);
   if (state.walk.position < state.walk.timeline->steps()) return done;
   return done + " " + str(state, state.walk.pixel ? "status.after_last_step_of_pixel" : "status.after_last_step");
 }

@@ -1,0 +1,22 @@
+#pragma once
+// What the window calls the things of its scene.
+
+#include "scene/names.h"
+#include "view/state.h"
+
+#include <string>
+
+namespace raywalk {
+
+/// In the language of the window.
+[[nodiscard]] inline std::string shown_name(const State& state, std::string_view name) {
+  return shown_name(state.scene(), name, state.appearance.language);
+}
+[[nodiscard]] inline std::string object_name(const State& state, int object) {
+  return shown_name(state, state.scene().objects[static_cast<std::size_t>(object)].name);
+}
+[[nodiscard]] inline std::string light_name(const State& state, int light) {
+  return shown_name(state, state.scene().lights[static_cast<std::size_t>(light)].name);
+}
+
+}  // namespace raywalk
