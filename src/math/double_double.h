@@ -4,6 +4,7 @@
 // Needs round-to-nearest and no contraction or reassociation by the compiler (see the build flags).
 
 #include <cmath>
+#include <type_traits>
 
 namespace raywalk {
 
@@ -11,15 +12,15 @@ struct DoubleDouble {
   double hi = 0, lo = 0;  ///< value hi + lo, |lo| <= ulp(hi) / 2
 
   DoubleDouble() = default;
-  DoubleDouble(double value)
+  constexpr DoubleDouble(double value)
       : hi(value) {}  // NOLINT(google-explicit-constructor): every double is exactly
                       // representable
-  DoubleDouble(double high, double low) : hi(high), lo(low) {}
-  explicit operator double() const { return hi + lo; }
+  constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
+  constexpr explicit operator double() const { return hi + lo; }
 };
 
 /// a + b exactly.
-[[nodiscard]] inline DoubleDouble two_sum(double a, double b) {
+[[nodiscard]] constexpr DoubleDouble two_sum(double a, double b) {
   const double sum = a + b;
   const double b_part = sum - a;
   const double a_part = sum - b_part;
@@ -28,38 +29,39 @@ struct DoubleDouble {
 
 /// a * b exactly, barring over- and underflow: by Dekker's splitting, or by a fused multiply-add where the target has
 /// one. Only such a target can contract, and there neither the split nor the product may be fused with anything else.
-[[nodiscard]] inline DoubleDouble two_product(double a, double b) {
+[[nodiscard]] constexpr DoubleDouble two_product(double a, double b) {
 #if defined(__FMA__) && defined(__x86_64__)
-  double product = a * b;
-  asm("" : "+x"(product));  // rounded here
-  return {product, std::fma(a, b, -product)};
-#else
+  if (!std::is_constant_evaluated()) {
+    double product = a * b;
+    asm("" : "+x"(product));  // rounded here
+    return {product, std::fma(a, b, -product)};
+  }
+#endif
   constexpr double splitter = 134217729.0;  // 2^27 + 1
   const double a_big = splitter * a, b_big = splitter * b;
   const double a_hi = a_big - (a_big - a), b_hi = b_big - (b_big - b);
   const double a_lo = a - a_hi, b_lo = b - b_hi;
   const double product = a * b;
   return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
-#endif
 }
 
-[[nodiscard]] inline DoubleDouble operator-(DoubleDouble x) { return {-x.hi, -x.lo}; }
+[[nodiscard]] constexpr DoubleDouble operator-(DoubleDouble x) { return {-x.hi, -x.lo}; }
 
-[[nodiscard]] inline DoubleDouble operator+(DoubleDouble x, DoubleDouble y) {
+[[nodiscard]] constexpr DoubleDouble operator+(DoubleDouble x, DoubleDouble y) {
   DoubleDouble high = two_sum(x.hi, y.hi);
   const DoubleDouble low = two_sum(x.lo, y.lo);
   high = two_sum(high.hi, high.lo + low.hi);
   return two_sum(high.hi, high.lo + low.lo);
 }
 
-[[nodiscard]] inline DoubleDouble operator-(DoubleDouble x, DoubleDouble y) { return x + -y; }
+[[nodiscard]] constexpr DoubleDouble operator-(DoubleDouble x, DoubleDouble y) { return x + -y; }
 
-[[nodiscard]] inline DoubleDouble operator*(DoubleDouble x, DoubleDouble y) {
+[[nodiscard]] constexpr DoubleDouble operator*(DoubleDouble x, DoubleDouble y) {
   const DoubleDouble product = two_product(x.hi, y.hi);
   return two_sum(product.hi, product.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-[[nodiscard]] inline DoubleDouble operator/(DoubleDouble x, DoubleDouble y) {
+[[nodiscard]] constexpr DoubleDouble operator/(DoubleDouble x, DoubleDouble y) {
   const double q0 = x.hi / y.hi;
   DoubleDouble rest = x - y * DoubleDouble(q0);
   const double q1 = rest.hi / y.hi;
