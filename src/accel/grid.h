@@ -3,6 +3,7 @@
 #include "accel/build_record.h"
 #include "accel/query.h"
 #include "accel/search_record.h"
+#include "math/elementary.h"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ class Grid {
     int extended = 0;
     for (int axis = 0; axis < 3; ++axis)
       if (size[axis] > longest * T(1e-4)) volume *= size[axis], ++extended;
-    const T cell = extended > 0 ? std::pow(volume / (density * count), T(1) / static_cast<T>(extended)) : T(1);
+    const T cell = extended > 0 ? portable::pow(volume / (density * count), T(1) / static_cast<T>(extended)) : T(1);
     for (int axis = 0; axis < 3; ++axis) {
       const T cells = size[axis] > longest * T(1e-4) ? std::ceil(size[axis] / cell) : T(1);
       cells_[axis] = static_cast<int>(std::clamp(cells, T(1), T(max_cells)));

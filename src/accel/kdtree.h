@@ -3,6 +3,7 @@
 #include "accel/build_record.h"
 #include "accel/query.h"
 #include "accel/search_record.h"
+#include "math/power.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ class KdTree {
     if (boxes.bounded.empty()) return;
     box_ = boxes.whole;
     const int count = static_cast<int>(boxes.bounded.size());
-    limit_ = std::min(max_depth, static_cast<int>(8 + 1.3 * std::log2(count)));
+    limit_ = std::min(max_depth, 8 + std::ilogb(whole_power(static_cast<double>(count), 13)) / 10);
     nodes_.emplace_back();
     split(0, boxes.bounded, box_, boxes, 0, 0, build);
   }

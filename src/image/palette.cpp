@@ -1,6 +1,7 @@
 #include "image/palette.h"
 
 #include "image/srgb.h"
+#include "math/elementary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,9 +140,10 @@ Lab lab_of(Rgb24 colour) {
     return table;
   }();
   const double r = linear[(colour >> 16) & 255U], g = linear[(colour >> 8) & 255U], b = linear[colour & 255U];
-  const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
-  const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
-  const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+  const auto cube_root = [](double x) { return portable::pow(x, 1.0 / 3); };
+  const double l = cube_root(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+  const double m = cube_root(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+  const double s = cube_root(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
   return {static_cast<float>(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s),
           static_cast<float>(1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s),
           static_cast<float>(0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s)};

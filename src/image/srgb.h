@@ -1,8 +1,8 @@
 #pragma once
 
+#include "math/elementary.h"
 #include "math/words.h"
 
-#include <cmath>
 #include <cstdint>
 
 namespace raywalk {
@@ -17,12 +17,12 @@ inline constexpr Word<Encoding> words_of<Encoding>[] = {{Encoding::srgb, "srgb"}
 
 /// Linear light to the sRGB signal (IEC 61966-2-1), both 1 at white. Not clamped.
 [[nodiscard]] inline double srgb_encode(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * portable::pow(linear, 1 / 2.4) - 0.055;
 }
 
 /// The sRGB signal to linear light.
 [[nodiscard]] inline double srgb_decode(double signal) {
-  return signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4);
+  return signal <= 0.04045 ? signal / 12.92 : portable::pow((signal + 0.055) / 1.055, 2.4);
 }
 
 /// Linear light as a byte of a picture: clamped to 0..1, encoded, rounded. `linear` must not be NaN.

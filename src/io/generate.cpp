@@ -1,5 +1,6 @@
 #include "io/generate.h"
 
+#include "math/elementary.h"
 #include "math/random.h"
 #include "shape/intersection.h"
 #include "text/file.h"
@@ -132,7 +133,7 @@ void write_spheres(const GenerateOptions& options, Sink& sink, SceneSink& scene)
   scene.light({5, -8, 9});
   scene.light({-7, -3, 4});
   // They share the cube, so a ray hits about equally many for any count.
-  const double usual = 0.45 * std::cbrt(8.0 / options.count);
+  const double usual = 0.45 * portable::pow(8.0 / options.count, 1.0 / 3);
   const auto draw = [&](int sphere, std::uint32_t dimension) {
     return random_unit<double>({options.seed, sphere, 0, 0, 0, 0, dimension});
   };
@@ -156,7 +157,7 @@ void write_flake(Sink& sink, SceneSink& scene, const Vec3d& centre, double radiu
   if (levels == 0 || !sink.ok()) return;
   const auto grow = [&](double turn, double height) {
     const double level = std::sqrt(1 - height * height);
-    const Vec3d out = level * (std::cos(turn) * across.u + std::sin(turn) * across.v) + height * axis;
+    const Vec3d out = level * (portable::cos(turn) * across.u + portable::sin(turn) * across.v) + height * axis;
     const Vec3d u = normalize(cross(axis, out)), v = cross(out, u);
     write_flake(sink, scene, centre + (radius * 4 / 3) * out, radius / 3, {u, v}, out, levels - 1);
   };
@@ -226,13 +227,14 @@ class BumpyBall {
     return {pi * static_cast<double>(ring + 1) / (rings_ + 1), 2 * pi * static_cast<double>(place) / around_};
   }
   [[nodiscard]] Vec3d at(double down, double turn) const {
-    const double flat = std::sin(down);  // no bumps at the poles
+    const double flat = portable::sin(down);  // no bumps at the poles
     double radius = 1;
     for (std::size_t i = 0; i < phases_.size(); ++i) {
       const double waves = static_cast<double>(i) + 3;
-      radius += flat * flat * 0.18 / waves * std::sin(waves * turn + phases_[i]) * std::cos(waves * down - phases_[i]);
+      radius += flat * flat * 0.18 / waves * portable::sin(waves * turn + phases_[i]) *
+                portable::cos(waves * down - phases_[i]);
     }
-    return radius * Vec3d(flat * std::cos(turn), flat * std::sin(turn), std::cos(down));
+    return radius * Vec3d(flat * portable::cos(turn), flat * portable::sin(turn), portable::cos(down));
   }
 
   int rings_, around_;

@@ -1,6 +1,7 @@
 #include "io/nff_reader.h"
 
 #include "io/scene_parts.h"
+#include "math/elementary.h"
 #include "text/spelling.h"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ std::vector<TransformStep> along(const Vec3d& foot, const Vec3d& axis) {
   const Vec3d z(0, 0, 1), side = cross(z, axis);
   constexpr double degrees = 180 / 3.14159265358979323846;
   if (side != Vec3d(0.0)) {
-    steps.push_back({Rotate{side, std::atan2(length(side), axis.z) * degrees}});
+    steps.push_back({Rotate{side, portable::atan2(length(side), axis.z) * degrees}});
   } else if (axis.z < 0) {
     steps.push_back({Rotate{{1, 0, 0}, 180}});
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/bounds.h"
+#include "math/elementary.h"
 
 #include <cmath>
 #include <optional>
@@ -47,7 +48,7 @@ template <class T>
 [[nodiscard]] Affine<T> rotation(const Vec3<T>& axis, T degrees) {
   const T turn = std::remainder(degrees, T(360));
   constexpr T pi = static_cast<T>(3.14159265358979323846L);
-  T c = std::cos(turn * (pi / 180)), s = std::sin(turn * (pi / 180));
+  auto [s, c] = portable::sin_cos(turn * (pi / 180));
   if (turn == 0) c = 1, s = 0;
   if (std::abs(turn) == 90) c = 0, s = turn > 0 ? T(1) : T(-1);
   if (std::abs(turn) == 180) c = -1, s = 0;

@@ -1,10 +1,12 @@
 #include "render/adaptive.h"
 
 #include "image/srgb.h"
+#include "math/elementary.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace raywalk {
 
@@ -13,12 +15,26 @@ namespace {
 /// As a screen shows it, 0..1.
 double shown(double linear) { return srgb_encode(std::clamp(linear, 0.0, 1.0)); }
 
+/// The probability that a normal variable is farther than x >= 0 standard deviations from its mean: M. Abramowitz and
+/// I. Stegun, Handbook of Mathematical Functions, 26.2.11 and 26.2.14.
+double two_sided_tail(double x) {
+  const double density = std::sqrt(2 / std::numbers::pi) * portable::exp(-x * x / 2);
+  if (x > 2) {
+    double fraction = x;
+    for (int k = 100; k > 0; --k) fraction = x + k / fraction;
+    return density / fraction;
+  }
+  double sum = 0, term = x;
+  for (int odd = 3; sum + term != sum; odd += 2) sum += std::exchange(term, term * (x * x / odd));
+  return 1 - density * sum;
+}
+
 /// The two-sided quantile of the normal distribution, by bisection.
 double normal_quantile(double two_sided) {
   double low = 0, high = 40;
   for (int i = 0; i < 200; ++i) {
     const double middle = (low + high) / 2;
-    (std::erfc(middle / std::numbers::sqrt2) > two_sided ? low : high) = middle;
+    (two_sided_tail(middle) > two_sided ? low : high) = middle;
   }
   return low;
 }

@@ -1,7 +1,8 @@
 #include "render/tree_size.h"
 
+#include "math/elementary.h"
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace raywalk {
@@ -50,7 +51,7 @@ std::optional<TreeSize> endless_tree(World<T>& world, const SceneKernel<T>& kern
     const int row = (2 * (i / probes) + 1) * size.height / (2 * probes);
     double rays = 0;
     if (const auto all = rays_of(kernel, camera, column, row, most, stop)) {
-      rays = *all, found.growth = std::pow(1.0 + *all, 1.0 / depth);
+      rays = *all, found.growth = portable::pow(1.0 + *all, 1.0 / depth);
     } else {
       // Level by level as far as feasible, then extrapolated from the last growth.
       int before = 1, now = 1, level = 2;
@@ -62,7 +63,7 @@ std::optional<TreeSize> endless_tree(World<T>& world, const SceneKernel<T>& kern
       }
       world.depth = depth;
       found.growth = std::max(1.0, static_cast<double>(now) / before);
-      rays = std::max(static_cast<double>(most), now * std::pow(found.growth, depth - (level - 1)));
+      rays = std::max(static_cast<double>(most), now * portable::pow(found.growth, depth - (level - 1)));
     }
     found.rays = (1 + rays) * (1.0 + found.shadow_rays) * samples;
     if (found.rays > patience) return found;

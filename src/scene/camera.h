@@ -1,9 +1,10 @@
 #pragma once
 
+#include "math/elementary.h"
 #include "math/vec.h"
 #include "math/words.h"
 
-#include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace raywalk {
@@ -42,8 +43,9 @@ struct Camera {
   [[nodiscard]] double focus_distance() const { return focus ? *focus : length(look_at - eye); }
   /// Half the extent of the image plane at distance 1 along the axis that `extent_axis` names.
   [[nodiscard]] double half_extent() const {
-    constexpr double pi = 3.14159265358979323846;
-    return fov ? std::tan(fov->degrees * (pi / 360)) : *screen.width / 2 / screen.distance;
+    if (!fov) return *screen.width / 2 / screen.distance;
+    const auto [sin, cos] = portable::sin_cos(fov->degrees * (std::numbers::pi / 360));
+    return sin / cos;
   }
   [[nodiscard]] FovAxis extent_axis() const { return fov ? fov->axis : FovAxis::x; }
   /// Length of SCREEN as drawn on the plan. With an angle along y, the strip is taken as one row of a square image.

@@ -1,7 +1,8 @@
 #include "shape/mesh.h"
 
+#include "math/elementary.h"
+
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -9,7 +10,7 @@ namespace raywalk {
 
 namespace {
 
-double angle_between(const Vec3d& a, const Vec3d& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+double angle_between(const Vec3d& a, const Vec3d& b) { return portable::atan2(length(cross(a, b)), dot(a, b)); }
 
 }  // namespace
 

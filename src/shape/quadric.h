@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/elementary.h"
 #include "shape/intersection.h"
 #include "shape/quadratic.h"
 
@@ -65,7 +66,7 @@ template <class T, QuadricKind Kind>
 template <class T, QuadricKind Kind>
 [[nodiscard]] Vec2<T> uv_at(const Quadric<T, Kind>& quadric, const SurfacePoint<T>& point, int part) {
   if (part != Quadric<T, Kind>::wall) return plan(point.position);
-  const T angle = std::atan2(point.position.y / quadric.radii.y, point.position.x / quadric.radii.x);
+  const T angle = portable::atan2(point.position.y / quadric.radii.y, point.position.x / quadric.radii.x);
   return {quadric.radii.x * angle, point.position.z};
 }
 

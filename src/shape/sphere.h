@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/elementary.h"
 #include "math/expansion.h"
 #include "shape/intersection.h"
 
@@ -47,8 +48,8 @@ template <class T>
 /// Longitude from +x and latitude from the plan, each times the radius.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Sphere<T>& sphere, const SurfacePoint<T>& point, int /*part*/) {
-  const T longitude = std::atan2(point.normal.y, point.normal.x);
-  const T latitude = std::asin(std::clamp(point.normal.z, T(-1), T(1)));
+  const T longitude = portable::atan2(point.normal.y, point.normal.x);
+  const T latitude = portable::atan2(point.normal.z, length(plan(point.normal)));
   return {sphere.radius * longitude, sphere.radius * latitude};
 }
 

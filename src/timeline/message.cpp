@@ -1,5 +1,6 @@
 #include "timeline/message.h"
 
+#include "math/elementary.h"
 #include "math/overloaded.h"
 
 #include <algorithm>
@@ -10,7 +11,10 @@ namespace raywalk {
 
 namespace {
 
-double degrees_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+double degrees_of(double cosine) {
+  const double sine = std::sqrt(std::max((1 - cosine) * (1 + cosine), 0.0));
+  return portable::atan2(sine, cosine) * 180 / std::numbers::pi;
+}
 
 /// Describes the line that leads to one position.
 class Describer {

@@ -28,7 +28,7 @@ template <class T>
 /// where the exponent s is below about 5.
 template <class T>
 [[nodiscard]] T highlight_scale(T shininess) {
-  const T most = 8 / (shininess + 2) * (1 - std::exp2(-(shininess + 2) / 2));
+  const T most = 8 / (shininess + 2) * (1 - power(T(0.5), (shininess + 2) / 2));
   return most > 1 ? 1 / most : T(1);
 }
 

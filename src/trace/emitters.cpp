@@ -1,5 +1,6 @@
 #include "trace/emitters.h"
 
+#include "math/elementary.h"
 #include "math/sampling.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ bool convex(const std::vector<Vec3d>& corners) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3d along = corners[(i + 1) % n] - corners[i], next = corners[(i + 2) % n] - corners[(i + 1) % n];
     if (dot(cross(along, next), normal) < 0) return false;
-    turned += std::atan2(length(cross(along, next)), dot(along, next));
+    turned += portable::atan2(length(cross(along, next)), dot(along, next));
   }
   return turned < 3 * pi_v<double>;  // a star turns more than once
 }

@@ -5,6 +5,7 @@
 // overlap, priority decides, as in C. Schmidt and B. Budge ("Simple Nested Dielectrics in Ray Traced Images", JGT 7(2),
 // 2002); of equal ones the body entered last wins. Every crossing remains a hit, even where it changes nothing.
 
+#include "math/elementary.h"
 #include "trace/world.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ namespace raywalk {
 /// The transmittance over a distance in an absorbing medium (Beer-Lambert law; A. Beer 1852).
 template <class T>
 [[nodiscard]] Rgb<T> beer_lambert(const Rgb<T>& absorption, T distance) {
-  return {std::exp(-absorption.x * distance), std::exp(-absorption.y * distance), std::exp(-absorption.z * distance)};
+  return {portable::exp(-absorption.x * distance), portable::exp(-absorption.y * distance),
+          portable::exp(-absorption.z * distance)};
 }
 
 /// The medium of a ray spawned at the hit `met`; `before`: the medium up to there. Null: air, or unknown. A ray that is

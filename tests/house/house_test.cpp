@@ -68,6 +68,11 @@ TEST_CASE("no floor of the tree below app prints or ends the program") {
   CHECK(breaches(files, check_names) == "");
 }
 
+TEST_CASE("no floor of the tree that pictures depend on asks the library for a last bit") {
+  const auto files = files_of({"src"});
+  CHECK(breaches(files, check_portable) == "");
+}
+
 TEST_CASE("headers of the tree guard themselves, and long files are named") {
   const auto files = files_of({"src", "tests"});
   CHECK(breaches(files, check_shape) == "");

@@ -305,6 +305,38 @@ std::vector<Breach> check_names(const SourceFile& file) {
   return breaches;
 }
 
+std::vector<Breach> check_portable(const SourceFile& file) {
+  constexpr std::array<std::string_view, 8> floors{"math", "shape", "accel", "image", "scene", "io", "trace", "render"};
+  constexpr std::array<std::string_view, 29> rounded{
+      "sin",   "cos",   "tan",   "asin", "acos", "atan",   "atan2",  "sinh", "cosh",  "tanh",
+      "asinh", "acosh", "atanh", "exp",  "exp2", "expm1",  "log",    "log2", "log10", "log1p",
+      "pow",   "cbrt",  "hypot", "erf",  "erfc", "tgamma", "lgamma", "lerp", "sincos"};
+  if (std::find(floors.begin(), floors.end(), floor_of(file.path)) == floors.end() || !is_cpp(file.path)) return {};
+  // There these are our own, in a namespace.
+  const bool defines_them = file.path.starts_with("src/math/elementary");
+
+  std::vector<Breach> breaches;
+  const std::string code = without_comments(file.text, false);
+  std::string_view previous;
+  for (const Name& name : names_of(code)) {
+    const bool scoped = name.before == "::", member = name.before.ends_with(".") || name.before == "->";
+    // `Log log(name)` declares a variable.
+    const bool declared =
+        name.before.size() == 2 && is_identifier(name.before[0]) && name.before[1] == ' ' && previous != "return";
+    const bool library = scoped ? previous == "std" || previous == "glm" || previous == "return" : !defines_them;
+    const bool function = name.after == '(' && !member && !declared && library &&
+                          std::find(rounded.begin(), rounded.end(), name.text) != rounded.end();
+    if (function || (scoped && previous == "std" && (name.text.ends_with("_distribution") || name.text == "complex"))) {
+      breaches.push_back({file.path, name.line,
+                          "'" + std::string(name.text) +
+                              "' of the library differs in its last bit between machines: see "
+                              "math/elementary.h"});
+    }
+    previous = name.text;
+  }
+  return breaches;
+}
+
 std::vector<Breach> check_length(const SourceFile& file) {
   if (!is_cpp(file.path)) return {};
   const auto count = static_cast<int>(lines_of(file.text).size());

@@ -49,6 +49,9 @@ std::vector<Breach> check_rooms(const SourceFile& file);
 // Below `app` nothing prints or ends the program, and nothing is used that the web's older libc++ lacks.
 std::vector<Breach> check_names(const SourceFile& file);
 
+// Floors that pictures depend on call no function of the library whose last bit is not the same everywhere.
+std::vector<Breach> check_portable(const SourceFile& file);
+
 // Files over 400 lines, which may hold more than one subject.
 std::vector<Breach> check_length(const SourceFile& file);
 

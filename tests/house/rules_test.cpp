@@ -34,6 +34,26 @@ TEST_CASE("comments and literals are blanked, lines stay") {
   CHECK(without_comments("open /* never closed", false) == "open                ");
 }
 
+TEST_CASE("pictures depend on no function whose last bit is the library's own") {
+  const auto portable = [](const std::string& path, const std::string& text) {
+    return report(check_portable({path, text}));
+  };
+  const std::string reason = "' of the library differs in its last bit between machines: see math/elementary.h\n";
+  CHECK(portable("src/trace/a.h", "T x = std::pow(a, b);\nT y = exp (a);") ==
+        "src/trace/a.h:1: 'pow" + reason + "src/trace/a.h:2: 'exp" + reason);
+  CHECK(portable("src/math/b.h", "glm::sin(a) + ::cos(b)") == "src/math/b.h:1: 'sin" + reason);
+  CHECK(portable("src/math/b.h", "return ::cos(b);") == "src/math/b.h:1: 'cos" + reason);
+  CHECK(portable("src/io/c.cpp", "std::normal_distribution<> d; std::complex<float> c;") ==
+        "src/io/c.cpp:1: 'normal_distribution" + reason + "src/io/c.cpp:1: 'complex" + reason);
+  CHECK(portable("src/trace/a.h", "portable::pow(a, b) + std::sqrt(a) + wave.sin(a) + cos * (b) + std::fma(a, b, c)") ==
+        "");
+  CHECK(portable("src/math/elementary/d.cpp", "return exp(x) - big::sin(y);") == "");
+  CHECK(portable("src/math/elementary/d.cpp", "return std::exp(x);") == "src/math/elementary/d.cpp:1: 'exp" + reason);
+  CHECK(portable("src/io/c.cpp", "Log log(name);") == "");
+  CHECK(portable("src/io/c.cpp", "return log(x);") == "src/io/c.cpp:1: 'log" + reason);
+  CHECK(portable("src/view/e.cpp", "std::sin(a)") == "");
+}
+
 TEST_CASE("a room includes itself, shared rooms and what stands above all rooms, and no other feature") {
   const auto rooms = [](const std::string& path, const std::string& text) { return report(check_rooms({path, text})); };
   CHECK(rooms("src/view/cost/cost.cpp",

@@ -87,6 +87,17 @@ void follows(const Draw& draw, const Density& density, double reach = 2) {
 
 }  // namespace
 
+TEMPLATE_TEST_CASE("the disk's sine and cosine are within two units in the last place", "", float, double) {
+  using T = TestType;
+  for (int i = -10'000; i <= 10'000; ++i) {
+    const T angle = pi_v<T> / 4 * (static_cast<T>(i) / 10'000);
+    const auto [sin, cos] = detail::sin_cos_of_octant(angle);
+    const T two = 2 * std::numeric_limits<T>::epsilon();
+    REQUIRE(std::abs(sin - portable::sin(angle)) <= two * std::abs(sin));
+    REQUIRE(std::abs(cos - portable::cos(angle)) <= two * cos);
+  }
+}
+
 TEST_CASE("a basis is orthonormal and right-handed about any unit vector") {
   for (std::uint32_t i = 0; i < 5000; ++i) {
     const Vec3d n = i == 0   ? Vec3d(0, 0, 1)

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "math/elementary.h"
 #include "math/sampling.h"
 #include "scene/lights/attenuation.h"
 
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -40,8 +40,8 @@ struct SpotLight {
 
     explicit Prepared(const SpotLight& light)
         : axis(normalize(light.look_at - light.position)),
-          cos_inner(static_cast<T>(std::cos(light.inner_angle / 2 * degree))),
-          cos_outer(static_cast<T>(std::cos(light.angle / 2 * degree))) {}
+          cos_inner(static_cast<T>(portable::cos(light.inner_angle / 2 * degree))),
+          cos_outer(static_cast<T>(portable::cos(light.angle / 2 * degree))) {}
     [[nodiscard]] bool shines_along(const Vec3<T>& to_light) const {
       return -dot(to_light, axis) > cos_outer * length(to_light);
     }
