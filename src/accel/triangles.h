@@ -57,7 +57,8 @@ class Triangles {
     return positions_[static_cast<std::size_t>(vertex)];
   }
   /// The weighted sum of the corners' normals, not normalised; none where a corner has none.
-  [[nodiscard]] std::optional<Vec3<T>> interpolated_normal(int i, const Vec3<T>& point) const;
+  [[nodiscard, gnu::always_inline]] inline std::optional<Vec3<T>> interpolated_normal(int i,
+                                                                                      const Vec3<T>& point) const;
   /// For `more` elements: exactly as many for the first mesh, in growing steps for the many copies of instances, which
   /// would otherwise be reallocated each time.
   template <class Element>

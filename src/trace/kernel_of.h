@@ -80,7 +80,7 @@ Kernel<T> fitting_kernel(const World<T>& world) {
   static constexpr auto kernels = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Kernel<T>, sizeof...(I)>{&run_kernel<T, kernel_sets[I]>...};
   }(std::make_index_sequence<kernel_sets.size()>());
-  return kernels[kernel_set_for(hit_effects(world.effects, !world.bodies.empty()))];
+  return kernels[kernel_set_for(hit_effects(world.effects, world.lights.size(), !world.bodies.empty()))];
 }
 
 template <class T>

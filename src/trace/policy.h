@@ -5,6 +5,7 @@
 #include "scene/effects.h"
 #include "trace/event.h"
 
+#include <cstddef>
 #include <type_traits>
 
 namespace raywalk {
@@ -25,7 +26,7 @@ class Observer {
 /// The effects whose code is inside the hit loop. A kernel without an effect contains none of its code.
 struct HitEffects {
   bool reflection = true, refraction = true, textures = true;
-  bool penumbra = true;  ///< area lights
+  bool penumbra = true;  ///< area lights, or many lights
   bool lobes = true;     ///< gloss and translucency
   bool shadows = true;   ///< lights at all, occluded or not
   bool nesting = true;   ///< transmitting bodies may overlap, or contain the eye
@@ -33,12 +34,15 @@ struct HitEffects {
 };
 inline constexpr HitEffects all_hit_effects{};
 
-/// `nesting`: whether the world has bodies that can nest.
-[[nodiscard]] inline HitEffects hit_effects(const Effects& effects, bool nesting) {
+/// Lights that a hit may have before the tracer asks between them whether it is cancelled: so few are soon done.
+inline constexpr std::size_t few_lights = 64;
+
+/// `lights`: how many the world has. `nesting`: whether it has bodies that can nest.
+[[nodiscard]] inline HitEffects hit_effects(const Effects& effects, std::size_t lights, bool nesting) {
   return {effects.used(Effect::reflection),
           effects.used(Effect::refraction),
           effects.used(Effect::textures),
-          effects.used(Effect::penumbra),
+          effects.used(Effect::penumbra) || lights > few_lights,
           effects.used(Effect::gloss) || effects.used(Effect::translucency),
           effects.used(Effect::shadows),
           nesting};

@@ -35,7 +35,6 @@ class Tracer {
         camera_(camera),
         observer_(observer),
         stop_(stop),
-        many_lights_(world.lights.size() > unasked_lights),
         last_blockers_(world.lights.size(), -1),
         nested_(world) {}
 
@@ -219,8 +218,6 @@ class Tracer {
   const RayGenerator<T>& camera_;
   Observer& observer_;
   Stop stop_;
-  static constexpr int unasked_lights = 64;
-  bool many_lights_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the current sample

@@ -17,7 +17,9 @@ int Tracer<Policy>::samples_of(const Light& light) {
 /// What is known about all shadow rays from a hit to one light.
 template <class Policy>
 inline void Tracer<Policy>::set_shadow_hints(const ShadingPoint& at, const Light& light) {
-  if (many_lights_ && light.index % unasked_lights == 0) stop_.check();
+  if constexpr (Policy::effects.penumbra) {
+    if (static_cast<std::size_t>(light.index) % few_lights == few_lights - 1) stop_.check();
+  }
   if (world_.shadow_cache) hints_.last = &last_blockers_[static_cast<std::size_t>(&light - world_.lights.data())];
   if constexpr (culls) {
     const auto found = [&] {

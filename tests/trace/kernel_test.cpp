@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("each kernel gives the bits of the kernel with every effect",
   for (const HitEffects& set : sets) {
     CAPTURE(set.reflection, set.refraction, set.textures, set.penumbra, set.lobes, set.nesting);
     const Scene scene = scene_for(set);
-    REQUIRE(hit_effects(effects_of(scene), !World<double>(scene).bodies.empty()) == set);
+    REQUIRE(hit_effects(effects_of(scene), scene.lights.size(), !World<double>(scene).bodies.empty()) == set);
     const auto fitting = picture<T>(scene, 63, 45);
     const auto all = picture_by<T>(scene, 63, 45, {}, [](const auto&... arguments) {
       return detail::run_kernel<T, all_hit_effects>(arguments...);
