@@ -218,10 +218,14 @@ void Microscope::PreparedScene<T>::survey(T now) {
     surfaces = std::make_shared<const TrueSurfaces>(world, now);
 }
 
+/// Beside a coordinate of 0 numbers lie closer than anything that is computed from the ray's: there the spacing of its t
+/// stands for theirs.
 template <class T>
 void Microscope::PreparedScene<T>::set_numbers(Specimen& specimen) {
   for (int axis = 0; axis < 3; ++axis) specimen.spacing[axis] = spacing_in<T>(specimen.focus[axis]);
   for (const int axis : specimen.axes) specimen.ulp = std::max(specimen.ulp, specimen.spacing[axis]);
+  const double of_t = spacing_in<T>(length(specimen.focus - specimen.origin) / length(specimen.direction));
+  if (specimen.ulp < 1e-6 * of_t) specimen.ulp = of_t;
 }
 
 /// Of spheres alone, where a ray that is off by a hair is a lesson: at rest, and not transformed.

@@ -35,7 +35,7 @@ TEST_CASE("the actions of demo files are listed") {
   const Folder folder;
   const Outcome outcome = folder.run({"--demo-help"});
   CHECK(outcome.exit_code == 0);
-  CHECK_THAT(outcome.out, contains("\nstep forward|back line|ray|pixel") && contains("\nlanguage TEXT\n"));
+  CHECK_THAT(outcome.out, contains("\nstep forward|back [line|ray|pixel") && contains("\nlanguage TEXT\n"));
 }
 
 TEST_CASE("a lesson's script is written out with its numbers, in either language") {

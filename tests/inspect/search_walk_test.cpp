@@ -81,7 +81,7 @@ TEST_CASE("every search finds what testing everything finds, which is what the r
       if (record.kind == RayKind::shadow || !search.t || !brute.t) continue;
       CHECK(*search.t == *brute.t);
       CHECK(search.primitive == brute.primitive);
-      CHECK(walks.name(search.primitive) == scene.objects[static_cast<std::size_t>(record.object)].name);
+      CHECK(walks.name(search.primitive, Language()) == scene.objects[static_cast<std::size_t>(record.object)].name);
     }
     hits += record.ending == Ending::hit;
     blocked += record.ending == Ending::blocked;
@@ -134,7 +134,7 @@ TEST_CASE("a member of a group and a triangle are called by their own names") {
   CHECK_FALSE(flake.too_large());
   CHECK(flake.primitives() > 7000);
   bool named = false;
-  for (int i = 0; i < flake.primitives(); ++i) named = named || flake.name(i).find(" / ") != std::string::npos;
+  for (int i = 0; i < flake.primitives(); ++i) named = named || flake.name(i, Language()).find(" / ") != std::string::npos;
   CHECK(named);
   scene = scene_of("mesh");
   const SearchWalks mesh(scene, std::make_shared<const Timeline>(record_pixel(scene, {9, 7}, 4, 3)),

@@ -271,6 +271,7 @@ TEST_CASE("what is said in other words in English is translated") {
                                    "Shade (DEPTH+1, final)",
                                    "Base",
                                    "Cone",
+                                   "Face",
                                    "Slides",
                                    "antialiasing",
                                    "bvh",

@@ -169,7 +169,7 @@ TEST_CASE("the list of actions names each that can be read, once, with its argum
     if (!alone) CHECK(alone.error().message.find("is no action") == std::string::npos);
   }
   CHECK(words.size() > 60);
-  CHECK_THAT(list, test::contains("step forward|back line|ray|pixel|") && test::contains("\ntheme dark|projector\n"));
+  CHECK_THAT(list, test::contains("step forward|back [line|ray|pixel|") && test::contains("\ntheme dark|projector\n"));
 }
 
 TEST_CASE("a demo is a list of lines with comments; errors name file and line") {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "lesson_state.h"
+#include "scene/names.h"
 #include "support/catch.h"
 #include "support/languages.h"
 #include "view/legend/legend.h"
@@ -129,7 +130,7 @@ std::string without_questions(const std::string& text) {
 }
 
 /// The names in quotes of a choice's formula as the panes write them: objects, and how rays end.
-std::vector<std::string> names_in(const Formula& formula, Language language) {
+std::vector<std::string> names_in(const Formula& formula, const Scene& scene, Language language) {
   std::vector<std::string> names;
   for (std::size_t at = formula.text.find('"'); at != std::string::npos; at = formula.text.find('"', at + 1)) {
     const std::size_t end = formula.text.find('"', at + 1);
@@ -141,7 +142,7 @@ std::vector<std::string> names_in(const Formula& formula, Language language) {
         is_ending = true;
       }
     const bool before_is = formula.text.substr(0, at).ends_with("object == ");
-    if (!is_ending && before_is) names.push_back(name);
+    if (!is_ending && before_is) names.push_back(shown_name(scene, name, language));
     at = end;
   }
   return names;
@@ -217,7 +218,7 @@ void look_for_choice(const std::string& lesson, const State& state, const Asked&
     if (said.where == "lesson" && asked.words.choices[i].text.size() <= short_word) return false;
     if (said.where == "lesson") return holds_words(without_questions(said.text), asked.words.choices[i].text);
     if (said.where == "plan") return false;  // which has the names of all
-    const auto names = names_in(choices[i], state.appearance.language);
+    const auto names = names_in(choices[i], asked.step.walk->document.scene, state.appearance.language);
     return std::any_of(names.begin(), names.end(),
                        [&](const std::string& name) { return holds_words(said.text, name); });
   };

@@ -174,7 +174,7 @@ TEST_CASE("a setup is named by what sets it apart") {
   CHECK(setup_text(other, usual, in_english) == "1 sample, depth 2, float, grid");
   other = usual;
   other.sampler = Sampler::sobol, other.tolerance = 0.02, other.light_grid = 3, other.threshold = 0.1;
-  CHECK(setup_text(other, usual, in_english) == "16 samples, sobol, tolerance 0.02, 3 x 3 per light, threshold 0.1");
+  CHECK(setup_text(other, usual, in_english) == "16 samples, sobol, tolerance 0.02, 3 \u00d7 3 per light, threshold 0.1");
   other = usual;
   other.numerics = Numerics::naive, other.epsilon = 0.01;
   CHECK(setup_text(other, usual, in_english) == "16 samples, jittered, naive, epsilon 0.01");
@@ -193,7 +193,7 @@ TEST_CASE("what an attempt cost is told in one line") {
   attempts[0].done = 0.25;
   CHECK(attempt_text(state, {attempts, 0, 0}, 0) == "4 samples, jittered: tracing: 25%");
   CHECK(reference_text({attempts, 0.002, 256}, in_english) ==
-        "reference: 256 samples a pixel, its own error about 0.002");
+        "reference image: 256 samples per pixel, its own error about 0.002");
   CHECK(attempt_text(state, {attempts, 0, 0}, 5).size() > 10);
 }
 
