@@ -26,9 +26,11 @@ export function serve() {
 
 // A page of the program, 1280 x 720 unless `size` says otherwise.
 export class Visit {
-  static async begin(browser, address, size = {}, more = '') {
+  // In a browser of nobody's before, unless it is in that of an earlier visit.
+  static async begin(browser, address, size = {}, more = '', earlier = null) {
     const visit = new Visit;
-    visit.page = await browser.newPage();
+    visit.context = earlier?.context ?? await browser.createBrowserContext();
+    visit.page = await visit.context.newPage();
     visit.complaints = [];
     visit.page.on('console', (said) => said.type() === 'error' && visit.complaints.push(said.text()));
     visit.page.on('pageerror', (error) => visit.complaints.push(String(error)));
@@ -36,7 +38,7 @@ export class Visit {
     visit.page.on('request', (request) => visit.requests.push(request.url()));
     await visit.page.setViewport({ width: 1280, height: 720, ...size });
     visit.begun = Date.now();
-    await visit.page.goto(`${address}?report=/report.json&language=en${more}`);
+    await visit.page.goto(`${address}?report=/report.json${more || '&language=en'}`);
     await visit.page.waitForFunction(() => document.getElementById('says').hidden, { timeout: 120000 });
     await visit.settled();
     return visit;

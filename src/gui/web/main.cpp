@@ -47,7 +47,6 @@ Result<GuiOptions> options_of(int argc, char** argv) {
     const std::string value = argv[i + 1];
     if (name == "scene") options.scene_path = options.data_dir + "/scenes/" + value + ".toml";
     if (name == "language") options.language = options.languages->find(value);
-    if (name == "demo") options.demo_path = value;
     if (name == "report") options.report_path = value;
   }
   return options;

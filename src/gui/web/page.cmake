@@ -1,6 +1,11 @@
 # The page: raywalk.js and raywalk.wasm, which holds all data too, and what pack.mjs makes of them.
 set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 
+# Searches that a person watches, and tracers that are wrong on purpose, need not be fast either.
+foreach(file IN ITEMS accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp)
+  set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${file}" PROPERTIES COMPILE_OPTIONS -Os SKIP_PRECOMPILE_HEADERS ON)
+endforeach()
+
 # Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what the page's languages and
 # formulas are written in: as blocks of Unicode, Latin, Greek, marks, arrows, mathematics and shapes. The hints of TrueType
 # fonts are left out, for nothing follows them.

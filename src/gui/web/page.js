@@ -17,12 +17,15 @@ function say(id, why = '') {
   says.hidden = false;
 }
 
-let program;  // Emscripten's module, once it has started
+let program;  // Emscripten's module, once it has its files
+let running = false;
+
 let failed = false;
 
 function fail(why) {
   if (failed) return;
   failed = true;
+  running = false;
   console.error(why);
   const memory = /memory/i.test(String(why?.message ?? why));
   say(memory ? 'out_of_memory' : 'failed', String(why?.message ?? why));
@@ -123,7 +126,7 @@ function put_kept(name, bytes) {
   kept.set(name, stamp_of('/kept/' + name));
 }
 
-if (tabs) tabs.onmessage = ({ data }) => program && put_kept(data.name, data.bytes);
+if (tabs) tabs.onmessage = ({ data }) => running && put_kept(data.name, data.bytes);
 
 // --- The user's files: /files --------------------------------------------------------------------------------------
 //
@@ -181,7 +184,7 @@ window.addEventListener('dragover', (event) => event.preventDefault());
 window.addEventListener('drop', (event) => {
   event.preventDefault();
   const entries = [...event.dataTransfer.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry);
-  if (program) Promise.all(entries.map((entry) => dropped(entry))).then((files) => take(files.flat())).catch(fail);
+  if (running) Promise.all(entries.map((entry) => dropped(entry))).then((files) => take(files.flat())).catch(fail);
 });
 
 // --- Turns: one a frame while there is something to do, none while there is not ----------------------------------------
@@ -190,7 +193,7 @@ let frame = 0, timer = 0, looked = 0;
 const look_every = 250; // milliseconds between looks at the files, while there is work
 
 function soon() {
-  if (frame === 0 && program && !failed) frame = requestAnimationFrame(turn);
+  if (frame === 0 && running) frame = requestAnimationFrame(turn);
 }
 
 function turn() {
@@ -198,6 +201,7 @@ function turn() {
   clearTimeout(timer);
   try {
     const wait = program._page_turn();
+    if (looked === 0) performance.mark('ready');
     if (wait === 0) soon();
     if (wait > 0) timer = setTimeout(soon, 1000 * wait);
     if (wait === 0 && performance.now() - looked < look_every) return;
@@ -213,7 +217,13 @@ for (const type of ['pointermove', 'pointerdown', 'pointerup', 'pointerleave', '
   'paste', 'resize', 'focus', 'blur', 'touchstart', 'touchmove', 'touchend', 'fullscreenchange'])
   window.addEventListener(type, soon, true);
 
-window.addEventListener('pagehide', () => program && keep());
+window.addEventListener('pagehide', () => running && keep());
+
+// What GLFW's JavaScript leaves out: a drag goes on outside of the page, and a touch is somewhere before it presses.
+canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
+window.addEventListener('touchstart', ({ touches: [first], target }) => {
+  if (target === canvas) canvas.dispatchEvent(new MouseEvent('mousemove', { clientX: first.clientX, clientY: first.clientY }));
+}, true);
 
 // --- Keys: the program's own work, and no others are taken from the browser ------------------------------------------
 
@@ -224,7 +234,7 @@ const browsers_own = new Set([...'LNRTW+-0'].map((key) => 'Ctrl+' + key).concat(
 
 // Before GLFW's, which so never sees what is left to the browser.
 window.addEventListener('keydown', (event) => {
-  if (!program || event.getModifierState('AltGraph')) return;
+  if (!running || event.getModifierState('AltGraph')) return;
   const key = key_names[event.key] ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
   const ctrl = event.ctrlKey || event.metaKey;
   if (browsers_own.has((ctrl ? 'Ctrl+' : '') + key)) return event.stopImmediatePropagation();
@@ -235,7 +245,7 @@ window.addEventListener('keydown', (event) => {
 
 // The browser tells what is pasted only here, before the frame in which the program asks for it.
 window.addEventListener('paste', (event) => {
-  if (program) program.pasted = event.clipboardData.getData('text/plain');
+  if (running) program.pasted = event.clipboardData.getData('text/plain');
 });
 
 // --- Start -----------------------------------------------------------------------------------------------------------
@@ -258,7 +268,7 @@ async function start() {
   if (!document.createElement('canvas').getContext('webgl2')) return say('no_webgl');
   if (!WebAssembly.validate(with_simd)) return say('no_simd');
   const [files, wasmBinary] = await Promise.all([recall(), own_code()]);
-  const options = ['scene', 'language', 'demo', 'report'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
+  const options = ['scene', 'language', 'report'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
   const module = await Raywalk({
     canvas,
     wasmBinary,
@@ -274,6 +284,7 @@ async function start() {
   });
   window.raywalk = module;  // for tests
   if (failed) return;
+  running = true;
   says.hidden = true;
   canvas.focus();
   soon();
