@@ -213,6 +213,8 @@ class Tracer {
   template <class Value>
   using Faultable = std::conditional_t<Policy::faulty, Value, const Value&>;
   [[nodiscard]] bool runs_away(const TreeRay& parent) const;
+  /// Not inlined: it would cost small trees, which never ask, a register.
+  [[gnu::noinline]] void check_stop() const { stop_.check(); }
 
   const World<T>& world_;
   const RayGenerator<T>& camera_;

@@ -96,7 +96,7 @@ bool Tracer<Policy>::decide_intersected(const Nearest& nearest) {
 template <class Policy>
 int Tracer<Policy>::call_shade(Line line, int depth, const TreeRay& ray, const Nearest& nearest) {
   constexpr int unasked = 4;  // levels: a tree so small is soon done
-  if (line != Line::shade_final && depth >= unasked) stop_.check();
+  if (depth >= unasked) check_stop();
   int called = depth + 1;
   inject(Fault::depth_not_counted, [&] {
     if (line == Line::shade_reflect) called = depth;
