@@ -26,6 +26,7 @@ enum class LeafReason {
   no_gain,           ///< splitting would copy most primitives into most parts
   too_deep,          ///< the maximum depth is reached
   same_place,        ///< no plane separates the remaining primitives
+  too_many_listed,   ///< the halves would list more primitives than the structure has room for
 };
 
 /// One decision of a build, in build order.

@@ -25,7 +25,7 @@ class KdTree {
     const int count = static_cast<int>(boxes.bounded.size());
     limit_ = std::min(max_depth, 8 + std::ilogb(whole_power(static_cast<double>(count), 13)) / 10);
     nodes_.emplace_back();
-    split(0, boxes.bounded, box_, boxes, 0, 0, build);
+    split(0, boxes.bounded, box_, boxes, 0, 0, most_listed * boxes.bounded.size(), build);
   }
 
   template <class AnyRay, class Query>
@@ -107,6 +107,9 @@ class KdTree {
 
  private:
   static constexpr int max_depth = 48;
+  /// How often a primitive may be listed, on average. Meshes need 3 to 6; where triangles all meet in one corner, as in
+  /// a fan, most planes cut most of them, and the lists would double from level to level.
+  static constexpr std::size_t most_listed = 32;
   static constexpr int leaf = 3;
 
   /// A leaf holds ids_[first, first + count). An inner node's children are at first (below the plane) and first + 1.
@@ -139,8 +142,9 @@ class KdTree {
     list_nodes(nodes, most, node.first + 1, high, depth + 1);
   }
 
+  /// `room`: how many primitives the leaves below may list together.
   void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const PrimitiveBounds<T>& boxes,
-             int depth, int bad_cuts, const BuildOptions& build) {
+             int depth, int bad_cuts, std::size_t room, const BuildOptions& build) {
     depth_ = std::max(depth_, depth);
     constexpr T cost_of_node = T(0.8), bonus_for_empty = T(0.2);
     const T count = static_cast<T>(ids.size()), area = half_area(box);
@@ -179,12 +183,20 @@ class KdTree {
       if (best_axis != leaf)
         told->split_cost = static_cast<double>(best_cost), told->leaf_cost = static_cast<double>(count);
     }
-    if (best_axis == leaf || bad_cuts > 2 || (best_cost > 4 * count && count < 16)) {
+    std::vector<int> low_ids, high_ids;
+    if (best_axis != leaf)
+      build.stop.each(ids.begin(), ids.end(), [&](int id) {
+        if (boxes.box(id).min[best_axis] <= plane) low_ids.push_back(id);
+        if (boxes.box(id).max[best_axis] >= plane) high_ids.push_back(id);
+      });
+    const bool dear = bad_cuts > 2 || (best_cost > 4 * count && count < 16);
+    if (best_axis == leaf || dear || low_ids.size() + high_ids.size() > room) {
       if (told) {
         told->why = ids.size() <= 1     ? LeafReason::single
                     : depth >= limit_   ? LeafReason::too_deep
                     : best_axis == leaf ? LeafReason::same_place
-                                        : LeafReason::split_costs_more;
+                    : dear              ? LeafReason::split_costs_more
+                                        : LeafReason::too_many_listed;
         build.watcher->add(std::move(*told));
       }
       nodes_[index].first = static_cast<std::uint32_t>(ids_.size());
@@ -192,11 +204,6 @@ class KdTree {
       ids_.insert(ids_.end(), ids.begin(), ids.end());
       return;
     }
-    std::vector<int> low_ids, high_ids;
-    build.stop.each(ids.begin(), ids.end(), [&](int id) {
-      if (boxes.box(id).min[best_axis] <= plane) low_ids.push_back(id);
-      if (boxes.box(id).max[best_axis] >= plane) high_ids.push_back(id);
-    });
     Bounds<T> low = box, high = box;
     low.max[best_axis] = high.min[best_axis] = plane;
     if (told) {
@@ -208,8 +215,10 @@ class KdTree {
     const std::size_t first = nodes_.size();
     nodes_.resize(first + 2);
     nodes_[index] = {plane, best_axis, static_cast<std::uint32_t>(first), 0};
-    split(first, low_ids, low, boxes, depth + 1, bad_cuts, build);
-    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts, build);
+    // Each side takes its share of the room, which is at least what it lists.
+    const std::size_t low_room = room * low_ids.size() / (low_ids.size() + high_ids.size());
+    split(first, low_ids, low, boxes, depth + 1, bad_cuts, low_room, build);
+    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts, room - low_room, build);
   }
 
   Bounds<T> box_;

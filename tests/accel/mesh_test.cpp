@@ -6,6 +6,8 @@
 #include "support/catch.h"
 #include "support/effort.h"
 
+#include <numbers>
+
 using namespace raywalk;
 using namespace raywalk::test;
 
@@ -100,6 +102,31 @@ TEMPLATE_TEST_CASE("rays that leave from an edge meet neither of its triangles",
   CHECK(departed > rounds(1000));
   CHECK(self_hits == 0);
   CHECK(lost == 0);
+}
+
+TEST_CASE("a kd-tree of triangles that all meet in one corner lists few of them often", "[mesh]") {
+  Mesh fan;  // a regular polygon, cut from its first corner: long thin triangles, whose boxes mostly overlap
+  constexpr int corners = 500;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    fan.positions.push_back({std::cos(angle), std::sin(angle), 0.1 * std::cos(3 * angle)});
+  }
+  for (int i = 1; i + 1 < corners; ++i) fan.triangles.push_back({0, i, i + 1});
+  Primitives<double> primitives;
+  primitives.add(fan, {}, false);
+  const Accelerator<double> tree(primitives, AcceleratorKind::kdtree), list(primitives, AcceleratorKind::none);
+  const AcceleratorStatistics statistics = tree.statistics();
+  CHECK(statistics.references > fan.triangles.size());
+  CHECK(statistics.references <= 32 * fan.triangles.size());  // 14 million without a bound
+  Numbers next(5);
+  TestCounts counts;
+  int differing = 0;
+  for (int i = 0; i < rounds(2000); ++i) {
+    const Vec3d eye(next.real(-2, 2), next.real(-2, 2), next.real(1, 2));
+    const Ray<double> ray{eye, Vec3d(next.real(-1, 1), next.real(-1, 1), 0) - eye};
+    differing += !same(tree.closest(ray, infinity<double>, counts), list.closest(ray, infinity<double>, counts));
+  }
+  CHECK(differing == 0);
 }
 
 TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves", "[mesh]", float, double) {

@@ -273,6 +273,8 @@ class PanelWords {
         return say("structure.leaf_deep", {{"shapes", held}});
       case LeafReason::same_place:
         return say("structure.leaf_same", {{"shapes", held}});
+      case LeafReason::too_many_listed:
+        return say("structure.leaf_full", {{"shapes", held}});
     }
     return {};
   }
