@@ -32,6 +32,8 @@ endforeach()
 file(GLOB scenes CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/scenes/*.toml" "${CMAKE_SOURCE_DIR}/scenes/*.ply")
 file(GLOB_RECURSE lessons CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/lessons/*")
 file(GLOB texts CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/text/*.toml")
+list(FILTER texts EXCLUDE REGEX "/en[.]toml$") # it is part of the program
+list(FILTER lessons EXCLUDE REGEX "/README[.]md$")
 add_custom_command(
   OUTPUT "${data}.done"
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${data}"
@@ -39,6 +41,7 @@ add_custom_command(
   ${subset_fonts}
   COMMAND "${CMAKE_COMMAND}" -E copy ${scenes} "${data}/scenes"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${CMAKE_SOURCE_DIR}/lessons" "${data}/lessons"
+  COMMAND "${CMAKE_COMMAND}" -E rm "${data}/lessons/README.md"
   COMMAND "${CMAKE_COMMAND}" -E copy ${texts} "${data}/text"
   COMMAND "${CMAKE_COMMAND}" -E touch "${data}.done"
   DEPENDS ${fonts} ${scenes} ${lessons} ${texts}
@@ -53,6 +56,7 @@ target_link_options(raywalk PRIVATE
   "SHELL:--embed-file ${data}@/raywalk"
   # No eval, which a Content-Security-Policy forbids. Under Node, tests call what they want themselves.
   -sMODULARIZE -sEXPORT_NAME=Raywalk -sENVIRONMENT=web,worker,node -sDYNAMIC_EXECUTION=0
+  -Os # of what is linked only; each floor was compiled as it wants to be
   -sSTACK_SIZE=8MB -sINITIAL_MEMORY=64MB -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB
   -sEXPORTED_RUNTIME_METHODS=FS,ccall -sFORCE_FILESYSTEM=1)
 
