@@ -4,6 +4,7 @@
 #include "gui/interface.h"
 #include "gui/live_costs.h"
 #include "gui/report.h"
+#include "gui/shown_picture.h"
 #include "gui/style.h"
 #include "text/file.h"
 
@@ -37,27 +38,6 @@ bool writes_file(const Action& action) {
          std::holds_alternative<action::SavePredictions>(action) ||
          std::holds_alternative<action::AnswerQuestion>(action);
 }
-
-/// A picture that is being refined, as it was last shown.
-class ShownPicture {
- public:
-  /// Uploads the picture of this revision, unless it is shown already; while more is to come, every so many seconds.
-  /// Returns whether it did.
-  bool show(std::uint64_t revision, ImageSize size, const std::vector<std::uint8_t>& rgba, bool more, double every) {
-    const Clock::time_point now = Clock::now();
-    if (revision == revision_ || (more && seconds_between(at_, now) < every)) return false;
-    if (size.width > 0) texture_.upload(size.width, size.height, rgba.data());
-    revision_ = revision;
-    at_ = now;
-    return true;
-  }
-  [[nodiscard]] unsigned texture() const { return texture_.id(); }
-
- private:
-  Texture texture_;
-  std::uint64_t revision_ = 0;
-  Clock::time_point at_{};
-};
 
 }  // namespace
 
