@@ -61,6 +61,25 @@ test('a page at rest draws nothing', async () => {
   await visit.page.close();
 });
 
+test('a scene that is dropped is opened with what it names, and asks before it drops changes', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  const scenes = join(process.env.RAYWALK_SOURCE_DIR, 'scenes');
+  const drop = () => visit.page.evaluate((files) => {
+    const dataTransfer = new DataTransfer;
+    for (const [name, bytes] of files) dataTransfer.items.add(new File([new Uint8Array(bytes)], name));
+    document.getElementById('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, ['ball.ply', 'mesh.toml'].map((name) => [name, [...readFileSync(join(scenes, name))]]));
+  await drop();
+  await visit.until((now) => now.path === '/files/mesh.toml' && now.question === '');
+  await visit.page.keyboard.press('m');
+  await visit.page.keyboard.press('1');
+  await visit.until((now) => now.dirty);
+  await drop();
+  await visit.until((now) => now.question === 'unsaved');
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});
+
 test('a touch presses where it is', async () => {
   const visit = await Visit.begin(browser, server.address, { hasTouch: true });
   const [x, y, width, height] = (await visit.report()).items.step;

@@ -170,6 +170,7 @@ function download() {
 
 // The files of what was dropped, folders with all that they hold.
 async function dropped(entry, folder = '') {
+  if (entry instanceof File) return [{ name: entry.name, file: entry }];
   if (entry.isFile) return [{ name: folder + entry.name, file: await new Promise((...calls) => entry.file(...calls)) }];
   const reader = entry.createReader(), within = [];
   for (let some; (some = await new Promise((...calls) => reader.readEntries(...calls))).length > 0;) within.push(...some);
@@ -183,7 +184,8 @@ chooser.addEventListener('change', () => {
 window.addEventListener('dragover', (event) => event.preventDefault());
 window.addEventListener('drop', (event) => {
   event.preventDefault();
-  const entries = [...event.dataTransfer.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry);
+  const entries = [...event.dataTransfer.items].map((item) => item.webkitGetAsEntry() ?? item.getAsFile())
+    .filter((entry) => entry);
   if (running) Promise.all(entries.map((entry) => dropped(entry))).then((files) => take(files.flat())).catch(fail);
 });
 
