@@ -7,9 +7,14 @@ const [folder, port] = process.argv.slice(2);
 const kinds = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 
 const server = createServer((request, response) => {
-  const { pathname } = new URL(request.url, 'http://localhost');
-  const file = join(folder, normalize('/' + decodeURIComponent(pathname)), pathname.endsWith('/') ? 'index.html' : '');
-  const found = statSync(file, { throwIfNoEntry: false });
+  let file, found;
+  try {
+    const { pathname } = new URL(request.url, 'http://localhost');
+    file = join(folder, normalize('/' + decodeURIComponent(pathname)), pathname.endsWith('/') ? 'index.html' : '');
+    found = statSync(file, { throwIfNoEntry: false });
+  } catch {
+    found = null; // no address at all
+  }
   if (!found?.isFile()) return response.writeHead(404).end('there is no such file here\n');
   response.writeHead(200, { 'Content-Type': kinds[extname(file)] ?? 'application/octet-stream', 'Content-Length': found.size });
   createReadStream(file).pipe(response);
