@@ -134,10 +134,11 @@ TEST_CASE("a member of a group and a triangle are called by their own names") {
   CHECK_FALSE(flake.too_large());
   CHECK(flake.primitives() > 7000);
   bool named = false;
-  for (int i = 0; i < flake.primitives(); ++i) named = named || flake.name(i, Language()).find(" / ") != std::string::npos;
+  for (int i = 0; i < flake.primitives(); ++i)
+    named = named || flake.name(i, Language()).find(" / ") != std::string::npos;
   CHECK(named);
   scene = scene_of("mesh");
   const SearchWalks mesh(scene, std::make_shared<const Timeline>(record_pixel(scene, {9, 7}, 4, 3)),
                          Precision::double_);
-  CHECK(mesh.name(mesh.primitives() - 1).find(" #") != std::string::npos);
+  CHECK(mesh.name(mesh.primitives() - 1, Language()).find(" #") != std::string::npos);
 }
