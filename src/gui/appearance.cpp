@@ -42,7 +42,7 @@ Commands AppearanceRoom::commands() {
        .enabled = [](const State& state) { return state.appearance.ui_scale != 1; }, .run = act<action::SetUiScale, 1>},
       {.name = "language", .keys = {"Ctrl+L"}, .section = Section::style, .label = language_label,
        .run = [](const Ui& ui) { ui.act(action::SetLanguage{std::string(ui.state.appearance.language.next().code())}); }},
-      {.name = "english-code", .section = Section::style,
+      {.name = "english-code", .keys = {"Ctrl+Shift+L"}, .section = Section::style,
        .enabled = [](const State& state) { return state.appearance.language.code() != "en"; },
        .chosen = [](const State& state) { return state.appearance.english_code; },
        .run = [](const Ui& ui) { ui.act(action::SetEnglishCode{!ui.state.appearance.english_code}); }},

@@ -169,7 +169,7 @@ TEST_CASE("every key of a scene that has a field has a name in the window") {
   const std::set<std::string> without{"name",  "type",   "title",  "description", "transform", "motion",
                                       "file",  "holes",  "group",  "vertices",    "triangles", "normals",
                                       "uv",    "camera", "screen", "image",       "limits",    "render",
-                                      "light", "object", "width",  "height",      "encoding"};
+                                      "light", "object", "width",  "height",      "encoding",  "translated"};
   for (const KeyTable& table : key_tables()) {
     if (table.name == "render" || table.name == "transform") continue;
     for (const KeyEntry& key : table.keys) {

@@ -101,6 +101,8 @@ void stage(State& state) {
     state.appearance.tab = PictureRoom::tab;
   else
     state.appearance.tab = named<Tab>(name_of(step.step->pane)).value_or(state.appearance.tab);
+  if (step.step->pane == LessonBeside::microscope)
+    state.microscope.magnified = 0.42;  // in double, where a millionth of a scene unit is seen
   go_to(state, step.asked);
 }
 
