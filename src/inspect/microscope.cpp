@@ -218,8 +218,8 @@ void Microscope::PreparedScene<T>::survey(T now) {
     surfaces = std::make_shared<const TrueSurfaces>(world, now);
 }
 
-/// Beside a coordinate of 0 numbers lie closer than anything that is computed from the ray's: there the spacing of its t
-/// stands for theirs.
+/// Beside a coordinate of 0 numbers lie closer than anything that is computed from the ray's: there the spacing of its
+/// t stands for theirs.
 template <class T>
 void Microscope::PreparedScene<T>::set_numbers(Specimen& specimen) {
   for (int axis = 0; axis < 3; ++axis) specimen.spacing[axis] = spacing_in<T>(specimen.focus[axis]);

@@ -174,7 +174,8 @@ TEST_CASE("a setup is named by what sets it apart") {
   CHECK(setup_text(other, usual, in_english) == "1 sample, depth 2, float, grid");
   other = usual;
   other.sampler = Sampler::sobol, other.tolerance = 0.02, other.light_grid = 3, other.threshold = 0.1;
-  CHECK(setup_text(other, usual, in_english) == "16 samples, sobol, tolerance 0.02, 3 \u00d7 3 per light, threshold 0.1");
+  CHECK(setup_text(other, usual, in_english) ==
+        "16 samples, sobol, tolerance 0.02, 3 \u00d7 3 per light, threshold 0.1");
   other = usual;
   other.numerics = Numerics::naive, other.epsilon = 0.01;
   CHECK(setup_text(other, usual, in_english) == "16 samples, jittered, naive, epsilon 0.01");
