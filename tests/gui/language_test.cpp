@@ -251,7 +251,7 @@ TEST_CASE("where the tabs have no room in one line they stand in two, in every l
     Bench bench;
     CAPTURE(language.code());
     update(bench.state, action::SetLanguage{std::string(language.code())});
-    bench.resize(2600, 900);
+    bench.resize(3200, 900);
     bench.frames(3);
     CHECK(bench.rect("tab-image").y == bench.rect("tab-microscope").y);
     bench.resize(900, 700);

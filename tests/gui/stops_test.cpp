@@ -93,7 +93,7 @@ TEST_CASE("the popup goes to a step and sets conditions") {
   CHECK(popup.x >= 0);
   CHECK(popup.right() <= bench.interface().layout().side.x + 1);
   CHECK(popup.bottom() <= 720);
-  bench.click("property/Total reflection");
+  bench.click("property/Total internal reflection");
   CHECK(bench.state.walk.breakpoints.total_internal_reflection);
   bench.click("remove-breakpoints");
   CHECK_FALSE(bench.state.walk.breakpoints.any());
