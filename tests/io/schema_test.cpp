@@ -255,6 +255,10 @@ class Changer {
     value += "2";
     return to_ == To::another;
   }
+  bool change(const schema::Names& /*kind*/, std::vector<std::string>& value) {
+    value.emplace_back("Ball");
+    return to_ == To::another;
+  }
   bool change(const schema::GroupName& /*kind*/, Instance& value) {
     value.group = "bush";
     return to_ == To::another;
