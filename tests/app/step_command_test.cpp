@@ -127,7 +127,7 @@ TEST_CASE("step speaks Portuguese as text and as a page; JSON is the same in eve
   const Outcome text = folder.run(words);
   CHECK(text.exit_code == 0);
   CHECK(text.out == transcript(scene, record_cell(scene, 10), in_portuguese));
-  CHECK_THAT(text.out, contains("raio de sombra") && contains("Form shadow ray"));
+  CHECK_THAT(text.out, contains("raio de sombra") && contains("Formar raio de sombra"));
   const auto as = [&](const std::string& format, const std::string& language) {
     return folder.run({"step", classic, "--pixel", "10", "--format", format, "--language", language}).out;
   };
