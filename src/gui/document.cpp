@@ -81,7 +81,7 @@ Commands DocumentRoom::commands() {
       {.name = "quit", .keys = {"Ctrl+Q"}, .section = Section::quit, .line = "keys.files", .run = act<action::Quit>},
   };
   // clang-format on
-  return rows::Rows(all).first(std::size(all) - (platform::can_quit() ? 0 : 1));
+  return Commands(all).first(std::size(all) - (platform::can_quit() ? 0 : 1));
 }
 
 }  // namespace raywalk

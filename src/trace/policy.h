@@ -55,6 +55,7 @@ struct Policy {
   using Scalar = ScalarType;
   using Observer = ObserverType;
   static constexpr HitEffects effects = Set;
+  static_assert(Set.refraction || !Set.nesting, "only bodies that transmit nest");
   /// The ray type, which selects robust or naive intersections.
   using Ray = std::conditional_t<Arithmetic == Numerics::naive, NaiveRay<Scalar>, raywalk::Ray<Scalar>>;
   /// Whether there are hooks for fault injection: the fault that a world names breaks the tracer on purpose

@@ -246,8 +246,8 @@ class Changer {
     return to_ == To::another;
   }
   template <class T>
-  bool change(const schema::Choice<T>& kind, T& value) {
-    value = static_cast<T>((static_cast<int>(value) + 1) % kind.count);
+  bool change(const schema::Choice<T>& /*kind*/, T& value) {
+    value = static_cast<T>((static_cast<std::size_t>(value) + 1) % all_words<T>().size());
     return to_ == To::another;
   }
   template <class Kind>

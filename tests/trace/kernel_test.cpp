@@ -90,7 +90,8 @@ TEST_CASE("the kernels are different ones") {
                           return detail::run_kernel<double, HitEffects{true, true, false, true, true}>(a...);
                         })));
   CHECK_FALSE(same_bits(full, by([](const auto&... a) {
-                          return detail::run_kernel<double, HitEffects{true, false, true, true, true}>(a...);
+                          return detail::run_kernel<double, HitEffects{true, false, true, true, true, true, false}>(
+                              a...);
                         })));
   CHECK_FALSE(same_bits(full, by([](const auto&... a) {
                           return detail::run_kernel<double, HitEffects{true, true, true, false, true}>(a...);
