@@ -371,11 +371,18 @@ TEST_CASE("lights, the camera and the scene have properties") {
   CHECK(bench.state.scene().background.x == 0.5);
   type_into(bench, field("property.threshold"), "0.01");
   CHECK(bench.state.scene().limits.threshold == 0.01);
+  // What is further down is scrolled to.
+  bench.point_at(field("property.background", "/0"));
+  bench.wheel(-30);
+  bench.frames(10);
   // Whole numbers have buttons beside them, and what is typed takes the place of what stood there.
   type_into(bench, field("property.limits_depth"), "12");
   CHECK(bench.state.scene().limits.depth == 12);
-  type_into(bench, field("property.screen_cells"), "33");
-  CHECK(bench.state.scene().camera.screen.cells == 33);
   type_into(bench, field("property.limits_depth"), "0");
   CHECK(bench.state.scene().limits.depth == 12);
+  bench.point_at(field("property.limits_depth"));
+  bench.wheel(30);
+  bench.frames(10);
+  type_into(bench, field("property.screen_cells"), "33");
+  CHECK(bench.state.scene().camera.screen.cells == 33);
 }
