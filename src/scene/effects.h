@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -35,7 +36,7 @@ inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"}
                                                     {Effect::antialiasing, "antialiasing"},
                                                     {Effect::indirect_light, "indirect_light"},
                                                     {Effect::textures, "textures"}};
-inline constexpr int effect_count = 11;
+inline constexpr int effect_count = static_cast<int>(std::size(words_of<Effect>));
 
 struct EffectUse {
   bool used = false;

@@ -1,5 +1,5 @@
 #pragma once
-// The list of shapes: a new primitive is one header beside this one and one entry here.
+// The list of shapes, and what is asked of any. CONTRIBUTING.md, How to add a shape.
 
 #include "shape/box.h"
 #include "shape/disk.h"

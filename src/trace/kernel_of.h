@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 namespace raywalk::detail {
@@ -67,12 +68,22 @@ inline constexpr auto kernel_sets = [] {
 }();
 
 /// The smallest of these that holds a world's effects.
-[[nodiscard]] inline std::size_t kernel_set_for(HitEffects set) {
+[[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
   set.refraction = set.refraction || set.nesting;
   set.reflection = set.reflection || set.refraction || set.lobes;
   set.shadows = set.shadows || set.penumbra;
   return static_cast<std::size_t>(std::find(kernel_sets.begin(), kernel_sets.end(), set) - kernel_sets.begin());
 }
+static_assert(
+    [] {
+      for (unsigned bits = 0; bits < 1u << sizeof(HitEffects); ++bits) {
+        std::array<bool, sizeof(HitEffects)> set{};
+        for (std::size_t i = 0; i < set.size(); ++i) set[i] = (bits >> i & 1) != 0;
+        if (kernel_set_for(std::bit_cast<HitEffects>(set)) == kernel_sets.size()) return false;
+      }
+      return true;
+    }(),
+    "every combination of effects has a kernel");
 
 template <class T>
 Kernel<T> fitting_kernel(const World<T>& world) {

@@ -49,13 +49,10 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
   for (int i = 0; i < ending_count; ++i)
     ask("ending", name_of(static_cast<Ending>(i)), text(static_cast<Ending>(i), language));
   for (const AcceleratorKind kind : values_of<AcceleratorKind>) ask("accelerator", name_of(kind), text(kind, language));
-  for (const Integrator integrator :
-       {Integrator::automatic, Integrator::cast, Integrator::whitted, Integrator::distributed, Integrator::path})
+  for (const Integrator integrator : values_of<Integrator>)
     ask("integrator", name_of(integrator), text(integrator, language));
-  for (const Sampler sampler : {Sampler::random, Sampler::jittered, Sampler::sobol})
-    ask("sampler", name_of(sampler), text(sampler, language));
-  for (const Numerics numerics : {Numerics::robust, Numerics::naive})
-    ask("numerics", name_of(numerics), text(numerics, language));
+  for (const Sampler sampler : values_of<Sampler>) ask("sampler", name_of(sampler), text(sampler, language));
+  for (const Numerics numerics : values_of<Numerics>) ask("numerics", name_of(numerics), text(numerics, language));
   for (int i = 0; i < effect_count; ++i)
     ask("effect", name_of(static_cast<Effect>(i)), text(static_cast<Effect>(i), language));
   for (const Fault fault : values_of<Fault>)
