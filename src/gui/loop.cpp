@@ -33,10 +33,8 @@ constexpr double notice_lasts = 6;          // seconds, unless it reports an err
 
 /// Whether the action writes a file of the user's.
 bool writes_file(const Action& action) {
-  return std::holds_alternative<action::Export>(action) || std::holds_alternative<action::FinishExport>(action) ||
-         std::holds_alternative<action::Save>(action) || std::holds_alternative<action::SaveAs>(action) ||
-         std::holds_alternative<action::SavePredictions>(action) ||
-         std::holds_alternative<action::AnswerQuestion>(action);
+  return action.is<action::Export>() || action.is<action::FinishExport>() || action.is<action::Save>() ||
+         action.is<action::SaveAs>() || action.is<action::SavePredictions>() || action.is<action::AnswerQuestion>();
 }
 
 }  // namespace
@@ -145,7 +143,7 @@ class Loop::Parts {
   // The demo may run unattended: if it fails to write a file or to open a lesson, it ends as a failure, with a message.
   void note_failure(const Action& action) {
     if (!failure_ || !state_.document.notice) return;
-    const auto* lesson = std::get_if<action::OpenLesson>(&action);
+    const auto* lesson = action.as<action::OpenLesson>();
     const auto& open = state_.lessons.open;
     const bool failed = lesson != nullptr ? !state_.document.question && (!open || open->lesson.name != lesson->name)
                                           : writes_file(action) && state_.document.notice->kind == Notice::Kind::error;

@@ -178,9 +178,8 @@ double LiveImage::seconds_left() const {
 }
 
 bool Demo::ignores_question() const {
-  const auto is_quit = [](const Action& action) { return std::holds_alternative<action::Quit>(action); };
-  return !over() && !std::holds_alternative<action::AnswerQuestion>(actions_[next_]) &&
-         !std::holds_alternative<action::Wait>(actions_[next_]) &&
+  const auto is_quit = [](const Action& action) { return action.is<action::Quit>(); };
+  return !over() && !actions_[next_].is<action::AnswerQuestion>() && !actions_[next_].is<action::Wait>() &&
          std::any_of(actions_.begin() + static_cast<std::ptrdiff_t>(next_), actions_.end(), is_quit);
 }
 
@@ -189,7 +188,7 @@ const Action* Demo::due(double seconds) {
   waited_ += seconds;
   if (waited_ < pause) return nullptr;
   const Action& action = actions_[next_++];
-  const auto* wait = std::get_if<action::Wait>(&action);
+  const auto* wait = action.as<action::Wait>();
   waited_ = wait == nullptr ? 0 : -std::clamp(wait->seconds, 0.0, max_wait);
   return &action;
 }

@@ -5,7 +5,8 @@
 
 // Errors are results here, not exceptions: the browser build has none.
 #define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1
+// What is no template is compiled once, in toml.cpp, and not in each file that includes this.
+#define TOML_HEADER_ONLY 0
 // Some of the library's assertions fail on malformed text (3.3.0: the header "[=]"), which it then refuses properly.
 // With NDEBUG they become promises to the optimiser, which is worse. So: neither.
 #define TOML_ASSERT(expression) static_assert(true)

@@ -9,51 +9,106 @@
 #include <optional>
 #include <span>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 namespace raywalk {
 
 namespace {
 
-class ActionWriter {
+/// What stands in a text for each kind of field that an action may have. The kinds are few, the actions many: each
+/// action's fields are compiled for this class alone, and reading, writing and listing are three of it.
+class Fields {
+ public:
+  void operator()(int& value) { whole(value); }
+  void operator()(double& value, Number = Number::finite) { number(value); }
+  void operator()(std::string& value) { text(value); }
+  void operator()(std::string& value, FilePath) { path(value); }
+  void operator()(bool& value, Either words) { either(value, words); }
+  void operator()(bool& value, Flag word) { flag(value, word); }
+  void operator()(Line& value) { line(value); }
+  void operator()(std::optional<Line>& value) { maybe_line(value); }
+  template <Worded E>
+  void operator()(E& value) {
+    std::optional<std::size_t> index = index_of(value);
+    choice(names<E>, index, true);
+    if (index) value = words_of<E>[*index].first;
+  }
+  template <Worded E>
+  void operator()(std::optional<E>& value) {
+    std::optional<std::size_t> index;
+    if (value) index = index_of(*value);
+    choice(names<E>, index, false);
+    if (index) value = words_of<E>[*index].first;
+  }
+  template <class Value>
+  void operator()(Value&, Unwritten) {}
+  template <class Value>
+    requires(std::is_class_v<Value> && !Worded<Value>)
+  void operator()(Value& value) {
+    each_field(*this, value);
+  }
+
+ protected:
+  using Names = std::span<const std::string_view>;
+
+  Fields() = default;
+  Fields(const Fields&) = default;
+  Fields& operator=(const Fields&) = default;
+  ~Fields() = default;
+
+ private:
+  virtual void whole(int& value) = 0;
+  virtual void number(double& value) = 0;
+  virtual void text(std::string& value) = 0;
+  virtual void path(std::string& value) = 0;
+  virtual void either(bool& value, Either words) = 0;
+  virtual void flag(bool& value, Flag word) = 0;
+  virtual void line(Line& value) = 0;
+  virtual void maybe_line(std::optional<Line>& value) = 0;
+  /// One of these words, by its index; left out only where none is `needed`.
+  virtual void choice(Names words, std::optional<std::size_t>& index, bool needed) = 0;
+
+  template <Worded E>
+  static constexpr auto names = [] {
+    std::array<std::string_view, std::size(words_of<E>)> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = words_of<E>[i].second;
+    return all;
+  }();
+  template <Worded E>
+  static std::optional<std::size_t> index_of(const E& value) {
+    for (std::size_t i = 0; i < std::size(words_of<E>); ++i)
+      if (words_of<E>[i].first == value) return i;
+    return {};
+  }
+};
+
+class ActionWriter final : public Fields {
  public:
   explicit ActionWriter(std::string_view word) : line_(word) {}
   [[nodiscard]] std::string take() { return std::move(line_); }
 
-  void operator()(int value) { add(fmt::format("{}", value)); }
-  void operator()(double value, Number = Number::finite) { add(fmt::format("{}", value)); }
-  void operator()(const std::string& text) { add(text); }
-  void operator()(const std::string& path, FilePath) { add(path); }
-  void operator()(bool value, Either words) { add(value ? words.yes : words.no); }
-  void operator()(bool value, Flag flag) {
-    if (value) add(flag.word);
+ private:
+  void whole(int& value) override { add(fmt::format("{}", value)); }
+  void number(double& value) override { add(fmt::format("{}", value)); }
+  void text(std::string& value) override { add(value); }
+  void path(std::string& value) override { add(value); }
+  void either(bool& value, Either words) override { add(value ? words.yes : words.no); }
+  void flag(bool& value, Flag word) override {
+    if (value) add(word.word);
   }
-  void operator()(Line value) { add(fmt::format("{}", static_cast<int>(value) + 1)); }
-  void operator()(const std::optional<Line>& value) { value ? (*this)(*value) : add("none"); }
-  template <Worded E>
-  void operator()(E value) {
-    for (const auto& [each, word] : words_of<E>)
-      if (each == value) add(word);
-  }
-  template <Worded E>
-  void operator()(const std::optional<E>& value) {
-    if (value) (*this)(*value);
-  }
-  template <class Value>
-  void operator()(const Value&, Unwritten) {}
-  template <class Value>
-    requires(std::is_class_v<Value> && !Worded<Value>)
-  void operator()(const Value& value) {
-    each_field(*this, value);
+  void line(Line& value) override { add(fmt::format("{}", static_cast<int>(value) + 1)); }
+  void maybe_line(std::optional<Line>& value) override { value ? line(*value) : add("none"); }
+  void choice(Names words, std::optional<std::size_t>& index, bool /*needed*/) override {
+    if (index) add(words[*index]);
   }
 
- private:
   void add(std::string_view word) { line_.append(" ").append(word); }
 
   std::string line_;
 };
 
-class ActionReader {
+class ActionReader final : public Fields {
  public:
   /// `text`: the line after the word.
   explicit ActionReader(std::string_view text) : text_(text) {}
@@ -64,63 +119,59 @@ class ActionReader {
     return error_;
   }
 
-  void operator()(int& value) {
-    double number = 0;
+ private:
+  static constexpr std::string_view blanks = " \t\r";
+
+  void whole(int& value) override {
+    double found = 0;
     const std::string_view before = text_;
-    if (!parse(number) || number != std::floor(number) || std::abs(number) > 1e9) {
+    if (!parse(found) || found != std::floor(found) || std::abs(found) > 1e9) {
       text_ = before;
       return fail("a whole number");
     }
-    value = static_cast<int>(number);
+    value = static_cast<int>(found);
   }
-  void operator()(double& value, Number = Number::finite) {
+  void number(double& value) override {
     if (!parse(value)) fail("a number");
   }
-  void operator()(std::string& text) {
+  void text(std::string& value) override {
     static_cast<void>(peek());
-    text = text_;
+    value = text_;
     text_ = {};
-    if (text.empty()) fail("a text");
+    if (value.empty()) fail("a text");
   }
-  void operator()(std::string& path, FilePath) { (*this)(path); }
-  void operator()(bool& value, Either words) {
-    const Word<bool> both[] = {{true, words.yes}, {false, words.no}};
-    choose(value, std::span(both));
+  void path(std::string& value) override { text(value); }
+  void either(bool& value, Either words) override {
+    const std::string_view both[] = {words.yes, words.no};
+    std::optional<std::size_t> index;
+    choice(both, index, true);
+    if (index) value = *index == 0;
   }
-  void operator()(bool& value, Flag flag) {
-    value = peek() == flag.word;
+  void flag(bool& value, Flag word) override {
+    value = peek() == word.word;
     if (value) static_cast<void>(next());
   }
-  void operator()(Line& value) {
+  void line(Line& value) override {
     int row = 0;
-    (*this)(row);
+    whole(row);
     if (row < 1 || row > all_lines_count) return fail(fmt::format("a line's number from 1 to {}", all_lines_count));
     value = static_cast<Line>(row - 1);
   }
-  void operator()(std::optional<Line>& value) {
+  void maybe_line(std::optional<Line>& value) override {
     value.reset();
     if (peek() == "none") return static_cast<void>(next());
-    (*this)(value.emplace());
+    line(value.emplace());
   }
-  template <Worded E>
-  void operator()(E& value) {
-    choose(value, std::span(words_of<E>));
+  void choice(Names words, std::optional<std::size_t>& index, bool needed) override {
+    index.reset();
+    const auto found = std::find(words.begin(), words.end(), peek());
+    if (found != words.end()) {
+      index = static_cast<std::size_t>(found - words.begin());
+      static_cast<void>(next());
+    } else if (needed) {
+      fail(fmt::format("one of {}", fmt::join(words, ", ")));
+    }
   }
-  template <Worded E>
-  void operator()(std::optional<E>& value) {
-    E found{};
-    if (try_choice(found, std::span(words_of<E>))) value = found;
-  }
-  template <class Value>
-  void operator()(Value&, Unwritten) {}
-  template <class Value>
-    requires(std::is_class_v<Value> && !Worded<Value>)
-  void operator()(Value& value) {
-    each_field(*this, value);
-  }
-
- private:
-  static constexpr std::string_view blanks = " \t\r";
 
   std::string_view peek() {
     const std::size_t begin = text_.find_first_not_of(blanks);
@@ -140,23 +191,6 @@ class ActionReader {
     static_cast<void>(next());
     return true;
   }
-  template <class Words>
-  void choose(auto& value, Words words) {
-    if (try_choice(value, words)) return;
-    std::string expected;
-    for (const auto& [each, word] : words) expected += (expected.empty() ? "" : ", ") + std::string(word);
-    fail("one of " + expected);
-  }
-  template <class Words>
-  bool try_choice(auto& value, Words words) {
-    for (const auto& [each, word] : words)
-      if (peek() == word) {
-        value = each;
-        static_cast<void>(next());
-        return true;
-      }
-    return false;
-  }
   void fail(const std::string& expected) {
     if (!error_.empty()) return;
     const std::string_view found = peek();
@@ -169,42 +203,25 @@ class ActionReader {
 };
 
 /// Lists the arguments of an action: words to choose from, or what stands there in capitals.
-class ArgumentLister {
+class ArgumentLister final : public Fields {
  public:
   explicit ArgumentLister(std::string_view word) : line_(word) {}
   [[nodiscard]] std::string take() { return std::move(line_); }
 
-  void operator()(const int& /*value*/) { add("INTEGER"); }
-  void operator()(const double& /*value*/, Number = Number::finite) { add("NUMBER"); }
-  void operator()(const std::string& /*text*/) { add("TEXT"); }
-  void operator()(const std::string& /*path*/, FilePath) { add("FILE"); }
-  void operator()(const bool& /*value*/, Either words) { add(fmt::format("{}|{}", words.yes, words.no)); }
-  void operator()(const bool& /*value*/, Flag flag) { add(fmt::format("[{}]", flag.word)); }
-  void operator()(const Line& /*value*/) { add("LINE"); }
-  void operator()(const std::optional<Line>& /*value*/) { add("LINE|none"); }
-  template <Worded E>
-  void operator()(const E& /*value*/) {
-    add(choices<E>());
-  }
-  template <Worded E>
-  void operator()(const std::optional<E>& /*value*/) {
-    add("[" + choices<E>() + "]");
-  }
-  template <class Value>
-  void operator()(const Value&, Unwritten) {}
-  template <class Value>
-    requires(std::is_class_v<Value> && !Worded<Value>)
-  void operator()(const Value& value) {
-    each_field(*this, value);
+ private:
+  void whole(int& /*value*/) override { add("INTEGER"); }
+  void number(double& /*value*/) override { add("NUMBER"); }
+  void text(std::string& /*value*/) override { add("TEXT"); }
+  void path(std::string& /*value*/) override { add("FILE"); }
+  void either(bool& /*value*/, Either words) override { add(fmt::format("{}|{}", words.yes, words.no)); }
+  void flag(bool& /*value*/, Flag word) override { add(fmt::format("[{}]", word.word)); }
+  void line(Line& /*value*/) override { add("LINE"); }
+  void maybe_line(std::optional<Line>& /*value*/) override { add("LINE|none"); }
+  void choice(Names words, std::optional<std::size_t>& /*index*/, bool needed) override {
+    const std::string all = fmt::format("{}", fmt::join(words, "|"));
+    add(needed ? all : "[" + all + "]");
   }
 
- private:
-  template <Worded E>
-  static std::string choices() {
-    std::string all;
-    for (const auto& [each, word] : words_of<E>) all += (all.empty() ? "" : "|") + std::string(word);
-    return all;
-  }
   void add(std::string_view argument) { line_.append(" ").append(argument); }
 
   std::string line_;
@@ -221,53 +238,40 @@ tl::unexpected<Error> wrong(std::string message, std::string hint) {
   return tl::unexpected(Error{{}, 0, 0, std::move(message), std::move(hint)});
 }
 
-template <class A>
-Action read_fields(ActionReader& reader) {
-  A value{};
-  each_field(reader, value);
-  return value;
-}
-
-template <class A>
-std::string list_fields() {
-  ArgumentLister lister(word_of<A>());
-  const A value{};
-  each_field(lister, value);
-  return lister.take();
-}
-
-/// Reads an action, by its word.
+/// What the text form knows of a kind of action.
 struct ActionRow {
   std::string_view word;  ///< "": it cannot be written
-  Action (*read)(ActionReader& reader);
-  std::string (*list)();
+  Action (*read)(Fields& reader);
+  void (*show)(const Action* action, Fields& to);  ///< without an action: one that is as it comes
 };
-template <class Actions = std::make_index_sequence<std::variant_size_v<Action>>>
-struct ActionTable;
-template <std::size_t... Is>
-struct ActionTable<std::index_sequence<Is...>> {
-  static constexpr std::array rows{ActionRow{word_of<std::variant_alternative_t<Is, Action>>(),
-                                             &read_fields<std::variant_alternative_t<Is, Action>>,
-                                             &list_fields<std::variant_alternative_t<Is, Action>>}...};
-};
+template <class A>
+constexpr ActionRow row_of{word_of<A>(),
+                           [](Fields& reader) {
+                             A value{};
+                             each_field(reader, value);
+                             return Action(std::move(value));
+                           },
+                           [](const Action* action, Fields& to) {
+                             A same = action != nullptr ? *action->as<A>() : A{};
+                             each_field(to, same);
+                           }};
+constexpr auto rows = []<class... As>(Types<As...>) {
+  return std::array<ActionRow, sizeof...(As)>{row_of<As>...};
+}(AllActions());
 
 }  // namespace
 
 std::string write_action(const Action& action) {
-  return std::visit(
-      []<class A>(const A& each) {
-        if (word_of<A>().empty()) return std::string();
-        ActionWriter writer(word_of<A>());
-        each_field(writer, each);
-        return writer.take();
-      },
-      action);
+  const ActionRow& row = rows[action.kind()];
+  if (row.word.empty()) return {};
+  ActionWriter writer(row.word);
+  row.show(&action, writer);
+  return writer.take();
 }
 
 Result<Action> parse_action(std::string_view line) {
   const std::string_view whole = trimmed(line);
   const std::string_view word = whole.substr(0, whole.find_first_of(" \t"));
-  const auto& rows = ActionTable<>::rows;
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const ActionRow& r) { return r.word == word; });
   if (word.empty() || row == rows.end())
     return wrong("'" + std::string(word) + "' is no action", "such as: step forward, press 120 80 left");
@@ -279,8 +283,12 @@ Result<Action> parse_action(std::string_view line) {
 
 std::string demo_help() {
   std::vector<std::string> lines;
-  for (const ActionRow& row : ActionTable<>::rows)
-    if (!row.word.empty()) lines.push_back(row.list());
+  for (const ActionRow& row : rows) {
+    if (row.word.empty()) continue;
+    ArgumentLister lister(row.word);
+    row.show(nullptr, lister);
+    lines.push_back(lister.take());
+  }
   std::sort(lines.begin(), lines.end());
   std::string text = fmt::format(
       "A demo file has an action a line; lines that begin with # say nothing. a|b: one of these words, [a]: may be\n"

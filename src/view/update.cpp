@@ -3,6 +3,7 @@
 #include "view/plan/pointer.h"
 #include "view/walk/walk.h"
 
+#include <array>
 #include <cmath>
 
 namespace raywalk {
@@ -40,26 +41,38 @@ bool is_heard(const State& state, const Traits& traits) {
   return state.document.prompt == PathPrompt::none || traits.answers_prompt;
 }
 
+/// What `update` asks of a kind of action.
+struct Kind {
+  bool (*has_good_numbers)(const Action& action);
+  Traits (*traits)(const Action& action);
+  void (*apply)(const Action& action, State& state);
+};
 template <class A>
-void update_by(State& state, const A& action) {
-  NumberCheck numbers;
-  each_field(numbers, action);
-  const Traits traits = traits_of(action);
-  if (!numbers.passed || !is_heard(state, traits)) return;
-  if (state.plan.drag && !traits.keeps_drag) end_drag(state);
-  if (state.bugs.hunt && traits.of_own_scene) action::LeaveHunt{}.apply(state);
-  if (!traits.keeps_tween) state.walk.tween.reset();
-  const Before before{state.walk.timeline, state.walk.position};
-  action.apply(state);
-  for_each_room(Rooms(), [&]<class Room>() {
-    if constexpr (requires { Room::follow(state, before); }) Room::follow(state, before);
-  });
-}
+constexpr Kind kind_of{[](const Action& action) {
+                         NumberCheck numbers;
+                         each_field(numbers, *action.as<A>());
+                         return numbers.passed;
+                       },
+                       [](const Action& action) { return traits_of(*action.as<A>()); },
+                       [](const Action& action, State& state) { action.as<A>()->apply(state); }};
+constexpr auto kinds = []<class... As>(Types<As...>) {
+  return std::array<Kind, sizeof...(As)>{kind_of<As>...};
+}(AllActions());
 
 }  // namespace
 
 void update(State& state, const Action& action) {
-  std::visit([&](const auto& each) { update_by(state, each); }, action);
+  const Kind& kind = kinds[action.kind()];
+  const Traits traits = kind.traits(action);
+  if (!kind.has_good_numbers(action) || !is_heard(state, traits)) return;
+  if (state.plan.drag && !traits.keeps_drag) end_drag(state);
+  if (state.bugs.hunt && traits.of_own_scene) action::LeaveHunt{}.apply(state);
+  if (!traits.keeps_tween) state.walk.tween.reset();
+  const Before before{state.walk.timeline, state.walk.position};
+  kind.apply(action, state);
+  for_each_room(Rooms(), [&]<class Room>() {
+    if constexpr (requires { Room::follow(state, before); }) Room::follow(state, before);
+  });
 }
 
 bool exists(const State& state, const Target& target) {

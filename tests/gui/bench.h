@@ -63,7 +63,7 @@ class Bench {
   template <class Kind>
   [[nodiscard]] const Kind* last() const {
     for (auto action = actions.rbegin(); action != actions.rend(); ++action) {
-      if (const auto* found = std::get_if<Kind>(&*action)) return found;
+      if (const auto* found = action->as<Kind>()) return found;
     }
     return nullptr;
   }

@@ -233,10 +233,10 @@ TEST_CASE("a demo hands its actions out one by one, at a walking pace") {
   CHECK(demo.due(0.01) == nullptr);
   const Action* first = demo.due(1);
   REQUIRE(first != nullptr);
-  CHECK(std::holds_alternative<action::Step>(*first));
+  CHECK(first->is<action::Step>());
   CHECK(demo.due(0) == nullptr);
   CHECK_FALSE(demo.over());
-  CHECK(std::holds_alternative<action::Clear>(*demo.due(1)));
+  CHECK(demo.due(1)->is<action::Clear>());
   CHECK(demo.over());
   CHECK(demo.due(10) == nullptr);
 }

@@ -35,7 +35,7 @@ TEST_CASE("ids are the names of tables and keys, joined by dots") {
 TEST_CASE("a line that goes on in the next may go on with any letter") {
   // Of every alphabet, where the library's table of white space has its gaps too.
   std::string written, meant;
-  for (const auto [from, to] : {std::pair{0xA1U, 0x167FU}, {0x2100U, 0x2FFFU}, {0x3001U, 0xD7FFU}, {0xE000U, 0xFEFEU}})
+  for (const auto& [from, to] : {std::pair{0xA1U, 0x167FU}, {0x2100U, 0x2FFFU}, {0x3001U, 0xD7FFU}, {0xE000U, 0xFEFEU}})
     for (unsigned letter = from; letter <= to; ++letter) {
       std::string bytes;  // UTF-8
       if (letter >= 0x800) bytes += static_cast<char>(0xE0U | letter >> 12U);

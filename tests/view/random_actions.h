@@ -15,8 +15,6 @@
 
 namespace raywalk::test {
 
-inline constexpr std::size_t action_kinds = std::variant_size_v<Action>;
-
 /// Many of them make no sense where they come. Paths are in `folder`.
 class RandomActions {
  public:
@@ -186,18 +184,19 @@ class RandomActions {
     return action;
   }
   Action draw(std::size_t kind) {
-    return [&]<std::size_t... Is>(std::index_sequence<Is...>) {
+    return [&]<class... As>(Types<As...>) {
       using Draw = Action (RandomActions::*)();
-      constexpr Draw all[] = {&RandomActions::draw_one<std::variant_alternative_t<Is, Action>>...};
+      constexpr Draw all[] = {&RandomActions::draw_one<As>...};
       return (this->*all[kind])();
-    }(std::make_index_sequence<action_kinds>());
+    }(AllActions());
   }
   template <class Test>
   static std::vector<std::size_t> kinds_that(Test test) {
     std::vector<std::size_t> kinds;
-    [&]<std::size_t... Is>(std::index_sequence<Is...>) {
-      ((test(std::variant_alternative_t<Is, Action>{}) ? kinds.push_back(Is) : void()), ...);
-    }(std::make_index_sequence<action_kinds>());
+    [&]<class... As>(Types<As...>) {
+      std::size_t kind = 0;
+      ((test(As{}) ? kinds.push_back(kind++) : void(++kind)), ...);
+    }(AllActions());
     return kinds;
   }
 

@@ -23,11 +23,11 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
 
   const auto apply = [&](const Action& action) {
     latest.push_back(write_action(action));
-    if (!state.document.question && state.document.prompt == PathPrompt::none) ++applied[action.index()];
+    if (!state.document.question && state.document.prompt == PathPrompt::none) ++applied[action.kind()];
     update(state, action);
     if (state.document.quit) {
       // The window would have closed; nothing else closes it.
-      const bool may_quit = std::holds_alternative<action::Quit>(action) || state.document.prompt == PathPrompt::none;
+      const bool may_quit = action.is<action::Quit>() || state.document.prompt == PathPrompt::none;
       CHECK(may_quit);
       state.document.quit = false;
     }
@@ -46,7 +46,7 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
   for (int i = 0; i < rounds(2500); ++i) {
     const Action action = actions.next(state);
     // Too many objects make the rest of the test slow, not better.
-    if (std::holds_alternative<action::AddObject>(action) && state.scene().objects.size() > 8) continue;
+    if (action.is<action::AddObject>() && state.scene().objects.size() > 8) continue;
     apply(action);
     // Work that is discarded cannot be undone.
     if (state.document.question && actions.whole(0, 9) > 0) settle();

@@ -217,7 +217,7 @@ namespace {
 /// Commits `next` as this edit, unless its object or light is invalid.
 template <class Edit>
 void commit_edit(State& state, const Edit& edit, Scene next, int object = -1, int light = -1) {
-  commit_if_valid(state, std::move(next), object, light, {Action(edit).index(), std::max(object, light)},
+  commit_if_valid(state, std::move(next), object, light, {Action(edit).kind(), std::max(object, light)},
                   edit.continues);
 }
 

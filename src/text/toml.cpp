@@ -1,0 +1,3 @@
+// toml++'s own code.
+#define TOML_IMPLEMENTATION
+#include "text/toml.h"
