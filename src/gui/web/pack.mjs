@@ -1,5 +1,8 @@
 // pack.mjs BUILD SITE: makes the static site of what the compiler made in BUILD, and raywalk.html, which holds all of it
 // in one file.
+//
+// What belongs together stands in a folder of the site that is named after all of its bytes, so that a page never mixes
+// two versions: not while a new one is copied to the host, and not in a browser that keeps some of the old.
 import { createHash } from 'node:crypto';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -11,6 +14,9 @@ const here = dirname(fileURLToPath(import.meta.url));
 const texts = join(here, '../../text');
 const read = (folder, name) => readFileSync(join(folder, name), 'utf8');
 
+// What the page runs, in this order, behind the program.
+const scripts = ['offline.js', 'page.js'];
+
 // What is said before the program is there: the table [page] of each language.
 function page_words(toml) {
   const table = toml.match(/^\[page\]\n((?:(?!\[).*\n?)*)/m)?.[1] ?? '';
@@ -19,28 +25,52 @@ function page_words(toml) {
 const words = Object.fromEntries(readdirSync(texts).filter((name) => name.endsWith('.toml'))
   .map((name) => [name.slice(0, -5), page_words(read(texts, name))]));
 
-const program = read(build, 'raywalk.js'), script = read(here, 'page.js'), style = read(here, 'page.css');
-const hash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
-
-// No request leaves the page. WebAssembly has to be allowed by name.
-function page(scripts, styles, more, rest) {
-  const policy = `default-src 'none'; script-src ${scripts} 'wasm-unsafe-eval'; style-src ${styles}; img-src blob: data:${more}`;
-  const head = `<meta http-equiv="Content-Security-Policy" content="${policy}">`;
+// No request leaves the page, and nothing runs in it but these scripts. WebAssembly has to be allowed by name.
+function page(more_policy, head, rest) {
+  const policy = ["default-src 'none'", "base-uri 'none'", "form-action 'none'", ...more_policy].join('; ');
   const said = `<script type="application/json" id="words">${JSON.stringify(words).replaceAll('<', '\\u003c')}</script>`;
-  return read(here, 'page.html').replace(/<!--[^]*?-->/, () => head).replace('</html>', () => `${said}\n${rest}\n</html>`);
+  return read(here, 'page.html')
+    .replace(/<!--[^]*?-->/, () => [`<meta http-equiv="Content-Security-Policy" content="${policy}">`, ...head].join('\n'))
+    .replace('</html>', () => `${[said, ...rest].join('\n')}\n</html>`);
 }
-const inline = (text) => {
-  if (text.includes('</script')) throw new Error('this script cannot stand in a page');
-  return `<script>${text}</script>`;
-};
+
+const sha256 = (...parts) => parts.reduce((hash, part) => hash.update(part), createHash('sha256'));
+const code = readFileSync(join(build, 'raywalk.wasm'));
+const packed = gzipSync(code, { level: 9 }).toString('base64');
 
 rmSync(site, { recursive: true, force: true });
-mkdirSync(site, { recursive: true });
-for (const [folder, name] of [[build, 'raywalk.js'], [build, 'raywalk.wasm'], [here, 'page.js'], [here, 'page.css']])
-  copyFileSync(join(folder, name), join(site, name));
-writeFileSync(join(site, 'index.html'), page("'self'", "'self'", "; connect-src 'self'",
-  '<link rel="stylesheet" href="page.css">\n<script src="raywalk.js"></script>\n<script src="page.js"></script>'));
 
-const code = gzipSync(readFileSync(join(build, 'raywalk.wasm')), { level: 9 }).toString('base64');
-writeFileSync(join(site, 'raywalk.html'), page(`${hash(program)} ${hash(script)}`, hash(style), '',
-  `<style>${style}</style>\n<script type="text/plain" id="code">${code}</script>\n${inline(program)}\n${inline(script)}`));
+// --- The site --------------------------------------------------------------------------------------------------------
+
+const parts = [[build, 'raywalk.js'], [build, 'raywalk.wasm'], [here, 'page.css'], ...scripts.map((name) => [here, name])];
+const version = sha256(...parts.map(([folder, name]) => readFileSync(join(folder, name))), JSON.stringify(words))
+  .digest('hex').slice(0, 16);
+const own = join(site, version);
+mkdirSync(own, { recursive: true });
+for (const [folder, name] of parts) copyFileSync(join(folder, name), join(own, name));
+// For where a page may run scripts but fetch nothing: a frame without an origin, or a folder of a disk.
+writeFileSync(join(own, 'code.js'), `self.raywalk_code = '${packed}';\n`);
+writeFileSync(join(site, 'index.html'), page(
+  ["script-src 'self' 'wasm-unsafe-eval'", "style-src 'self'", "img-src 'self' blob: data:", "connect-src 'self'",
+    "worker-src 'self'", "manifest-src 'self'"],
+  ['<link rel="icon" href="icon.svg">', '<link rel="manifest" href="manifest.webmanifest">',
+    `<link rel="stylesheet" href="${version}/page.css">`],
+  ['raywalk.js', ...scripts].map((name) => `<script src="${version}/${name}"></script>`)));
+copyFileSync(join(here, 'icon.svg'), join(site, 'icon.svg'));
+copyFileSync(join(here, 'manifest.webmanifest'), join(site, 'manifest.webmanifest'));
+const kept = ['./', 'icon.svg', 'manifest.webmanifest', ...parts.map(([, name]) => `${version}/${name}`)];
+writeFileSync(join(site, 'kept.js'), read(here, 'kept.js')
+  .replace("'VERSION'", () => JSON.stringify(version)).replace('[]', () => JSON.stringify(kept)));
+
+// --- The one file ------------------------------------------------------------------------------------------------------
+
+const inline = ['raywalk.js', ...scripts].map((name) => read(name === 'raywalk.js' ? build : here, name));
+const style = read(here, 'page.css');
+for (const text of inline)
+  if (text.includes('</script')) throw new Error('this script cannot stand in a page');
+const hashes = inline.map((text) => `'sha256-${sha256(text).digest('base64')}'`);
+writeFileSync(join(site, 'raywalk.html'), page(
+  [`script-src ${hashes.join(' ')} 'wasm-unsafe-eval'`, `style-src 'sha256-${sha256(style).digest('base64')}'`,
+    'img-src blob: data:', 'worker-src blob:'],
+  ['<link rel="icon" href="data:,">', `<style>${style}</style>`],
+  [`<script type="text/plain" id="code">${packed}</script>`, ...inline.map((text) => `<script>${text}</script>`)]));

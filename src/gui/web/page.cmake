@@ -61,9 +61,10 @@ target_link_options(raywalk PRIVATE
   -sEXPORTED_RUNTIME_METHODS=FS,ccall -sFORCE_FILESYSTEM=1)
 
 find_program(RAYWALK_NODE node REQUIRED)
+file(GLOB page_parts CONFIGURE_DEPENDS "${page}/*.html" "${page}/*.css" "${page}/*.js" "${page}/*.svg" "${page}/*.webmanifest")
 add_custom_command(
   OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"
   COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site"
-  DEPENDS raywalk "${page}/pack.mjs" "${page}/page.html" "${page}/page.css" "${page}/page.js" ${texts}
+  DEPENDS raywalk "${page}/pack.mjs" ${page_parts} ${texts}
   VERBATIM)
 add_custom_target(site ALL DEPENDS "${CMAKE_BINARY_DIR}/site/raywalk.html")

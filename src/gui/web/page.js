@@ -4,6 +4,7 @@
 
 const words = JSON.parse(document.getElementById('words').textContent);
 const asked = new URLSearchParams(location.search);
+const own_folder = document.currentScript.src.replace(/[^/]*$/, '');
 const canvas = document.getElementById('canvas');
 const says = document.getElementById('says');
 const chooser = document.getElementById('chooser');
@@ -37,7 +38,7 @@ function fail(why) {
 // An autosave belongs to its tab, under a key of its own, until that tab is gone; the others belong to all tabs.
 
 let tab = '';
-const tabs = typeof BroadcastChannel === 'function' ? new BroadcastChannel('raywalk') : null;
+const tabs = self.origin !== 'null' && typeof BroadcastChannel === 'function' ? new BroadcastChannel('raywalk') : null;
 const is_own = (name) => name.startsWith('autosave');
 const key_of = (name) => is_own(name) ? `own/${tab}/${name}` : `shared/${name}`;
 let database = null;  // none: the browser keeps nothing
@@ -256,9 +257,12 @@ window.addEventListener('paste', (event) => {
 const with_simd = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0,
   253, 15, 253, 98, 11]);
 
-// The code, when it is in this file: packed and written in letters.
+// The code in letters, packed: in this file, or where nothing may be fetched from a script beside this one.
 async function own_code() {
-  const letters = document.getElementById('code')?.textContent;
+  if (!document.getElementById('code') && self.origin === 'null')
+    await new Promise((loaded, refused) => document.head.append(Object.assign(document.createElement('script'),
+      { src: own_folder + 'code.js', onload: loaded, onerror: () => refused(new Error('code.js is missing')) })));
+  const letters = document.getElementById('code')?.textContent ?? self.raywalk_code;
   if (!letters) return undefined;
   const packed = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
