@@ -81,7 +81,7 @@ class Loop::Parts {
 
   // Seconds until something must be done; negative: indefinitely.
   [[nodiscard]] double patience() const {
-    const bool works = !image_.rests(state_) ? !image_.waits() : !costs_.rests(state_);
+    const bool works = !image_.rests(state_) ? !image_.waits() : !costs_.rests(state_) && !costs_.waits(state_);
     if (frames_due_ > 0 || works || state_.exports.window) return 0;
     return until_due();
   }

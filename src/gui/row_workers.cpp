@@ -1,74 +1,18 @@
 #include "gui/row_workers.h"
 
+#include "gui/packed.h"
 #include "io/scene_file.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <iterator>
-#include <type_traits>
 #include <utility>
 
 namespace raywalk {
 
 namespace {
 
-class Packer {
- public:
-  template <class Value>
-    requires std::is_trivially_copyable_v<Value>
-  void put(const Value& value) {
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  void put(std::string_view text) {
-    put(text.size());
-    bytes_.append(text);
-  }
-  template <class Value>
-  void put(const std::vector<Value>& values) {
-    static_assert(
-        std::is_standard_layout_v<Value>);  // GLM's vectors are not trivially copyable, though their bytes are
-    put(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)));
-  }
-  [[nodiscard]] std::string take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
-class Unpacker {
- public:
-  explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
-  [[nodiscard]] bool at_end() const { return bytes_.empty(); }
-
-  template <class Value>
-    requires std::is_trivially_copyable_v<Value>
-  [[nodiscard]] Value take() {
-    Value value{};
-    const std::size_t size = std::min(sizeof value, bytes_.size());
-    std::memcpy(&value, bytes_.data(), size);
-    bytes_.remove_prefix(size);
-    return value;
-  }
-  [[nodiscard]] std::string_view take_text() {
-    const auto size = std::min(take<std::size_t>(), bytes_.size());
-    const std::string_view text = bytes_.substr(0, size);
-    bytes_.remove_prefix(size);
-    return text;
-  }
-  template <class Value>
-  [[nodiscard]] std::vector<Value> take_all() {
-    const std::string_view bytes = take_text();
-    std::vector<Value> values(bytes.size() / sizeof(Value));
-    if (!values.empty()) std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(Value));
-    return values;
-  }
-
- private:
-  std::string_view bytes_;
-};
-
-enum class Told : std::uint8_t { scene, rows };
+enum class RowMessage : std::uint8_t { begin, trace };
 
 constexpr int messages_ahead = 2;
 constexpr double seconds_a_message = 0.016;
@@ -78,9 +22,10 @@ constexpr int most_rows = 64;
 
 std::string RowServer::answer(std::string_view message) {
   Unpacker told(message);
-  const auto what = told.take<Told>();
+  static_cast<void>(told.take<MessageKind>());
+  const auto what = told.take<RowMessage>();
   const auto job = told.take<std::uint64_t>();
-  if (what == Told::scene) {
+  if (what == RowMessage::begin) {
     const auto settings = told.take<PreviewSettings>();
     const std::string path(told.take_text());
     job_ = job;
@@ -90,6 +35,7 @@ std::string RowServer::answer(std::string_view message) {
     return {};
   }
   Packer answer;
+  answer.put(MessageKind::rows);
   answer.put(job);
   answer.put(tracer_.has_value());
   if (!tracer_ || job != job_) return answer.take();
@@ -113,7 +59,8 @@ bool RowWorkers::begin(const Scene& scene, const std::string& path, const Previe
   const Result<std::string> text = format_scene(scene);
   if (!text) return false;
   Packer message;
-  message.put(Told::scene);
+  message.put(MessageKind::rows);
+  message.put(RowMessage::begin);
   message.put(++job_);
   message.put(settings);
   message.put(path);
@@ -129,13 +76,14 @@ bool RowWorkers::begin(const Scene& scene, const std::string& path, const Previe
 
 bool RowWorkers::serve(Preview& preview, bool more) {
   std::vector<TracedRow> rows;
-  while (const auto heard = channel_.hear()) {
+  const auto lost = [&] {
+    workers_.clear();
+    return at_work_ = false;
+  };
+  if (channel_.count() == 0) return lost();
+  while (const auto heard = channel_.hear(MessageKind::rows)) {
     auto some = take(heard->worker, heard->message);
-    if (!some) {
-      workers_.clear();
-      at_work_ = false;
-      return false;
-    }
+    if (!some) return lost();
     std::move(some->begin(), some->end(), std::back_inserter(rows));
   }
   if (!rows.empty()) preview.take(std::move(rows));
@@ -149,7 +97,8 @@ bool RowWorkers::serve(Preview& preview, bool more) {
       const std::vector<PreviewRow> next = preview.hand_out(static_cast<int>(wanted));
       if (next.empty()) return true;
       Packer message;
-      message.put(Told::rows);
+      message.put(MessageKind::rows);
+      message.put(RowMessage::trace);
       message.put(job_);
       message.put(next);
       channel_.tell(static_cast<int>(i), message.take());
@@ -165,9 +114,10 @@ bool RowWorkers::waits() const {
 
 std::optional<std::vector<TracedRow>> RowWorkers::take(int worker, std::string_view answer) {
   const auto index = static_cast<std::size_t>(worker);
-  if (answer.empty() || index >= workers_.size()) return std::nullopt;
+  if (index >= workers_.size()) return std::nullopt;
   --workers_[index].messages;
   Unpacker told(answer);
+  static_cast<void>(told.take<MessageKind>());
   const bool of_this = told.take<std::uint64_t>() == job_;
   if (!told.take<bool>() && of_this) return std::nullopt;
   std::vector<TracedRow> rows;

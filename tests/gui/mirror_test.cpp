@@ -15,7 +15,7 @@ using namespace raywalk;
 
 namespace {
 
-State classic() {
+State classic_in_english() {
   State state = make_state(read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml").value());
   state.appearance.language = test::in_english;
   return state;
@@ -36,7 +36,7 @@ std::map<std::string, OutlineItem> buttons(const State& state) {
 }  // namespace
 
 TEST_CASE("the outline has every command once, in every mode and in every language") {
-  State state = classic();
+  State state = classic_in_english();
   for (const Language language : state.appearance.language.others().all())
     for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
       state.appearance.language = language;
@@ -57,7 +57,7 @@ TEST_CASE("the outline has every command once, in every mode and in every langua
 }
 
 TEST_CASE("as JSON an outline keeps its words and its order, and leaves out what is usual") {
-  const State state = classic();
+  const State state = classic_in_english();
   const Outline outlined = outline_with_commands(state);
   const auto all = nlohmann::ordered_json::parse(outline_json(state));
   CHECK(all["language"] == "en");

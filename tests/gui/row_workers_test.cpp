@@ -21,11 +21,7 @@ class PlayedWorkers final : public Workers {
     ++told;
     messages_.emplace_back(worker, message);
   }
-  std::optional<Answer> hear() override {
-    if (lost) {
-      servers_.clear();
-      return std::exchange(lost, false), Answer{0, {}};
-    }
+  std::optional<Answer> hear(MessageKind) override {
     while (!messages_.empty() && patience > 0) {
       const auto [worker, message] = messages_.front();
       messages_.pop_front();
@@ -36,8 +32,9 @@ class PlayedWorkers final : public Workers {
     return std::nullopt;
   }
 
+  void lose() { servers_.clear(); }
+
   int patience = 0;  ///< messages that are answered
-  bool lost = false;
   int told = 0;
 
  private:
@@ -112,7 +109,7 @@ TEST_CASE("when workers are lost the picture is made here") {
   image.follow(state);
   workers.patience = 5;
   CHECK(image.work(state, 14));
-  workers.lost = true;
+  workers.lose();
   image.work(state, 0);
   CHECK_FALSE(image.waits());
   while (image.work(state, 1000)) {
@@ -124,6 +121,6 @@ TEST_CASE("when workers are lost the picture is made here") {
 TEST_CASE("a server that is told nonsense answers that it cannot") {
   RowServer server;
   CHECK(server.answer("").empty());  // a scene that cannot be read
-  CHECK(!server.answer(std::string(1, '\1')).empty());
+  CHECK(!server.answer(std::string(2, '\1')).empty());
   CHECK(!server.answer(std::string(300, '\1')).empty());
 }

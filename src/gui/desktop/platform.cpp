@@ -38,7 +38,7 @@ Workers& workers() {
   class None final : public Workers {
     int count() override { return 0; }
     void tell(int, const std::string&) override {}
-    std::optional<Answer> hear() override { return std::nullopt; }
+    std::optional<Answer> hear(MessageKind) override { return std::nullopt; }
   };
   static None none;
   return none;

@@ -29,10 +29,10 @@ EM_JS(void, raywalk_choose_files, (), { Module["chooseFiles"](); });
 EM_JS(int, raywalk_workers, (), { return Module["workers"]?.count() ?? 0; });
 EM_JS(void, raywalk_tell_worker, (int worker, const char* bytes, int size),
       { Module["workers"].tell(worker, HEAPU8.slice(bytes, bytes + size)); });
-// Of the next answer: its size, or -1 if there is none; then its worker and, into the room for it, its bytes.
-EM_JS(int, raywalk_answer_size, (), { return Module["workers"]?.next()?.bytes.length ?? -1; });
-EM_JS(int, raywalk_take_answer, (char* room), {
-  const { worker, bytes } = Module["workers"].take();
+// Of the next answer of a kind: its size, or -1 if there is none; then its worker and, into the room for it, its bytes.
+EM_JS(int, raywalk_answer_size, (int kind), { return Module["workers"]?.next(kind)?.bytes.length ?? -1; });
+EM_JS(int, raywalk_take_answer, (int kind, char* room), {
+  const { worker, bytes } = Module["workers"].take(kind);
   HEAPU8.set(bytes, room);
   return worker;
 });
@@ -80,11 +80,11 @@ Workers& workers() {
     void tell(int worker, const std::string& message) override {
       raywalk_tell_worker(worker, message.data(), static_cast<int>(message.size()));
     }
-    std::optional<Answer> hear() override {
-      const int size = raywalk_answer_size();
+    std::optional<Answer> hear(MessageKind of) override {
+      const int kind = static_cast<int>(of), size = raywalk_answer_size(kind);
       if (size < 0) return std::nullopt;
       Answer answer{0, std::string(static_cast<std::size_t>(size), '\0')};
-      answer.worker = raywalk_take_answer(answer.message.data());
+      answer.worker = raywalk_take_answer(kind, answer.message.data());
       return answer;
     }
   };

@@ -1,6 +1,7 @@
 // The same program in a worker: it has no window, and answers messages (worker.js).
 
 #include "gui/row_workers.h"
+#include "gui/try_workers.h"
 
 #include <emscripten/emscripten.h>
 
@@ -10,7 +11,8 @@
 namespace raywalk {
 
 namespace {
-RowServer server;
+RowServer rows;
+TryServer tries;
 std::string message, answer;
 }  // namespace
 
@@ -26,7 +28,9 @@ EMSCRIPTEN_KEEPALIVE char* worker_room(int size) {
 
 /// Answers it: the answer's size, 0 if there is none.
 EMSCRIPTEN_KEEPALIVE int worker_work() {
-  raywalk::answer = raywalk::server.answer(raywalk::message);
+  const bool of_rows =
+      !raywalk::message.empty() && raywalk::message[0] == static_cast<char>(raywalk::MessageKind::rows);
+  raywalk::answer = of_rows ? raywalk::rows.answer(raywalk::message) : raywalk::tries.answer(raywalk::message);
   return static_cast<int>(raywalk::answer.size());
 }
 

@@ -32,7 +32,8 @@ class PageWorkers {
     worker.seen = 0;  // changes of the files
     worker.onmessage = ({ data: { bytes, memory } }) => {
       worker.memory = memory;
-      this.hear({ worker: number, bytes });
+      this.answers.push({ worker: number, bytes });
+      this.answered();
     };
     worker.onerror = (event) => {
       event.preventDefault();
@@ -42,16 +43,11 @@ class PageWorkers {
     return worker;
   }
 
-  // An answer without bytes tells the program.
   lose(why) {
     console.warn('the page works without workers:', why);
     for (const worker of this.all) worker.terminate();
     this.all = [];
     this.answers = [];
-    this.hear({ worker: 0, bytes: new Uint8Array });
-  }
-  hear(answer) {
-    this.answers.push(answer);
     this.answered();
   }
 
@@ -72,10 +68,11 @@ class PageWorkers {
     worker.seen = changes;
     worker.postMessage({ bytes, files }, [bytes.buffer]);
   }
-  next() {
-    return this.answers[0];
+  // The kind of an answer is its first byte.
+  next(kind) {
+    return this.answers.find(({ bytes }) => bytes[0] === kind);
   }
-  take() {
-    return this.answers.shift();
+  take(kind) {
+    return this.answers.splice(this.answers.findIndex(({ bytes }) => bytes[0] === kind), 1)[0];
   }
 }
