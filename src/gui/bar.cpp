@@ -106,6 +106,13 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
 
 }  // namespace
 
+MenuContents menu_contents(int menu) {
+  const Menu& of = menus[static_cast<std::size_t>(menu)];
+  MenuContents contents{of.title, {}};
+  for (const MenuPart& part : of.parts) contents.sections.push_back(part.section);
+  return contents;
+}
+
 int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   int is_open = -1;
   const float text_height = ImGui::GetFontSize();

@@ -83,6 +83,12 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
   grant(with);
 }
 
+void Interface::run(const State& state, const Fonts& fonts, float unit, float dpi, const Command& command) {
+  const Ui with = ui(state, fonts, unit, dpi);
+  perform(command, with);
+  grant(with);
+}
+
 void Interface::draw(const State& state, const Fonts& fonts, float unit, float dpi, const PictureView& picture) {
   items_.clear();
   const Ui with = ui(state, fonts, unit, dpi);

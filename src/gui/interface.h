@@ -20,6 +20,8 @@ class Interface {
   void draw(const State& state, const Fonts& fonts, float unit, float dpi, const PictureView& picture);
   /// Handles a key press; keys for a text field or an open menu are left to it.
   void press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key);
+  /// Runs a command, if it is enabled.
+  void run(const State& state, const Fonts& fonts, float unit, float dpi, const Command& command);
 
   /// The actions since the last call, in order.
   [[nodiscard]] std::vector<Action> take_actions() { return std::exchange(actions_, {}); }

@@ -18,6 +18,8 @@ bool LiveCosts::rests(const State& state) const {
   return follows(state) && bench_.finished();
 }
 
+bool LiveCosts::waits(const State& state) const { return state.cost.page == CostPage::tries && workers_.waits(); }
+
 bool LiveCosts::work(const State& state, double milliseconds, const Stop& stop) {
   if (rests(state)) return false;
   if (state.cost.page == CostPage::effects) {
@@ -27,11 +29,23 @@ bool LiveCosts::work(const State& state, double milliseconds, const Stop& stop) 
   const std::vector<study::Setup>& wanted = state.cost.tried;
   const bool forgotten = wanted.size() < shown_.tried.size();
   if (!begun_ || scene_revision_ != state.document.revision || forgotten) {
-    bench_.reset(state.scene(), cost_size(state.scene().image), wanted);
+    const ImageSize size = cost_size(state.scene().image);
+    bench_.reset(state.scene(), size, wanted);
+    static_cast<void>(workers_.begin(state.scene(), state.document.contents.path, size, wanted));
     scene_revision_ = state.document.revision;
     begun_ = true;
   }
-  for (std::size_t i = bench_.attempts().size(); i < wanted.size(); ++i) bench_.try_out(wanted[i]);
+  for (std::size_t i = bench_.attempts().size(); i < wanted.size(); ++i) {
+    bench_.try_out(wanted[i]);
+    workers_.try_out(wanted[i]);
+  }
+  if (workers_.at_work()) {
+    if (workers_.serve(bench_, true)) {
+      if (!follows(state)) show(state);
+      return !rests(state);
+    }
+    bench_.reset(state.scene(), cost_size(state.scene().image), wanted);
+  }
   try {
     bench_.work(milliseconds, stop);
   } catch (const Stopped&) {  // it goes on at the next call

@@ -1,6 +1,9 @@
 #pragma once
-// The Cost panel's attempts with the state's scene, rendered in time slices, and the picture that shows them.
+// The Cost panel's attempts with the state's scene, rendered in time slices, or by a worker where there is one, and the
+// picture that shows them.
 
+#include "gui/platform.h"
+#include "gui/try_workers.h"
 #include "study/effect_costs.h"
 #include "study/workbench.h"
 #include "view/state.h"
@@ -13,11 +16,15 @@ namespace raywalk {
 
 class LiveCosts {
  public:
+  explicit LiveCosts(Workers& workers = platform::workers()) : workers_(workers) {}
+
   /// Starts the state's attempts, and works for about `milliseconds` while the panel is open, or until cancelled
   /// through `stop`. Returns whether more is to be done.
   bool work(const State& state, double milliseconds, const Stop& stop = {});
   /// Nothing is to be done for this state.
   [[nodiscard]] bool rests(const State& state) const;
+  /// Nothing can be done before a worker answers.
+  [[nodiscard]] bool waits(const State& state) const;
 
   [[nodiscard]] const study::Workbench& bench() const { return bench_; }
   /// What each effect adds, as measured so far: a fraction survey_done().
@@ -38,6 +45,7 @@ class LiveCosts {
   void take_survey(const State& state, double milliseconds, const Stop& stop);
 
   study::Workbench bench_;
+  TryWorkers workers_;
   std::optional<study::CostSurvey> survey_;
   std::optional<study::SceneCost> survey_result_;
   std::uint64_t survey_revision_ = 0;

@@ -1,5 +1,6 @@
 #include "gui/loop.h"
 
+#include "gui/command.h"
 #include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
@@ -7,6 +8,7 @@
 #include "gui/shown_picture.h"
 #include "gui/style.h"
 #include "text/file.h"
+#include "view/outline.h"
 
 #include <algorithm>
 #include <optional>
@@ -79,7 +81,8 @@ class Loop::Parts {
 
   // Seconds until something must be done; negative: indefinitely.
   [[nodiscard]] double patience() const {
-    if (frames_due_ > 0 || !costs_.rests(state_) || !image_.rests(state_) || state_.exports.window) return 0;
+    const bool works = !image_.rests(state_) ? !image_.waits() : !costs_.rests(state_) && !costs_.waits(state_);
+    if (frames_due_ > 0 || works || state_.exports.window) return 0;
     return until_due();
   }
 
@@ -96,7 +99,30 @@ class Loop::Parts {
     if (!options_.demo_path.empty()) note_failure(action);
   }
 
+  Result<void> act_by_outline(std::string_view does, std::string_view typed) {
+    constexpr std::string_view by_name = "command ";
+    if (does.starts_with(by_name)) {
+      const std::string_view name = does.substr(by_name.size());
+      for (const Command* each : commands())
+        if (each->name == name) interface_.run(state_, fonts_, unit(), dpi(), *each);
+      frames_due_ = frames_to_settle;
+      apply();
+      return {};
+    }
+    const Result<Action> action = outlined_action(state_, does, typed);
+    if (!action) return tl::unexpected(action.error());
+    act(*action);
+    return {};
+  }
+
   [[nodiscard]] const State& state() const { return state_; }
+
+  [[nodiscard]] bool holds_at(float x, float y) const {
+    return std::any_of(commands().begin(), commands().end(), [&](const Command* each) {
+      const auto item = interface_.items().find(each->name);
+      return each->held != nullptr && item != interface_.items().end() && item->second.contains(x, y);
+    });
+  }
 
  private:
   // After each frame, and not only at the end, which may be abrupt.
@@ -381,6 +407,12 @@ bool Loop::turn() { return parts_->turn(); }
 double Loop::patience() const { return parts_->patience(); }
 
 void Loop::act(const Action& action) { parts_->act(action); }
+
+Result<void> Loop::act_by_outline(std::string_view does, std::string_view typed) {
+  return parts_->act_by_outline(does, typed);
+}
+
+bool Loop::holds_at(float x, float y) const { return parts_->holds_at(x, y); }
 
 const State& Loop::state() const { return parts_->state(); }
 

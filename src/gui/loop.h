@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <memory>
+#include <string_view>
 
 namespace raywalk {
 
@@ -28,7 +29,11 @@ class Loop {
   [[nodiscard]] double patience() const;
   /// As if the user had done it.
   void act(const Action& action);
+  /// Does what a button or a field of outline_with_commands stands for; fails where outlined_action does.
+  Result<void> act_by_outline(std::string_view does, std::string_view typed);
   [[nodiscard]] const State& state() const;
+  /// Whether a button is there, in units, that repeats while it is held down.
+  [[nodiscard]] bool holds_at(float x, float y) const;
   /// After the last turn. Fails where run_gui says.
   [[nodiscard]] Result<void> end();
 

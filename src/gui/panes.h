@@ -1,6 +1,7 @@
 #pragma once
 // The panes. Each draws the data of `view` into its rectangle and adds the user's actions; none changes the state.
 
+#include "gui/command.h"
 #include "gui/form.h"
 #include "gui/key.h"
 #include "gui/ui.h"
@@ -16,6 +17,12 @@ class LiveCosts;     // gui/live_costs.h
 struct LessonPanel;  // view/lesson/lesson_panel.h
 
 inline constexpr int menu_count = 5;
+/// A menu: the id of its title, and the sections of its commands.
+struct MenuContents {
+  std::string_view title;
+  std::vector<Section> sections;
+};
+[[nodiscard]] MenuContents menu_contents(int menu);
 /// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Returns
 /// the open menu, or -1.
 int bar_pane(const Ui& ui, const Rect& where, int open_menu);

@@ -1,6 +1,8 @@
 #pragma once
 // What the desktop and a page of a browser do each in its own way: gui/desktop has one file for it, gui/web another.
 
+#include "gui/workers.h"
+
 struct GLFWwindow;
 
 namespace raywalk::platform {
@@ -22,5 +24,6 @@ void toggle_full_screen(GLFWwindow* window);
 [[nodiscard]] bool has_file_chooser();
 /// Shows it. What is chosen is opened later.
 void choose_files();
+[[nodiscard]] Workers& workers();
 
 }  // namespace raywalk::platform

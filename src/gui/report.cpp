@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -51,6 +54,13 @@ Vec2d middle(const ObjectShape& shape) {
   }
   const Bounds<double> box = bounds(shape);
   return box.empty() || !box.bounded() ? Vec2d(0.0) : plan((box.min + box.max) / 2.0);
+}
+
+// FNV-1a, for tests that compare pictures.
+std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 1099511628211u;
+  return hash;
 }
 
 }  // namespace
@@ -115,7 +125,8 @@ std::string report(const State& state, const Interface& interface, const Preview
                          {"asks", aim_origin(state).has_value()},
                          {"open", state.predictions.open.has_value()},
                          {"made", state.predictions.made.size()}};
-  json["image"] = {{"done", preview.done()}, {"finished", preview.finished()}};
+  json["image"] = {
+      {"done", preview.done()}, {"finished", preview.finished()}, {"hash", std::to_string(hash_of(preview.rgba()))}};
   json["window"] = {{"width", window.width},   {"height", window.height},
                     {"frames", window.frames}, {"first_frame", window.first_frame},
                     {"idle", window.idle},     {"typing", window.typing}};

@@ -149,8 +149,9 @@ bool LiveImage::rests(const State& state) const {
   return preview_.finished() || (state.plan.drag && preview_.has_every_pixel());
 }
 
-void LiveImage::follow(const State& state, const Stop& stop) {
-  if (begun_ && revision_ == state.document.revision && image_revision_ == state.picture.revision) return;
+namespace {
+
+PreviewSettings preview_settings(const State& state) {
   PreviewSettings settings;
   settings.size = state.scene().image;
   settings.accelerator = state.picture.settings.accelerator;
@@ -158,14 +159,34 @@ void LiveImage::follow(const State& state, const Stop& stop) {
   settings.precision = state.picture.settings.single_precision ? Precision::float_ : Precision::double_;
   settings.heat = state.picture.settings.heat;
   settings.fault = fault_at_work(state);
-  preview_.reset(*pictured_scene(state), settings, state.document.worlds.get(), stop);
+  return settings;
+}
+
+}  // namespace
+
+void LiveImage::follow(const State& state, const Stop& stop) {
+  if (begun_ && revision_ == state.document.revision && image_revision_ == state.picture.revision) return;
+  const PreviewSettings settings = preview_settings(state);
+  const SceneSeen scene = pictured_scene(state);
+  if (workers_.begin(*scene, state.document.contents.path, settings)) {
+    preview_.reset_elsewhere(*scene, settings);
+  } else {
+    preview_.reset(*scene, settings, state.document.worlds.get(), stop);
+  }
   revision_ = state.document.revision;
   image_revision_ = state.picture.revision;
   seconds_ = 0;
+  begun_at_ = std::chrono::steady_clock::now();
   begun_ = true;
 }
 
 bool LiveImage::work(const State& state, double milliseconds, const Stop& stop) {
+  if (workers_.at_work()) {
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_at_).count();
+    if (workers_.serve(preview_, !rests(state))) return !rests(state);
+    seconds_ = 0;
+    preview_.reset(*pictured_scene(state), preview_settings(state), state.document.worlds.get(), stop);
+  }
   const auto begun = std::chrono::steady_clock::now();
   if (!rests(state)) preview_.refine(milliseconds, 0, stop);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

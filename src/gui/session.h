@@ -2,9 +2,12 @@
 // A session: the state, its 3-D image, and persistent data.
 
 #include "gui/gui.h"
+#include "gui/platform.h"
+#include "gui/row_workers.h"
 #include "render/preview.h"
 #include "view/action.h"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,9 +43,11 @@ void write_settings(const std::string& state_dir, const Settings& settings);
 /// with Stopped, and remains the state's until replaced.
 [[nodiscard]] Result<State> start(const GuiOptions& options, const Stop& stop = {});
 
-/// The 3-D image of the state's scene, rendered in time slices.
+/// The 3-D image of the state's scene, rendered in time slices, or by workers where there are any.
 class LiveImage {
  public:
+  explicit LiveImage(Workers& workers = platform::workers()) : workers_(workers) {}
+
   /// Restarts if the scene has changed. Throws Stopped if cancelled while it builds its accelerator.
   void follow(const State& state, const Stop& stop = {});
   /// Works for about `milliseconds` on the scene that it followed last; during a drag only up to the coarse picture.
@@ -53,11 +58,15 @@ class LiveImage {
   [[nodiscard]] double seconds_left() const;
   /// Nothing is to be done for this state.
   [[nodiscard]] bool rests(const State& state) const;
+  /// Nothing can be done before a worker answers.
+  [[nodiscard]] bool waits() const { return workers_.waits(); }
 
  private:
   Preview preview_;
+  RowWorkers workers_;
   std::uint64_t revision_ = 0, image_revision_ = 0;
   double seconds_ = 0;  ///< of work since its start
+  std::chrono::steady_clock::time_point begun_at_{};
   bool begun_ = false;
 };
 

@@ -2,22 +2,22 @@
 
 #include "image/srgb.h"
 #include "render/parallel.h"
-#include "render/picture.h"
 #include "trace/recursion.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <mutex>
-#include <numeric>
+#include <utility>
 
 namespace raywalk {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int coarsest = 8;
+constexpr int coarsest = PreviewPass::coarsest;
 
 using Rgba = std::array<std::uint8_t, 4>;
 
@@ -28,49 +28,38 @@ Rgba rgba_of(const Rgb<T>& colour, Encoding encoding) {
   return {to_byte(c.x, encoding), to_byte(c.y, encoding), to_byte(c.z, encoding), 255};
 }
 
-double cost_of(Heat heat, const Statistics& own, double microseconds) {
-  switch (heat) {
-    case Heat::none:
-    case Heat::noise:
-      return 0;
-    case Heat::rays:
-      return static_cast<double>(std::accumulate(own.rays.begin(), own.rays.end(), std::uint64_t{0}));
-    case Heat::tests:
-      return static_cast<double>(own.tests.nodes + own.tests.primitives);
-    case Heat::time:
-      return microseconds;
-  }
-  return 0;
-}
-
 }  // namespace
 
-/// A preview in progress. A *pass* visits every row of a grid once, in any order and in any thread: first the passes
-/// that trace pixel centres on ever finer grids, then one pass per sample.
+/// A preview in progress, pass by pass; the rows of a pass come in any order and from any thread.
 class Preview::Work {
  public:
   Work(const Scene& scene, const PreviewSettings& settings)
-      : settings_(settings), stack_(std::max(default_stack, stack_for(scene.limits.depth))) {
+      : settings_(settings), encoding_(scene.encoding), stack_(std::max(default_stack, stack_for(scene.limits.depth))) {
     if (settings.heat != Heat::none)
       costs_.assign(static_cast<std::size_t>(settings.size.width) * static_cast<std::size_t>(settings.size.height),
                     -1.0f);
+    begin_pass();
   }
   virtual ~Work() = default;
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
-  void refine(double milliseconds, int threads, const Stop& stop, std::vector<std::uint8_t>& rgba);
-  [[nodiscard]] bool has_every_pixel() const { return sample_ >= 0; }
-  [[nodiscard]] bool finished() const { return has_every_pixel() && sample_ == samples_to_take(); }
+  void refine(const RowTracer& tracer, double milliseconds, int threads, const Stop& stop,
+              std::vector<std::uint8_t>& rgba);
+  [[nodiscard]] std::vector<PreviewRow> hand_out(int most);
+  void take(std::vector<TracedRow> rows, std::vector<std::uint8_t>& rgba);
+  [[nodiscard]] bool has_every_pixel() const { return !pass_.of_centres(); }
+  [[nodiscard]] bool finished() const { return pass_.sample == samples_to_take(); }
   [[nodiscard]] double done() const {
     const double rows = static_cast<double>(rows_to_do_.size());
     const double grid = rows_of_pass_ > 0 ? (rows_of_pass_ - rows) / rows_of_pass_ : 1;
     // The grid of each pass has four times the pixels of the previous one: 1/64, 1/16, 1/4, 1.
     const auto up_to = [](int stride) { return 1.0 / (stride * stride); };
-    const double centres = has_every_pixel()     ? 1
-                           : stride_ == coarsest ? grid * up_to(stride_)
-                                                 : up_to(2 * stride_) + grid * (up_to(stride_) - up_to(2 * stride_));
-    const double samples = finished() ? samples_to_take() : has_every_pixel() ? sample_ + grid : 0;
+    const int stride = pass_.stride;
+    const double centres = has_every_pixel()    ? 1
+                           : stride == coarsest ? grid * up_to(stride)
+                                                : up_to(2 * stride) + grid * (up_to(stride) - up_to(2 * stride));
+    const double samples = finished() ? samples_to_take() : has_every_pixel() ? pass_.sample + grid : 0;
     return (centres + samples) / (1 + samples_to_take());
   }
   [[nodiscard]] const PreviewSettings& settings() const { return settings_; }
@@ -83,33 +72,31 @@ class Preview::Work {
   }
   /// Records the cost of the pixel, in the unit of the heat map.
   void note_cost(int column, int row, double cost) { costs_[index_of(column, row)] = static_cast<float>(cost); }
-  /// Traces the new pixels in row `row` of the grid of this stride.
-  virtual Statistics trace_centres(int row, int stride, const Stop& stop) = 0;
-  virtual Statistics trace_sample(int row, int sample, const Stop& stop) = 0;
+  /// Adds the shade of a pixel's centre, or of a sample, to the film.
+  virtual void put(int column, int row, int sample, const Rgbd& shade) = 0;
   [[nodiscard]] virtual Rgba shown(int column, int row, int samples_taken) const = 0;
 
   [[nodiscard]] const ImageSize& size() const { return settings_.size; }
-  /// Samples of each pixel to take after its centre. One sample per pixel is the centre itself.
-  [[nodiscard]] int samples_to_take() const {
-    if (settings_.heat == Heat::noise) return std::max(settings_.samples, PreviewSettings::fewest_for_noise);
-    return settings_.samples > 1 && settings_.heat == Heat::none ? settings_.samples : 0;
-  }
-  void begin_pass();
+  [[nodiscard]] int samples_to_take() const { return settings_.samples_to_take(); }
+  [[nodiscard]] Encoding encoding() const { return encoding_; }
 
  private:
-  void trace_row(int row, const Stop& stop, std::vector<std::uint8_t>& rgba);
+  void begin_pass();
+  void put_row(const TracedRow& traced, std::vector<std::uint8_t>& rgba);
   void show_row(int row, int stride, int samples_taken, std::vector<std::uint8_t>& rgba) const;
   void end_pass();
   void show_heat(std::vector<std::uint8_t>& rgba);
 
   PreviewSettings settings_;
+  Encoding encoding_;
   std::size_t stack_;
   std::vector<float> costs_;  ///< of a heat map, per pixel; negative: not traced yet
   double hottest_ = 0;
-  int stride_ = coarsest;  ///< of the current pass, while centres are traced
-  int sample_ = -1;        ///< of the current pass, after that
+  PreviewPass pass_;
   std::vector<int> rows_to_do_;
   double rows_of_pass_ = 0;
+  PreviewRow next_out_;           ///< to be handed out
+  std::vector<TracedRow> early_;  ///< of the next pass
   Statistics statistics_;
   std::mutex statistics_mutex_;
 };
@@ -117,95 +104,88 @@ class Preview::Work {
 template <class T>
 class Preview::WorkIn final : public Preview::Work {
  public:
-  WorkIn(const Scene& scene, const PreviewSettings& settings, WorldCache& worlds, const Stop& stop)
+  WorkIn(const Scene& scene, const PreviewSettings& settings)
       : Work(scene, settings),
-        world_(worlds.of<T>(scene, settings.accelerator, settings.fault, stop)),
-        centres_(scene, *world_, settings.size, settings.size, {}),
-        encoding_(scene.encoding),
-        squares_(settings.heat == Heat::noise ? centres_.film().pixels().size() : 0) {
-    if (samples_to_take() > 0)
-      spread_.emplace(scene, *world_, settings.size, settings.size, Sampling{samples_to_take()});
-    begin_pass();
-  }
+        centres_(settings.size),
+        spread_(samples_to_take() > 0 ? settings.size : ImageSize{0, 0}),
+        squares_(settings.heat == Heat::noise ? centres_.pixels().size() : 0) {}
 
-  [[nodiscard]] const Film<T>& film() const { return finished() && spread_ ? spread_->film() : centres_.film(); }
+  [[nodiscard]] const Film<T>& film() const { return finished() && samples_to_take() > 0 ? spread_ : centres_; }
 
  private:
-  Statistics trace_centres(int row, int stride, const Stop& stop) override {
-    // In a row of the previous grid every second pixel is already traced.
-    const bool old_row = stride < coarsest && row % (2 * stride) == 0;
-    const PixelBlock block{old_row ? stride : 0, size().width, row, row + 1, 0, old_row ? 2 * stride : stride, 1, stop};
-    if (settings().heat == Heat::none || settings().heat == Heat::noise) return centres_.trace(block);
-    Statistics sum;
-    for (const Pixel& pixel : block) {
-      const auto begun = Clock::now();
-      const Statistics own = centres_.trace({pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0, 1, 1, stop});
-      const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - begun).count();
-      note_cost(pixel.column, pixel.row, cost_of(settings().heat, own, microseconds));
-      sum += own;
-    }
-    return sum;
-  }
-
-  Statistics trace_sample(int row, int sample, const Stop& stop) override {
-    std::vector<Rgb<T>> shades(static_cast<std::size_t>(size().width));  // a cancelled row is traced again
-    Film<T>& mean = spread_->film();
-    const Statistics statistics = spread_->trace_into(
-        {0, size().width, row, row + 1, sample, 1, 1, stop},
-        [&shades](const Pixel& p, const Rgb<T>& shade) { shades[static_cast<std::size_t>(p.column)] = shade; });
-    for (int column = 0; column < size().width; ++column) {
-      const Rgb<T>& shade = shades[static_cast<std::size_t>(column)];
-      const Rgb<T> before = sample > 0 ? mean.at(column, row) : shade;
-      mean.add(column, row, sample, shade);
-      if (settings().heat == Heat::noise) note_scatter(column, row, sample, shade, before);
-    }
-    return statistics;
+  void put(int column, int row, int sample, const Rgbd& shade) override {
+    const Rgb<T> own(shade);
+    if (sample < 0) return centres_.add(column, row, 0, own);
+    const Rgb<T> before = sample > 0 ? spread_.at(column, row) : own;
+    spread_.add(column, row, sample, own);
+    if (settings().heat == Heat::noise) note_scatter(column, row, sample, own, before);
   }
 
   /// Updates the sum of squared deviations from the running mean (B. Welford, Technometrics 4(3), 1962).
   void note_scatter(int column, int row, int sample, const Rgb<T>& shade, const Rgb<T>& before) {
     const auto grey = [](const Rgb<T>& c) { return (Rgbd(c).x + Rgbd(c).y + Rgbd(c).z) / 3; };
     double& squares = squares_[index_of(column, row)];
-    squares += grey(shade - before) * grey(shade - spread_->film().at(column, row));
+    squares += grey(shade - before) * grey(shade - spread_.at(column, row));
     if (sample > 0) note_cost(column, row, std::sqrt(std::max(squares, 0.0) / sample));
   }
 
   /// While samples are missing, the centre counts as one more: the first samples alone may lie in one corner of the
   /// pixel.
   [[nodiscard]] Rgba shown(int column, int row, int samples_taken) const override {
-    const Rgb<T>& centre = centres_.film().at(column, row);
-    if (samples_taken == 0) return rgba_of(centre, encoding_);
-    const Rgb<T>& mean = spread_->film().at(column, row);
-    if (samples_taken == samples_to_take()) return rgba_of(mean, encoding_);
-    return rgba_of(mean + (centre - mean) / static_cast<T>(samples_taken + 1), encoding_);
+    const Rgb<T>& centre = centres_.at(column, row);
+    if (samples_taken == 0) return rgba_of(centre, encoding());
+    const Rgb<T>& mean = spread_.at(column, row);
+    if (samples_taken == samples_to_take()) return rgba_of(mean, encoding());
+    return rgba_of(mean + (centre - mean) / static_cast<T>(samples_taken + 1), encoding());
   }
 
-  std::shared_ptr<const World<T>> world_;
-  Picture<T> centres_;
-  std::optional<Picture<T>> spread_;  ///< where samples are to be taken after the centres
-  Encoding encoding_;
+  Film<T> centres_, spread_;
   std::vector<double> squares_;  ///< of a noise map, per pixel
 };
 
 void Preview::Work::begin_pass() {
-  const int stride = has_every_pixel() ? 1 : stride_;
   rows_to_do_.clear();
-  for (int row = 0; row < size().height; row += stride) rows_to_do_.push_back(row);
+  for (int row = 0; row < size().height; row += pass_.stride) rows_to_do_.push_back(row);
   rows_of_pass_ = static_cast<double>(rows_to_do_.size());
 }
 
 void Preview::Work::end_pass() {
-  if (has_every_pixel()) {
-    ++sample_;
-  } else if (stride_ == 1) {
-    sample_ = 0;
-  } else {
-    stride_ /= 2;
-  }
+  pass_ = pass_.next();
   if (!finished()) begin_pass();
 }
 
-void Preview::Work::refine(double milliseconds, int threads, const Stop& stop, std::vector<std::uint8_t>& rgba) {
+std::vector<PreviewRow> Preview::Work::hand_out(int most) {
+  std::vector<PreviewRow> rows;
+  const auto is_due = [&] {
+    const PreviewPass& pass = next_out_.pass;
+    return pass.sample < std::max(samples_to_take(), 0) && (pass == pass_ || pass == pass_.next());
+  };
+  while (static_cast<int>(rows.size()) < most && is_due()) {
+    rows.push_back(next_out_);
+    next_out_.row += next_out_.pass.stride;
+    if (next_out_.row >= size().height) next_out_ = {next_out_.pass.next(), 0};
+  }
+  return rows;
+}
+
+void Preview::Work::take(std::vector<TracedRow> rows, std::vector<std::uint8_t>& rgba) {
+  for (std::size_t i = 0; i < rows.size() && !finished(); ++i) {
+    if (rows[i].of.pass != pass_) {
+      early_.push_back(std::move(rows[i]));
+      continue;
+    }
+    put_row(rows[i], rgba);
+    std::erase(rows_to_do_, rows[i].of.row);
+    if (!rows_to_do_.empty()) continue;
+    end_pass();
+    std::move(early_.begin(), early_.end(), std::back_inserter(rows));
+    early_.clear();
+  }
+  if (settings_.heat != Heat::none) show_heat(rgba);
+}
+
+void Preview::Work::refine(const RowTracer& tracer, double milliseconds, int threads, const Stop& stop,
+                           std::vector<std::uint8_t>& rgba) {
   const auto deadline = Clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
   bool first = true;  // at least one row, so that refining with no time budget still progresses
   while (!finished() && (first || Clock::now() < deadline) && !stop.asked()) {
@@ -215,7 +195,7 @@ void Preview::Work::refine(double milliseconds, int threads, const Stop& stop, s
       const auto index = static_cast<std::size_t>(i);
       if (!(first && i == 0) && Clock::now() >= deadline) return;
       try {
-        trace_row(rows_to_do_[index], stop, rgba);
+        put_row(tracer.trace({pass_, rows_to_do_[index]}, stop), rgba);
         traced[index] = 1;
       } catch (const Stopped&) {
       }
@@ -257,12 +237,16 @@ void Preview::Work::show_heat(std::vector<std::uint8_t>& rgba) {
     }
 }
 
-void Preview::Work::trace_row(int row, const Stop& stop, std::vector<std::uint8_t>& rgba) {
-  const bool centres = !has_every_pixel();
-  const Statistics statistics = centres ? trace_centres(row, stride_, stop) : trace_sample(row, sample_, stop);
-  if (settings_.heat == Heat::none) show_row(row, centres ? stride_ : 1, centres ? 0 : sample_ + 1, rgba);
+void Preview::Work::put_row(const TracedRow& traced, std::vector<std::uint8_t>& rgba) {
+  const auto& [pass, row] = traced.of;
+  auto [column, step] = columns_of(traced.of);
+  for (std::size_t i = 0; i < traced.shades.size(); ++i, column += step) {
+    put(column, row, pass.sample, traced.shades[i]);
+    if (i < traced.costs.size()) note_cost(column, row, traced.costs[i]);
+  }
+  if (settings_.heat == Heat::none) show_row(row, pass.stride, pass.sample + 1, rgba);
   const std::lock_guard lock(statistics_mutex_);
-  statistics_ += statistics;
+  statistics_ += traced.statistics;
 }
 
 /// Paints the blocks of the row's pixels on a grid of this stride. The blocks of different rows do not overlap, and the
@@ -289,14 +273,20 @@ Preview& Preview::operator=(Preview&&) noexcept = default;
 
 void Preview::reset(const Scene& scene, const PreviewSettings& settings, WorldCache* worlds, const Stop& stop) {
   WorldCache own;
-  if (worlds == nullptr) worlds = &own;
+  RowTracer tracer(scene, settings, worlds != nullptr ? *worlds : own, stop);
+  reset_elsewhere(scene, settings);
+  tracer_.emplace(std::move(tracer));
+}
+
+void Preview::reset_elsewhere(const Scene& scene, const PreviewSettings& settings) {
   const bool keep_picture = work_ && work_->settings().size == settings.size;
+  tracer_.reset();
   switch (settings.precision) {
     case Precision::float_:
-      work_ = std::make_unique<WorkIn<float>>(scene, settings, *worlds, stop);
+      work_ = std::make_unique<WorkIn<float>>(scene, settings);
       break;
     case Precision::double_:
-      work_ = std::make_unique<WorkIn<double>>(scene, settings, *worlds, stop);
+      work_ = std::make_unique<WorkIn<double>>(scene, settings);
       break;
   }
   if (keep_picture) return;
@@ -306,9 +296,19 @@ void Preview::reset(const Scene& scene, const PreviewSettings& settings, WorldCa
   ++revision_;
 }
 
+std::vector<PreviewRow> Preview::hand_out(int most) {
+  return work_ ? work_->hand_out(most) : std::vector<PreviewRow>();
+}
+
+void Preview::take(std::vector<TracedRow> rows) {
+  if (!work_) return;
+  work_->take(std::move(rows), rgba_);
+  ++revision_;
+}
+
 bool Preview::refine(double milliseconds, int threads, const Stop& stop) {
-  if (finished()) return false;
-  work_->refine(milliseconds, threads, stop, rgba_);
+  if (finished() || !tracer_) return false;
+  work_->refine(*tracer_, milliseconds, threads, stop, rgba_);
   ++revision_;
   return !finished();
 }

@@ -2,9 +2,7 @@
 // A progressive picture: coarse at once, then fine, then smooth.
 
 #include "render/film.h"
-#include "render/heat.h"
-#include "render/world_cache.h"
-#include "trace/kernel.h"
+#include "render/row_tracer.h"
 
 #include <cstdint>
 #include <memory>
@@ -12,20 +10,6 @@
 #include <vector>
 
 namespace raywalk {
-
-/// What a preview shows.
-struct PreviewSettings {
-  ImageSize size{};  ///< each side >= 1
-  Precision precision = Precision::double_;
-  int samples = 16;  ///< of each pixel when finished, >= 1
-  AcceleratorKind accelerator = AcceleratorKind::automatic;
-  /// What the pixels show instead of their colours: the cost of the ray through the centre, without further samples; or
-  /// the noise of the samples, of which there are then at least `fewest_for_noise`.
-  Heat heat = Heat::none;
-  static constexpr int fewest_for_noise = 16;
-  std::optional<Fault> fault{};  ///< breaks the tracer on purpose
-  friend bool operator==(const PreviewSettings&, const PreviewSettings&) = default;
-};
 
 /// A render in time slices.
 ///
@@ -45,6 +29,14 @@ class Preview {
   /// visible until the first refine, so that an edit does not flicker. Throws Stopped when cancelled; nothing has
   /// changed then.
   void reset(const Scene& scene, const PreviewSettings& settings, WorldCache* worlds = nullptr, const Stop& stop = {});
+
+  /// The same for rows that others trace: nothing is built, and nothing to refine.
+  void reset_elsewhere(const Scene& scene, const PreviewSettings& settings);
+  /// Rows to be traced elsewhere, at most so many, each given once: those of this pass, then of the next one, so that
+  /// nobody waits for the last row of a pass.
+  [[nodiscard]] std::vector<PreviewRow> hand_out(int most);
+  /// Rows that were handed out; in any order.
+  void take(std::vector<TracedRow> rows);
 
   /// Works for about `milliseconds`, in up to `threads` threads (0: as many as the machine runs concurrently): at least
   /// one row, and at most one row longer; `stop` may cancel inside a pixel, and that row is then redone. Returns
@@ -77,7 +69,8 @@ class Preview {
   template <class T>
   class WorkIn;
 
-  std::unique_ptr<Work> work_;  ///< null before the first reset
+  std::unique_ptr<Work> work_;       ///< null before the first reset
+  std::optional<RowTracer> tracer_;  ///< none while rows are traced elsewhere
   std::vector<std::uint8_t> rgba_;
   std::uint64_t revision_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace raywalk::study {
 
@@ -189,6 +190,23 @@ bool Workbench::work(double milliseconds, const Stop& stop) {
     if (Clock::now() >= deadline) break;
   }
   return !finished();
+}
+
+void Workbench::show(Findings found) {
+  bool is_new = found.reference_samples != reference_samples();
+  for (std::size_t i = 0; i < std::min(attempts_.size(), found.attempts.size()); ++i) {
+    Attempt& own = attempts_[i];
+    Attempt& other = found.attempts[i];
+    is_new = is_new || !other.image.pixels.empty();
+    if (!other.image.pixels.empty()) own.image = std::move(other.image);
+    own.done = other.done;
+    own.cost = other.cost;
+    own.error = other.error;
+  }
+  if (!found.reference.pixels.empty()) reference_ = std::move(found.reference);
+  passes_ = found.reference_samples / samples_a_pass;
+  floor_ = found.floor;
+  if (is_new) ++revision_;
 }
 
 void Workbench::begin(const Stop& stop) {

@@ -46,6 +46,14 @@ struct Attempt {
                      ///< reference, linear light
 };
 
+/// What a workbench has found, as told by another program that has one of the same scene and setups.
+struct Findings {
+  std::vector<Attempt> attempts;  ///< the first ones, without setups; an image that was told before is left out
+  Image reference;                ///< left out where it was told before
+  int reference_samples = 0;
+  double floor = 0;
+};
+
 /// Which cost is compared with the error.
 enum class CostAxis {
   seconds,
@@ -79,6 +87,8 @@ class Workbench {
   /// cancelled through `stop`, also inside a pixel: the next call goes on from there.
   bool work(double milliseconds, const Stop& stop = {});
   [[nodiscard]] bool finished() const;
+  /// Instead of work().
+  void show(Findings found);
 
   [[nodiscard]] const std::vector<Attempt>& attempts() const { return attempts_; }
   /// The mean of the passes so far; empty before the second one is done.

@@ -330,3 +330,19 @@ TEST_CASE("what was dropped onto another body can be taken up again") {
   CHECK(state.scene().objects[static_cast<std::size_t>(polygon)] == covered.objects[static_cast<std::size_t>(polygon)]);
   CHECK(state.scene().objects[static_cast<std::size_t>(glass)] != covered.objects[static_cast<std::size_t>(glass)]);
 }
+
+TEST_CASE("a finger takes a handle within 22 pixels, and a body where its middle is nearer") {
+  State state = busy_state();
+  const Target handle{TargetKind::radius, 0};
+  const Vec2d at = pixels_of(state, handle), middle = pixels_of(state, {TargetKind::object, 0});
+  const Vec2d outwards = (at - middle) / length(at - middle);
+  REQUIRE(length(at - middle) > 12);
+  const auto under = [&](const Vec2d& place) { return pick(state, place); };
+  CHECK(under(at + 21.0 * outwards) != handle);
+  update(state, action::SetTouch{true});
+  CHECK(under(at + 21.0 * outwards) == handle);
+  CHECK(under(at + 23.0 * outwards) != handle);
+  CHECK(under(middle + 0.6 * (at - middle)) == handle);
+  CHECK(under(middle + 0.4 * (at - middle)) == Target{TargetKind::object, 0});
+  CHECK(under(middle) == Target{TargetKind::object, 0});
+}

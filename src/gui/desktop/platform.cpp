@@ -34,4 +34,14 @@ bool has_file_chooser() { return false; }
 
 void choose_files() {}
 
+Workers& workers() {
+  class None final : public Workers {
+    int count() override { return 0; }
+    void tell(int, const std::string&) override {}
+    std::optional<Answer> hear(MessageKind) override { return std::nullopt; }
+  };
+  static None none;
+  return none;
+}
+
 }  // namespace raywalk::platform

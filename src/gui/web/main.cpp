@@ -2,6 +2,7 @@
 
 #include "gui/command.h"
 #include "gui/visualiser.h"
+#include "gui/web/program.h"
 #include "image/image_file.h"
 #include "io/scene_file.h"
 #include "render/render.h"
@@ -65,6 +66,8 @@ Result<void> open(int argc, char** argv) {
 
 }  // namespace
 
+Loop& page_loop() { return *visualiser().loop; }
+
 }  // namespace raywalk
 
 using namespace raywalk;
@@ -73,7 +76,7 @@ extern "C" {
 
 /// A turn of the loop. The seconds until the next is needed, negative if an event must come first; NaN: there is none.
 EMSCRIPTEN_KEEPALIVE double page_turn() {
-  Loop& loop = *visualiser().loop;
+  Loop& loop = page_loop();
   return loop.turn() ? loop.patience() : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -89,7 +92,7 @@ EMSCRIPTEN_KEEPALIVE void page_open(const char* paths) {
     chosen = path;
     if (scene_format_of(path) == SceneFormat::toml) break;
   }
-  visualiser().loop->act(action::Open{std::string(chosen)});
+  page_loop().act(action::Open{std::string(chosen)});
 }
 
 /// Whether a key press, "Ctrl+Shift+S", does anything in the window: the browser then should not.

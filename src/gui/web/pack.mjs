@@ -15,7 +15,7 @@ const texts = join(here, '../../text');
 const read = (folder, name) => readFileSync(join(folder, name), 'utf8');
 
 // What the page runs, in this order, behind the program.
-const scripts = ['offline.js', 'page.js'];
+const scripts = ['offline.js', 'workers.js', 'mirror.js', 'touch.js', 'page.js'];
 
 // What is said before the program is there: the table [page] of each language.
 function page_words(toml) {
@@ -42,7 +42,8 @@ rmSync(site, { recursive: true, force: true });
 
 // --- The site --------------------------------------------------------------------------------------------------------
 
-const parts = [[build, 'raywalk.js'], [build, 'raywalk.wasm'], [here, 'page.css'], ...scripts.map((name) => [here, name])];
+const parts = [[build, 'raywalk.js'], [build, 'raywalk.wasm'], [here, 'page.css'], [here, 'worker.js'],
+  ...scripts.map((name) => [here, name])];
 const version = sha256(...parts.map(([folder, name]) => readFileSync(join(folder, name))), JSON.stringify(words))
   .digest('hex').slice(0, 16);
 const own = join(site, version);
@@ -65,12 +66,13 @@ writeFileSync(join(site, 'kept.js'), read(here, 'kept.js')
 // --- The one file ------------------------------------------------------------------------------------------------------
 
 const inline = ['raywalk.js', ...scripts].map((name) => read(name === 'raywalk.js' ? build : here, name));
-const style = read(here, 'page.css');
-for (const text of inline)
+const style = read(here, 'page.css'), worker = read(here, 'worker.js');
+for (const text of [...inline, worker])
   if (text.includes('</script')) throw new Error('this script cannot stand in a page');
 const hashes = inline.map((text) => `'sha256-${sha256(text).digest('base64')}'`);
 writeFileSync(join(site, 'raywalk.html'), page(
   [`script-src ${hashes.join(' ')} 'wasm-unsafe-eval'`, `style-src 'sha256-${sha256(style).digest('base64')}'`,
     'img-src blob: data:', 'worker-src blob:'],
   ['<link rel="icon" href="data:,">', `<style>${style}</style>`],
-  [`<script type="text/plain" id="code">${packed}</script>`, ...inline.map((text) => `<script>${text}</script>`)]));
+  [`<script type="text/plain" id="code">${packed}</script>`, `<script type="text/plain" id="worker">${worker}</script>`,
+    ...inline.map((text, i) => `<script${i === 0 ? ' id="program"' : ''}>${text}</script>`)]));

@@ -134,6 +134,7 @@ if (tabs) tabs.onmessage = ({ data }) => running && put_kept(data.name, data.byt
 // What is chosen or dropped is copied there; what the program writes there is downloaded.
 
 const taken = new Map();  // of /files: path to stamp, as last chosen or downloaded
+let files_changed = 0;    // by the user
 
 function all_files(folder = '/files') {
   return names_in(folder).flatMap((name) => {
@@ -152,6 +153,7 @@ async function take(files) {
     taken.set(path, stamp_of(path));
     paths.push(path);
   }
+  ++files_changed;
   if (paths.length > 0) program.ccall('page_open', null, ['string'], [paths.join('\n')]);
   soon();
 }
@@ -205,6 +207,7 @@ function turn() {
   try {
     const wait = program._page_turn();
     if (looked === 0) performance.mark('ready');
+    mirror.refresh();
     if (wait === 0) soon();
     if (wait > 0) timer = setTimeout(soon, 1000 * wait);
     if (wait === 0 && performance.now() - looked < look_every) return;
@@ -222,11 +225,75 @@ for (const type of ['pointermove', 'pointerdown', 'pointerup', 'pointerleave', '
 
 window.addEventListener('pagehide', () => running && keep());
 
-// What GLFW's JavaScript leaves out: a drag goes on outside of the page, and a touch is somewhere before it presses.
-canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
-window.addEventListener('touchstart', ({ touches: [first], target }) => {
-  if (target === canvas) canvas.dispatchEvent(new MouseEvent('mousemove', { clientX: first.clientX, clientY: first.clientY }));
-}, true);
+// What GLFW's JavaScript leaves out: a drag goes on outside of the page.
+canvas.addEventListener('pointerdown', (event) => {
+  canvas.classList.remove('by-keys');
+  if (event.pointerType !== 'touch') canvas.setPointerCapture(event.pointerId);
+});
+
+// --- For everyone: touch, the window in words, and motion --------------------------------------------------------------
+
+const call = (name, ...texts) => program.ccall(name, 'string', texts.map(() => 'string'), texts);
+
+// The page's first button, and all but the drawing that it shows.
+const header = document.createElement('header'), main = document.createElement('main');
+header.innerHTML = '<h1 class="unseen"></h1><button type="button" id="as-text"></button>';
+canvas.before(header, main);
+main.append(canvas, Object.assign(document.createElement('div'), { id: 'mirror', hidden: true }));
+const as_text = document.getElementById('as-text'), text_place = document.getElementById('mirror');
+text_place.innerHTML = '<h1 tabindex="-1"></h1><button type="button" class="leave"></button><div class="outline"></div>';
+const keyboard = new Keyboard(canvas, { type: (text) => { call('page_type', text); soon(); } });
+new Touch(canvas, {
+  first: () => running && call('page_act', 'touch on'),
+  holds: (x, y) => running && program._page_holds(x, y),
+  wheel: (by) => running && program._page_wheel(by),
+  // The program sees a press in one frame and what it has done in the next ones.
+  settle: () => {
+    if (!running) return;
+    for (let i = 0; i < 4; ++i) turn();
+    keyboard.show(program._page_types());
+  },
+});
+
+const mirror = new Mirror(text_place, {
+  ask: () => call('page_outline'),
+  speaks: (now) => name_parts(now),
+  act: (does, typed) => {
+    const wrong = call('page_do', does, typed);
+    turn();
+    return wrong;
+  },
+  shown: () => {
+    header.querySelector('h1').hidden = mirror.open;
+    (mirror.open ? text_place.querySelector('h1') : as_text).focus();
+    soon();
+  },
+});
+as_text.addEventListener('click', () => running && mirror.show(true));
+text_place.querySelector('.leave').addEventListener('click', () => mirror.show(false));
+
+// What the page itself says, in the language of the program.
+function name_parts(now) {
+  const said = words[now] ?? words.en;
+  document.documentElement.lang = now;
+  Mirror.say(as_text, said.as_text);
+  for (const title of document.querySelectorAll('h1')) Mirror.say(title, document.title);
+  Mirror.say(text_place.querySelector('.leave'), said.as_drawing);
+  for (const element of [canvas, keyboard.field]) Mirror.set(element, 'aria-label', said.drawing);
+}
+canvas.setAttribute('role', 'application');
+
+const less_motion = matchMedia('(prefers-reduced-motion: reduce)');
+less_motion.addEventListener('change', () => running && less_motion.matches && call('page_act', 'tweens off'));
+
+// Whether this is an element of the page's, to which its keys belong.
+const of_text = (target) => target instanceof Element && target !== canvas && (header.contains(target) || main.contains(target));
+
+// What is left for the drawing, in CSS pixels.
+function canvas_size() {
+  const beside = mirror.open && innerWidth >= 900 ? text_place.offsetWidth : 0;
+  return [Math.max(1, innerWidth - beside), Math.max(1, innerHeight)];
+}
 
 // --- Keys: the program's own work, and no others are taken from the browser ------------------------------------------
 
@@ -238,6 +305,12 @@ const browsers_own = new Set([...'LNRTW+-0'].map((key) => 'Ctrl+' + key).concat(
 // Before GLFW's, which so never sees what is left to the browser.
 window.addEventListener('keydown', (event) => {
   if (!running || event.getModifierState('AltGraph')) return;
+  // The keys of the page's own buttons and fields, and the one that leads from the drawing to them.
+  if (of_text(event.target)) {
+    if (event.target === keyboard.field && event.key === 'Enter') keyboard.key(13, 'Enter');
+    return event.stopImmediatePropagation();
+  }
+  if (event.key === 'Tab' && !program._page_types()) return event.stopImmediatePropagation();
   const key = key_names[event.key] ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
   const ctrl = event.ctrlKey || event.metaKey;
   if (browsers_own.has((ctrl ? 'Ctrl+' : '') + key)) return event.stopImmediatePropagation();
@@ -245,6 +318,12 @@ window.addEventListener('keydown', (event) => {
   if ((ctrl || event.altKey || /^F\d/.test(key)) && program.ccall('page_uses_key', 'number', ['string'], [written]))
     event.preventDefault();
 }, true);
+
+for (const type of ['keypress', 'keyup'])
+  window.addEventListener(type, (event) => {
+    if (of_text(event.target)) event.stopImmediatePropagation();
+    else if (type === 'keyup' && event.key === 'Tab') canvas.classList.add('by-keys');
+  }, true);
 
 // The browser tells what is pasted only here, before the frame in which the program asks for it.
 window.addEventListener('paste', (event) => {
@@ -257,27 +336,42 @@ window.addEventListener('paste', (event) => {
 const with_simd = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0,
   253, 15, 253, 98, 11]);
 
-// The code in letters, packed: in this file, or where nothing may be fetched from a script beside this one.
-async function own_code() {
+// The program, compiled: for this page and for its workers. Its code stands in letters, packed, in this file, or where
+// nothing may be fetched in a script beside this one.
+async function compiled() {
   if (!document.getElementById('code') && self.origin === 'null')
     await new Promise((loaded, refused) => document.head.append(Object.assign(document.createElement('script'),
       { src: own_folder + 'code.js', onload: loaded, onerror: () => refused(new Error('code.js is missing')) })));
   const letters = document.getElementById('code')?.textContent ?? self.raywalk_code;
-  if (!letters) return undefined;
+  if (!letters) {
+    const answer = await fetch(own_folder + 'raywalk.wasm');
+    if (!answer.ok) throw new Error(`raywalk.wasm: ${answer.status} ${answer.statusText}`);
+    if (answer.headers.get('content-type') === 'application/wasm') return WebAssembly.compileStreaming(answer);
+    return WebAssembly.compile(await answer.arrayBuffer());
+  }
   const packed = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
 }
 
 async function start() {
   say('loading');
   if (!document.createElement('canvas').getContext('webgl2')) return say('no_webgl');
   if (!WebAssembly.validate(with_simd)) return say('no_simd');
-  const [files, wasmBinary] = await Promise.all([recall(), own_code()]);
+  const [files, code] = await Promise.all([recall(), compiled()]);
   const options = ['scene', 'language', 'report'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
   const module = await Raywalk({
     canvas,
-    wasmBinary,
+    canvas_size,
+    workers: new PageWorkers(code, own_folder + 'worker.js', {
+      answered: soon,
+      files: () => all_files().map((path) => [path, program.FS.readFile(path)]),
+      changed: () => files_changed,
+    }),
+    instantiateWasm: (imports, done) => {
+      WebAssembly.instantiate(code, imports).then((instance) => done(instance, code)).catch(fail);
+      return {};
+    },
     arguments: options,
     fail,
     chooseFiles: () => chooser.click(),
@@ -292,6 +386,8 @@ async function start() {
   if (failed) return;
   running = true;
   says.hidden = true;
+  name_parts(language);
+  if (less_motion.matches) call('page_act', 'tweens off');
   canvas.focus();
   soon();
 }

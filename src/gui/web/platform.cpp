@@ -4,14 +4,15 @@
 #include <emscripten/em_js.h>
 #include <imgui.h>
 
+#include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 // clang-format off
 EM_JS_DEPS(raywalk_platform, "$UTF8ToString,$stringToNewUTF8");
 EM_JS(void, raywalk_page_size, (int* width, int* height), {
-  HEAP32[width >> 2] = Math.max(1, window.innerWidth);
-  HEAP32[height >> 2] = Math.max(1, window.innerHeight);
+  [HEAP32[width >> 2], HEAP32[height >> 2]] = Module["canvas_size"]();
 });
 // Emscripten's GLFW notices only when the ratio differs from the first one.
 EM_JS(void, raywalk_follow_pixel_ratio, (), {
@@ -25,6 +26,16 @@ EM_JS(void, raywalk_toggle_full_screen, (), {
   else document.documentElement.requestFullscreen?.().catch(() => {});
 });
 EM_JS(void, raywalk_choose_files, (), { Module["chooseFiles"](); });
+EM_JS(int, raywalk_workers, (), { return Module["workers"]?.count() ?? 0; });
+EM_JS(void, raywalk_tell_worker, (int worker, const char* bytes, int size),
+      { Module["workers"].tell(worker, HEAPU8.slice(bytes, bytes + size)); });
+// Of the next answer of a kind: its size, or -1 if there is none; then its worker and, into the room for it, its bytes.
+EM_JS(int, raywalk_answer_size, (int kind), { return Module["workers"]?.next(kind)?.bytes.length ?? -1; });
+EM_JS(int, raywalk_take_answer, (int kind, char* room), {
+  const { worker, bytes } = Module["workers"].take(kind);
+  HEAPU8.set(bytes, room);
+  return worker;
+});
 // clang-format on
 
 namespace raywalk::platform {
@@ -62,5 +73,23 @@ bool can_quit() { return false; }
 bool has_file_chooser() { return true; }
 
 void choose_files() { raywalk_choose_files(); }
+
+Workers& workers() {
+  class OfPage final : public Workers {
+    int count() override { return raywalk_workers(); }
+    void tell(int worker, const std::string& message) override {
+      raywalk_tell_worker(worker, message.data(), static_cast<int>(message.size()));
+    }
+    std::optional<Answer> hear(MessageKind of) override {
+      const int kind = static_cast<int>(of), size = raywalk_answer_size(kind);
+      if (size < 0) return std::nullopt;
+      Answer answer{0, std::string(static_cast<std::size_t>(size), '\0')};
+      answer.worker = raywalk_take_answer(kind, answer.message.data());
+      return answer;
+    }
+  };
+  static OfPage of_page;
+  return of_page;
+}
 
 }  // namespace raywalk::platform

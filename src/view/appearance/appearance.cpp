@@ -28,6 +28,8 @@ void action::SetUiScale::apply(State& state) const {
   refit(state);
 }
 
+void action::SetTouch::apply(State& state) const { state.appearance.touch = on; }
+
 void action::SetTab::apply(State& state) const {
   state.appearance.tab = tab;
   if (tab == StructureRoom::tab) {  // it draws into the plan of a walk

@@ -47,6 +47,14 @@ struct SetUiScale {
   static constexpr Traits traits{.keeps_drag = true, .always = true};
   void apply(State& state) const;
 };
+/// Fingers point, which are thicker than a mouse's arrow.
+struct SetTouch {
+  static constexpr std::string_view word = "touch";
+  bool on;
+  static void fields(auto& f, auto& a) { f(a.on, on_or_off); }
+  static constexpr Traits traits{.keeps_drag = true, .always = true};
+  void apply(State& state) const;
+};
 struct SetTab {
   static constexpr std::string_view word = "tab";
   Tab tab;
@@ -67,12 +75,13 @@ namespace raywalk {
 /// How the window looks.
 struct AppearanceRoom {
   using Actions = Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale,
-                        action::SetTab, action::DismissNotice>;
+                        action::SetTouch, action::SetTab, action::DismissNotice>;
   static Commands commands();
 
   Theme theme = Theme::dark;
   Language language{};
   bool english_code = false;  ///< the pseudocode, whatever the language
+  bool touch = false;         ///< handles are as large as a finger
   double ui_scale = 1;        ///< min_ui_scale..max_ui_scale
   Tab tab = PictureRoom::tab;
 

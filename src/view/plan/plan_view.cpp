@@ -1,6 +1,7 @@
 #include "view/plan/plan_view.h"
 
 #include "view/plan/painter.h"
+#include "view/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,8 @@ Sizes::Sizes(const State& state)
       text(15 * unit),
       line(1.5 * unit),
       handle(4.5 * unit),
-      reach(6 * unit) {}
+      reach(6 * unit),
+      finger(22 * unit) {}
 
 namespace {
 
@@ -124,9 +126,8 @@ int rank_of(TargetKind kind) {
 
 /// The topmost of what `wanted` says yes to.
 template <class Wanted>
-Target topmost(const State& state, const Viewport& viewport, const Vec2d& at, Wanted wanted) {
+Target topmost(const State& state, const Viewport& viewport, const Vec2d& at, double reach, Wanted wanted) {
   const DisplayList list = plan_view(state, viewport);
-  const double reach = Sizes(state).reach;
   Target best;
   int best_rank = -1;
   double best_distance = 0;
@@ -147,11 +148,23 @@ Target topmost(const State& state, const Viewport& viewport, const Vec2d& at, Wa
 }  // namespace
 
 Target pick(const State& state, const Viewport& viewport, const Vec2d& at) {
-  return topmost(state, viewport, at, [](TargetKind) { return true; });
+  constexpr int of_small_things = 4;
+  const Sizes sizes(state);
+  const Target usual = topmost(state, viewport, at, sizes.reach, [](TargetKind) { return true; });
+  if (!state.appearance.touch || rank_of(usual.kind) >= of_small_things) return usual;
+  // A finger also takes a small thing beside it, unless the middle of what it is on is nearer.
+  const Target small = topmost(state, viewport, at, sizes.finger - sizes.handle,
+                               [](TargetKind kind) { return rank_of(kind) >= of_small_things; });
+  const auto away = [&](const Target& target) {
+    return length(to_pixels(state.plan.camera, viewport, place_of(state, target, viewport)) - at);
+  };
+  if (!small) return usual;
+  const bool is_body = usual.kind == TargetKind::object || usual.kind == TargetKind::edge;
+  return is_body && away({TargetKind::object, usual.index}) < away(small) ? usual : small;
 }
 
 Target body_at(const State& state, const Vec2d& at) {
-  return topmost(state, state.plan.viewport, at,
+  return topmost(state, state.plan.viewport, at, Sizes(state).reach,
                  [](TargetKind kind) { return kind == TargetKind::object || kind == TargetKind::light; });
 }
 

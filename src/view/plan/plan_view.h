@@ -38,6 +38,7 @@ struct Sizes {
   double line;    ///< usual outline
   double handle;  ///< radius of a handle
   double reach;   ///< how near the pointer has to be
+  double finger;  ///< the same for a fingertip and a small thing's middle
 };
 
 }  // namespace raywalk

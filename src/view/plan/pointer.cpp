@@ -203,6 +203,14 @@ void action::Select::apply(State& state) const {
   if (exists(state, target)) state.plan.selected = target;
 }
 
+void action::Place::apply(State& state) const {
+  if (!exists(state, target)) return;
+  state.plan.selected = selection_of(target, state.walk.mode);
+  const Vec2d from = place_of(state, target, state.plan.viewport);
+  std::optional<Scene> next = checked(state, grip_of(state, state.scene(), target, from, clamped(at)));
+  if (next) commit(state, std::move(*next));
+}
+
 void action::Nudge::apply(State& state) const {
   if (!state.plan.selected || !exists(state, state.plan.selected))
     return inform(state, std::string(text("notice.select_first", state.appearance.language)));

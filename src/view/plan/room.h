@@ -136,6 +136,14 @@ struct Select {
   static void fields(auto& f, auto& a) { f(a.target); }
   void apply(State& state) const;
 };
+/// What a drag from the target's own place to this one does; an undo entry.
+struct Place {
+  static constexpr std::string_view word = "place";
+  Target target;
+  Vec2d at;  ///< scene units
+  static void fields(auto& f, auto& a) { f(a.target), f(a.at); }
+  void apply(State& state) const;
+};
 /// Arrow keys: one fine or coarse step, x right, y up; an undo entry.
 struct Nudge {
   static constexpr std::string_view word = "nudge";
@@ -151,7 +159,7 @@ struct Nudge {
 struct PlanRoom {
   using Actions = Types<action::ResizePlan, action::PointerMoved, action::PointerPressed, action::PointerReleased,
                         action::PointerLeft, action::CancelDrag, action::Zoom, action::Pan, action::FitView,
-                        action::HoverRay, action::HoverLine, action::Select, action::Nudge>;
+                        action::HoverRay, action::HoverLine, action::Select, action::Place, action::Nudge>;
   static Commands commands();
 
   Viewport viewport;

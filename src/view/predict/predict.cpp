@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace raywalk {
 
@@ -120,6 +121,11 @@ void action::GuessWay::apply(State& state) const {
   const auto origin = aim_origin(state);
   if (!origin || !(length(towards - *origin) > 0)) return;
   state.predictions.open = Prediction{*prediction_asked(state), towards - *origin};
+}
+
+void action::GuessAngle::apply(State& state) const {
+  const double angle = degrees * std::numbers::pi / 180;
+  if (const auto origin = aim_origin(state)) GuessWay{*origin + Vec2d(std::cos(angle), std::sin(angle))}.apply(state);
 }
 
 void action::GuessEnd::apply(State& state) const {

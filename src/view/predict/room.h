@@ -60,6 +60,13 @@ struct GuessWay {
   static void fields(auto& f, auto& a) { f(a.towards); }
   void apply(State& state) const;
 };
+/// The same by a number.
+struct GuessAngle {
+  static constexpr std::string_view word = "guess-angle";
+  double degrees;  ///< 0 to the right, 90 up
+  static void fields(auto& f, auto& a) { f(a.degrees); }
+  void apply(State& state) const;
+};
 /// Only if asked for.
 struct GuessEnd {
   static constexpr std::string_view word = "guess-end";
@@ -86,8 +93,8 @@ namespace raywalk {
 
 /// Predictions on any walk. For this session only.
 struct PredictRoom {
-  using Actions = Types<action::SetPredictions, action::GuessWay, action::GuessEnd, action::AskSavePredictions,
-                        action::SavePredictions>;
+  using Actions = Types<action::SetPredictions, action::GuessWay, action::GuessAngle, action::GuessEnd,
+                        action::AskSavePredictions, action::SavePredictions>;
   static Commands commands();
   static constexpr Layer layer = Layer::on_top;
   static void draw_in_plan(Painter& painter);

@@ -1,0 +1,86 @@
+#include "gui/mirror.h"
+
+#include "gui/command.h"
+#include "gui/panes.h"
+#include "view/action_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+using Role = OutlineItem::Role;
+
+void add_commands(OutlineItem& region, const State& state, Section section) {
+  for (const Command* each : commands_in(section)) {
+    OutlineItem button{Role::button, "command-" + std::string(each->name), command_label(*each, state)};
+    button.does = "command " + std::string(each->name);
+    button.hint = command_hint(*each, state.appearance.language);
+    button.enabled = enabled(*each, state);
+    if (each->chosen != nullptr) button.chosen = chosen(*each, state);
+    region.items.push_back(std::move(button));
+  }
+}
+
+void add_languages(OutlineItem& region, const State& state) {
+  for (const Language language : state.appearance.language.others().all()) {
+    const std::string code(language.code());
+    OutlineItem button{Role::button, "language-" + code, std::string(language.name())};
+    button.does = write_action(action::SetLanguage{code});
+    button.chosen = language == state.appearance.language;
+    region.items.push_back(std::move(button));
+  }
+}
+
+nlohmann::ordered_json json_of(const Outline& items) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const OutlineItem& item : items) {
+    nlohmann::ordered_json json{{"role", name_of(item.role)}, {"key", item.key}, {"name", item.name}};
+    if (!item.does.empty()) json["does"] = item.does;
+    if (!item.hint.empty()) json["hint"] = item.hint;
+    if (item.role == Role::number || item.role == Role::words) json["value"] = item.value;
+    if (!item.enabled) json["enabled"] = false;
+    if (item.chosen) json["chosen"] = *item.chosen;
+    if (item.current) json["current"] = true;
+    if (item.folded) json["folded"] = true;
+    if (!item.items.empty()) json["items"] = json_of(item.items);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace
+
+Outline outline_with_commands(const State& state) {
+  Outline outlined = outline(state);
+  const auto region = [&](std::string_view key) -> OutlineItem& {
+    return *std::find_if(outlined.begin(), outlined.end(), [&](const OutlineItem& item) { return item.key == key; });
+  };
+  add_commands(region("walk"), state, Section::modes);
+  add_commands(region("plan"), state, Section::add);
+  for (int i = 0; i < menu_count; ++i) {
+    const MenuContents menu = menu_contents(i);
+    const bool walks = std::find(menu.sections.begin(), menu.sections.end(), Section::step) != menu.sections.end();
+    OutlineItem own{Role::region, "menu-" + std::to_string(i), fill(menu.title, state.appearance.language)};
+    own.folded = true;
+    for (const Section section : menu.sections) {
+      add_commands(walks ? region("walk") : own, state, section);
+      if (section == Section::style) add_languages(own, state);
+    }
+    if (i == menu_count - 1) add_commands(own, state, Section::none);
+    if (!own.items.empty()) outlined.push_back(std::move(own));
+  }
+  return outlined;
+}
+
+std::string outline_json(const State& state) {
+  const nlohmann::ordered_json json{{"language", state.appearance.language.code()},
+                                    {"items", json_of(outline_with_commands(state))}};
+  // Paths need not be UTF-8.
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,16 @@
+#pragma once
+// The window in words with all its commands, as a page mirrors it for assistive technology.
+
+#include "view/outline.h"
+
+#include <string>
+
+namespace raywalk {
+
+/// outline() and every command: those of the walk and of the plan in their regions, the others in those of their menus.
+[[nodiscard]] Outline outline_with_commands(const State& state);
+
+/// It as JSON: `language`, and `items`, each with the members of OutlineItem that are not as by default.
+[[nodiscard]] std::string outline_json(const State& state);
+
+}  // namespace raywalk

@@ -1,0 +1,122 @@
+// Fingers: one points, presses and drags as a mouse does; held still it tells what hovering would; two zoom and pan. A
+// field of the program's gets the system's keyboard, by a field of the page's that nobody sees.
+'use strict';
+
+class Touch {
+  static still = 8;        // pixels that a finger at rest may move
+  static long_press = 500; // milliseconds
+
+  // `holds`: whether what is there is held down to repeat; `wheel` turns the program's wheel; `first` is called once.
+  constructor(canvas, { holds, wheel, first, settle }) {
+    Object.assign(this, { canvas, holds, wheel, first, settle });
+    this.finger = null; // the one that points: where it went down, and whether it presses, told or moved
+    this.two = null;    // their middle and distance
+    for (const type of ['touchstart', 'touchmove', 'touchend', 'touchcancel'])
+      window.addEventListener(type, (event) => event.target === canvas && this.take(event), { capture: true, passive: false });
+  }
+
+  take(event) {
+    event.preventDefault();
+    event.stopImmediatePropagation(); // GLFW would press at once
+    this.first?.();
+    this.first = null;
+    const fingers = [...event.targetTouches];
+    if (fingers.length >= 2) return this.pinch(fingers);
+    if (this.two) {
+      if (fingers.length === 0) this.end_pinch();
+      return;
+    }
+    if (event.type === 'touchstart') return this.begin(fingers[0]);
+    if (!this.finger) return;
+    if (event.type === 'touchmove') return this.move(fingers[0]);
+    this.end(event.type === 'touchend');
+  }
+
+  mouse(type, { x, y }, button = 0) {
+    this.canvas.dispatchEvent(new MouseEvent(type, { clientX: x, clientY: y, button, bubbles: true, cancelable: true }));
+  }
+  press(down, at, button = 0) {
+    this.mouse(down ? 'mousedown' : 'mouseup', at, button);
+  }
+
+  begin(touch) {
+    const at = { x: touch.clientX, y: touch.clientY };
+    this.finger = { at, now: at, since: performance.now(), presses: false };
+    this.mouse('mousemove', at);
+    if (this.holds(at.x, at.y)) this.press_finger();
+  }
+  press_finger() {
+    this.finger.presses = true;
+    this.press(true, this.finger.at);
+  }
+  move(touch) {
+    const finger = this.finger;
+    finger.now = { x: touch.clientX, y: touch.clientY };
+    const moved = Math.hypot(finger.now.x - finger.at.x, finger.now.y - finger.at.y) > Touch.still;
+    if (!finger.presses && moved) this.press_finger();
+    if (finger.presses) this.mouse('mousemove', finger.now);
+  }
+  end(lifted) {
+    const finger = this.finger;
+    this.finger = null;
+    const told = !finger.presses && performance.now() - finger.since > Touch.long_press;
+    if (!finger.presses && !told && lifted) this.press(true, finger.at);
+    if (!told) {
+      this.press(false, finger.now);
+      this.settle();
+    }
+    // Nothing is pointed at any more; but what was told stays to be read.
+    if (!told) setTimeout(() => this.finger || this.two || this.mouse('mousemove', { x: -9, y: -9 }), 100);
+  }
+
+  // Two fingers drag with the middle button, which pans, and turn the wheel.
+  pinch([one, other]) {
+    const now = { x: (one.clientX + other.clientX) / 2, y: (one.clientY + other.clientY) / 2 };
+    const apart = Math.max(Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY), 1);
+    this.mouse('mousemove', now);
+    if (!this.two) {
+      if (this.finger?.presses) this.press(false, now);
+      this.finger = null;
+      this.two = { now, apart };
+      this.press(true, now, 1);
+      return;
+    }
+    this.wheel(Math.log(apart / this.two.apart) / Math.log(1.2));
+    this.two = { now, apart };
+  }
+  end_pinch() {
+    this.press(false, this.two.now, 1);
+    this.two = null;
+    setTimeout(() => this.finger || this.two || this.mouse('mousemove', { x: -9, y: -9 }), 100);
+  }
+}
+
+class Keyboard {
+  // Something to delete, for a system's keyboard says nothing of a key that has nothing to do.
+  static something = '\u200b\u200b';
+
+  constructor(canvas, { type }) {
+    this.canvas = canvas;
+    this.field = Object.assign(document.createElement('input'), { type: 'text', id: 'keyboard', autocomplete: 'off', tabIndex: -1 });
+    this.field.setAttribute('autocapitalize', 'off');
+    canvas.after(this.field);
+    this.reset();
+    this.field.addEventListener('input', ({ inputType }) => {
+      if (inputType.startsWith('delete')) this.key(8, 'Backspace');
+      else type(this.field.value.replaceAll('\u200b', ''));
+      this.reset();
+    });
+  }
+  reset() {
+    this.field.value = Keyboard.something;
+    this.field.setSelectionRange(2, 2);
+  }
+  key(keyCode, key) {
+    for (const type of ['keydown', 'keyup']) this.canvas.dispatchEvent(new KeyboardEvent(type, { key, keyCode, bubbles: true, cancelable: true }));
+  }
+  // In the event of a finger: later a browser would not show it.
+  show(wanted) {
+    if (wanted) this.field.focus();
+    else if (document.activeElement === this.field) this.canvas.focus();
+  }
+}

@@ -1,0 +1,395 @@
+#include "view/outline.h"
+
+#include "view/action_text.h"
+#include "view/bugs/bug_panel.h"
+#include "view/document/question.h"
+#include "view/lesson/lesson_panel.h"
+#include "view/lesson/typed_number.h"
+#include "view/plan/plan_geometry.h"
+#include "view/predict/predict.h"
+#include "view/stack/stack_panel.h"
+#include "view/text/shown.h"
+#include "view/text/text.h"
+#include "view/tree/tree_panel.h"
+#include "view/walk/asked.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/equation.h"
+#include "view/walk/status.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+using Role = OutlineItem::Role;
+
+/// The parts of an outline, and how their items are made.
+class Outliner {
+ public:
+  explicit Outliner(const State& state) : state_(state) {}
+
+  [[nodiscard]] Outline take() && {
+    leave_out_unsaid(regions_);
+    return std::move(regions_);
+  }
+
+  void notice() {
+    if (!state_.document.notice) return;
+    const bool is_error = state_.document.notice->kind == Notice::Kind::error;
+    regions_.push_back({is_error ? Role::warning : Role::news, "notice", state_.document.notice->text});
+  }
+
+  void question() {
+    if (!state_.document.question) return;
+    const QuestionPanel panel = question_panel(state_);
+    OutlineItem& region = open("question", say("outline.asks"));
+    add(region, Role::warning, "text", panel.text);
+    for (const auto& [answer, label] : panel.choices)
+      button(region, std::string(name_of(answer)), label, action::AnswerQuestion{answer});
+  }
+
+  void prompt() {
+    const auto line = [&]() -> std::string {
+      switch (state_.document.prompt) {
+        case PathPrompt::none:
+          return {};
+        case PathPrompt::open:
+          return "open {}";
+        case PathPrompt::save_as:
+          return "save-as {}";
+        case PathPrompt::save_predictions:
+          return "save-predictions {}";
+        case PathPrompt::export_walk:
+          return "export {}";
+      }
+      return {};
+    }();
+    if (line.empty()) return;
+    OutlineItem& region = open("prompt", say("outline.asks"));
+    field(region, Role::words, "path", say("dialog.path"), line, state_.document.path);
+    button(region, "cancel", say("answer.cancel"), action::CancelPrompt{});
+  }
+
+  void lesson() {
+    if (!state_.lessons.shown) return;
+    const LessonPanel panel = lesson_panel(state_);
+    if (state_.lessons.at() == nullptr) return lessons(panel);
+    OutlineItem& region = open("lesson", panel.lesson);
+    add(region, Role::text, "step", fmt::format("{} / {}", panel.step, panel.steps));
+    add(region, Role::news, "heading", panel.heading);
+    paragraphs(region, "summary", panel.summary);
+    paragraphs(region, "text", panel.text);
+    ask(region, panel);
+    if (!panel.verdict.empty())
+      add(region, Role::news, "verdict", (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+    paragraphs(region, "reveal", panel.reveal);
+    if (!panel.change.empty()) paragraphs(region, "change", say("lesson.change") + ": " + panel.change);
+    paragraphs(region, "presenter", panel.presenter);
+    paragraphs(region, "teacher", panel.teacher);
+    add(region, Role::text, "score", panel.score);
+    if (panel.astray) button(region, "return", say("lesson.back_to_question"), action::GoToLessonStep{panel.step - 1});
+    if (panel.asks != Asks::nothing && !state_.lessons.revealed) {
+      button(region, "answer", say("lesson.reveal"), action::RevealLesson{}, panel.can_reveal);
+    } else {
+      button(region, "next", say(panel.is_last ? "lesson.finish" : "lesson.next"), action::GoToLessonStep{panel.step},
+             panel.can_go_on);
+    }
+    button(region, "back", say("lesson.back"), action::GoToLessonStep{panel.step - 2}, panel.can_go_back);
+    button(region, "leave", say("lesson.all_lessons"), action::LeaveLesson{});
+  }
+
+  void bugs() {
+    if (!state_.bugs.shown) return;
+    const BugPanel panel = bug_panel(state_);
+    OutlineItem& region = open("bugs", panel.heading);
+    add(region, Role::text, "tally", panel.tally);
+    passages(region, "said", panel.said);
+    if (!panel.verdict.empty())
+      add(region, Role::news, "verdict", (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+    passages(region, "learnt", panel.learnt);
+    add(region, Role::news, "marked", panel.marked);
+    for (const BugRow& row : panel.rows) {
+      std::string name = say("bug.number", {{"number", row.number}});
+      if (row.end == BugEnd::found) name += ": " + say("bug.found");
+      if (row.end == BugEnd::given_up) name += ": " + say("bug.given_up");
+      button(region, std::to_string(row.number), name, action::HuntBug{row.number});
+    }
+    if (panel.hunting) button(region, "list", say("bug.all_bugs"), action::LeaveHunt{});
+    button(region, "leave", say("bug.leave"), action::ShowBugs{false});
+  }
+
+  void walk() {
+    OutlineItem& region = open("walk", say("menu.walk"));
+    add(region, Role::news, "sentence", sentence(state_));
+    add(region, Role::text, "status", status_line(state_));
+    const bool own_question = state_.lessons.shown && is_open_question(state_.lessons);
+    if (state_.predictions.on && !own_question) predictions(region);
+    field(region, Role::number, "go-to", say("breakpoints.go_to_step"), "jump {}",
+          std::to_string(state_.walk.position));
+  }
+
+  void code() {
+    OutlineItem& region = open("code", say("outline.code"));
+    const bool marks = asks_for_line(state_);
+    int number = 0;
+    for (const CodeBox& box : code_panel(state_).boxes) {
+      OutlineItem& list = add(region, Role::list, std::to_string(++number),
+                              box.badge.empty() ? box.title : box.title + ", " + box.badge);
+      for (const CodeRow& row : box.rows) {
+        std::string name = row.text;
+        if (row.just_run) name += ", " + say("outline.has_run");
+        if (row.next) name += ", " + say("outline.runs_next");
+        if (row.breakpoint) name += ", " + say("outline.stops");
+        const std::string key = std::to_string(static_cast<int>(row.line));
+        OutlineItem& entry = add(list, Role::entry, key, name);
+        entry.current = row.just_run;
+        if (!marks) continue;
+        button(entry, "mark", say("outline.mark", {{"line", row.text}}), action::MarkLine{row.line}).chosen =
+            row.blame == Blame::marked;
+      }
+    }
+  }
+
+  void equation() {
+    const EquationPanel panel = equation_panel(state_);
+    if (panel.rows.empty()) return;
+    OutlineItem& region = open("equation", say("command.tab_equation.label"), true);
+    for (std::size_t i = 0; i < panel.rows.size(); ++i) {
+      const EquationRow& row = panel.rows[i];
+      std::string name = row.text;
+      if (row.light) name += ": " + colour_text(*row.light, language());
+      add(region, Role::text, std::to_string(i), name);
+    }
+  }
+
+  void stack() {
+    OutlineItem& region = open("stack", say("command.tab_stack.label"), true);
+    const StackPanel panel = stack_panel(state_);
+    if (panel.rows.empty()) return static_cast<void>(add(region, Role::text, "empty", say("stack.empty")));
+    OutlineItem& list = add(region, Role::list, "calls", region.name);
+    for (std::size_t i = 0; i < panel.rows.size(); ++i) {
+      const StackRow& row = panel.rows[i];
+      std::string name = row.title;
+      for (const std::string& more : {row.ray, row.object, row.waiting})
+        if (!more.empty()) name += "; " + more;
+      // The outermost call keeps its place.
+      OutlineItem& entry = add(list, Role::entry, std::to_string(panel.rows.size() - i), name);
+      entry.current = i == 0;
+      for (std::size_t k = 0; k < row.returned.size(); ++k)
+        add(entry, Role::text, std::to_string(k),
+            row.returned[k].name + " = " + colour_text(row.returned[k].linear, language()));
+    }
+  }
+
+  void tree() {
+    OutlineItem& region = open("tree", say("command.tab_tree.label"), true);
+    const TreePanel panel = tree_panel(state_);
+    if (panel.nodes.empty()) return static_cast<void>(add(region, Role::text, "empty", say("tree.empty")));
+    add_rays(add(region, Role::list, "rays", region.name), panel, -1);
+  }
+
+  void plan() {
+    OutlineItem& region = open("plan", say("plan.name"));
+    OutlineItem& list = add(region, Role::list, "things", region.name);
+    thing(list, {TargetKind::eye}, say("object.eye"));
+    const Scene& scene = state_.scene();
+    for (int i = 0; i < static_cast<int>(std::min(scene.lights.size(), most_things)); ++i) {
+      const bool somewhere = middle_of(scene.lights[static_cast<std::size_t>(i)]).has_value();
+      thing(list, {TargetKind::light, i}, light_name(state_, i), somewhere);
+    }
+    for (int i = 0; i < static_cast<int>(std::min(scene.objects.size(), most_things)); ++i)
+      thing(list, {TargetKind::object, i}, object_name(state_, i));
+    const std::size_t all = scene.lights.size() + scene.objects.size(), drawn = list.items.size() - 1;
+    if (drawn < all) add(region, Role::text, "more", say("plan.objects_drawn", {{"drawn", drawn}, {"all", all}}));
+  }
+
+  void help_text() {
+    if (state_.walk.mode != Mode::help) return;
+    OutlineItem& region = open("help", say("command.mode_help.label"));
+    int number = 0;
+    for (const HelpSection& section : help(language())) {
+      OutlineItem& list = add(region, Role::list, std::to_string(++number), section.title);
+      for (std::size_t i = 0; i < section.entries.size(); ++i) {
+        const HelpEntry& entry = section.entries[i];
+        add(list, Role::entry, std::to_string(i), entry.term.empty() ? entry.text : entry.term + ": " + entry.text);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t most_things = 100;  ///< of the plan, of each kind
+
+  [[nodiscard]] Language language() const { return state_.appearance.language; }
+  [[nodiscard]] std::string say(std::string_view id, const TextArguments& arguments = {}) const {
+    return fill(id, language(), arguments);
+  }
+
+  OutlineItem& open(std::string key, std::string name, bool folded = false) {
+    regions_.push_back({Role::region, std::move(key), std::move(name)});
+    regions_.back().folded = folded;
+    return regions_.back();
+  }
+  /// What has no name has nothing to say.
+  static void leave_out_unsaid(std::vector<OutlineItem>& items) {
+    std::erase_if(items, [](const OutlineItem& item) { return item.name.empty(); });
+    for (OutlineItem& item : items) leave_out_unsaid(item.items);
+  }
+
+  static OutlineItem& add(OutlineItem& parent, Role role, std::string key, std::string name) {
+    parent.items.push_back({role, std::move(key), std::move(name)});
+    return parent.items.back();
+  }
+  static OutlineItem& button(OutlineItem& parent, std::string key, std::string name, const Action& does,
+                             bool enabled = true) {
+    OutlineItem& item = add(parent, Role::button, std::move(key), std::move(name));
+    item.does = write_action(does);
+    item.enabled = enabled;
+    return item;
+  }
+  static void field(OutlineItem& parent, Role role, std::string key, std::string name, std::string does,
+                    std::string value) {
+    OutlineItem& item = add(parent, role, std::move(key), std::move(name));
+    item.does = std::move(does);
+    item.value = std::move(value);
+  }
+  /// Those of a lesson's text, between empty lines.
+  static void paragraphs(OutlineItem& parent, const std::string& key, std::string_view text) {
+    for (int number = 0; !text.empty(); ++number) {
+      const std::size_t end = std::min(text.find("\n\n"), text.size());
+      add(parent, Role::text, fmt::format("{}-{}", key, number), std::string(text.substr(0, end)));
+      text.remove_prefix(std::min(text.find_first_not_of('\n', end), text.size()));
+    }
+  }
+  static void passages(OutlineItem& parent, const std::string& key, const std::vector<BugPassage>& all) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      paragraphs(parent, fmt::format("{}-{}", key, i),
+                 all[i].heading.empty() ? all[i].text : all[i].heading + ": " + all[i].text);
+  }
+
+  void lessons(const LessonPanel& panel) {
+    OutlineItem& region = open("lesson", say("lesson.lessons"));
+    for (const LessonRow& row : panel.rows)
+      button(region, row.name, fmt::format("{}, {} / {}", row.title, row.done, row.steps), action::OpenLesson{row.name},
+             !row.locked);
+    const LessonRoom& sitting = state_.lessons;
+    button(region, "unlock", say("lesson.unlock"),
+           action::SetLessonOptions{sitting.presenter, !sitting.unlocked, !sitting.notes})
+        .chosen = sitting.unlocked;
+    button(region, "leave", say("dialog.close"), action::ShowLessons{false});
+  }
+
+  void ask(OutlineItem& region, const LessonPanel& panel) {
+    if (panel.asks == Asks::nothing) return;
+    add(region, Role::news, "question", say("lesson.predict") + ": " + panel.question);
+    for (std::size_t i = 0; i < panel.choices.size(); ++i) {
+      const LessonChoice& choice = panel.choices[i];
+      const std::string sign = state_.lessons.revealed && choice.right ? "\u2713 " : "";
+      button(region, fmt::format("choice-{}", i), fmt::format("{}{}  {}", sign, i + 1, choice.text),
+             action::GuessChoice{static_cast<int>(i)}, !state_.lessons.revealed)
+          .chosen = choice.guessed;
+    }
+    if (state_.lessons.revealed) return;
+    const LessonGuess& guess = state_.lessons.guess;
+    if (panel.asks == Asks::number)
+      field(region, Role::number, "number",
+            panel.unit.empty() ? say("outline.your_number") : say("outline.your_number_in", {{"unit", panel.unit}}),
+            "guess-number {}", guess.number ? number_text(*guess.number, language()) : "");
+    if (panel.asks == Asks::arrow) degrees(region, guess.arrow);
+    if (panel.asks == Asks::line) add(region, Role::news, "marked", panel.marked);
+  }
+
+  /// A direction as a number. What a mouse drags is `towards`, from the ray's origin.
+  void degrees(OutlineItem& region, const std::optional<Vec2d>& towards) {
+    std::string now;
+    if (towards) now = number_text(std::atan2(towards->y, towards->x) * 180 / std::numbers::pi, language());
+    field(region, Role::number, "degrees", say("outline.degrees"), "guess-angle {}", now);
+  }
+
+  void predictions(OutlineItem& region) {
+    add(region, Role::news, "predict", prediction_sentence(state_));
+    const auto asked = prediction_asked(state_);
+    if (!asked) return;
+    const auto& open = state_.predictions.open;
+    if (asked->what == PredictionKind::way) return degrees(region, open ? std::optional(open->arrow) : std::nullopt);
+    const auto offer = [&](const Target& met, const std::string& name) {
+      const std::string key = fmt::format("met-{}-{}", name_of(met.kind), met.index);
+      button(region, key, name, action::GuessEnd{met}).chosen = open && open->met == met;
+    };
+    for (int i = 0; i < static_cast<int>(std::min(state_.scene().objects.size(), most_things)); ++i)
+      offer({TargetKind::object, i}, object_name(state_, i));
+    for (int i = 0; i < static_cast<int>(std::min(state_.scene().lights.size(), most_things)); ++i)
+      offer({TargetKind::light, i}, light_name(state_, i));
+    offer({}, say("predict.nothing"));
+  }
+
+  void add_rays(OutlineItem& parent, const TreePanel& panel, int of) {
+    for (std::size_t i = 0; i < panel.nodes.size(); ++i) {
+      const TreeNode& node = panel.nodes[i];
+      if (node.parent != of || node.future) continue;
+      std::string name = node_text(state_, node);
+      for (char& c : name)
+        if (c == '\n') c = ' ';
+      OutlineItem& entry = add(parent, Role::entry, std::to_string(node.ray), name);
+      entry.current = node.current;
+      add_rays(entry, panel, static_cast<int>(i));
+    }
+  }
+
+  /// A thing of the plan, which in Move mode can be put elsewhere.
+  void thing(OutlineItem& list, const Target& target, const std::string& name, bool somewhere = true) {
+    const std::string key = fmt::format("{}-{}", name_of(target.kind), target.index);
+    if (!somewhere) return static_cast<void>(add(list, Role::entry, key, name));
+    const Vec2d at = place_of(state_, target, state_.plan.viewport);
+    const std::string x = number_text(at.x, language()), y = number_text(at.y, language());
+    OutlineItem& entry = add(list, Role::entry, key, fmt::format("{}: x {}, y {}", name, x, y));
+    if (state_.walk.mode != Mode::move) return;
+    const std::string place = fmt::format("place {} {} -1", name_of(target.kind), target.index);
+    field(entry, Role::number, "x", say("outline.x_of", {{"name", name}}), fmt::format("{} {{}} {}", place, at.y), x);
+    field(entry, Role::number, "y", say("outline.y_of", {{"name", name}}), fmt::format("{} {} {{}}", place, at.x), y);
+  }
+
+  const State& state_;
+  Outline regions_;
+};
+
+}  // namespace
+
+Outline outline(const State& state) {
+  Outliner parts(state);
+  parts.notice();
+  parts.question();
+  parts.prompt();
+  parts.lesson();
+  parts.bugs();
+  parts.walk();
+  parts.code();
+  parts.equation();
+  parts.tree();
+  parts.stack();
+  parts.plan();
+  parts.help_text();
+  return std::move(parts).take();
+}
+
+Result<Action> outlined_action(const State& state, std::string_view does, std::string_view typed) {
+  const std::size_t gap = does.find("{}");
+  if (gap == std::string_view::npos) return parse_action(does);
+  std::string value(typed);
+  if (does.starts_with("guess-number")) {
+    const auto guess = typed_guess(state.lessons, typed);
+    value = guess ? fmt::format("{}", *guess) : "";
+  } else if (!does.starts_with("open") && !does.starts_with("save") && !does.starts_with("export")) {
+    const std::vector<double> meant = typed_numbers(typed);
+    value = meant.empty() ? "" : fmt::format("{}", meant.front());
+  }
+  if (value.empty()) return tl::unexpected(Error{{}, 0, 0, fill("lesson.not_a_number", state.appearance.language), {}});
+  return parse_action(std::string(does.substr(0, gap)) + value + std::string(does.substr(gap + 2)));
+}
+
+}  // namespace raywalk

@@ -1,0 +1,72 @@
+// The window in words has every command, and what it says of them is what the window would do.
+#include "gui/mirror.h"
+
+#include "gui/command.h"
+#include "support/catch.h"
+#include "support/languages.h"
+#include "view/state.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+
+using namespace raywalk;
+
+namespace {
+
+State classic_in_english() {
+  State state = make_state(read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml").value());
+  state.appearance.language = test::in_english;
+  return state;
+}
+
+std::map<std::string, OutlineItem> buttons(const State& state) {
+  std::map<std::string, OutlineItem> found;
+  const auto gather = [&](const auto& self, const std::vector<OutlineItem>& items) -> void {
+    for (const OutlineItem& item : items) {
+      if (item.does.starts_with("command ")) CHECK(found.emplace(item.does.substr(8), item).second);
+      self(self, item.items);
+    }
+  };
+  gather(gather, outline_with_commands(state));
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("the outline has every command once, in every mode and in every language") {
+  State state = classic_in_english();
+  for (const Language language : state.appearance.language.others().all())
+    for (const Mode mode : {Mode::move, Mode::trace, Mode::help}) {
+      state.appearance.language = language;
+      update(state, action::SetMode{mode});
+      const auto found = buttons(state);
+      CHECK(found.size() == commands().size());
+      for (const Command* each : commands()) {
+        INFO(each->name);
+        const auto at = found.find(std::string(each->name));
+        REQUIRE(at != found.end());
+        CHECK(at->second.role == OutlineItem::Role::button);
+        CHECK(at->second.name == command_label(*each, state));
+        CHECK(at->second.enabled == enabled(*each, state));
+        CHECK(at->second.chosen.has_value() == (each->chosen != nullptr));
+        CHECK(at->second.chosen.value_or(false) == chosen(*each, state));
+      }
+    }
+}
+
+TEST_CASE("as JSON an outline keeps its words and its order, and leaves out what is usual") {
+  const State state = classic_in_english();
+  const Outline outlined = outline_with_commands(state);
+  const auto all = nlohmann::ordered_json::parse(outline_json(state));
+  CHECK(all["language"] == "en");
+  const auto& json = all["items"];
+  REQUIRE(json.size() == outlined.size());
+  for (std::size_t i = 0; i < outlined.size(); ++i) {
+    CHECK(json[i]["name"] == outlined[i].name);
+    CHECK(json[i]["role"] == std::string(name_of(outlined[i].role)));
+    CHECK(json[i].contains("folded") == outlined[i].folded);
+    CHECK(json[i].value("items", nlohmann::ordered_json::array()).size() == outlined[i].items.size());
+  }
+}

@@ -1,0 +1,205 @@
+// The window in words: whoever cannot see it can do by its outline what others do by pointing.
+#include "view/outline.h"
+
+#include "lesson_state.h"
+#include "support/catch.h"
+#include "view/action_text.h"
+#include "view/lesson/typed_number.h"
+#include "view/plan/plan_geometry.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/status.h"
+
+#include <set>
+
+using namespace raywalk;
+using namespace raywalk::test;
+using Role = OutlineItem::Role;
+
+namespace {
+
+void each_item(const std::vector<OutlineItem>& items, const auto& visit) {
+  for (const OutlineItem& item : items) {
+    visit(item);
+    each_item(item.items, visit);
+  }
+}
+
+std::vector<OutlineItem> items_with(const State& state, const auto& fits) {
+  std::vector<OutlineItem> found;
+  each_item(outline(state), [&](const OutlineItem& item) {
+    if (fits(item)) found.push_back(item);
+  });
+  return found;
+}
+
+std::optional<OutlineItem> named(const State& state, Role role, std::string_view name) {
+  const auto found = items_with(state, [&](const OutlineItem& item) { return item.role == role && item.name == name; });
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+/// Presses the button, or types into the field, of this name.
+void use(State& state, Role role, std::string_view name, std::string_view typed = {}) {
+  const auto item = named(state, role, name);
+  INFO(name);
+  REQUIRE(item);
+  REQUIRE(item->enabled);
+  const auto action = outlined_action(state, item->does, typed);
+  REQUIRE(action);
+  update(state, *action);
+}
+
+/// Whether whatever can be pressed has an action, and no two siblings have the same key.
+std::string faults(const std::vector<OutlineItem>& items) {
+  std::string wrong;
+  std::set<std::string> keys;
+  for (const OutlineItem& item : items) {
+    if (!keys.insert(item.key).second) wrong += "twice " + item.key + "\n";
+    if (item.name.empty()) wrong += "unnamed " + item.key + "\n";
+    const bool is_field = item.role == Role::number || item.role == Role::words;
+    const std::size_t gap = item.does.find("{}");
+    if (is_field != (gap != std::string::npos)) wrong += "field " + item.key + "\n";
+    if ((item.role == Role::button || is_field) &&
+        !parse_action(is_field ? item.does.substr(0, gap) + "1" + item.does.substr(gap + 2) : item.does))
+      wrong += item.key + ": " + item.does + "\n";
+    wrong += faults(item.items);
+  }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("the outline has the code with its current line, the sentence, and the step to go to") {
+  State state = classic_state();
+  update(state, action::SetMode{Mode::trace});
+  for (const int position : {0, 1, 7, 40, state.walk.timeline->steps()}) {
+    update(state, action::Jump{position});
+    CHECK(faults(outline(state)) == "");
+    const auto current = items_with(state, [](const OutlineItem& item) { return item.current; });
+    for (const CodeBox& box : code_panel(state).boxes)
+      for (const CodeRow& row : box.rows) {
+        const auto lines = items_with(state, [&](const OutlineItem& item) {
+          return item.role == Role::entry && item.name.starts_with(row.text);
+        });
+        CHECK(!lines.empty());
+        if (row.just_run) CHECK((!current.empty() && current.front().name.starts_with(row.text)));
+      }
+    CHECK(named(state, Role::news, sentence(state)));
+    CHECK(named(state, Role::number, "Go to step")->value == std::to_string(position));
+  }
+  use(state, Role::number, "Go to step", "12");
+  CHECK(state.walk.position == 12);
+}
+
+TEST_CASE("every lesson can be walked to its end by its outline alone") {
+  State state = state_with_lessons();
+  update(state, action::SetLessonOptions{});
+  const auto rows = lesson_panel(state).rows;
+  REQUIRE(!rows.empty());
+  for (const LessonRow& row : rows) {
+    INFO(row.name);
+    const auto lesson = items_with(state, [&](const OutlineItem& item) { return item.key == row.name; });
+    REQUIRE(lesson.size() == 1);
+    use(state, Role::button, lesson.front().name);
+    for (int step = 1; state.lessons.at() != nullptr; ++step) {
+      INFO(step);
+      CHECK(faults(outline(state)) == "");
+      const LessonPanel panel = lesson_panel(state);
+      REQUIRE(panel.step == step);
+      CHECK(named(state, Role::news, panel.heading));
+      if (panel.asks != Asks::nothing) {
+        CHECK(named(state, Role::news, "Predict: " + panel.question));
+        CHECK_FALSE(named(state, Role::button, "Reveal")->enabled);
+        switch (panel.asks) {
+          case Asks::choice:
+            use(state, Role::button, "2  " + panel.choices[1].text);
+            break;
+          case Asks::number:
+            use(state, Role::number, panel.unit.empty() ? "Your number" : "Your number, in " + panel.unit, "1.5");
+            break;
+          case Asks::arrow:
+            use(state, Role::number, "Direction in degrees: 0 to the right, 90 up", "60");
+            break;
+          case Asks::line: {
+            const auto lines = items_with(state, [](const OutlineItem& item) { return item.key == "mark"; });
+            REQUIRE(!lines.empty());
+            use(state, Role::button, lines.front().name);
+            break;
+          }
+          case Asks::nothing:
+            break;
+        }
+        use(state, Role::button, "Reveal");
+        REQUIRE(state.lessons.revealed);
+        CHECK(items_with(state, [](const OutlineItem& item) { return item.key == "verdict"; }).size() == 1);
+      }
+      use(state, Role::button, panel.is_last ? "Finish" : "Next");
+    }
+    CHECK(state.lessons.done[row.name] == row.steps);
+  }
+}
+
+TEST_CASE("a thing of the plan is moved by numbers, and only in Move mode") {
+  State state = busy_state();
+  update(state, action::SetMode{Mode::move});
+  for (const auto& field : items_with(state, [](const OutlineItem& item) { return item.role == Role::number; })) {
+    if (!field.does.starts_with("place")) continue;
+    State moved = state;
+    const double before = typed_numbers(field.value).front();
+    use(moved, Role::number, field.name, std::to_string(before + 0.01));
+    CAPTURE(field.name, moved.document.notice ? moved.document.notice->text : "");
+    CHECK(moved.scene() != state.scene());
+    CHECK(moved.document.undo.size() == 1);
+  }
+  update(state, action::Place{{TargetKind::object, 0}, {1, 2}});
+  CHECK(length(place_of(state, {TargetKind::object, 0}, state.plan.viewport) - Vec2d(1, 2)) < 1e-12);
+  update(state, action::Place{{TargetKind::object, 1000}, {1, 2}});
+  update(state, action::SetMode{Mode::trace});
+  CHECK_FALSE(named(state, Role::number, "x of EYE"));
+}
+
+TEST_CASE("a typed number is read in any notation, and what is none is refused in words") {
+  State state = classic_state();
+  CHECK(outlined_action(state, "jump {}", "x").error().message == "This is not a number: type one such as 12");
+  const auto place = outlined_action(state, "place eye -1 -1 {} 2", "\u22121,5");
+  REQUIRE(place);
+  CHECK(write_action(*place) == "place eye -1 -1 -1.5 2");
+  CHECK(write_action(*outlined_action(state, "save-as {}", "1.toml")) == "save-as 1.toml");
+}
+
+TEST_CASE("a question and a prompt are in the outline with all their answers") {
+  State state = state_with_lessons();
+  make_dirty(state);
+  update(state, action::New{});
+  REQUIRE(state.document.question);
+  CHECK(faults(outline(state)) == "");
+  use(state, Role::button, "Cancel");
+  CHECK_FALSE(state.document.question);
+  update(state, action::AskSaveAs{});
+  CHECK(named(state, Role::words, "File"));
+  use(state, Role::button, "Cancel");
+  CHECK(state.document.prompt == PathPrompt::none);
+}
+
+TEST_CASE("predictions are made by the outline") {
+  State state = classic_state();
+  update(state, action::SetPredictions{true});
+  bool way = false, end = false;
+  for (int position = 0; position < state.walk.timeline->steps() && !(way && end); ++position) {
+    update(state, action::Jump{position});
+    const auto asked = prediction_asked(state);
+    if (!asked) continue;
+    if (asked->what == PredictionKind::way) {
+      way = true;
+      use(state, Role::number, "Direction in degrees: 0 to the right, 90 up", "90");
+      REQUIRE(state.predictions.open);
+      CHECK(length(state.predictions.open->arrow - Vec2d(0, 1)) < 1e-12);
+    } else {
+      end = true;
+      use(state, Role::button, "nothing");
+      REQUIRE(state.predictions.open);
+      CHECK_FALSE(state.predictions.open->met);
+    }
+  }
+  CHECK(way);
+  CHECK(end);
+}

@@ -1,0 +1,264 @@
+// The page for everybody: lesson 1 from its start to its end by the accessibility tree alone, by keys alone, and by
+// touch; axe-core finds nothing; and a picture in the making does not make anybody wait.
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { Visit, open_browser, pictures, serve } from './browser.mjs';
+
+let browser, server;
+mkdirSync(pictures, { recursive: true });
+
+before(async () => {
+  browser = await open_browser();
+  server = await serve();
+});
+after(async () => {
+  await browser?.close();
+  server?.end();
+});
+
+const open_as_text = 'Show as text, for screen readers and keyboards';
+const lesson_1 = (report) => report.lesson?.open === '01-ray-casting' ? report.lesson : { step: 0 };
+
+// What assistive technology is told: every node with its role and name.
+async function spoken(page) {
+  const nodes = [];
+  const gather = (node) => {
+    nodes.push(node);
+    (node.children ?? []).forEach(gather);
+  };
+  gather(await page.accessibility.snapshot({ interestingOnly: false }));
+  return nodes;
+}
+const says = (nodes, part) => nodes.some(({ name }) => name?.includes(part));
+
+// Presses what has this role and name, as a screen reader does: by its place in the tree, not on the screen.
+async function use(page, role, name, typed) {
+  const element = await page.waitForSelector(`aria/${name}[role="${role}"]`, { timeout: 10000 });
+  if (typed === undefined) return element.evaluate((it) => it.click());
+  await element.focus();
+  await page.keyboard.type(typed);
+  await page.keyboard.press('Enter');
+}
+
+test('lesson 1 by the accessibility tree alone', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await use(page, 'button', open_as_text);
+  await use(page, 'button', 'Lessons');
+  await use(page, 'button', 'Ray casting, 0 / 5');
+  await visit.until((now) => lesson_1(now).step === 1);
+  assert.ok(says(await spoken(page), 'Press STEP') || says(await spoken(page), 'STEP'));
+  await use(page, 'button', 'STEP');
+  await visit.until((now) => now.position > 0);
+  const nodes = await spoken(page);
+  assert.ok(nodes.some(({ role, name }) => role === 'heading' && name === 'Pseudocode'));
+  assert.ok(says(nodes, ', has just run'), 'the current line is said');
+  assert.ok(says(nodes, (await visit.report()).sentence), 'the sentence is said');
+  await use(page, 'button', 'Next');
+  for (const step of [2, 3]) {
+    await visit.until((now) => lesson_1(now).step === step);
+    const choices = await page.$$eval('#mirror [data-key^="button choice-"]', (all) => all.map((each) => each.textContent));
+    assert.ok(choices.length >= 3);
+    await use(page, 'button', choices[0]);
+    await use(page, 'button', 'Reveal');
+    await visit.until((now) => lesson_1(now).revealed);
+    await use(page, 'button', 'Next');
+  }
+  await visit.until((now) => lesson_1(now).step === 4);
+  await use(page, 'textbox', 'Direction in degrees: 0 to the right, 90 up', '30');
+  await visit.until((now) => lesson_1(now).aimed);
+  await use(page, 'button', 'Reveal');
+  await use(page, 'button', 'Next');
+  await visit.until((now) => lesson_1(now).step === 5);
+  await use(page, 'textbox', 'Your number', 'many');
+  assert.ok(says(await spoken(page), 'This is not a number'));
+  await page.evaluate(() => { document.activeElement.value = ''; });
+  await use(page, 'textbox', 'Your number', '21');
+  await use(page, 'button', 'Reveal');
+  await visit.until((now) => lesson_1(now).revealed);
+  await use(page, 'button', 'Finish');
+  await visit.until((now) => now.lesson.open === '');
+  await use(page, 'button', 'Ray casting, 5 / 5');
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
+// Goes on by Tab until the focus is on what says this.
+async function tab_to(page, name, key = 'Tab') {
+  const seen = [];
+  for (let i = 0; i < 400; ++i) {
+    await page.keyboard.press(key);
+    const now = await page.evaluate(() => {
+      const at = document.activeElement;
+      return at.labels?.[0]?.textContent ?? (at.tagName === 'CANVAS' ? 'canvas' : at.textContent);
+    });
+    if (now === name || now.startsWith(name)) return now;
+    seen.push(now);
+  }
+  throw new Error(`Tab never comes to ${name}, only to ${[...new Set(seen)].join(' | ')}`);
+}
+
+test('lesson 1 by keys alone, and Tab leads out of everything', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  const { keyboard } = page;
+  await keyboard.press('Space');
+  await visit.until((now) => now.position === 1);
+  await keyboard.press('m'); // where Tab once chose the next thing
+  await visit.until((now) => now.mode === 'move');
+  await keyboard.down('Shift');
+  await tab_to(page, open_as_text);
+  await keyboard.up('Shift');
+  await keyboard.press('Enter');
+  assert.equal(await page.evaluate(() => document.activeElement.tagName), 'H1');
+  const press = async (name) => {
+    await tab_to(page, name);
+    await keyboard.press('Enter');
+  };
+  await press('Lessons');
+  await press('Ray casting');
+  await visit.until((now) => lesson_1(now).step === 1);
+  await press('Next');
+  for (const step of [2, 3]) {
+    await visit.until((now) => lesson_1(now).step === step);
+    await press('1  ');
+    await press('Reveal');
+    await visit.until((now) => lesson_1(now).revealed);
+    await press('Next');
+  }
+  await visit.until((now) => lesson_1(now).step === 4);
+  await tab_to(page, 'Direction in degrees');
+  await keyboard.type('30');
+  await press('Reveal');
+  await press('Next');
+  await visit.until((now) => lesson_1(now).step === 5);
+  await tab_to(page, 'Your number');
+  await keyboard.type('21');
+  await press('Reveal');
+  await press('Finish');
+  await visit.until((now) => now.lesson.open === '');
+  await press('Hide the text');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'as-text');
+  await tab_to(page, 'canvas');
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
+const middle = ([x, y, width, height]) => [x + width / 2, y + height / 2];
+
+test('lesson 1 by touch', async () => {
+  const visit = await Visit.begin(browser, server.address, { hasTouch: true }), { page } = visit;
+  const tap = async (item) => {
+    const report = await visit.until((now) => item in now.items, `there is ${item}`);
+    await page.touchscreen.tap(...middle(report.items[item]));
+  };
+  await tap('lessons');
+  await tap('lesson/01-ray-casting');
+  await visit.until((now) => lesson_1(now).step === 1);
+  await tap('lesson-next');
+  for (const step of [2, 3]) {
+    await visit.until((now) => lesson_1(now).step === step);
+    await tap('guess/2');
+    await tap('lesson-reveal');
+    await visit.until((now) => lesson_1(now).revealed);
+    await tap('lesson-next');
+  }
+  const report = await visit.until((now) => lesson_1(now).step === 4);
+  await page.touchscreen.tap(...report.objects['Solid Sphere'].window);
+  await visit.until((now) => lesson_1(now).aimed);
+  await tap('lesson-reveal');
+  await tap('lesson-next');
+  await visit.until((now) => lesson_1(now).step === 5);
+  await tap('lesson-number');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'keyboard');
+  await page.keyboard.sendCharacter('2');
+  await page.keyboard.sendCharacter('1');
+  await tap('lesson-reveal');
+  await visit.until((now) => lesson_1(now).revealed);
+  await tap('lesson-next');
+  await visit.until((now) => now.lesson.open === '');
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
+test('two fingers zoom and pan the plan, and one that rests tells and presses nothing', async () => {
+  const visit = await Visit.begin(browser, server.address, { hasTouch: true }), { page } = visit;
+  const session = await page.createCDPSession();
+  const touch = (type, ...points) => session.send('Input.dispatchTouchEvent',
+    { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const apart = ({ objects: all }) => Math.hypot(...[0, 1].map((i) => all['Solid Sphere'].window[i] - all.Polygon.window[i]));
+  const before = await visit.report(), [x, y] = before.objects['Solid Sphere'].window;
+  await touch('touchStart', [x - 40, y], [x + 40, y]);
+  await touch('touchMove', [x - 80, y], [x + 80, y]);
+  await touch('touchEnd');
+  const zoomed = await visit.until((now) => Math.abs(apart(now) - 2 * apart(before)) < 3, 'it is twice as large');
+  assert.ok(Math.abs(zoomed.objects['Solid Sphere'].window[0] - x) < 3, 'what is between the fingers stays there');
+  await touch('touchStart', [x - 40, y], [x + 40, y]);
+  await touch('touchMove', [x - 10, y + 20], [x + 70, y + 20]);
+  await touch('touchEnd');
+  await visit.until((now) => Math.abs(now.objects['Solid Sphere'].window[0] - x - 30) < 3 &&
+    Math.abs(now.objects['Solid Sphere'].window[1] - y - 20) < 3, 'it has moved with the fingers');
+
+  const step = middle((await visit.report()).items.clear);
+  await page.keyboard.press('Space');
+  await visit.until((now) => now.position === 1);
+  await touch('touchStart', step);
+  await new Promise((again) => setTimeout(again, 900));
+  await page.screenshot({ path: join(pictures, 'long-press.png') });
+  await touch('touchEnd');
+  await new Promise((again) => setTimeout(again, 200));
+  assert.equal((await visit.report()).position, 1);
+  await page.touchscreen.tap(...step);
+  await visit.until((now) => now.position === 0);
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
+test('axe-core finds no fault, as a drawing and as text', async () => {
+  const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  const faults = async () => {
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => window.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] }));
+    return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).slice(0, 3).join(' ')}`);
+  };
+  assert.deepEqual(await faults(), []);
+  await use(page, 'button', open_as_text);
+  assert.deepEqual(await faults(), []);
+  await use(page, 'button', 'Lessons');
+  await use(page, 'button', 'Ray casting, 0 / 5');
+  await visit.until((now) => lesson_1(now).step === 1);
+  await page.evaluate(() => { for (const each of document.querySelectorAll('#mirror details')) each.open = true; });
+  assert.deepEqual(await faults(), []);
+  await page.screenshot({ path: join(pictures, 'as-text.png') });
+  await page.setViewport({ width: 360, height: 640 });
+  assert.deepEqual(await faults(), []);
+  assert.ok(await page.evaluate(() => document.getElementById('mirror').scrollWidth <= 360), 'nothing is cut off');
+  await page.close();
+});
+
+test('the text costs nothing before it is asked for, and speaks the language of the window', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await page.keyboard.press('Space');
+  await visit.until((now) => now.position === 1);
+  assert.equal(await page.$eval('#mirror .outline', (element) => element.children.length), 0);
+  await use(page, 'button', open_as_text);
+  await page.evaluate(() => { for (const each of document.querySelectorAll('#mirror details')) each.open = true; });
+  await use(page, 'button', 'Español');
+  await page.waitForFunction(() => document.documentElement.lang === 'es');
+  assert.ok(says(await spoken(page), 'Pseudocódigo'));
+  await page.close();
+});
+
+test('who wants less motion gets less', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  await visit.page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
+  await visit.page.reload();
+  await visit.page.waitForFunction(() => document.getElementById('says').hidden && window.raywalk);
+  await visit.settled();
+  await visit.page.evaluate(() => document.getElementById('as-text').click());
+  const tween = await visit.page.waitForSelector('#mirror [data-key="button command-tweens"]');
+  assert.equal(await tween.evaluate((it) => it.getAttribute('aria-pressed')), 'false');
+  await visit.page.close();
+});

@@ -1,0 +1,136 @@
+// The 3-D picture is made beside the page: nobody waits for it, an edit ends it, and its bits do not depend on who made it.
+import assert from 'node:assert/strict';
+import { readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { Visit, open_browser, serve, site } from './browser.mjs';
+
+let browser, server;
+before(async () => {
+  browser = await open_browser();
+  server = await serve();
+});
+after(async () => {
+  await browser?.close();
+  server?.end();
+});
+
+const workers = (visit) => visit.page.evaluate(() => window.raywalk.workers.count());
+const finished = (report) => report.image.finished;
+
+// A page whose browser has no workers, or ends them.
+async function visit_without(script, address, more) {
+  const context = await browser.createBrowserContext();
+  const page = await context.newPage();
+  await page.evaluateOnNewDocument(script);
+  await page.goto(`${address}?report=/report.json${more}`);
+  await page.waitForFunction(() => document.getElementById('says').hidden && window.raywalk, { timeout: 60000 });
+  return Object.assign(new Visit, { page, context });
+}
+
+test('a STEP is answered within 50 ms of processor time while a picture is made', async () => {
+  const visit = await Visit.begin(browser, server.address, {}, '&language=en&scene=cornell');
+  assert.ok(await workers(visit) > 0);
+  const path = join(tmpdir(), `raywalk-${process.pid}.json`);
+  await visit.page.tracing.start({ path, categories: ['devtools.timeline'] });
+  for (let i = 0; i < 20; ++i) {
+    await visit.page.keyboard.press('Space');
+    await new Promise((next) => setTimeout(next, 120));
+  }
+  const meanwhile = await visit.report();
+  await visit.page.tracing.stop();
+  assert.ok(!meanwhile.image.finished, 'the picture is still being made');
+  assert.ok(meanwhile.image.done > 0);
+  assert.ok(meanwhile.position >= 20);
+  const { traceEvents } = JSON.parse(readFileSync(path, 'utf8'));
+  rmSync(path);
+  const main = traceEvents.find(({ name }) => name === 'FireAnimationFrame');
+  const longest = Math.max(...traceEvents.filter(({ pid, tid, name, tdur }) => pid === main.pid && tid === main.tid && tdur !== undefined &&
+    ['FireAnimationFrame', 'FunctionCall', 'EventDispatch', 'TimerFire'].includes(name)).map(({ tdur }) => tdur / 1000));
+  assert.ok(longest <= 50, `${longest} ms`);
+  await visit.page.close();
+});
+
+test('the picture has the same bits by workers, without them, and when they are lost', async () => {
+  for (const scene of ['classic', 'distributed']) {
+    const more = `&language=en&scene=${scene}`;
+    const by_workers = await Visit.begin(browser, server.address, {}, more);
+    const { image: { hash } } = await by_workers.until(finished, 'the picture is finished');
+    assert.ok(await workers(by_workers) > 0);
+    await by_workers.page.close();
+    const refused = await visit_without(() => { delete window.Worker; }, server.address, more);
+    assert.equal((await refused.until(finished)).image.hash, hash);
+    assert.equal(await workers(refused), 0);
+    await refused.page.close();
+    const lost = await visit_without(() => 0, server.address, more);
+    await lost.until((now) => now.image.done > 0);
+    await lost.page.evaluate(() => window.raywalk.workers.lose('a test'));
+    assert.equal((await lost.until(finished)).image.hash, hash);
+    await lost.page.close();
+  }
+});
+
+test('an edit ends the picture under way', async () => {
+  const visit = await Visit.begin(browser, server.address, {}, '&language=en&scene=cornell');
+  await visit.until((now) => now.image.done > 0.02 && !now.image.finished);
+  await visit.page.keyboard.press('m');
+  await visit.page.keyboard.press('1');
+  await visit.until((now) => now.image.done < 0.02, 'it begins anew');
+  await visit.until((now) => now.image.done > 0.02, 'and goes on');
+  await visit.page.close();
+});
+
+test('the one file has its workers in itself', async () => {
+  const visit = await Visit.begin(browser, pathToFileURL(join(site, 'raywalk.html')).href);
+  await visit.until(finished, 'the picture is finished');
+  assert.ok(await workers(visit) > 0);
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});
+
+test('a scene of the user\'s, with its mesh, is traced by workers too', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  const scenes = join(process.env.RAYWALK_SOURCE_DIR, 'scenes');
+  const chooser = await visit.page.$('#chooser');
+  await chooser.uploadFile(join(scenes, 'mesh.toml'), join(scenes, 'ball.ply'));
+  await visit.until((now) => now.path === '/files/mesh.toml');
+  const { image: { hash } } = await visit.until((now) => now.image.done < 1) && await visit.until(finished);
+  assert.ok(await workers(visit) > 0);
+  const refused = await visit_without(() => { delete window.Worker; }, server.address, '&scene=mesh');
+  assert.equal((await refused.until(finished)).image.hash, hash);
+  await visit.page.close();
+  await refused.page.close();
+});
+
+test('all lessons together need at most 256 MiB', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  const { page } = visit;
+  await page.evaluate(() => document.getElementById('as-text').click());
+  const press = (key) => page.waitForFunction((key) => {
+    const button = document.querySelector(`#mirror [data-key="button ${key}"]`);
+    if (!button || button.getAttribute('aria-disabled') === 'true') return false;
+    button.click();
+    return true;
+  }, { timeout: 60000 }, key);
+  await press('command-lessons');
+  await press('unlock');
+  const lessons = await page.$$eval('#mirror [data-key="region lesson"] button', (all) => all
+    .map(({ dataset, textContent }) => [dataset.key.slice(7), Number(/\/ (\d+)$/.exec(textContent)?.[1])])
+    .filter(([, steps]) => steps > 0));
+  assert.ok(lessons.length >= 13);
+  for (const [lesson, steps] of lessons) {
+    await press(lesson);
+    for (let step = 1; step <= steps; ++step) {
+      await visit.until((now) => now.lesson.open === lesson && now.lesson.step === step, `${lesson} is at ${step}`);
+      // With all unlocked no prediction is needed.
+      if (await page.$('#mirror [data-key="button answer"]')) await press('answer');
+      await press('next');
+    }
+    await visit.until((now) => now.lesson.open === '');
+  }
+  const memory = await page.evaluate(() => window.raywalk.HEAPU8.length + window.raywalk.workers.memory());
+  assert.ok(memory <= 256 * 2 ** 20, `${memory / 2 ** 20} MiB`);
+  await page.close();
+});
