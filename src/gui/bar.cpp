@@ -31,6 +31,15 @@ void recent_menu(const Ui& ui) {
   ImGui::EndMenu();
 }
 
+/// Which rays are drawn, in Trace and in Move.
+void rays_menu(const Ui& ui) {
+  const bool open = ImGui::BeginMenu(ui.say("menu.rays").c_str());
+  ui.publish("menu/rays");
+  if (!open) return;
+  for (const Command* each : commands_in(Section::rays)) menu_item(ui, *each);
+  ImGui::EndMenu();
+}
+
 /// One line per language, with the name from its file.
 void language_items(const Ui& ui) {
   for (const Language language : ui.state.appearance.language.others().all()) {
@@ -55,7 +64,9 @@ struct Menu {
 const std::array<Menu, menu_count> menus{{
     {"menu.file", "menu-file", {{Section::open, recent_menu}, {Section::save}, {Section::quit}}},
     {"menu.edit", "menu-edit", {{Section::undo}, {Section::select}}},
-    {"menu.view", "menu-view", {{Section::zoom}, {Section::show}, {Section::style, language_items}, {Section::window}}},
+    {"menu.view",
+     "menu-view",
+     {{Section::zoom}, {Section::show, rays_menu}, {Section::style, language_items}, {Section::window}}},
     {"menu.walk",
      "menu-walk",
      {{Section::step},

@@ -23,6 +23,8 @@ enum class Section {
   select,
   zoom,
   show,
+  rays,
+  earlier,
   style,
   window,
   step,

@@ -3,6 +3,8 @@
 #include "gui/command.h"
 #include "gui/dialogs.h"
 #include "gui/style.h"
+#include "view/band/band.h"
+#include "view/lesson/lesson_panel.h"
 #include "view/structure/structure.h"
 
 #include <algorithm>
@@ -120,7 +122,13 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit};
   wishes.code = code_height(with);
   wishes.code_width = code_width(with);
-  if ((state.lessons.shown || state.bugs.shown) && state.walk.mode != Mode::help) wishes.lesson = with.px(330);
+  const bool helps = state.walk.mode == Mode::help;
+  wishes.focus = state.focus.on && !helps;
+  const bool asks = state.bugs.shown || has_question(state);
+  if ((state.lessons.shown || state.bugs.shown) && !helps)
+    wishes.lesson = with.px(wishes.focus && !asks ? folded_width : 330);
+  if (state.effects.shown && !helps) wishes.effects = effects_height(with, lay_out(wishes).plan.width);
+  if (state.band.shown && !helps) wishes.band = with.px(static_cast<float>(band_height));
   // The transport's height depends on its width, which does not depend on its height.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
@@ -128,22 +136,27 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // The tabs are small; exchanged, they get the plan's room. The Cost panel and the microscope need that from the
   // start; the former also that of the walk, which it does not show.
   const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
-  const bool costs = state.appearance.tab == CostRoom::tab && !exchanged_ && state.walk.mode != Mode::help;
+  const bool folds = wishes.focus;
+  const bool costs = state.appearance.tab == CostRoom::tab && !exchanged_ && !helps && !folds;
   const bool wide = state.appearance.tab == CostRoom::tab || state.appearance.tab == MicroscopeRoom::tab;
-  if (exchanged_ != wide && state.walk.mode != Mode::help) std::swap(layout_.plan, layout_.tabs);
+  if (exchanged_ != wide && !helps && !folds) std::swap(layout_.plan, layout_.tabs);
   if (costs) layout_.tabs = left;
   // The microscope has a legend of its own.
-  const bool scope = state.appearance.tab == MicroscopeRoom::tab && !exchanged_ && state.walk.mode == Mode::trace;
+  const bool scope =
+      state.appearance.tab == MicroscopeRoom::tab && !exchanged_ && !folds && state.walk.mode == Mode::trace;
   if (scope) {
     layout_.tabs.height = layout_.strip.bottom() - layout_.tabs.y;
-    layout_.strip.height = 0;
+    layout_.strip.height = layout_.corner.height = layout_.band.height = layout_.effects.height = 0;
   }
   // Structures are drawn in the plan, with much text beside it: they replace the code.
   const bool boxes = shows_structure(state) && !exchanged_;
   if (boxes)
     layout_.tabs = {layout_.side.x, layout_.side.y, layout_.side.width, layout_.tabs.bottom() - layout_.side.y};
 
-  if (!layout_.lesson.empty() && state.lessons.shown) lesson_.draw(with, layout_.lesson);
+  if (folds && !asks && state.lessons.shown)
+    folded_pane(with, "folded-lesson", layout_.lesson);
+  else if (!layout_.lesson.empty() && state.lessons.shown)
+    lesson_.draw(with, layout_.lesson);
   if (!layout_.lesson.empty() && state.bugs.shown) bug_pane(with, layout_.lesson);
   if (has_banner(state)) {
     Rect banner = layout_.plan;
@@ -155,7 +168,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
   if (aside_.frames > 0 && shown_menu_ < 0) wanted_menu_ = std::exchange(aside_, {}).neighbour;
   if (aside_.frames > 0) --aside_.frames;
-  if (state.walk.mode == Mode::help) {
+  if (helps) {
     help_pane(with, left, std::exchange(scroll_help_, 0.0f));
   } else {
     if (shows_lines(state)) {
@@ -166,14 +179,20 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     // One strip for both modes, so that the plan does not move.
     if (!costs && state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
     if (!costs && !scope && state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
+    if (!costs && !scope) focus_button(with, layout_.corner);
+    if (!costs && !scope && wishes.band > 0) band_pane(with, layout_.band);
+    if (!costs && !scope && wishes.effects > 0) effects_pane(with, layout_.effects);
     if (!costs) transport_pane(with, layout_.transport);
   }
-  if (PropertiesPane::shows(state)) {
+  if (folds) {
+    folded_pane(with, "folded", layout_.folded);
+  } else if (PropertiesPane::shows(state)) {
     properties_.draw(with, layout_.side, std::exchange(focus_properties_, false));
   } else if (!boxes) {
     code_pane(with, layout_.side);
   }
-  tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false), std::exchange(open_knobs_, false));
+  if (!folds)
+    tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false), std::exchange(open_knobs_, false));
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 

@@ -28,7 +28,9 @@ Layout lay_out(const LayoutWishes& wishes) {
   const float top = std::min(layout.bar.bottom() + hairline, height), below = height - top;
 
   // The code fits its longest line; the plan gets at least a third of the window.
-  const float side = take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
+  const float side = wishes.focus
+                         ? take(width / 8, folded_width * unit)
+                         : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
   const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f - hairline, wishes.lesson) : 0.0f;
   const float edge = lesson > 0 ? lesson + hairline : 0.0f;
   layout.lesson = {0, top, lesson, lesson > 0 ? height - top : 0.0f};
@@ -36,8 +38,18 @@ Layout lay_out(const LayoutWishes& wishes) {
   const float transport = take(below * 0.6f, wishes.transport);
   layout.transport = {edge, height - transport, left, transport};
   const float strip = take((below - transport) * 0.3f, (low ? 36 : 42) * unit);
-  layout.strip = {edge, std::max(layout.transport.y - hairline - strip, top), left, strip};
-  layout.plan = {edge, top, left, layout.strip.y - top};
+  const float corner = take(left * 0.2f, strip);
+  layout.strip = {edge, std::max(layout.transport.y - hairline - strip, top), left - corner, strip};
+  layout.corner = {layout.strip.right(), layout.strip.y, corner, strip};
+  const float band = take((below - transport) * 0.25f, wishes.band);
+  layout.band = {edge, std::max(layout.strip.y - band, top), left, band};
+  const float effects = take((below - transport) * 0.25f, wishes.effects);
+  layout.effects = {edge, std::max(layout.band.y - effects, top), left, effects};
+  layout.plan = {edge, top, left, layout.effects.y - top};
+  if (wishes.focus) {
+    layout.folded = {width - side, top, side, height - top};
+    return layout;
+  }
 
   // The tabs need room for a picture, and get what the code does not need.
   const float least_tabs = std::clamp(below * 0.32f, 170 * unit, 250 * unit);

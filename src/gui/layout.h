@@ -18,10 +18,14 @@ struct Layout {
   Rect bar;     ///< menus and modes, along the top
   Rect lesson;  ///< left of the plan, while lessons are shown
   Rect plan;
+  Rect effects;    ///< below the plan, while they are shown: switches for effects
+  Rect band;       ///< below the plan, while it is shown: SCREEN's cells
   Rect strip;      ///< below the plan: objects to add, or the kinds of rays
+  Rect corner;     ///< at its right end: the button for the focus
   Rect transport;  ///< the step's sentence, buttons and scrub bar
   Rect side;       ///< the code, or the properties of the selection
   Rect tabs;       ///< 3-D image, ray tree, stack, legend: below the code
+  Rect folded;     ///< in place of both, while the plan is in focus
 };
 
 struct LayoutWishes {
@@ -31,8 +35,13 @@ struct LayoutWishes {
   float code = 0;                    ///< wanted by the code
   float code_width = 0;              ///< width wanted by the code
   float lesson = 0;                  ///< width wanted by the lesson; 0: none is shown
+  float band = 0;                    ///< height wanted by the band; 0: it is not shown
+  float effects = 0;                 ///< height wanted by the switches for effects; 0: they are not shown
+  bool focus = false;                ///< code and tabs are folded to an edge
 };
 
+/// The width of an edge to which panes are folded, in units at scale 1.
+inline constexpr float folded_width = 22;
 /// Below this height, in units at scale 1, buttons that also have a key or a menu entry are hidden.
 inline constexpr float low_window = 430;
 /// The minimum size for everything, in units at scale 1. In a smaller window everything is drawn smaller.

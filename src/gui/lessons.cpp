@@ -243,21 +243,23 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   shown_for_ = shown_for;
   const bool open = sitting.at() != nullptr;
   const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), left = where.x + ui.px(16);
-  head(ui, panel, where, open);
+  const bool alone = ui.state.focus.on && has_question(ui.state);  // the question without what leads to it
+  if (!alone) head(ui, panel, where, open);
 
-  const float foot = open ? 2 * height + ui.px(26) : height + ui.px(18);
+  const float options_height = alone ? 0 : height + ui.px(8);
+  const float foot = (open ? height + ui.px(18) : ui.px(10)) + options_height;
   const float room = std::max(where.bottom() - ImGui::GetCursorScreenPos().y - foot, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
   if (ImGui::BeginChild("lesson-words", {width, room}, false)) {
     if (is_new) ImGui::SetScrollY(0);
     if (open) {
-      if (!panel.summary.empty()) prose(ui, ui.colours.dim_text, panel.summary);
-      prose(ui, ui.colours.text, panel.text);
+      if (!panel.summary.empty() && !alone) prose(ui, ui.colours.dim_text, panel.summary);
+      if (!alone) prose(ui, ui.colours.text, panel.text);
       if (panel.asks != Asks::nothing) question(ui, panel, is_new);
       // Scrolls a new answer into view, with its context.
       if (is_new && sitting.revealed) ImGui::SetScrollHereY(0.35f);
       answer(ui, panel);
-      notes(ui, panel);
+      if (!alone) notes(ui, panel);
     } else {
       list(ui, panel);
     }
@@ -267,6 +269,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   ImGui::PopStyleColor();
 
   if (open) steps(ui, panel, {left, where.bottom() - foot + ui.px(8)}, width);
+  if (alone) return;
   ImGui::SetCursorScreenPos({left, where.bottom() - ui.px(10) - height});
   options(ui, width, open);
 }

@@ -151,7 +151,19 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory);
 /// A field for the scene's epsilon of naive rays.
 void epsilon_row(const Ui& ui, Form& form);
 
-/// Samples of the ray kinds, in one row.
+/// Samples of the ray kinds, in one row; a click on one hides or shows its rays.
 void legend_pane(const Ui& ui, const Rect& where);
+
+/// Switches for effects, with their rays.
+void effects_pane(const Ui& ui, const Rect& where);
+[[nodiscard]] float effects_height(const Ui& ui, float width);
+
+/// SCREEN's cells, large.
+void band_pane(const Ui& ui, const Rect& where);
+
+/// What remains of a pane while the plan is in focus: a button that brings it back.
+void folded_pane(const Ui& ui, const char* name, const Rect& where);
+/// The button in the plan's corner.
+void focus_button(const Ui& ui, const Rect& where);
 
 }  // namespace raywalk

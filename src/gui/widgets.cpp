@@ -142,6 +142,13 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
       draw.AddLine(at(0.9f, 0.5f), at(-0.7f, 0.5f), colour, thick);
       draw.AddTriangleFilled(at(-1, 0.5f), at(-0.4f, 0), at(-0.4f, 1), colour);
       break;
+    case Icon::focus:
+      for (const float x : {-1.0f, 1.0f})
+        for (const float y : {-1.0f, 1.0f}) {
+          draw.AddLine(at(0.85f * x, 0.85f * y), at(0.25f * x, 0.85f * y), colour, thick);
+          draw.AddLine(at(0.85f * x, 0.85f * y), at(0.85f * x, 0.25f * y), colour, thick);
+        }
+      break;
     case Icon::up:
       draw.AddLine(at(0, -0.8f), at(0, 0.9f), colour, thick);
       draw.AddLine(at(0, -0.8f), at(-0.6f, -0.1f), colour, thick);

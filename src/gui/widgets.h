@@ -11,7 +11,24 @@
 namespace raywalk {
 
 /// Drawn with lines: independent of fonts, and crisp at any size.
-enum class Icon { none, step, back, play, pause, clear, first, last, undo, redo, plus, minus, close, up, exchange };
+enum class Icon {
+  none,
+  step,
+  back,
+  play,
+  pause,
+  clear,
+  first,
+  last,
+  undo,
+  redo,
+  plus,
+  minus,
+  close,
+  up,
+  exchange,
+  focus
+};
 
 enum class Look {
   plain,    ///< slightly raised

@@ -98,6 +98,7 @@ struct LessonStep {
   LessonBeside pane = LessonBeside::unchanged;
   bool breakpoints = true;  ///< whether the student's breakpoints stop the walk here
   bool extra = false;       ///< not part of a presenter's five minutes
+  bool zoom = false;        ///< while the plan is in focus, it shows the ray in question large
   int line = 0;
 };
 

@@ -38,15 +38,18 @@ EffectUse left_out(Integrator integrator, std::string_view what) {
 
 EffectUse refraction(const Scene& scene, Integrator integrator) {
   if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
+  if (!scene.render.switches.refraction) return {false, "none: it is switched off"};
   return use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
 }
 
 /// Every transmitting material also reflects: a part by Fresnel's equations, or everything beyond the critical angle.
 EffectUse reflection(const Scene& scene, Integrator integrator) {
   if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
-  EffectUse use = use_if(scene, [](const Material& m) { return m.reflects(); }, "reflects", "nothing reflects");
-  const auto shares = [](const Material& m) { return m.transmits() && m.dielectric; };
-  const auto transmits = [](const Material& m) { return m.transmits(); };
+  const EffectSwitches& on = scene.render.switches;
+  EffectUse use =
+      use_if(scene, [&](const Material& m) { return on.reflection && m.reflects(); }, "reflects", "nothing reflects");
+  const auto transmits = [&](const Material& m) { return on.refraction && m.transmits(); };
+  const auto shares = [&](const Material& m) { return on.reflection && transmits(m) && m.dielectric; };
   if (!use.used && first_object(scene, transmits) != nullptr) {
     use = use_if(scene, shares, "reflects a share of the light as a dielectric", "");
     if (!use.used) use = use_if(scene, transmits, "can reflect totally inside", "");

@@ -44,6 +44,14 @@ inline constexpr auto words_of<Integrator> = [] {
   return words;
 }();
 
+/// Effects that can be left out of a scene to see what they do and cost; not in a scene's file.
+struct EffectSwitches {
+  bool shadows = true;     ///< off: no shadow ray is formed, and every light in front of a surface reaches it
+  bool reflection = true;  ///< off: nothing reflects, but for what is totally reflected inside
+  bool refraction = true;  ///< off: nothing transmits
+  friend bool operator==(const EffectSwitches&, const EffectSwitches&) = default;
+};
+
 /// How a scene is rendered, unless the command line says otherwise. None of it changes what the scene is.
 struct RenderChoices {
   Integrator integrator = Integrator::automatic;
@@ -54,6 +62,7 @@ struct RenderChoices {
   std::optional<int> path_length{};     ///< maximum number of rays of a path from the eye to a light, first and last
                                         ///< included; absent: no limit
   Numerics numerics = Numerics::robust;
+  EffectSwitches switches{};
   double epsilon = default_epsilon;  ///< of naive numerics: the offset of ray origins from a surface, in scene units
   friend bool operator==(const RenderChoices&, const RenderChoices&) = default;
 };

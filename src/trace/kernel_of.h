@@ -43,8 +43,8 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 
 /// Each set that a kernel is compiled for. There is no refraction without reflection (total internal reflection), nor
 /// lobes without it, nor nesting without refraction: seven sets; each with or without textures, and with shadows,
-/// shadows and penumbras, or neither: forty-two. Nesting is a set of its own: where nothing nests, a mere test at each
-/// hit would cost more than 0.1%.
+/// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays. Nesting is a set of its own: where
+/// nothing nests, a mere test at each hit would cost more than 0.1%.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -58,17 +58,19 @@ inline constexpr auto kernel_sets = [] {
                                                    {yes, yes, no, yes},
                                                    {yes, yes, yes, yes}}};
   constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, 2 * scatterings.size() * lights.size()> sets{};
+  std::array<HitEffects, 2 * scatterings.size() * lights.size() + 1> sets{};
   std::size_t at = 0;
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes})
         sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting};
+  sets[at] = no_occlusion;  // for looking, and need not be fast
   return sets;
 }();
 
 /// The smallest of these that holds a world's effects.
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
+  if (!set.occlusion) set = no_occlusion;
   set.refraction = set.refraction || set.nesting;
   set.reflection = set.reflection || set.refraction || set.lobes;
   set.shadows = set.shadows || set.penumbra;
@@ -91,13 +93,16 @@ Kernel<T> fitting_kernel(const World<T>& world) {
   static constexpr auto kernels = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Kernel<T>, sizeof...(I)>{&run_kernel<T, kernel_sets[I]>...};
   }(std::make_index_sequence<kernel_sets.size()>());
-  return kernels[kernel_set_for(hit_effects(world.effects, world.lights.size(), !world.bodies.empty()))];
+  HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
+  set.occlusion = world.occludes;
+  return kernels[kernel_set_for(set)];
 }
 
 template <class T>
 Statistics run_watched_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put, Observer& observer) {
   if (world.numerics == Numerics::naive) return run_watched_naive_kernel(world, camera, block, put, observer);
+  if (!world.occludes) return run_tracer<Policy<T, Observer, no_occlusion>>(world, camera, block, put, observer);
   return run_tracer<Policy<T, Observer>>(world, camera, block, put, observer);
 }
 

@@ -26,13 +26,15 @@ class Observer {
 /// The effects whose code is inside the hit loop. A kernel without an effect contains none of its code.
 struct HitEffects {
   bool reflection = true, refraction = true, textures = true;
-  bool penumbra = true;  ///< area lights, or many lights
-  bool lobes = true;     ///< gloss and translucency
-  bool shadows = true;   ///< lights at all, occluded or not
-  bool nesting = true;   ///< transmitting bodies may overlap, or contain the eye
+  bool penumbra = true;   ///< area lights, or many lights
+  bool lobes = true;      ///< gloss and translucency
+  bool shadows = true;    ///< lights at all, occluded or not
+  bool nesting = true;    ///< transmitting bodies may overlap, or contain the eye
+  bool occlusion = true;  ///< shadow rays are traced; else every light in front of a surface reaches it
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
+inline constexpr HitEffects no_occlusion{.occlusion = false};
 
 /// Lights that a hit may have before the tracer asks between them whether it is cancelled: so few are soon done.
 inline constexpr std::size_t few_lights = 64;

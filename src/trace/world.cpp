@@ -20,7 +20,7 @@ T lobe(double degrees) {
 }
 
 template <class T>
-typename World<T>::Surface surface_of(const Material& m, Integrator integrator) {
+typename World<T>::Surface surface_of(const Material& m, Integrator integrator, const EffectSwitches& on) {
   const bool fixed = m.normal == ShadingNormal::fixed && integrator != Integrator::path;  // trace/path.h
   const bool absorbs = m.transmits() && !is_black(m.absorption);
   typename World<T>::Surface surface{{Rgb<T>(m.absorption), static_cast<T>(m.ior), absorbs},
@@ -46,10 +46,13 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator) 
     surface.gloss = lobe<T>(m.gloss);
     surface.translucency = lobe<T>(m.translucency);
   }
-  if (integrator == Integrator::cast) {
-    surface.reflection = surface.transmission = Rgb<T>(0);
+  const bool follows = integrator != Integrator::cast;
+  if (!follows || !on.reflection) surface.reflection = Rgb<T>(0);
+  if (!follows || !on.refraction) {
+    surface.transmission = Rgb<T>(0);
     surface.transmits = false;
   }
+  if (!on.reflection || !on.refraction) surface.dielectric = false;
   if (m.checker) surface.checker = {Rgb<T>(m.checker->even), Rgb<T>(m.checker->odd), static_cast<T>(m.checker->size)};
   return surface;
 }
@@ -92,6 +95,7 @@ class Flattener {
       : world_(world),
         stop_(stop),
         integrator_(integrator_of(scene)),
+        switches_(scene.render.switches),
         shutter_open_(scene.camera.shutter_open),
         shutter_close_(scene.camera.shutter_close) {
     primitives_.set_shutter(scene.camera.shutter_open, scene.camera.shutter_close);
@@ -168,7 +172,7 @@ class Flattener {
   /// Instances of a group share the surfaces of its objects.
   int surface_index(const Material* material) {
     const auto [entry, is_new] = surface_of_.emplace(material, static_cast<int>(world_.surfaces.size()));
-    if (is_new) world_.surfaces.push_back(surface_of<T>(*material, integrator_));
+    if (is_new) world_.surfaces.push_back(surface_of<T>(*material, integrator_, switches_));
     return entry->second;
   }
   void note(std::size_t count, int surface) {
@@ -179,6 +183,7 @@ class Flattener {
   World<T>& world_;
   Stop stop_;
   Integrator integrator_;
+  EffectSwitches switches_;
   double shutter_open_, shutter_close_;
   Primitives<T> primitives_;
   std::unordered_map<const Material*, int> surface_of_;
@@ -201,6 +206,7 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       accelerator(Flattener<T>(scene, *this, stop).take(), kind, stop),
       fault(its_fault),
       numerics(fault ? Numerics::naive : scene.render.numerics),
+      occludes(scene.render.switches.shadows),
       epsilon(static_cast<T>(scene.render.epsilon)) {
   absorbs = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& each) { return each.absorbs; });
   for (int id = 0; id < accelerator.primitives().size(); ++id) {

@@ -155,7 +155,8 @@ struct World {
   Accelerator<T> accelerator;  ///< constructed last: building it fills the lists above
   std::optional<Fault> fault;
   Numerics numerics;
-  T epsilon;  ///< offset of naive rays from a surface
+  bool occludes;  ///< shadow rays are traced
+  T epsilon;      ///< offset of naive rays from a surface
   /// Whether a shadow ray first tests the previous blocker of the same light. Only changes the cost.
   bool shadow_cache = false;
   /// The transmitting bodies, where they can nest. Where this is empty, rays enter every body from air.

@@ -41,8 +41,8 @@ struct Tab {
   friend bool operator==(const Tab&, const Tab&) = default;
 };
 
-/// Where in the plan a room draws, from below.
-enum class Layer { under_rays, over_rays, under_labels, on_top };
+/// Where in the plan a room draws, from below; `moving`: in Move, in place of the rays of the walk.
+enum class Layer { under_rays, over_rays, moving, under_labels, on_top };
 
 /// The walk before an action.
 struct Before {

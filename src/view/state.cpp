@@ -5,6 +5,8 @@
 #include "view/plan/plan_view.h"
 #include "view/text/text.h"
 
+#include <algorithm>
+
 namespace raywalk {
 
 State make_state(SceneDocument document, std::string path, std::string state_dir, const Stop& stop) {
@@ -31,6 +33,7 @@ void choose(const State& state, RenderChoices& choices) {
     return;
   }
   choices.integrator = state.picture.settings.integrator.value_or(choices.integrator);
+  choices.switches = state.effects.switches;
 }
 
 namespace {
@@ -41,6 +44,9 @@ SceneSeen seen_from(const State& state, const Camera& camera) {
   SceneSeen seen(state.scene());
   seen.set(camera);
   seen.set(choices);
+  TraceLimits limits = state.scene().limits;
+  limits.depth = state.effects.depth.value_or(limits.depth);
+  seen.set(limits);
   return seen;
 }
 
@@ -62,6 +68,15 @@ int current_cell(const State& state) {
   if (!state.walk.timeline->of_strip()) return -1;
   const int pixel = state.walk.timeline->current_pixel(state.walk.position);
   return pixel < 0 ? -1 : state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)].column;
+}
+
+int position_shown(const State& state) { return state.live.shown ? state.walk.timeline->steps() : state.walk.position; }
+
+int live_cell(const State& state) {
+  const int cells = state.scene().camera.screen.cells;
+  if (state.live.cell >= 0) return std::min(state.live.cell, cells - 1);
+  const int walked = current_cell(state);
+  return walked >= 0 ? walked : cells / 2;
 }
 
 bool wants_autosave(const State& state) {

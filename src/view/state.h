@@ -3,14 +3,18 @@
 // view/action.h; the screen is a pure function of it.
 
 #include "view/appearance/room.h"
+#include "view/band/room.h"
 #include "view/bugs/room.h"
 #include "view/cost/room.h"
 #include "view/document/room.h"
 #include "view/document/scene_seen.h"
+#include "view/effects/room.h"
 #include "view/equation/room.h"
 #include "view/export/room.h"
+#include "view/focus/room.h"
 #include "view/legend/room.h"
 #include "view/lesson/room.h"
+#include "view/live/room.h"
 #include "view/microscope/room.h"
 #include "view/picture/room.h"
 #include "view/plan/room.h"
@@ -41,14 +45,19 @@ struct State {
   MicroscopeRoom microscope;
   StructureRoom structure;
   ExportRoom exports;
+  LegendRoom legend;
+  LiveRoom live;
+  FocusRoom focus;
+  BandRoom band;
+  EffectsRoom effects;
 
   [[nodiscard]] const Scene& scene() const { return document.contents.scene; }
 };
 
 /// All rooms, in the order of their tabs and of their commands in menus.
-using Rooms =
-    Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
-          LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom, AppearanceRoom>;
+using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
+                    LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
+                    LiveRoom, BandRoom, EffectsRoom, FocusRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>
@@ -93,6 +102,10 @@ void choose(const State& state, RenderChoices& choices);
 /// The active breakpoints: none if the open lesson has disabled them.
 [[nodiscard]] Breakpoints breakpoints_in_force(const State& state);
 
+/// The position whose rays and shades the plan shows: the end of the walk while live rays are shown.
+[[nodiscard]] int position_shown(const State& state);
+/// The cell whose rays follow in Move, or would.
+[[nodiscard]] int live_cell(const State& state);
 /// The strip's column of the current pixel (or the one just put), or -1; also -1 while a pixel of the picture is
 /// walked.
 [[nodiscard]] int current_cell(const State& state);

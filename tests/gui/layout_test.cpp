@@ -20,9 +20,10 @@ bool overlap(const Rect& a, const Rect& b) {
 
 // What is wrong with a layout; empty when nothing is.
 std::string faults(const Layout& layout, float width, float height) {
-  const std::array panes{layout.bar,       layout.lesson, layout.plan, layout.strip,
-                         layout.transport, layout.side,   layout.tabs};
-  const std::array names{"bar", "lesson", "plan", "strip", "transport", "side", "tabs"};
+  const std::array panes{layout.bar,    layout.lesson,    layout.plan, layout.effects, layout.band,  layout.strip,
+                         layout.corner, layout.transport, layout.side, layout.tabs,    layout.folded};
+  const std::array names{"bar",    "lesson",    "plan", "effects", "band",  "strip",
+                         "corner", "transport", "side", "tabs",    "folded"};
   std::string text;
   for (std::size_t i = 0; i < panes.size(); ++i) {
     const Rect& pane = panes[i];
@@ -48,6 +49,11 @@ TEST_CASE("no size of the window makes panes overlap or leave it") {
         raywalk::LayoutWishes wishes{width, height, unit, 150 * unit, 420 * unit, 300 * unit};
         CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
         wishes.lesson = 330 * unit;
+        CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
+        wishes.band = 58 * unit;
+        wishes.effects = 34 * unit;
+        CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
+        wishes.focus = true;
         CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
       }
     }

@@ -240,3 +240,62 @@ TEST_CASE("lesson 5 in the window, as a teacher presents it: hands, notes, scrip
   raywalk.key("ctrl+q");
   CHECK(raywalk.wait() == 0);
 }
+
+TEST_CASE("in Focus question, choices and Reveal are whole, and the plan is large, in every lesson and language") {
+  // What the projector's theme leaves of 1280 x 720: everything is a quarter larger.
+  const FontFiles files = find_fonts(font_folders(""));
+  Bench bench(with_lessons(), 1024, 576, files);
+  bench.settle = 1;
+  bench.state.lessons.unlocked = true;
+  update(bench.state, action::ShowLessons{true});
+  update(bench.state, action::SetFocus{true});
+  int questions = 0;
+  for (const Language language : all_languages()) {
+    bench.state.appearance.language = language;
+    for (const LessonEntry& entry : std::vector<LessonEntry>(bench.state.lessons.list)) {
+      update(bench.state, action::OpenLesson{entry.name});
+      REQUIRE(bench.state.lessons.at() != nullptr);
+      for (int step = 0; step < entry.steps; ++step) {
+        update(bench.state, action::GoToLessonStep{step});
+        if (bench.state.lessons.at() == nullptr || !bench.state.lessons.at()->step->question) continue;
+        bench.frames(2);
+        INFO(entry.name << ", step " << step + 1 << ", " << language.code());
+        const Layout& layout = bench.interface().layout();
+        CHECK(layout.plan.width > 0.6f * 1024);
+        CHECK(layout.plan.height > 0.55f * 576);
+        REQUIRE(bench.has("lesson-reveal"));
+        const Rect reveal = bench.rect("lesson-reveal");
+        CHECK(reveal.bottom() <= layout.lesson.bottom());
+        for (int choice = 1; bench.has("guess/" + std::to_string(choice)); ++choice)
+          CHECK(bench.rect("guess/" + std::to_string(choice)).bottom() <= reveal.y);
+        if (bench.has("lesson-number")) CHECK(bench.rect("lesson-number").bottom() <= reveal.y);
+        ++questions;
+      }
+    }
+  }
+  CHECK(questions > 100);
+}
+
+TEST_CASE("Focus folds what stands around the plan, and the same key or either edge brings it back") {
+  Bench bench(with_lessons());
+  bench.frames(2);
+  bench.key("F2");
+  const Layout before = bench.interface().layout();
+  for (const std::string way : {"key", "focus", "folded", "folded-lesson"}) {
+    CAPTURE(way);
+    bench.key("Shift+F");
+    bench.frames(2);
+    CHECK(bench.state.focus.on);
+    CHECK(bench.interface().layout().plan.width > 1.8f * before.plan.width);
+    CHECK_FALSE(bench.has("code"));
+    CHECK_FALSE(bench.has("tabs"));
+    REQUIRE(bench.has("transport"));
+    if (way == "key")
+      bench.key("Shift+F");
+    else
+      bench.click(way);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.focus.on);
+    CHECK(bench.interface().layout().plan == before.plan);
+  }
+}

@@ -9,7 +9,7 @@ using namespace raywalk::test;
 
 namespace {
 
-State tracing(int position = 0) {
+State tracing_classic(int position = 0) {
   State state = classic();
   update(state, action::Jump{position});
   return state;
@@ -18,7 +18,7 @@ State tracing(int position = 0) {
 }  // namespace
 
 TEST_CASE("a click left of a line sets its breakpoint, a click on the line runs to it") {
-  Bench bench(tracing());
+  Bench bench(tracing_classic());
   bench.frames(2);
   const std::string number = std::to_string(static_cast<int>(Line::form_reflect_ray));
   bench.click("break-" + number);
@@ -33,7 +33,7 @@ TEST_CASE("a click left of a line sets its breakpoint, a click on the line runs 
 }
 
 TEST_CASE("the arrows up and down step over and out of SHADE") {
-  Bench bench(tracing(5));
+  Bench bench(tracing_classic(5));
   bench.obedient = false;
   const auto asked = [&](const std::string& key) {
     bench.forget();
@@ -49,7 +49,7 @@ TEST_CASE("the arrows up and down step over and out of SHADE") {
 }
 
 TEST_CASE("STEP that is held down holds, and is let go") {
-  Bench bench(tracing(20));
+  Bench bench(tracing_classic(20));
   bench.frames(2);
   bench.point_at("step");
   bench.press();
@@ -74,7 +74,7 @@ TEST_CASE("STEP that is held down holds, and is let go") {
 }
 
 TEST_CASE("a key that repeats holds STEP") {
-  Bench bench(tracing(20));
+  Bench bench(tracing_classic(20));
   bench.key("Right");
   CHECK(bench.state.walk.position == 21);
   bench.repeat("Right");
@@ -84,7 +84,7 @@ TEST_CASE("a key that repeats holds STEP") {
 }
 
 TEST_CASE("the popup goes to a step and sets conditions") {
-  Bench bench(tracing(20));
+  Bench bench(tracing_classic(20));
   bench.frames(2);
   bench.click("status");
   REQUIRE(bench.has("breakpoints-popup"));
@@ -100,7 +100,7 @@ TEST_CASE("the popup goes to a step and sets conditions") {
 }
 
 TEST_CASE("the popup's key puts the keyboard into the step to go to") {
-  Bench bench(tracing(20));
+  Bench bench(tracing_classic(20));
   bench.frames(2);
   bench.key("J");
   bench.frames(4);

@@ -115,6 +115,15 @@ TEST_CASE("a line that was written reads back as the same action") {
       {Export{"a walk.gif"}, "export a walk.gif"},
       {FinishExport{"no room"}, "finish-export no room"},
       {Wait{0.5}, "wait 0.5"},
+      {SetLiveRays{LiveRays::strip}, "live-rays strip"},
+      {ChooseLiveCell{4}, "live-cell 4"},
+      {ShowEarlier{Earlier::hidden}, "earlier hidden"},
+      {ShowRays{RayKind::shadow, false}, "rays shadow off"},
+      {SetFocus{true}, "focus on"},
+      {ShowBand{true}, "band on"},
+      {ShowEffects{true}, "effects on"},
+      {SwitchEffect{Effect::shadows, false}, "effect shadows off"},
+      {LimitDepth{3}, "depth 3"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

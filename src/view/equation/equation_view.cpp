@@ -28,7 +28,8 @@ void add_angle(Painter& painter, const Vec2d& at, const Vec2d& from, const Vec2d
   constexpr double narrow = 0.7, aside = 0.6;  // radians
   const double towards = std::abs(turn) > narrow ? begin + turn / 2 : begin - (turn < 0 ? -aside : aside);
   const Vec2d middle(std::cos(towards), std::sin(towards));
-  painter.note(std::vector{at + 52 * unit * middle, at + 70 * unit * middle, at + 90 * unit * middle}, words);
+  painter.note_beside(at + 20 * unit * middle, middle, words,
+                      {at + 52 * unit * middle, at + 70 * unit * middle, at + 90 * unit * middle});
 }
 
 void draw_bend(Painter& painter, const BendNotes& notes) {
@@ -69,7 +70,7 @@ void EquationRoom::draw_in_plan(Painter& painter) {
       const Vec2d along = painter.seen_middle(from + (2 * part - 1) * (hit - from), hit);
       places.push_back(along + way * 18 * unit * across);
     }
-  painter.note(places, notes.t);
+  painter.note_beside(painter.seen_middle(from, hit), side * across, notes.t, places);
 }
 
 }  // namespace raywalk

@@ -49,6 +49,11 @@ struct LessonPanel {
 /// The list: a lesson is available once the previous one is finished.
 [[nodiscard]] std::vector<LessonRow> lesson_rows(const LessonRoom& sitting, Language language);
 [[nodiscard]] LessonPanel lesson_panel(const State& state);
+/// Whether the step of the open lesson has a question, answered or not.
+[[nodiscard]] inline bool has_question(const State& state) {
+  const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
+  return step != nullptr && step->step->question.has_value();
+}
 
 /// Whether a guess counts as right, and its error: in degrees for an arrow, else in the question's unit; 0 or 1 for a
 /// choice.

@@ -80,8 +80,8 @@ void stage(State& state) {
   if (walk.pixel) pixel = PixelWalk{walk.document.scene.image, walk.pixel->column, walk.pixel->row, {}};
   const bool stays = state.scene() == walk.document.scene && state.walk.pixel == pixel &&
                      !state.picture.settings.single_precision && !state.picture.settings.integrator &&
-                     state.picture.settings.walk_samples == 1 && fault_at_work(state) == walk.fault &&
-                     !(state.walk.bug && state.walk.bug->mended);
+                     state.picture.settings.walk_samples == 1 && !state.effects.leaves_out() &&
+                     fault_at_work(state) == walk.fault && !(state.walk.bug && state.walk.bug->mended);
   if (!stays) {
     state.picture.settings.single_precision = false;
     state.picture.settings.integrator.reset();
@@ -231,7 +231,8 @@ void action::RevealLesson::apply(State& state) const {
   }
   // A student may have walked elsewhere, or changed the scene.
   const LessonGuess guess = sitting.guess;
-  if (state.scene() != sitting.at()->walk->document.scene || fault_at_work(state) != sitting.at()->walk->fault) {
+  if (state.scene() != sitting.at()->walk->document.scene || fault_at_work(state) != sitting.at()->walk->fault ||
+      state.effects.leaves_out()) {
     stage(state);
     sitting.guess = guess;
     sitting.revealed = true;

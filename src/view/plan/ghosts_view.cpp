@@ -4,7 +4,9 @@
 #include "view/text/text.h"
 #include "view/walk/ghosts.h"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace raywalk {
 
@@ -32,14 +34,23 @@ void draw_ghosts(Painter& painter) {
     if (ghost.record.parent >= 0 || light) continue;
     cut_off += ghost.contribution;
     const Vec2d across(-along.y, along.x);
-    painter.note(painter.seen_middle(from, to) + 14 * unit * across,
-                 percent_text(share_of(ghost.contribution, *state.walk.ghosts), state.appearance.language));
+    std::vector<Vec2d> places;
+    for (const double part : {0.5, 0.35, 0.65, 0.2, 0.8})
+      for (const double side : {14.0, -14.0})
+        places.push_back(painter.seen_middle(from + std::max(2 * part - 1, 0.0) * (to - from),
+                                             to + std::min(2 * part - 1, 0.0) * (to - from)) +
+                         side * unit * across);
+    painter.note(places, percent_text(share_of(ghost.contribution, *state.walk.ghosts), state.appearance.language));
   }
   if (state.walk.ghosts->pixel < 0) return;
   const std::string total =
       fill("ghosts.total", state.appearance.language,
            {{"percent", percent_text(share_of(cut_off, *state.walk.ghosts), state.appearance.language)}});
-  painter.note({painter.viewport.width / 2, painter.viewport.height - 1.2 * painter.sizes.text},
+  const double low = painter.viewport.height - 1.2 * painter.sizes.text;
+  painter.note(std::vector<Vec2d>{{painter.viewport.width / 2, low},
+                                  {painter.viewport.width * 0.35, low},
+                                  {painter.viewport.width * 0.65, low},
+                                  {painter.viewport.width / 2, 1.2 * painter.sizes.text}},
                state.walk.ghosts->rays.empty() ? std::string(text("ghosts.none", state.appearance.language)) : total);
 }
 

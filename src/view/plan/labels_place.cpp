@@ -183,12 +183,18 @@ class Places {
     return around && size.x * size.y > 2 * own.x * own.y;
   }
 
+  /// Its area outside of the pane, on symbols and handles, and on other names.
+  [[nodiscard]] double blocked_at(const PixelRect& box, double own_area) const {
+    double blocked = own_area - std::min(box.overlap(painter_.pane()), own_area);
+    for (const PixelRect& taken : painter_.kept_free) blocked += box.overlap(taken);
+    for (const PixelRect& name : names_) blocked += box.overlap(name);
+    return blocked;
+  }
+
   [[nodiscard]] double hidden_at(const LabelPlace& place) const {
     const PixelRect box = place.box();
     const double own_area = area(place.letters);
-    double hidden = 4 * (own_area - box.overlap(painter_.pane()));
-    for (const PixelRect& taken : painter_.kept_free) hidden += box.overlap(taken);
-    for (const PixelRect& name : names_) hidden += 4 * box.overlap(name);
+    double hidden = 8 * place.blocked * own_area;
     for (const DrawnBody& body : bodies_)
       if (!place.on_body || !is_ground(body)) {
         hidden += 1.5 * own_area * covered(body, box);
@@ -229,6 +235,7 @@ class Places {
   }
 
   void consider(LabelPlace place, double extra_cost, bool led = false) {
+    place.blocked = blocked_at(place.box(), area(place.letters)) / area(place.letters);
     const double hidden = hidden_at(place);
     place.hidden = hidden / area(place.letters);
     place.cost = hidden + extra_cost;
@@ -327,7 +334,9 @@ std::vector<DrawnBody> drawn_bodies(const DisplayList& list) {
 }
 
 bool is_shown(const Labelled& thing, const LabelPlace& place) {
-  return !place.letters.lines.empty() && (place.on_body || thing.wanted || place.hidden <= 0.6);
+  constexpr double touching = 0.02;
+  return !place.letters.lines.empty() &&
+         (thing.wanted || (place.blocked <= touching && (place.on_body || place.hidden <= 0.6)));
 }
 
 std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<DrawnBody>& bodies,

@@ -21,12 +21,12 @@ struct DrawnBody {
 /// A thing with a name to be placed on or beside it.
 struct Labelled {
   std::string text;
-  Vec2d at;            ///< middle of the thing, pixels
-  Vec2d half;          ///< half its extent
-  bool above = false;  ///< preferably above
-  Target body{};       ///< the filled drawing that the label may be placed on, if it fits
-  bool solid = false;  ///< no ray runs through the body, and through letters on it
-  bool wanted = true;  ///< shown wherever there is room, even if it hides others
+  Vec2d at;             ///< middle of the thing, pixels
+  Vec2d half;           ///< half its extent
+  bool above = false;   ///< preferably above
+  Target body{};        ///< the filled drawing that the label may be placed on, if it fits
+  bool solid = false;   ///< no ray runs through the body, and through letters on it
+  bool wanted = false;  ///< shown even where it hides others
 };
 
 /// A typeset name, in one line or two.
@@ -44,12 +44,13 @@ struct LabelPlace {
   NameLines letters;
   bool on_body = false;
   double cost = std::numeric_limits<double>::infinity();  ///< in pixels; lower is better
-  double hidden = 0;  ///< fraction covered or covering, 1: all of it; more if its line misleads
+  double blocked = 0;  ///< fraction outside of the pane, on symbols, on handles, or on other names
+  double hidden = 0;   ///< fraction covered or covering, 1: all of it; more if its line misleads
 
   [[nodiscard]] PixelRect box() const { return {at - letters.half, at + letters.half}; }
 };
 
-/// False if there is no room: the name would only hide others, or seem to be theirs.
+/// False if there is no room: the name would lie over another or over a symbol, or seem to be that of another thing.
 [[nodiscard]] bool is_shown(const Labelled& thing, const LabelPlace& place);
 
 /// A place for each name, chosen jointly.

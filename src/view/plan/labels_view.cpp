@@ -97,10 +97,14 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
       {std::string(text("object.eye", painter.state.appearance.language)), middle_of_eye, Vec2d(17 * unit)});
   things.push_back(
       {std::string(text("object.screen", painter.state.appearance.language)), (first + last) / 2.0, screen_half});
-  for (const Light& light : painter.scene().lights)
+  const PlanRoom& plan_room = painter.state.plan;
+  for (std::size_t i = 0; i < painter.scene().lights.size(); ++i) {
+    const Light& light = painter.scene().lights[i];
+    const Target target{TargetKind::light, static_cast<int>(i)};
     things.push_back({shown_name(painter.state, light.name),
-                      painter.pixels(light_place(light, painter.state.plan.camera, painter.viewport)), Vec2d(14 * unit),
-                      true});
+                      painter.pixels(light_place(light, plan_room.camera, painter.viewport)), Vec2d(14 * unit), true,
+                      Target{}, false, plan_room.selected == target || plan_room.hovered == target});
+  }
   add_objects(painter, bodies, things);
   return things;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace raywalk {
 
@@ -9,6 +10,22 @@ double PixelRect::overlap(const PixelRect& other) const {
   const double width = std::min(max.x, other.max.x) - std::max(min.x, other.min.x);
   const double height = std::min(max.y, other.max.y) - std::max(min.y, other.min.y);
   return width > 0 && height > 0 ? width * height : 0;
+}
+
+bool PixelRect::meets(const Vec2d& from, const Vec2d& to) const {
+  // Liang and Barsky, as below.
+  double begin = 0, end = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double along = to[axis] - from[axis];
+    if (along == 0) {
+      if (from[axis] < min[axis] || from[axis] > max[axis]) return false;
+      continue;
+    }
+    const double a = (min[axis] - from[axis]) / along, b = (max[axis] - from[axis]) / along;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  return begin < end;
 }
 
 DashPattern Painter::scaled(DashPattern dash) const {
@@ -70,17 +87,49 @@ Vec2d half_of_note(const std::string& text, double size) {
 
 }  // namespace
 
-void Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
+bool Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
   const Vec2d half = half_of_note(text, sizes.text);
   const double area = 4 * half.x * half.y;
-  const auto is_free = [&](const Vec2d& at) {
-    const PixelRect box{at - half, at + half};
+  const auto is_free = [&](const PixelRect& box) {
     return box.overlap(pane()) > 0.999 * area &&
            std::none_of(kept_free.begin(), kept_free.end(),
                         [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
   };
-  const auto free = std::find_if(places.begin(), places.end(), is_free);
-  note(free == places.end() ? places.front() : *free, text);
+  std::optional<Vec2d> best;
+  std::ptrdiff_t least = 0;  // rays under it
+  for (const Vec2d& place : places) {
+    const PixelRect box{place - half, place + half};
+    if (!is_free(box)) continue;
+    const auto crossed =
+        std::count_if(prominent.begin(), prominent.end(), [&](const auto& ray) { return box.meets(ray[0], ray[1]); });
+    if (best && crossed >= least) continue;
+    best = place;
+    least = crossed;
+    if (least == 0) break;
+  }
+  if (best) note(*best, text);
+  return best.has_value();
+}
+
+void Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string& text,
+                          const std::vector<Vec2d>& first) {
+  const Vec2d half = half_of_note(text, sizes.text), across(-away.y, away.x);
+  std::vector<Vec2d> places = first;
+  for (const double gap : {6.0, 22.0, 44.0, 70.0, 110.0, 150.0})
+    for (const double turn : {0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0}) {
+      const Vec2d way = std::cos(turn * std::numbers::pi) * away + std::sin(turn * std::numbers::pi) * across;
+      // As far as the box reaches in this direction.
+      const double reach = std::min(half.x / std::max(std::abs(way.x), 1e-9), half.y / std::max(std::abs(way.y), 1e-9));
+      places.push_back(of + (reach + gap * sizes.unit) * way);
+    }
+  const std::size_t before = list.size();
+  if (!note(places, text)) return;
+  const Vec2d at = std::get<TextItem>(list.back().shape).at;
+  const Vec2d edge(std::clamp(of.x, at.x - half.x, at.x + half.x), std::clamp(of.y, at.y - half.y, at.y + half.y));
+  const bool is_first = std::find(first.begin(), first.end(), at) != first.end();
+  if (is_first || length(edge - of) < 14 * sizes.unit) return;
+  list.insert(list.begin() + static_cast<std::ptrdiff_t>(before),
+              {LineItem{edge, of, stroke(colours.text.with_alpha(190), 0.7)}});
 }
 
 void Painter::note(const Vec2d& at, const std::string& text) {

@@ -12,7 +12,8 @@ namespace raywalk {
 /// An axis-parallel rectangle in pixels.
 struct PixelRect {
   Vec2d min, max;
-  [[nodiscard]] double overlap(const PixelRect& other) const;  ///< area in common
+  [[nodiscard]] double overlap(const PixelRect& other) const;          ///< area in common
+  [[nodiscard]] bool meets(const Vec2d& from, const Vec2d& to) const;  ///< a segment
 };
 
 class Painter {
@@ -25,7 +26,8 @@ class Painter {
   const Sizes sizes;
   const Palette& colours;
   DisplayList list;
-  std::vector<PixelRect> kept_free;  ///< not used by labels
+  std::vector<PixelRect> kept_free;             ///< not used by labels
+  std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel
 
   [[nodiscard]] const Scene& scene() const { return state.scene(); }
   [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.plan.camera, viewport, point); }
@@ -41,8 +43,12 @@ class Painter {
   void add_clipped(LineItem line, const Target& target = {});
   /// A text on its own background, which labels avoid; `at`: its middle.
   void note(const Vec2d& at, const std::string& text);
-  /// The same at the first of these places that is in the pane and not kept free; else at the first one. Not empty.
-  void note(const std::vector<Vec2d>& places, const std::string& text);
+  /// The same at the first of these places that is in the pane, not kept free and, if possible, on no ray of the pixel.
+  /// None if there is no such place: it must be said elsewhere too. Returns whether it is there.
+  bool note(const std::vector<Vec2d>& places, const std::string& text);
+  /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it. `away`:
+  /// preferably in this direction, of unit length.
+  void note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {});
   /// Where the segment between two points leaves the pane, with a margin; `to` if it does not.
   [[nodiscard]] Vec2d seen_end(const Vec2d& from, const Vec2d& to) const;
   /// The middle of the visible part of a segment, whose ends may be far outside.
@@ -66,8 +72,9 @@ void draw_eye(Painter& painter);
 void draw_lights(Painter& painter);
 
 // rays_view.cpp: how rays look, in the plan and in space
-/// A ray's prominence: the current ray, others of its pixel, and those of earlier pixels.
-enum class Prominence { earlier, of_pixel, current };
+/// A ray's prominence: the current ray, others of its pixel, and those of earlier pixels, which fade once they are
+/// many.
+enum class Prominence { faded, earlier, of_pixel, current };
 struct RayLook {
   Prominence prominence;
   bool hovered;
@@ -85,7 +92,19 @@ struct RayWay {
 void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray);
 /// A ray that was not formed: a short piece that ends in a bar.
 void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target);
-void draw_rays(Painter& painter);
+/// Which rays of the walk are drawn.
+struct RaysShown {
+  int position = 0;     ///< those formed by then
+  int pixel = -1;       ///< whose rays are prominent
+  int current = -1;     ///< the ray that is most so
+  int first_pixel = 0;  ///< none of the pixels before it
+  Earlier others = Earlier::shown;
+  bool pointed_at = true;  ///< whether the pointer finds them; else it finds what lies below
+};
+[[nodiscard]] RaysShown rays_shown(const State& state);
+/// Absent: the ray is not drawn.
+[[nodiscard]] std::optional<Prominence> prominence_of(const State& state, const RaysShown& shown, int ray);
+void draw_rays(Painter& painter, const RaysShown& shown);
 
 // ghosts_view.cpp
 void draw_ghosts(Painter& painter);

@@ -82,13 +82,17 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
   if (moving) draw_grid(painter);
   draw_objects(painter);
   draw_screen(painter);
-  if (!moving) draw_layer(painter, Layer::under_rays);
-  if (!moving) draw_rays(painter);
-  if (!moving) draw_ghosts(painter);
-  if (!moving) draw_samples(painter);
-  if (!moving) draw_layer(painter, Layer::over_rays);
+  // EYE and the lights lie above the rays, but come first, so that notes beside rays keep off them.
+  const auto symbols = static_cast<std::ptrdiff_t>(painter.list.size());
   draw_eye(painter);
   draw_lights(painter);
+  const auto rays = static_cast<std::ptrdiff_t>(painter.list.size());
+  if (!moving) draw_layer(painter, Layer::under_rays);
+  if (!moving) draw_rays(painter, rays_shown(state));
+  if (!moving) draw_ghosts(painter);
+  if (!moving) draw_samples(painter);
+  draw_layer(painter, moving ? Layer::moving : Layer::over_rays);
+  std::rotate(painter.list.begin() + symbols, painter.list.begin() + rays, painter.list.end());
   if (moving) draw_handles(painter);
   draw_layer(painter, Layer::under_labels);
   draw_labels(painter);

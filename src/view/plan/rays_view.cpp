@@ -34,11 +34,8 @@ Vec2d grown_end(const Painter& painter, const RayRecord& ray, const RayWay& way,
 /// Why the ray was not formed, beside its stub. In a narrow pane the sentence below it has to suffice.
 void draw_why_not(Painter& painter, const RayRecord& ray, const Vec2d& from, const Vec2d& along) {
   const std::string why(text(ray.ending, painter.state.appearance.language));
-  const double half = text_width(why, painter.sizes.text) / 2 + 14 * painter.sizes.unit;
-  if (2 * half > 0.5 * painter.viewport.width) return;
-  const Vec2d tip = from + 24 * painter.sizes.unit * along;
-  const bool to_the_right = along.x >= 0 ? tip.x + 2 * half < painter.viewport.width : tip.x - 2 * half < 0;
-  painter.note(tip + Vec2d(to_the_right ? half : -half, 0), why);
+  if (text_width(why, painter.sizes.text) + 28 * painter.sizes.unit > 0.5 * painter.viewport.width) return;
+  painter.note_beside(from + 24 * painter.sizes.unit * along, along, why);
 }
 
 /// A ray whose end is not known yet fades towards the border of the pane, so as not to seem to pass through objects.
@@ -62,14 +59,14 @@ void add_fading(Painter& painter, LineItem line, const Target& target) {
           1 - (1 - faintest) * (i + 1) / pieces);
 }
 
-void draw_ray(Painter& painter, int index, const RayLook& look) {
+void draw_ray(Painter& painter, const RaysShown& shown, int index, const RayLook& look) {
   const RayRecord& ray = painter.state.walk.timeline->rays()[static_cast<std::size_t>(index)];
-  const bool known = ray.found_at <= painter.state.walk.position;
+  const bool known = ray.found_at <= shown.position;
   const std::optional<RayWay> way = ray_way(painter, ray, known);
   if (!way) return;
   const auto& [from, end, along, open] = *way;
   const Stroke stroke = ray_stroke(painter, ray, look);
-  const Target target{TargetKind::ray, index};
+  const Target target = shown.pointed_at ? Target{TargetKind::ray, index} : Target{};
   if (!ray.formed) {
     draw_stub(painter, from, along, stroke, target);
     if (look.prominence == Prominence::current) draw_why_not(painter, ray, from, along);
@@ -77,6 +74,7 @@ void draw_ray(Painter& painter, int index, const RayLook& look) {
   }
   const std::optional<Growth> growth = growth_of(painter.state, index);
   const Vec2d to = growth ? grown_end(painter, ray, *way, *growth) : end;
+  if (look.prominence >= Prominence::of_pixel) painter.prominent.push_back({from, to});
   if (look.hovered) painter.add_clipped({from, to, {painter.colours.hovered.with_alpha(90), 8 * painter.sizes.unit}});
   LineItem line{from, to, stroke, ray_arrow(painter, look), 0.55};
   const double visible = length(to - from);
@@ -113,6 +111,9 @@ Stroke ray_stroke(const Painter& painter, const RayRecord& ray, const RayLook& l
   const RayStyle& style = ray_style(painter.state.appearance.theme, ray.kind);
   Stroke stroke{style.colour, painter.sizes.unit, painter.scaled(style.dash)};
   switch (look.prominence) {
+    case Prominence::faded:
+      stroke.colour.a = 34;
+      break;
     case Prominence::earlier:
       stroke.colour.a = 100;
       break;
@@ -136,7 +137,6 @@ double ray_arrow(const Painter& painter, const RayLook& look) {
   return (look.prominence == Prominence::of_pixel ? 8 : 6) * painter.sizes.unit;
 }
 
-/// A cross where a shadow ray is blocked.
 void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const Stroke& ray) {
   const Vec2d across(-along.y, along.x);
   const double size = 5 * painter.sizes.unit;
@@ -145,7 +145,6 @@ void draw_blocked(Painter& painter, const Vec2d& at, const Vec2d& along, const S
   painter.add_clipped({at - size * (along - across), at + size * (along - across), stroke});
 }
 
-/// A ray that was not formed: a short piece that ends in a bar.
 void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const Stroke& stroke, const Target& target) {
   const double size = 24 * painter.sizes.unit, bar = 6 * painter.sizes.unit;
   const Vec2d to = from + size * along, across(-along.y, along.x);
@@ -155,42 +154,56 @@ void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const St
       target);
 }
 
-void draw_rays(Painter& painter) {
-  const Timeline& timeline = *painter.state.walk.timeline;
-  const int position = painter.state.walk.position;
-  const auto count = static_cast<int>(timeline.rays_at(position).size());
-  const int pixel = timeline.current_pixel(position);
-  const int current = timeline.current_ray(position);
+RaysShown rays_shown(const State& state) {
+  const Timeline& timeline = *state.walk.timeline;
+  const int position = state.walk.position, pixel = timeline.current_pixel(position);
+  const int wished = state.bugs.hunt                 ? state.bugs.hunt->first_pixel
+                     : state.lessons.at() != nullptr ? state.lessons.first_pixel
+                                                     : 0;
+  return {position, pixel, timeline.current_ray(position), std::min(wished, pixel), state.legend.earlier};
+}
 
-  const BugRoom& bugs = painter.state.bugs;
-  const int wished = bugs.hunt                               ? bugs.hunt->first_pixel
-                     : painter.state.lessons.at() != nullptr ? painter.state.lessons.first_pixel
-                                                             : 0;
-  const int first_pixel = std::min(wished, pixel);
-
-  const auto is_drawn = [&](int index) {
-    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-    if (ray.pixel < first_pixel) return false;
-    // A light that cannot reach the surface is not a limit: its stub is shown only with its pixel.
-    return ray.pixel == pixel || ray.formed ||
-           (ray.ending != Ending::facing_away && ray.ending != Ending::outside_cone);
-  };
-  for (int index = 0; index < count; ++index) {
-    if (index == current || is_lit(painter.state, index) || !is_drawn(index)) continue;
-    const bool of_pixel = timeline.rays()[static_cast<std::size_t>(index)].pixel == pixel;
-    draw_ray(painter, index, {of_pixel ? Prominence::of_pixel : Prominence::earlier, false});
+std::optional<Prominence> prominence_of(const State& state, const RaysShown& shown, int index) {
+  const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(index)];
+  if (ray.pixel < shown.first_pixel || !state.legend.shows(ray.kind)) return std::nullopt;
+  if (index == shown.current) return Prominence::current;
+  if (ray.pixel == shown.pixel) return Prominence::of_pixel;
+  // A light that cannot reach the surface is not a limit: its stub is shown only with its pixel.
+  if (!ray.formed && (ray.ending == Ending::facing_away || ray.ending == Ending::outside_cone)) return std::nullopt;
+  switch (shown.others) {
+    case Earlier::shown:
+      return Prominence::earlier;
+    case Earlier::faded:
+      return shown.pixel - shown.first_pixel > few_pixels ? Prominence::faded : Prominence::earlier;
+    case Earlier::hidden:
+      return std::nullopt;
   }
+  return std::nullopt;
+}
+
+void draw_rays(Painter& painter, const RaysShown& shown) {
+  const State& state = painter.state;
+  const Timeline& timeline = *state.walk.timeline;
+  const auto count = static_cast<int>(timeline.rays_at(shown.position).size());
+  const auto draw_all = [&](auto prominent) {
+    for (int index = 0; index < count; ++index) {
+      const std::optional<Prominence> prominence = prominence_of(state, shown, index);
+      if (prominence && !is_lit(state, index) && prominent(*prominence))
+        draw_ray(painter, shown, index, {*prominence, false});
+    }
+  };
+  draw_all([](Prominence prominence) { return prominence != Prominence::current; });
   for (int index = 0; index < count; ++index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-    if (ray.pixel == pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= position &&
-        !growth_of(painter.state, index))
+    if (ray.pixel == shown.pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= shown.position &&
+        state.legend.shows(ray.kind) && !growth_of(state, index))
       draw_normal(painter, ray);
   }
-  if (current >= 0 && current < count && !is_lit(painter.state, current))
-    draw_ray(painter, current, {Prominence::current, false});
+  draw_all([](Prominence prominence) { return prominence == Prominence::current; });
+  // What is pointed at elsewhere is shown even where its kind is hidden.
   for (int index = 0; index < count; ++index) {
-    if (!is_lit(painter.state, index)) continue;
-    draw_ray(painter, index, {index == current ? Prominence::current : Prominence::of_pixel, true});
+    if (!is_lit(state, index)) continue;
+    draw_ray(painter, shown, index, {index == shown.current ? Prominence::current : Prominence::of_pixel, true});
   }
 }
 

@@ -1,6 +1,7 @@
 // EYE, SCREEN and the lights.
 
 #include "view/plan/painter.h"
+#include "view/walk/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,20 +40,13 @@ void draw_screen(Painter& painter) {
     painter.add_clipped(edge);
   }
 
-  const Timeline& timeline = *painter.state.walk.timeline;
-  std::vector<std::optional<Colour>> shades(static_cast<std::size_t>(cells));
-  for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
-    const PixelRecord& pixel = timeline.pixels()[i];
-    if (!timeline.pixel_done(static_cast<int>(i), painter.state.walk.position)) continue;
-    if (pixel.column >= 0 && pixel.column < cells)
-      shades[static_cast<std::size_t>(pixel.column)] = display_colour(pixel.mean, painter.state.scene().encoding);
-  }
+  const std::vector<std::optional<Rgbd>> shades = shades_shown(painter.state);
   const bool room_for_lines = cell >= 3 * painter.sizes.unit;
   for (int i = 0; i < cells; ++i) {
     const double t0 = static_cast<double>(i) / cells, t1 = static_cast<double>(i + 1) / cells;
-    const std::optional<Colour>& shade = shades[static_cast<std::size_t>(i)];
+    const std::optional<Rgbd>& shade = shades[static_cast<std::size_t>(i)];
     PolygonItem quad{{along(t0) - half, along(t0) + half, along(t1) + half, along(t1) - half}, {}, {}};
-    quad.fill = shade.value_or(painter.colours.empty_cell);
+    quad.fill = shade ? display_colour(*shade, painter.scene().encoding) : painter.colours.empty_cell;
     if (room_for_lines) quad.stroke = Stroke{painter.colours.ink.with_alpha(70), 0.6 * painter.sizes.unit};
     painter.add(quad, {TargetKind::cell, i});
   }
@@ -69,6 +63,7 @@ void draw_screen(Painter& painter) {
                             painter.stroke(colour, width)});
   };
   if (painter.state.walk.mode != Mode::move) mark(current_cell(painter.state), painter.colours.next, 1.6);
+  if (painter.state.live.shown) mark(live_cell(painter.state), painter.colours.next, 1.6);
   if (painter.state.plan.hovered.kind == TargetKind::cell && painter.state.walk.mode != Mode::move)
     mark(painter.state.plan.hovered.index, painter.colours.hovered, 1.2);
   constexpr int pieces = 8;

@@ -31,8 +31,7 @@ void draw_predictions(Painter& painter) {
     const RayRecord& ray = rays[static_cast<std::size_t>(one.of.ray)];
     if (one.of.what != PredictionKind::way || ray.pixel != pixel || ray.formed_at > state.walk.position) continue;
     const Vec2d tip = draw_arrow(painter, origin(one), one.arrow);
-    painter.note(tip + Vec2d(0, -12 * painter.sizes.unit),
-                 number_text(std::round(one.degrees), state.appearance.language) + "\u00b0");
+    painter.note_beside(tip, Vec2d(0, -1), number_text(std::round(one.degrees), state.appearance.language) + "\u00b0");
   }
   if (state.predictions.open && state.predictions.open->of.what == PredictionKind::way)
     draw_arrow(painter, origin(*state.predictions.open), state.predictions.open->arrow);

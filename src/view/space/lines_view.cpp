@@ -246,24 +246,26 @@ class Lines {
     const State& state = painter_.state;
     const Timeline& timeline = *state.walk.timeline;
     const auto count = static_cast<int>(timeline.rays_at(state.walk.position).size());
-    const int pixel = timeline.current_pixel(state.walk.position), current = timeline.current_ray(state.walk.position);
+    const RaysShown shown = rays_shown(state);
+    const int pixel = shown.pixel, current = shown.current;
     for (int index = 0; index < count; ++index) {
       const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
       if (index == current || is_lit(state, index)) continue;
       if (ray.pixel != pixel && !ray.formed) continue;
-      draw_ray(index, {ray.pixel == pixel ? Prominence::of_pixel : Prominence::earlier, false});
+      if (const auto prominence = prominence_of(state, shown, index)) draw_ray(index, {*prominence, false});
     }
     for (int index = 0; index < count; ++index) {
       const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
       if (ray.pixel != pixel || ray.ending != Ending::hit || !ray.formed || ray.found_at > state.walk.position)
         continue;
-      if (growth_of(state, index)) continue;
+      if (growth_of(state, index) || !state.legend.shows(ray.kind)) continue;
       const double size = 26 * painter_.sizes.unit / std::max(seen_.pixels_per_unit(ray.end), 1e-9);
       if (const auto ends = seen_.segment(ray.end, ray.end + size * ray.normal))
         painter_.add_clipped({(*ends)[0], (*ends)[1], painter_.stroke(painter_.colours.normal),
                               std::min(5 * painter_.sizes.unit, length((*ends)[1] - (*ends)[0]) / 2)});
     }
-    if (current >= 0 && current < count && !is_lit(state, current)) draw_ray(current, {Prominence::current, false});
+    if (current >= 0 && current < count && !is_lit(state, current) && prominence_of(state, shown, current))
+      draw_ray(current, {Prominence::current, false});
     for (int index = 0; index < count; ++index)
       if (is_lit(state, index)) draw_ray(index, {index == current ? Prominence::current : Prominence::of_pixel, true});
   }

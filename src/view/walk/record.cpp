@@ -1,3 +1,4 @@
+#include "render/world_cache.h"
 #include "timeline/recorder.h"
 #include "view/action.h"
 #include "view/document/document.h"
@@ -107,10 +108,16 @@ Timeline record_under(const State& state, int column, int samples, const TraceLi
   return record(state, *limited, fault_at_work(state), samples, column);
 }
 
+Timeline record_alone(const State& state) {
+  State alone = state;
+  alone.document.worlds = std::make_shared<WorldCache>();
+  return record_within(alone).timeline;
+}
+
 void record_again(State& state) {
   state.walk.planar = is_planar(state.scene());
   Recorded recorded = record_within(state);
-  if (recorded.depth < state.scene().limits.depth)
+  if (recorded.depth < walked_scene(state)->limits.depth)
     inform(state, fill("notice.too_many_steps", state.appearance.language, {{"depth", recorded.depth}}));
   if (recorded.samples < state.picture.settings.walk_samples)
     inform(state, fill("notice.too_many_samples", state.appearance.language, {{"samples", recorded.samples}}));

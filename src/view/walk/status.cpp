@@ -5,6 +5,7 @@
 #include "view/plan/plan_view.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
+#include "view/walk/walk.h"
 
 #include <fmt/format.h>
 
@@ -50,13 +51,7 @@ std::string short_name(const State& state, const Target& target) {
 }
 
 std::string cell_text(const State& state, int cell) {
-  const Timeline& timeline = *state.walk.timeline;
-  std::optional<Rgbd> shade;
-  for (std::size_t i = 0; timeline.of_strip() && i < timeline.pixels().size(); ++i) {
-    const PixelRecord& pixel = timeline.pixels()[i];
-    if (pixel.column == cell && timeline.pixel_done(static_cast<int>(i), state.walk.position)) shade = pixel.mean;
-  }
-  if (shade)
+  if (const std::optional<Rgbd> shade = shades_shown(state)[static_cast<std::size_t>(cell)])
     return fill("pointed.cell_with_shade", state.appearance.language,
                 {{"cell", cell}, {"colour", colour_text(*shade, state.appearance.language)}});
   return fill("pointed.cell", state.appearance.language, {{"cell", cell}});

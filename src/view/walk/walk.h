@@ -3,12 +3,17 @@
 
 #include "view/state.h"
 
+#include <optional>
+#include <vector>
+
 namespace raywalk {
 
 /// Records the strip of the scene, and keeps the position: the same line of the same pixel, if it still exists.
 void record_again(State& state);
 /// One pixel of the walk, `column` of the strip or the picture's pixel, with other limits than the scene's.
 [[nodiscard]] Timeline record_under(const State& state, int column, int samples, const TraceLimits& limits);
+/// The walk as record_again records it, without becoming the state's, and without its cache of worlds.
+[[nodiscard]] Timeline record_alone(const State& state);
 /// A recording of this length takes some tens of milliseconds and less than 200 MB.
 inline constexpr double max_events = 400'000;
 
@@ -17,6 +22,9 @@ inline constexpr double max_events = 400'000;
 
 /// Updates WalkRoom::ghosts for the current pixel.
 void follow_with_ghosts(State& state);
+
+/// The displayed values of the cells of the strip that the plan shows, by column; absent: not computed yet.
+[[nodiscard]] std::vector<std::optional<Rgbd>> shades_shown(const State& state);
 
 void go_to(State& state, int position);
 /// The position after one step of `grain`.

@@ -1,0 +1,124 @@
+// The bar with the switches for effects.
+
+#include "gui/command.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/text/choice_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+
+namespace raywalk {
+
+namespace {
+
+constexpr float row_height = 34, between_rows = 4;
+
+/// What stands in the bar, from left to right.
+struct EffectWords {
+  std::array<std::string, switched_effects.size()> effects;
+  std::string depth, all;
+};
+
+/// With a capital at its beginning.
+std::string as_title(std::string_view word) {
+  std::string title(word);
+  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
+}
+
+EffectWords effect_words(const Ui& ui) {
+  const EffectsRoom& room = ui.state.effects;
+  const auto with_rays = [&](const std::string& name, int rays) {
+    return room.rays ? name + "  " + ui.say("effects.rays", {{"count", rays}}) : name;
+  };
+  EffectWords words;
+  for (std::size_t i = 0; i < switched_effects.size(); ++i)
+    words.effects[i] = with_rays(as_title(text(switched_effects[i], ui.state.appearance.language)),
+                                 room.rays ? room.rays->brought[i] : 0);
+  const int depth = room.depth.value_or(ui.state.scene().limits.depth);
+  words.depth = with_rays(ui.say("effects.depth", {{"depth", depth}}), room.rays ? room.rays->by_depth : 0);
+  if (room.rays) words.all = ui.say("effects.all_rays", {{"count", room.rays->all}});
+  return words;
+}
+
+constexpr ButtonLook effect_look(ImFont* font) { return {.look = Look::choice, .icon = Icon::none, .font = font}; }
+
+/// The switches in as many rows as they need; `draw`: else they are only measured. Returns the height.
+float effect_rows(const Ui& ui, const Rect& where, bool draw) {
+  const EffectWords words = effect_words(ui);
+  const ButtonLook look = effect_look(ui.fonts.small);
+  const float height = ui.px(row_height - between_rows), gap = ui.px(8), left = where.x + ui.px(14);
+  float x = left, y = where.y + ui.px(between_rows);
+  const auto place = [&](float width) {
+    if (x > left && x + width > where.right() - ui.px(8)) {
+      x = left;
+      y += height + ui.px(between_rows);
+    }
+    if (draw) ImGui::SetCursorScreenPos({x, y});
+    x += width + gap;
+  };
+  const EffectsRoom& room = ui.state.effects;
+  for (std::size_t i = 0; i < switched_effects.size(); ++i) {
+    const Effect effect = switched_effects[i];
+    EffectSwitches switches = room.switches;
+    const bool on = switch_of(switches, effect);
+    const float width = button_width(ui, words.effects[i], look);
+    place(width);
+    const std::string name = "effect/" + std::string(name_of(effect));
+    if (draw && button(ui, name, words.effects[i], ui.say(on ? "effects.leave_out" : "effects.take_in"),
+                       {width, height}, look, on, !on || can_switch(ui.state, effect)))
+      ui.act(action::SwitchEffect{effect, !on});
+  }
+  push_font(ui.fonts.small);
+  const float said = ImGui::CalcTextSize(words.depth.c_str()).x;
+  const int depth = room.depth.value_or(ui.state.scene().limits.depth);
+  place(2 * height + said + 2 * gap);
+  if (draw) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (button(ui, "effect/depth-less", "", ui.say("effects.shallower"), {height, height},
+               {.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false}, false, depth > 1))
+      ui.act(action::LimitDepth{depth - 1});
+    ImGui::SetCursorScreenPos({at.x + height + gap, at.y + (height - ImGui::GetFontSize()) / 2});
+    label(ui.colours.text, words.depth);
+    ImGui::SetCursorScreenPos({at.x + height + said + 2 * gap, at.y});
+    if (button(ui, "effect/depth-more", "", ui.say("effects.deeper"), {height, height},
+               {.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false}))
+      ui.act(action::LimitDepth{depth + 1});
+  }
+  if (!words.all.empty()) {
+    place(ImGui::CalcTextSize(words.all.c_str()).x);
+    if (draw) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      ImGui::SetCursorScreenPos({at.x, at.y + (height - ImGui::GetFontSize()) / 2});
+      label(ui.colours.dim_text, words.all);
+    }
+  }
+  pop_font();
+  return y + height + ui.px(between_rows) - where.y;
+}
+
+}  // namespace
+
+float effects_height(const Ui& ui, float width) { return effect_rows(ui, {0, 0, width, 0}, false); }
+
+void effects_pane(const Ui& ui, const Rect& where) {
+  const Pane pane(ui, "effects", where, ui.colours.plan, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (pane) effect_rows(ui, where, true);
+}
+
+Commands EffectsRoom::commands() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "effects", .keys = {"Shift+E"}, .section = Section::show,
+       .chosen = [](const State& state) { return state.effects.shown; },
+       .run = [](const Ui& ui) { ui.act(action::ShowEffects{!ui.state.effects.shown}); }},
+  };
+  // clang-format on
+  return all;
+}
+
+}  // namespace raywalk

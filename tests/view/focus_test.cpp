@@ -1,0 +1,61 @@
+// Focus: the zoom to the ray in question, and back.
+#include "lesson_state.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+/// The first step of a shipped lesson that wants its ray large, opened.
+State at_zooming_step() {
+  State state = state_with_lessons();
+  for (const LessonEntry& entry : std::vector<LessonEntry>(state.lessons.list)) {
+    update(state, action::OpenLesson{entry.name});
+    for (int step = 0; step < entry.steps && state.lessons.at() != nullptr; ++step) {
+      update(state, action::GoToLessonStep{step});
+      if (state.lessons.step == step && state.lessons.at()->step->zoom) return state;
+    }
+  }
+  FAIL("no lesson has a step with zoom");
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("in Focus a step that says so shows its ray large, and the plan is as before when Focus ends") {
+  State state = at_zooming_step();
+  const PlanCamera before = state.plan.camera;
+  CHECK_FALSE(state.focus.zoomed);
+  update(state, action::SetFocus{true});
+  REQUIRE(state.focus.zoomed);
+  CHECK(state.plan.camera.pixels_per_unit > 1.2 * before.pixels_per_unit);
+  const std::optional<Vec2d> origin = guess_origin(state);
+  REQUIRE(origin);
+  const Vec2d middle(state.plan.viewport.width / 2, state.plan.viewport.height / 2);
+  CHECK(length(to_pixels(state, *origin) - middle) < 1e-6);
+  // It can be zoomed by hand from there.
+  update(state, action::Zoom{{10, 10}, 1.1});
+  const PlanCamera by_hand = state.plan.camera;
+  update(state, action::Tick{0.1});
+  CHECK(state.plan.camera == by_hand);
+  // Another pane: zoomed for that.
+  update(state, action::ResizePlan{{900, 500}});
+  CHECK(state.plan.camera != by_hand);
+  update(state, action::SetFocus{false});
+  CHECK_FALSE(state.focus.zoomed);
+  CHECK(state.plan.camera == fitted(state));
+}
+
+TEST_CASE("a plan moved by hand is there again after the zoom of a step") {
+  State state = at_zooming_step();
+  update(state, action::Pan{{31, 17}});
+  const PlanCamera own = state.plan.camera;
+  update(state, action::SetFocus{true});
+  REQUIRE(state.plan.camera != own);
+  update(state, action::Step{false, Grain::line});
+  CHECK(state.plan.camera == own);
+  update(state, action::Step{true, Grain::line});
+  update(state, action::SetFocus{false});
+  CHECK(state.plan.camera == own);
+}

@@ -1,0 +1,187 @@
+// Texts of the plan in every step of every lesson and in every shipped scene: none over another, nor over SCREEN, EYE,
+// a light or a handle.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "lesson_state.h"
+#include "support/catch.h"
+#include "support/languages.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+struct Box {
+  Vec2d min, max;
+  [[nodiscard]] bool meets(const Box& other) const {
+    return min.x < other.max.x && other.min.x < max.x && min.y < other.max.y && other.min.y < max.y;
+  }
+  [[nodiscard]] bool meets(const Vec2d& from, const Vec2d& to) const {
+    constexpr int pieces = 64;
+    for (int i = 0; i <= pieces; ++i) {
+      const Vec2d at = from + static_cast<double>(i) / pieces * (to - from);
+      if (at.x > min.x && at.x < max.x && at.y > min.y && at.y < max.y) return true;
+    }
+    return false;
+  }
+};
+
+/// Around the letters: text_width() is generous, and lines have air above and below.
+struct Words {
+  std::string text;
+  Box box;
+  bool whole = true;  ///< in the pane
+};
+
+std::vector<Words> words_of(const DisplayList& list, const Viewport& pane) {
+  std::vector<Words> all;
+  const TextItem* before = nullptr;
+  for (const DisplayItem& item : list) {
+    const auto* text = std::get_if<TextItem>(&item.shape);
+    if (text == nullptr) {
+      continue;
+    }
+    const double width = 0.72 * text_width(text->text, text->size), half = 0.38 * text->size;
+    const double left = text->at.x - (text->anchor == TextAnchor::middle ? width / 2
+                                      : text->anchor == TextAnchor::end  ? width
+                                                                         : 0);
+    const Box box{{left, text->at.y - half}, {left + width, text->at.y + half}};
+    const bool second = before != nullptr && before->at.x == text->at.x && before->anchor == text->anchor &&
+                        std::abs(text->at.y - before->at.y - text->size) < 1e-6;
+    if (second) {
+      Box& whole = all.back().box;
+      whole = {{std::min(whole.min.x, box.min.x), whole.min.y}, {std::max(whole.max.x, box.max.x), box.max.y}};
+      all.back().text += " " + text->text;
+    } else {
+      all.push_back({text->text, box});
+    }
+    before = text;
+  }
+  for (Words& each : all)
+    each.whole =
+        each.box.min.x >= 0 && each.box.min.y >= 0 && each.box.max.x <= pane.width && each.box.max.y <= pane.height;
+  return all;
+}
+
+bool covers(const DisplayItem& item, const Box& box) {
+  for (int i = 0; i <= 16; ++i)
+    for (int j = 0; j <= 4; ++j)
+      if (distance_to(item, box.min + Vec2d(i / 16.0, j / 4.0) * (box.max - box.min)) == 0) return true;
+  return false;
+}
+
+/// Which texts lie over what; the kinds of what they should not lie on.
+void check(const State& state, std::map<std::string, int>& crossed) {
+  const DisplayList list = plan_view(state);
+  const std::vector<Words> words = words_of(list, state.plan.viewport);
+  for (std::size_t a = 0; a < words.size(); ++a) {
+    INFO('"' << words[a].text << '"');
+    CHECK(words[a].whole);
+    for (std::size_t b = a + 1; b < words.size(); ++b) {
+      INFO("and \"" << words[b].text << '"');
+      CHECK_FALSE(words[a].box.meets(words[b].box));
+    }
+    bool over_ray = false;
+    for (const DisplayItem& item : list) {
+      switch (item.target.kind) {
+        case TargetKind::cell:
+        case TargetKind::eye:
+        case TargetKind::light:
+        case TargetKind::radius:
+        case TargetKind::corner:
+        case TargetKind::rotation:
+        case TargetKind::view_direction:
+        case TargetKind::screen_height:
+        case TargetKind::screen_distance: {
+          INFO("over " << name_of(item.target.kind));
+          CHECK_FALSE(covers(item, words[a].box));
+          break;
+        }
+        case TargetKind::ray:
+          if (const auto* line = std::get_if<LineItem>(&item.shape))
+            over_ray = over_ray || words[a].box.meets(line->from, line->to);
+          break;
+        case TargetKind::nothing:
+        case TargetKind::object:
+        case TargetKind::edge:
+          break;
+      }
+    }
+    ++crossed["texts"];
+    if (over_ray) ++crossed["over a ray"];
+  }
+}
+
+/// What the layout leaves for the plan, in units at scale 1: of a window of 1280x720 in both themes, of 1920x1080, of
+/// that at scale 2, and of 2560x1440 at scale 3, where everything is drawn somewhat smaller.
+struct Window {
+  Viewport alone, beside_lesson;
+  double scale;
+};
+constexpr std::array windows{Window{{857, 497}, {526, 497}, 1}, Window{{676, 330}, {345, 316}, 1},
+                             Window{{1359, 857}, {1028, 857}, 1}, Window{{537, 317}, {289, 317}, 2},
+                             Window{{460, 290}, {240, 290}, 2.8}};
+
+void show_in(State& state, const Viewport& units, double scale, Theme theme) {
+  update(state, action::SetUiScale{scale});
+  update(state, action::SetTheme{theme});
+  const double unit = Sizes(state).unit;
+  update(state, action::ResizePlan{{units.width * unit, units.height * unit}});
+  update(state, action::FitView{});
+}
+
+}  // namespace
+
+TEST_CASE("no text of the plan lies over another, SCREEN, EYE, a light or a handle: every shipped scene") {
+  std::map<std::string, int> crossed;
+  for (const std::string& path : shipped_scenes()) {
+    State state = make_state(read_document(path));
+    const int middle = state.scene().camera.screen.cells / 2;
+    for (const Window& window : windows)
+      for (const Theme theme : {Theme::dark, Theme::projector}) {
+        show_in(state, window.alone, window.scale, theme);
+        INFO(path << ", " << window.alone.width << " wide, " << name_of(theme));
+        update(state, action::SetMode{Mode::move});
+        check(state, crossed);
+        for (const int cell : {0, middle}) {
+          update(state, action::JumpToCell{cell});
+          update(state, action::Step{true, Grain::pixel});
+          check(state, crossed);
+        }
+      }
+  }
+  std::printf("scenes: %d texts, %d over a ray\n", crossed["texts"], crossed["over a ray"]);
+}
+
+TEST_CASE("no text of the plan lies over another, SCREEN, EYE, a light or a handle: every step of every lesson") {
+  std::map<std::string, int> crossed;
+  State state = state_with_lessons();
+  unsigned turn = 0;
+  for (const LessonEntry& entry : std::vector<LessonEntry>(state.lessons.list)) {
+    update(state, action::OpenLesson{entry.name});
+    for (int step = 0; step < entry.steps; ++step) {
+      update(state, action::GoToLessonStep{step});
+      if (state.lessons.at() == nullptr || shows_lines(state)) continue;
+      const int asked = state.lessons.at()->asked, shown = state.lessons.at()->shown;
+      for (const Window& window : windows) {
+        // Languages and themes in turn, so that each meets every window.
+        state.appearance.language = all_languages()[turn % all_languages().size()];
+        show_in(state, window.beside_lesson, window.scale, turn++ / 2 % 2 == 0 ? Theme::dark : Theme::projector);
+        for (const int position : {asked, shown})
+          for (const Tab tab : {PictureRoom::tab, EquationRoom::tab}) {
+            update(state, action::Jump{position});
+            update(state, action::SetTab{tab});
+            INFO(entry.name << ", step " << step + 1 << " at " << position << ", " << state.plan.viewport.width
+                            << " wide, " << name_of(state.appearance.theme) << ", " << state.appearance.language.code()
+                            << ", " << tab.word);
+            check(state, crossed);
+          }
+      }
+    }
+  }
+  std::printf("lessons: %d texts, %d over a ray\n", crossed["texts"], crossed["over a ray"]);
+}
