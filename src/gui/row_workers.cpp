@@ -31,7 +31,13 @@ std::string RowServer::answer(std::string_view message) {
     job_ = job;
     tracer_.reset();
     worlds_ = {};
-    if (const auto document = parse_scene(told.take_text(), path)) tracer_.emplace(document->scene, settings, worlds_);
+    const auto render = told.take<RenderChoices>();
+    const auto limits = told.take<TraceLimits>();
+    if (auto document = parse_scene(told.take_text(), path)) {
+      document->scene.render = render;
+      document->scene.limits = limits;
+      tracer_.emplace(document->scene, settings, worlds_);
+    }
     return {};
   }
   Packer answer;
@@ -64,6 +70,9 @@ bool RowWorkers::begin(const Scene& scene, const std::string& path, const Previe
   message.put(++job_);
   message.put(settings);
   message.put(path);
+  // Not everything that is looked at is in a scene's file.
+  message.put(scene.render);
+  message.put(scene.limits);
   message.put(*text);
   const std::string bytes = message.take();
   workers_.resize(static_cast<std::size_t>(count));
