@@ -7,6 +7,7 @@
 #include "timeline/recorder.h"
 #include "view/drawing/svg.h"
 #include "view/plan/plan_view.h"
+#include "view/text/text.h"
 #include "view/walk/code_panel.h"
 #include "view/walk/equation.h"
 
@@ -87,6 +88,9 @@ TEST_CASE("the page has every step as the window shows it, and asks no network")
   for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
     CHECK(page.find(outside) == std::string::npos);
   CHECK(page.size() < 4'000'000);
+  const std::string legend = page.substr(page.find("<ul id=\"legend\">"), 3000);
+  for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::reflect, RayKind::refract})
+    CHECK_THAT(legend, contains(std::string(raywalk::text(kind, Language()))));
   const std::size_t html = page.find("<html");
   CHECK(badly_nested(page.substr(html, page.find("<script>") - html) + "</body></html>") == "");
   const auto walk = walk_of(page);

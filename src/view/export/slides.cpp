@@ -134,6 +134,54 @@ std::string code_of(const State& state) {
   return text;
 }
 
+/// Samples of the kinds of rays, with their names.
+std::string legend_of(const State& state) {
+  std::string html = "<ul id=\"legend\">";
+  for (const RayKind kind : {RayKind::primary, RayKind::shadow, RayKind::reflect, RayKind::refract}) {
+    const RayStyle& style = ray_style(state.appearance.theme, kind);
+    const LineItem line{{1, 6}, {45, 6}, Stroke{style.colour, 2.5, style.dash, 0}, 9};
+    html += fmt::format("<li><svg viewBox=\"0 0 46 12\">{}</svg>{}</li>", svg_element(line),
+                        escaped(text(kind, state.appearance.language)));
+  }
+  return html + "</ul>\n";
+}
+
+/// The page fills its window and never scrolls as a whole: its letters, in rem, grow with the window, and the picture
+/// takes what the sentence and the buttons leave.
+std::string style_of(const Palette& colours) {
+  return fmt::format(
+      "html{{font-size:clamp(9px,min(1.3vw,2.1vh),48px)}}"
+      "body{{box-sizing:border-box;margin:0;padding:.7rem;height:100vh;height:100dvh;display:flex;flex-direction:"
+      "column;"
+      "overflow:hidden;background:{0};color:{1};font:1rem Inter,Helvetica,Arial,sans-serif}}"
+      "main{{flex:1;min-height:0;display:grid;grid-template:minmax(0,1fr)/minmax(0,1fr) minmax(24rem,32%);gap:1rem}}"
+      "#walk{{display:flex;flex-direction:column;min-height:0}}"
+      "#picture{{flex:1;min-height:0;width:100%;background:{2};border-radius:6px}}"
+      "#beside{{display:flex;flex-direction:column;min-height:0;overflow:auto}}"
+      "ol,ul{{list-style:none;margin:0;padding:0}}"
+      "ol{{font:.85rem 'JetBrains Mono',Menlo,Consolas,monospace}}"
+      "ol li{{padding:.1em .4em;border:2px solid transparent;border-radius:4px;white-space:pre}}"
+      "li.ran{{background:{3};font-weight:bold}}li.next{{border-color:{4}}}"
+      "#legend{{display:flex;flex-wrap:wrap;gap:.2rem 1.4rem;padding:.5rem .2rem;font-size:.9rem}}"
+      "#legend svg{{width:3.2rem;height:.8rem;margin-right:.5rem;vertical-align:-.05em}}"
+      "h1{{font-size:1.25rem;margin:0 0 .5rem;white-space:nowrap;overflow:hidden;text-overflow:ellipsis}}"
+      "h2{{font-size:.9rem;margin:.6em 0 .2em}}"
+      "#said{{height:3.75em;overflow:auto;margin:.1rem 0 .4rem;font-size:1.1rem;line-height:1.25}}"
+      "#equation{{flex:1;min-height:4em;margin-top:.6em;overflow:auto;"
+      "font:.85rem 'JetBrains Mono',Menlo,Consolas,monospace}}"
+      "#equation p{{margin:.2em 0}}.dim{{color:{5}}}"
+      "i{{display:inline-block;width:1.6em;height:1em;border:1px solid;margin-right:.5em;vertical-align:-.1em}}"
+      "#buttons{{display:flex;flex-wrap:wrap;align-items:center;gap:.4rem}}#count{{margin-left:.6rem}}"
+      "button{{font:inherit;font-weight:bold;color:{1};background:{6};border:0;border-radius:.5rem;min-width:4.6rem;"
+      "height:2.6rem}}#step{{background:{3}}}"
+      "button svg{{width:1.4rem;height:1.4rem;fill:{1};vertical-align:middle}}"
+      "button:focus-visible{{outline:3px solid {4}}}#bar{{width:100%;margin:.6rem 0 0;accent-color:{4}}}"
+      "@media(max-aspect-ratio:1){{html{{font-size:clamp(11px,min(2.6vw,1.7vh),48px)}}"
+      "main{{grid-template:minmax(0,58%) minmax(0,1fr)/minmax(0,1fr)}}}}\n",
+      css_colour(colours.window), css_colour(colours.text), css_colour(colours.plan), css_colour(colours.just_run),
+      css_colour(colours.next), css_colour(colours.dim_text), css_colour(mix(colours.panel, colours.text, 0.12)));
+}
+
 constexpr std::string_view script = R"(
 const box = id => document.getElementById(id);
 let at = +location.hash.slice(1) || 0;
@@ -149,7 +197,7 @@ function show(step) {
   box('plan').innerHTML = items(at).map(i => W.drawn[i]).join('');
   box('said').innerHTML = W.said[s.s];
   box('equation').innerHTML = s.e.map(i => W.said[i]).join('');
-  document.querySelectorAll('li').forEach(li => li.className = '');
+  document.querySelectorAll('ol li').forEach(li => li.className = '');
   if (s.n >= 0) box('l' + s.n).classList.add('next');
   if (s.r >= 0) { box('l' + s.r).classList.add('ran'); box('l' + s.r).scrollIntoView({block: 'nearest'}); }
   box('bar').value = at;
@@ -205,38 +253,22 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
       "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"/>"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n<style>\n",
       language.code(), title);
+  page += style_of(colours);
   page += fmt::format(
-      "body{{margin:1rem;background:{0};color:{1};font:16px Inter,Helvetica,Arial,sans-serif}}"
-      "main{{display:grid;grid-template-columns:minmax(0,2fr) minmax(20rem,1fr);gap:1rem}}"
-      "#picture{{width:100%;height:auto;background:{2};border-radius:6px}}"
-      "ol{{list-style:none;margin:0;padding:0;font:14px 'JetBrains Mono',Menlo,Consolas,monospace}}"
-      "li{{padding:.12em .4em;border:2px solid transparent;border-radius:4px;white-space:pre}}"
-      "li.ran{{background:{3};font-weight:bold}}li.next{{border-color:{4}}}"
-      "h1{{font-size:1.3rem}}h2{{font-size:.9rem;margin:.8em 0 .2em}}"
-      "#said{{min-height:3em;font-size:1.1rem}}#equation{{font:14px 'JetBrains Mono',Menlo,Consolas,monospace}}"
-      "#equation p{{margin:.25em 0}}.dim{{color:{5}}}"
-      "i{{display:inline-block;width:1.6em;height:1em;border:1px solid;margin-right:.5em;vertical-align:-.1em}}"
-      "button{{font:inherit;font-weight:bold;color:{1};background:{6};border:0;border-radius:8px;min-width:4.6rem;"
-      "height:2.8rem;margin:0 .4rem .6rem 0;vertical-align:middle}}#step{{background:{3}}}"
-      "button svg{{width:1.4rem;height:1.4rem;fill:{1};vertical-align:middle}}"
-      "button:focus-visible{{outline:3px solid {4}}}#bar{{width:100%;accent-color:{4}}}"
-      "@media(max-width:50rem){{main{{grid-template-columns:1fr}}}}\n</style></head>\n",
-      css_colour(colours.window), css_colour(colours.text), css_colour(colours.plan), css_colour(colours.just_run),
-      css_colour(colours.next), css_colour(colours.dim_text), css_colour(mix(colours.panel, colours.text, 0.12)));
-  page += fmt::format(
-      "<body><h1>{}</h1>\n<main><div>"
+      "</style></head>\n<body><h1>{}</h1>\n<main><div id=\"walk\">"
       "<svg id=\"picture\" viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"said\" "
       "font-family=\"Inter, Helvetica, Arial, sans-serif\"><g id=\"plan\"></g></svg>\n"
-      "<p id=\"said\" aria-live=\"polite\"></p>\n"
-      "<div><button id=\"first\" aria-label=\"{}\"><svg viewBox=\"0 0 24 24\"><path d=\"M5 5h3v14H5zM20 5v14L9 12z\"/>"
-      "</svg></button><button id=\"back\">{}</button><button id=\"step\">{}</button><button id=\"auto\">{}</button>"
-      "<button id=\"last\" aria-label=\"{}\"><svg viewBox=\"0 0 24 24\"><path d=\"M16 5h3v14h-3zM4 5l11 7-11 7z\"/>"
-      "</svg></button><span id=\"count\"></span></div>\n"
+      "{}<p id=\"said\" aria-live=\"polite\"></p>\n"
+      "<div id=\"buttons\"><button id=\"first\" aria-label=\"{}\"><svg viewBox=\"0 0 24 24\">"
+      "<path d=\"M5 5h3v14H5zM20 5v14L9 12z\"/></svg></button><button id=\"back\">{}</button>"
+      "<button id=\"step\">{}</button><button id=\"auto\">{}</button><button id=\"last\" aria-label=\"{}\">"
+      "<svg viewBox=\"0 0 24 24\"><path d=\"M16 5h3v14h-3zM4 5l11 7-11 7z\"/></svg></button>"
+      "<span id=\"count\"></span></div>\n"
       "<input id=\"bar\" type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"{}\"/></div>\n"
-      "<div>{}<div id=\"equation\"></div></div></main><template id=\"pause\">{}</template>\n",
-      title, page_size.width, page_size.height, say("slides.to_start"), say("command.step_back.label"),
-      say("command.step.label"), say("command.play.label"), say("slides.to_end"), state.walk.timeline->steps(),
-      say("slides.step_bar"), code_of(state), say("transport.pause"));
+      "<div id=\"beside\">{}<div id=\"equation\"></div></div></main><template id=\"pause\">{}</template>\n",
+      title, page_size.width, page_size.height, legend_of(state), say("slides.to_start"),
+      say("command.step_back.label"), say("command.step.label"), say("command.play.label"), say("slides.to_end"),
+      state.walk.timeline->steps(), say("slides.step_bar"), code_of(state), say("transport.pause"));
   return page + "<script>\nconst W = " + data + ";" + std::string(script) + "</script></body></html>\n";
 }
 
