@@ -6,8 +6,10 @@
 #include "math/stop.h"
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace raywalk {
 
@@ -36,6 +38,10 @@ class Attention final : public Stopper {
     Attention& attention_;
   };
 
+  /// During the work that is being watched, from when it takes long and then ten times a second, on the thread that
+  /// watches: gets the seconds so far, and returns whether the work is to end.
+  void tell(std::function<bool(double seconds)> tell) { tell_ = std::move(tell); }
+
   [[nodiscard]] bool stops() override;
 
  private:
@@ -46,6 +52,8 @@ class Attention final : public Stopper {
   std::thread::id own_ = std::this_thread::get_id();
   To what_ = To::closing;
   std::optional<std::chrono::steady_clock::time_point> until_;
+  std::chrono::steady_clock::time_point begun_, told_;
+  std::function<bool(double)> tell_;  ///< may be empty
   std::atomic<bool> decided_{false};
   Reminder reminder_;
 };

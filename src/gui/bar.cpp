@@ -115,6 +115,38 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   return true;
 }
 
+// Modes, undo, lessons and language, from `x` on, as far as there is room; returns where they end.
+float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
+  const float height = row.height - 2 * ui.px(6), y = row.y + ui.px(6);
+  const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
+  const float lessons = button_width(ui, command("lessons"), small);
+  // Where there is little room the modes have less beside their words.
+  const float others = apart + 2 * height + ui.px(2) + ui.px(6) + lessons;
+  ImGui::SetCursorScreenPos({x, y});
+  choice(ui, commands_in(Section::modes), height, ui.fonts.strong, std::max(row.right() - x - others, ui.px(120)));
+  const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
+  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
+  command_button(ui, command("undo"), {height, height}, flat);
+  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
+  ButtonLook redo = flat;
+  redo.icon = Icon::redo;
+  command_button(ui, command("redo"), {height, height}, redo);
+  const auto add = [&](const Command& each, float width, const std::string& label, float gap) {
+    const float left = ImGui::GetItemRectMax().x + gap;
+    if (left + width > row.right() + 0.5f) return;
+    ImGui::SetCursorScreenPos({left, y});
+    command_button(ui, each, {width, height}, small, label);
+  };
+  // The language also has a menu entry.
+  const float both = ui.px(10) + height * 1.3f + ui.px(6) + lessons;
+  if (ImGui::GetItemRectMax().x + both <= row.right())
+    add(command("language"), height * 1.3f, command_label(command("language"), ui.state, true), ui.px(10));
+  const float room = row.right() - ImGui::GetItemRectMax().x;
+  add(command("lessons"), std::min(lessons, std::max(room, ui.px(40))), {},
+      std::min(ui.px(6), std::max(room - lessons, 0.0f)));
+  return ImGui::GetItemRectMax().x;
+}
+
 }  // namespace
 
 MenuContents menu_contents(int menu) {
@@ -127,7 +159,10 @@ MenuContents menu_contents(int menu) {
 int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   int is_open = -1;
   const float text_height = ImGui::GetFontSize();
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), std::max((where.height - text_height) / 2, 0.0f)});
+  // In one column the buttons are below the menus.
+  const bool two_lines = where.height > ui.px(60);
+  const Rect menu{where.x, where.y, where.width, two_lines ? where.height / 2 : where.height};
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), std::max((menu.height - text_height) / 2, 0.0f)});
   const Pane pane(ui, "bar", where, ui.colours.window, {0, 0},
                   ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   const bool has_bar = pane && ImGui::BeginMenuBar();
@@ -140,35 +175,19 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   for (std::size_t i = 0; i < menus.size(); ++i)
     if (show_menu(ui, menus[i], open_menu == static_cast<int>(i))) is_open = static_cast<int>(i);
   ImGui::PopStyleVar(2);
-
-  const float height = where.height - 2 * ui.px(6), y = where.y + ui.px(6);
-  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + apart, y});
-  choice(ui, commands_in(Section::modes), height, ui.fonts.strong);
-  const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
-  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
-  command_button(ui, command("undo"), {height, height}, flat);
-  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
-  ButtonLook redo = flat;
-  redo.icon = Icon::redo;
-  command_button(ui, command("redo"), {height, height}, redo);
-  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(10), y});
-  const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
-  command_button(ui, command("language"), {height * 1.3f, height}, small,
-                 command_label(command("language"), ui.state, true));
-
-  ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(6), y});
-  if (ImGui::GetCursorScreenPos().x + button_width(ui, command("lessons"), small) < where.right() - ui.px(8))
-    command_button(ui, command("lessons"), {0, height}, small);
-
+  float end = ImGui::GetCursorScreenPos().x;
+  if (!two_lines) end = bar_buttons(ui, where, end + apart, apart);
   // The document's name at the right, if there is room.
   const std::string title = document_title(ui.state);
   const float width = ImGui::CalcTextSize(title.c_str()).x;
   const float x = where.right() - width - ui.px(16);
-  if (x > ImGui::GetItemRectMax().x + ui.px(12)) {
-    ImGui::GetWindowDrawList()->AddText({x, std::round(where.y + (where.height - text_height) / 2)},
+  if (x > end + ui.px(12)) {
+    ImGui::GetWindowDrawList()->AddText({x, std::round(menu.y + (menu.height - text_height) / 2)},
                                         to_imgui(ui.colours.dim_text), title.c_str());
   }
   ImGui::EndMenuBar();
+  if (two_lines)
+    bar_buttons(ui, {where.x, menu.bottom(), where.width, where.height - menu.height}, where.x + ui.px(10), apart);
   return is_open;
 }
 

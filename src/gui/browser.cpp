@@ -1,5 +1,6 @@
 #include "gui/browser.h"
 
+#include "gui/broken_lines.h"
 #include "gui/platform.h"
 #include "gui/widgets.h"
 #include "view/export/export.h"
@@ -28,6 +29,8 @@ std::string title_of(PathPrompt asking, const Ui& ui) {
   switch (asking) {
     case PathPrompt::none:
       return {};
+    case PathPrompt::start:
+      return ui.say("command.new.label");
     case PathPrompt::open:
       return ui.say("command.open.label");
     case PathPrompt::save_as:
@@ -39,6 +42,9 @@ std::string title_of(PathPrompt asking, const Ui& ui) {
   }
   return {};
 }
+
+// Whether a scene is to be read, and none to be written.
+bool opens(PathPrompt asking) { return asking == PathPrompt::open || asking == PathPrompt::start; }
 
 }  // namespace
 
@@ -70,9 +76,12 @@ void Browser::begin(const State& state, const std::string& home) {
   // The user's files go beside the user's scene, not among the shipped scenes, which are in `home`.
   const std::string folder = current.parent_path().string();
   std::error_code failed;
-  const bool own =
-      !state.document.path.empty() && (asking_ == PathPrompt::open || !fs::equivalent(folder, home, failed));
-  go_to(absolute(own ? folder : asking_ == PathPrompt::open ? home : std::string()));
+  const bool own = !state.document.path.empty() && (opens(asking_) || !fs::equivalent(folder, home, failed));
+  const bool exports = asking_ == PathPrompt::export_walk;
+  go_to(absolute(exports && !export_folder_.empty() ? export_folder_
+                 : own                              ? folder
+                 : opens(asking_)                   ? home
+                                                    : std::string()));
   typed_.clear();
   if (asking_ == PathPrompt::save_as)
     typed_ = state.document.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
@@ -87,7 +96,10 @@ void Browser::begin(const State& state, const std::string& home) {
     if (lessons.open && lessons.presenter) export_asked_ = ExportKind::script;
     typed_ = with_ending(typed_, export_asked_.value_or(ExportKind::slides));
   }
-  focus_typed_ = true;
+  focus_typed_ = asking_ != PathPrompt::start;
+  page_ = Page::scenes;
+  cards_.clear();
+  cards_for_.clear();
 }
 
 void Browser::go_to(const std::string& folder) {
@@ -105,13 +117,17 @@ std::string Browser::name() const {
 
 void Browser::accept(const Ui& ui) {
   if (typed_.empty()) return;
+  focus_typed_ = true;  // if it fails, another name follows
   typed_ = name();
   const fs::path typed(typed_);
   const std::string path = typed.is_absolute() ? typed_ : (fs::path(folder_) / typed).string();
-  if (asking_ == PathPrompt::open) ui.act(action::Open{path});
+  if (opens(asking_)) ui.act(action::Open{path});
   if (asking_ == PathPrompt::save_as) ui.act(action::SaveAs{path});
   if (asking_ == PathPrompt::save_predictions) ui.act(action::SavePredictions{path});
-  if (asking_ == PathPrompt::export_walk) ui.act(action::Export{path});
+  if (asking_ == PathPrompt::export_walk) {
+    export_folder_ = fs::path(path).parent_path().string();
+    ui.act(action::Export{path});
+  }
 }
 
 void Browser::entries(const Ui& ui, float height) {
@@ -134,7 +150,7 @@ void Browser::entries(const Ui& ui, float height) {
       ui.publish("browser/" + name);
     }
     if (!listing_.readable) paragraph(ui.colours.error, ui.say("files.folder_unreadable"));
-    if (listing_.readable && listing_.files.empty() && asking_ == PathPrompt::open)
+    if (listing_.readable && listing_.files.empty() && opens(asking_))
       paragraph(ui.colours.dim_text, ui.say("files.no_scene_here"));
     if (!into.empty()) go_to((fs::path(folder_) / into).string());
   }
@@ -186,7 +202,59 @@ void Browser::kinds(const Ui& ui) {
   }
 }
 
-void Browser::draw(const Ui& ui, const std::string& home) {
+void Browser::pages(const Ui& ui) {
+  const auto choice = [&](Page page, const char* name, std::string_view label, bool first = false) {
+    if (!first) ImGui::SameLine();
+    if (!button(ui, name, ui.say(label), "", {0, ImGui::GetFrameHeight()}, {.look = Look::choice}, page_ == page))
+      return;
+    page_ = page;
+    cards_for_.clear();
+    focus_typed_ = page == Page::files;
+    if (page == Page::lessons) ui.act(action::ListLessons{});
+  };
+  choice(Page::scenes, "gallery-scenes", "files.scenes", true);
+  choice(Page::lessons, "gallery-lessons", "lesson.lessons");
+  choice(Page::recent, "gallery-recent", "files.recent");
+  choice(Page::files, "gallery-files", "files.folder");
+}
+
+void Browser::gallery(const Ui& ui, float height, GalleryPictures* pictures) {
+  const State& state = ui.state;
+  const bool scenes = page_ == Page::scenes;
+  // Lessons are listed one frame after they were asked for.
+  const std::string wanted = std::string(state.appearance.language.code()) + (scenes ? "/scenes" : "/lessons") +
+                             std::to_string(scenes ? 0 : state.lessons.list.size());
+  if (cards_for_ != wanted) {
+    cards_ = scenes ? scene_cards(state, home_) : lesson_cards(state);
+    cards_for_ = wanted;
+  }
+  const GalleryCard* chosen = draw_cards(ui, cards_, height, pictures);
+  if (chosen == nullptr || chosen->locked) return;
+  if (!chosen->path.empty()) return ui.act(action::Open{chosen->path});
+  ui.act(action::CancelPrompt{});
+  if (chosen->lesson.empty()) return ui.act(action::New{});
+  ui.act(action::OpenLesson{chosen->lesson});
+}
+
+void Browser::recent(const Ui& ui, float height) {
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ui.colours.window));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
+  const bool visible = ImGui::BeginChild("recent", {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  if (visible) {
+    int number = 0;
+    for (const std::string& path : ui.state.document.recent) {
+      if (ImGui::Selectable(path.c_str())) ui.act(action::Open{path});
+      ui.publish("recent/" + std::to_string(number++));
+    }
+    if (number == 0) paragraph(ui.colours.dim_text, ui.say("files.no_recent"));
+  }
+  ImGui::EndChild();
+}
+
+void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictures) {
+  home_ = home;
   // While a question is open the dialog waits, and then returns unchanged.
   const PathPrompt wanted = ui.state.document.prompt;
   if (wanted != asking_) {
@@ -194,28 +262,51 @@ void Browser::draw(const Ui& ui, const std::string& home) {
     if (asking_ != PathPrompt::none) begin(ui.state, home);
   }
   if (asking_ == PathPrompt::none || ui.state.document.question) return;
-  const bool saves = asking_ != PathPrompt::open;
+  const bool saves = !opens(asking_);
   const std::string title = title_of(asking_, ui);
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
-  const ImVec2 extent{std::min(ui.px(640), whole.x), std::min(ui.px(470), whole.y)};
+  // The gallery needs room for pictures.
+  const ImVec2 extent{std::min(ui.px(saves ? 640 : 900), whole.x), std::min(ui.px(saves ? 470 : 620), whole.y)};
   ImGui::SetNextWindowSize(extent);
   ImGui::SetNextWindowPos({whole.x / 2, whole.y / 2}, 0, {0.5f, 0.5f});
   const std::string id = title + "###browser";
   if (!ImGui::IsPopupOpen(id.c_str())) ImGui::OpenPopup(id.c_str());
   if (!ImGui::BeginPopupModal(id.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
   const float line = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.y;
-  if (button(ui, "browser-up", ui.say("files.folder_up"), ui.say("files.folder_up_hint"), {0, line},
-             {.look = Look::plain, .icon = Icon::up}))
+  if (!saves) pages(ui);
+  const bool lists = saves || page_ == Page::files;
+  if (lists && button(ui, "browser-up", ui.say("files.folder_up"), ui.say("files.folder_up_hint"), {0, line},
+                      {.look = Look::plain, .icon = Icon::up}))
     go_to(fs::path(folder_).parent_path().string());
-  ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  label(ui.colours.dim_text, folder_);
+  if (lists) {
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    label(ui.colours.dim_text, folder_);
+  }
   const bool complains = ui.state.document.notice && ui.state.document.notice->kind == Notice::Kind::error;
-  const float message = complains ? 3 * ImGui::GetFontSize() : 0;
+  // A long message scrolls: it never takes the room of the name and the buttons.
+  constexpr float most_lines = 4;
+  const std::string complaint =
+      complains ? broken_lines(ui.state.document.notice->text, ImGui::GetContentRegionAvail().x - ui.px(16)) : "";
+  const float message =
+      complains ? std::min(ImGui::CalcTextSize(complaint.c_str()).y, most_lines * ImGui::GetTextLineHeight()) + ui.px(4)
+                : 0;
   const bool exports = asking_ == PathPrompt::export_walk;
-  entries(ui, std::max(ImGui::GetContentRegionAvail().y - (exports ? 4 : 2) * (line + gap) - message, ui.px(40)));
+  const float room = std::max(
+      ImGui::GetContentRegionAvail().y - (exports ? 4 : 2) * (line + gap) - message - (complains ? gap : 0), ui.px(40));
+  if (lists) {
+    entries(ui, room);
+  } else if (page_ == Page::recent) {
+    recent(ui, room);
+  } else {
+    gallery(ui, room, pictures);
+  }
   if (exports) kinds(ui);
-  if (complains) paragraph(ui.colours.error, ui.state.document.notice->text);
+  if (complains) {
+    if (ImGui::BeginChild("complaint", {0, message})) label(ui.colours.error, complaint);
+    ImGui::EndChild();
+    ui.publish("browser-complaint");
+  }
 
   if (std::exchange(focus_typed_, false)) ImGui::SetKeyboardFocusHere();
   std::array<char, 4096> buffer{};

@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -21,10 +25,6 @@ struct CodeSizes {
         heading(squeeze * (line_height(ui.fonts, *ui.fonts.code_strong) + ui.px(4))) {}
   float row, heading;
 };
-
-float box_height(const Ui& ui, const CodeSizes& sizes, const CodeBox& box) {
-  return sizes.heading + static_cast<float>(box.rows.size()) * sizes.row + ui.px(2 * box_padding);
-}
 
 float text_width(ImFont* font, const std::string& text) {
   push_font(font);
@@ -97,6 +97,60 @@ void draw_heading(const Ui& ui, const CodeBox& box, const Rect& where) {
   pop_font();
 }
 
+// A heading or a row of a box, and where it is in the contents.
+struct CodeLine {
+  const CodeBox* box;
+  const CodeRow* row;  // null: the heading
+  float top, height;
+  [[nodiscard]] float bottom() const { return top + height; }
+};
+struct CodeLines {
+  CodeLines(const Ui& ui, std::span<const CodeBox> boxes, const CodeSizes& sizes) : height(ui.px(margin)) {
+    for (const CodeBox& box : boxes) {
+      height += ui.px(box_padding);
+      lines.push_back({&box, nullptr, height, sizes.heading});
+      height += sizes.heading;
+      for (const CodeRow& row : box.rows) {
+        lines.push_back({&box, &row, height, sizes.row});
+        height += sizes.row;
+      }
+      height += ui.px(box_padding + between_boxes);
+    }
+    height += ui.px(margin - between_boxes);
+  }
+  std::vector<CodeLine> lines;
+  float height;
+};
+
+// Of headings and rows: what may be squeezed.
+float height_of_lines(const CodeLines& code) {
+  float sum = 0;
+  for (const CodeLine& line : code.lines) sum += line.height;
+  return sum;
+}
+
+// By how much the contents are shifted so that the uppermost line is whole: by about as much as was scrolled, at the
+// end so far that the last line is whole too. `edge`: the room above it for the mark.
+float whole_lines(const CodeLines& code, float room, float edge) {
+  const float scroll = ImGui::GetScrollY(), most = ImGui::GetScrollMaxY(), last = code.height - room;
+  const bool at_end = most > 0 && scroll >= most - 1;
+  float shift = 0;
+  for (const CodeLine& line : code.lines) {
+    if (at_end ? shift >= last : line.top - edge > scroll) break;
+    shift = line.top - edge;
+  }
+  return std::max(shift, 0.0f);
+}
+
+// The wheel turns some lines up or down, never past one that was not seen.
+void scroll_by_wheel(float row, float room) {
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel == 0 || !ImGui::IsWindowHovered()) return;
+  constexpr float most = 3;  // lines
+  const float lines = std::clamp(std::floor(room / row) - 2, 1.0f, most);
+  ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() - wheel * lines * row, 0.0f, ImGui::GetScrollMaxY()));
+}
+
 // Scrolls `top`..`bottom` (of the contents) into view, once per new position.
 void keep_in_sight(const Ui& ui, float top, float bottom) {
   int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("position"), -1);
@@ -106,13 +160,54 @@ void keep_in_sight(const Ui& ui, float top, float bottom) {
   if (top < scroll || bottom > scroll + height) ImGui::SetScrollY(std::max((top + bottom - height) / 2, 0.0f));
 }
 
+// The line that has just run with some around it, and the next one if both fit.
+void keep_walk_in_sight(const Ui& ui, const CodeLines& code, float row, float room) {
+  float ran = -1, next = -1;
+  for (const CodeLine& line : code.lines) {
+    if (line.row != nullptr && line.row->just_run) ran = line.top;
+    if (line.row != nullptr && line.row->next) next = line.top;
+  }
+  const float at = ran >= 0 ? ran : next;
+  if (at < 0) return;
+  float top = at - 2 * row, bottom = at + 3 * row;
+  if (next >= 0 && std::abs(next - at) + 3 * row < room) {
+    top = std::max(std::min(at, next) - row, std::max(at, next) + 2 * row - room);
+    bottom = std::max(at, next) + 2 * row;
+  }
+  keep_in_sight(ui, top, bottom);
+}
+
+// The gutter for breakpoints and the line itself, both to be clicked. Returns whether the line is pointed at.
+bool code_row(const Ui& ui, const CodeRow& row, const Rect& place, bool asks) {
+  const std::string number = std::to_string(static_cast<int>(row.line)), name = "line-" + number;
+  const Rect gutter{place.x, place.y, ui.px(pointer_column), place.height};
+  ImGui::SetCursorScreenPos(corner(gutter));
+  if (ImGui::InvisibleButton(("break-" + number).c_str(), size(gutter))) ui.act(action::ToggleBreakpoint{row.line});
+  ui.publish("break-" + number);
+  draw_breakpoint(ui, gutter, row.breakpoint, ImGui::IsItemHovered());
+  if (!row.breakpoint) tooltip(ui, "break-" + number, ui.say("code.breakpoint_hint"));
+  ImGui::SetCursorScreenPos({gutter.right(), place.y});
+  if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
+    ui.act(asks ? Action(action::MarkLine{row.line}) : Action(action::RunToLine{row.line}));
+  const bool pointed_at = ImGui::IsItemHovered();
+  ui.publish(name);
+  if (asks) tooltip(ui, name, ui.say("code.mark_hint"));
+  draw_row(ui, row, place);
+  return pointed_at;
+}
+
+void draw_frame(const Ui& ui, const CodeBox& box, const Rect& frame) {
+  const Shades shades(ui.state.appearance.theme);
+  ImGui::GetWindowDrawList()->AddRect(corner(frame), opposite(frame),
+                                      to_imgui(box.depth ? shades.raised_held : shades.line), ui.px(6), 0,
+                                      std::max(ui.px(box.depth ? 1.6f : 1.0f), 1.0f));
+}
+
 }  // namespace
 
 float code_height(const Ui& ui) {
-  const CodeSizes sizes(ui);
-  float height = ui.px(2 * margin + between_boxes);
-  for (const CodeBox& box : code_panel(ui.state).boxes) height += box_height(ui, sizes, box);
-  return height + 1;
+  const CodePanel panel = code_panel(ui.state);
+  return std::ceil(CodeLines(ui, panel.boxes, CodeSizes(ui)).height);
 }
 
 float code_width(const Ui& ui) {
@@ -130,64 +225,51 @@ float code_width(const Ui& ui) {
 }
 
 void code_pane(const Ui& ui, const Rect& where) {
-  const Pane pane(ui, "code", where, ui.colours.panel);
+  const Pane pane(ui, "code", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
+  // Tighter lines before any is out of sight; then whole ones, and a mark that there are more.
   constexpr float closest = 0.8f;
-  const CodeSizes sizes(ui, std::clamp(where.height / code_height(ui), closest, 1.0f));
-  const Shades shades(ui.state.appearance.theme);
-  const float scroll = ImGui::GetScrollY(), left = where.x + ui.px(margin);
-  const bool scrolls = ImGui::GetScrollMaxY() > 0;
+  const CodePanel panel = code_panel(ui.state);
+  const CodeLines loose(ui, panel.boxes, CodeSizes(ui));
+  const float lines = height_of_lines(loose), room = where.height - (loose.height - lines);
+  const CodeSizes sizes(ui, lines > 0 ? std::clamp(room / lines, closest, 1.0f) : 1.0f);
+  const CodeLines code(ui, panel.boxes, sizes);
+  const bool scrolls = code.height > where.height + 0.5f;
+  const float edge = ui.px(margin);
+  const float shift = scrolls ? whole_lines(code, where.height, edge) : 0.0f;
+  const float left = where.x + ui.px(margin);
   const float width = where.width - ui.px(2 * margin) - (scrolls ? ImGui::GetStyle().ScrollbarSize : 0);
-  float y = where.y + ui.px(margin) - scroll;
+  const bool more_above = shift > 0, more_below = code.height - shift > where.height + 0.5f;
+  const float from = shift + (more_above ? edge - 0.5f : 0.0f);
+  const float until = shift + where.height - (more_below ? edge : -0.5f);
+  const auto on_screen = [&](float y) { return where.y + y - shift; };
   const bool asks = asks_for_line(ui.state);
   std::optional<Line> pointed_at;
-  float ran = -1, next = -1;  // of the contents
-  for (const CodeBox& box : code_panel(ui.state).boxes) {
-    const Rect frame{left, y, width, box_height(ui, sizes, box)};
-    const float edge = box.depth ? 1.6f : 1.0f;
-    ImGui::GetWindowDrawList()->AddRect(corner(frame), opposite(frame),
-                                        to_imgui(box.depth ? shades.raised_held : shades.line), ui.px(6), 0,
-                                        std::max(ui.px(edge), 1.0f));
-    y += ui.px(box_padding);
-    draw_heading(ui, box, {left + ui.px(box_padding), y, width - ui.px(2 * box_padding), sizes.heading});
-    y += sizes.heading;
-    for (const CodeRow& row : box.rows) {
-      const Rect place{left + ui.px(box_padding) - ui.px(2), y, width - ui.px(2 * box_padding) + ui.px(2), sizes.row};
-      const std::string number = std::to_string(static_cast<int>(row.line)), name = "line-" + number;
-      const Rect gutter{place.x, place.y, ui.px(pointer_column), place.height};
-      ImGui::SetCursorScreenPos(corner(gutter));
-      if (ImGui::InvisibleButton(("break-" + number).c_str(), size(gutter))) ui.act(action::ToggleBreakpoint{row.line});
-      ui.publish("break-" + number);
-      draw_breakpoint(ui, gutter, row.breakpoint, ImGui::IsItemHovered());
-      if (!row.breakpoint) tooltip(ui, "break-" + number, ui.say("code.breakpoint_hint"));
-      ImGui::SetCursorScreenPos({gutter.right(), place.y});
-      if (ImGui::InvisibleButton(name.c_str(), {std::max(place.width - gutter.width, 1.0f), place.height}))
-        ui.act(asks ? Action(action::MarkLine{row.line}) : Action(action::RunToLine{row.line}));
-      if (ImGui::IsItemHovered()) pointed_at = row.line;
-      ui.publish(name);
-      if (asks) tooltip(ui, name, ui.say("code.mark_hint"));
-      draw_row(ui, row, place);
-      if (row.just_run) ran = y - where.y + scroll;
-      if (row.next) next = y - where.y + scroll;
-      y += sizes.row;
+  for (std::size_t i = 0; i < code.lines.size(); ++i) {
+    const CodeLine& line = code.lines[i];
+    if (line.row == nullptr) {
+      const float top = line.top - ui.px(box_padding);
+      const float bottom = code.lines[i + line.box->rows.size()].bottom() + ui.px(box_padding);
+      draw_frame(ui, *line.box, {left, on_screen(top), width, bottom - top});
     }
-    y = frame.bottom() + ui.px(between_boxes);
+    if (line.top < from || line.bottom() > until) continue;
+    const float inside = width - ui.px(2 * box_padding);
+    if (line.row == nullptr) {
+      draw_heading(ui, *line.box, {left + ui.px(box_padding), on_screen(line.top), inside, line.height});
+    } else if (code_row(ui, *line.row,
+                        {left + ui.px(box_padding - 2), on_screen(line.top), inside + ui.px(2), line.height}, asks)) {
+      pointed_at = line.row->line;
+    }
   }
-  ImGui::SetCursorScreenPos({left, y + ui.px(margin - between_boxes)});
+  ImGui::SetCursorScreenPos({left, where.y - ImGui::GetScrollY() + code.height - 1});
   ImGui::Dummy({1, 1});
-  // The line that has just run with some around it, and the next one if both fit.
-  const float at = ran >= 0 ? ran : next;
-  float sight_top = at - 2 * sizes.row, sight_bottom = at + 3 * sizes.row;
-  if (next >= 0 && std::abs(next - at) + 3 * sizes.row < where.height) {
-    sight_top = std::max(std::min(at, next) - sizes.row, std::max(at, next) + 2 * sizes.row - where.height);
-    sight_bottom = std::max(at, next) + 2 * sizes.row;
-  }
-  if (at >= 0) keep_in_sight(ui, sight_top, sight_bottom);
+  if (scrolls) scroll_by_wheel(sizes.row, where.height - 2 * edge);
+  if (scrolls) keep_walk_in_sight(ui, code, sizes.row, where.height);
   // Set only by the hovered pane, so that panes do not override each other.
   bool& pointing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing"), false);
   if ((pointed_at || pointing) && pointed_at != ui.state.plan.hovered_line) ui.act(action::HoverLine{pointed_at});
   pointing = pointed_at.has_value();
-  fade_edges(ui, ui.colours.panel);
+  mark_more(ui, {where.x, where.y, width, where.height}, more_above, more_below);
 }
 
 }  // namespace raywalk

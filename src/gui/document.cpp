@@ -48,13 +48,13 @@ bool can_remove(const State& state) {
 Commands DocumentRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
-      {.name = "add-solid-sphere", .keys = {{"1", When::move}}, .section = Section::add, .line = "keys.add",
+      {.name = "add-solid-sphere", .keys = {{"Shift+1", When::move}}, .section = Section::add, .line = "keys.add",
        .enabled = moves, .run = act<action::AddObject, action::ObjectKind::solid_sphere>},
-      {.name = "add-transparent-sphere", .keys = {{"2", When::move}}, .section = Section::add, .line = "keys.add",
+      {.name = "add-transparent-sphere", .keys = {{"Shift+2", When::move}}, .section = Section::add, .line = "keys.add",
        .enabled = moves, .run = act<action::AddObject, action::ObjectKind::transparent_sphere>},
-      {.name = "add-polygon", .keys = {{"3", When::move}}, .section = Section::add, .line = "keys.add",
+      {.name = "add-polygon", .keys = {{"Shift+3", When::move}}, .section = Section::add, .line = "keys.add",
        .enabled = moves, .run = act<action::AddObject, action::ObjectKind::polygon>},
-      {.name = "add-light", .keys = {{"4", When::move}}, .section = Section::add, .line = "keys.add", .enabled = moves,
+      {.name = "add-light", .keys = {{"Shift+4", When::move}}, .section = Section::add, .line = "keys.add", .enabled = moves,
        .run = act<action::AddObject, action::ObjectKind::light>},
       {.name = "select-next", .keys = {{"Tab", When::move}, {"Page Down", When::move}}, .section = Section::select, .line = "keys.select",
        .enabled = moves, .run = [](const Ui& ui) { select_along(ui, 1); }},
@@ -71,7 +71,7 @@ Commands DocumentRoom::commands() {
        .run = act<action::Undo>},
       {.name = "redo", .keys = {"Ctrl+Y", "Ctrl+Shift+Z"}, .section = Section::undo, .line = "keys.undo",
        .enabled = [](const State& state) { return !state.document.redo.empty(); }, .run = act<action::Redo>},
-      {.name = "new", .keys = {"Ctrl+N"}, .section = Section::open, .line = "keys.files", .run = act<action::New>},
+      {.name = "new", .keys = {"Ctrl+N"}, .section = Section::open, .line = "keys.files", .run = act<action::AskNew>},
       {.name = "open", .keys = {"Ctrl+O"}, .section = Section::open, .line = "keys.files", .run = act<action::AskOpen>},
       {.name = "save", .keys = {"Ctrl+S"}, .section = Section::save, .line = "keys.files", .run = act<action::Save>},
       {.name = "save-as", .keys = {"Ctrl+Shift+S"}, .section = Section::save, .line = "keys.files",

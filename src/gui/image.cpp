@@ -137,7 +137,14 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
   ui.publish("heat-legend", {where.x, y, where.width, bar});
 }
 
-void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
+// Of the tab, for the ray tree beside the picture.
+float tree_width(const Ui& ui, const Rect& where, const Rect& image) {
+  constexpr float part = 0.4f;  // of the tab, if the picture leaves less
+  return std::max(where.width - image.width, part * where.width) - ui.px(24);
+}
+
+void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
+  const PictureView& picture = context.picture;
   const float line = line_height(ui.fonts, *ui.fonts.small), side = ui.px(12);
   push_font(ui.fonts.small);
   if (picture.texture == 0) {
@@ -147,8 +154,19 @@ void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   }
   const Heat heat = ui.state.picture.settings.heat;
   const float legend = heat == Heat::none ? 0 : 2 * line + ui.px(6);
-  const Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};
-  const Rect image = fitted(room, picture.width, picture.height, ui.fonts.density);
+  Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};
+  Rect image = fitted(room, picture.width, picture.height, ui.fonts.density);
+  if (ui.state.picture.tree_beside && ui.state.walk.mode == Mode::trace) {
+    const float tree = tree_width(ui, where, image);
+    room.width = std::max(room.width - tree, 1.0f);
+    image = fitted(room, picture.width, picture.height, ui.fonts.density);
+    const Rect beside{room.right() + side, room.y, tree - side, room.height};
+    if (beside.width > ui.px(60)) {
+      ImGui::SetCursorScreenPos(corner(beside));
+      ui.publish("tree-beside/pane", beside);
+      if (const int ray = ray_tree(ui, beside, context.memory.of<CentredOn>().ray); ray >= 0) context.pointed_at = ray;
+    }
+  }
   const bool has_row = ui.state.walk.planar && !ui.state.picture.camera;
   ui.publish("image", image);
   if (image.width >= 8 && image.height >= 8) {
@@ -183,11 +201,15 @@ void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   if (heat != Heat::none)
     heat_legend(ui, {room.x, room.bottom() + ui.px(6), room.width, legend}, heat, picture.hottest);
 
-  // The contents of the picture, and a button for its settings.
-  const ButtonLook look{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-  const float button = button_width(ui, command("image-settings"), look);
-  ImGui::SetCursorScreenPos({where.right() - button, where.bottom() - line - ui.px(7)});
-  command_button(ui, command("image-settings"), {button, line + ui.px(6)}, look);
+  // The contents of the picture, and buttons for its settings and the tree.
+  const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+  float button = 0;
+  for (const Command* each : {&command("image-settings"), &command("tree-beside")}) {
+    const float width = button_width(ui, *each, look);
+    button += width;
+    ImGui::SetCursorScreenPos({where.right() - button, where.bottom() - line - ui.px(7)});
+    command_button(ui, *each, {width, line + ui.px(6)}, look);
+  }
   const std::string status = status_of(ui, picture, has_row);
   const float y = where.bottom() - line - ui.px(4);
   ImGui::SetCursorScreenPos({where.x + ui.px(4), y});
@@ -197,9 +219,7 @@ void image_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
 
 }  // namespace
 
-void PictureRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) {
-  image_tab(ui, where, context.picture);
-}
+void PictureRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) { image_tab(ui, where, context); }
 
 void epsilon_row(const Ui& ui, Form& form) {
   const RenderChoices& now = ui.state.scene().render;
@@ -258,11 +278,14 @@ Commands PictureRoom::commands() {
   static constexpr Command all[] = {
       {.name = "tab-image", .keys = {"I"}, .section = Section::tabs, .line = "keys.tabs",
        .chosen = shows_tab<PictureRoom>, .run = open_tab<PictureRoom>},
-      {.name = "use-camera", .keys = {"U"}, .section = Section::show, .line = "keys.image",
+      {.name = "use-camera", .keys = {"Shift+U"}, .section = Section::show, .line = "keys.image",
        .enabled = [](const State& state) { return state.picture.camera.has_value(); },
        .run = act<action::UseImageCamera>},
       {.name = "image-settings", .keys = {","}, .section = Section::show, .line = "keys.image",
        .run = wish<WindowWish::image_settings>},
+      {.name = "tree-beside", .keys = {"Shift+R"}, .section = Section::show, .line = "keys.image",
+       .chosen = [](const State& state) { return state.picture.tree_beside; },
+       .run = [](const Ui& ui) { ui.act(action::ShowTreeBeside{!ui.state.picture.tree_beside}); }},
       {.name = "heat", .keys = {"G"}, .section = Section::show, .line = "keys.image", .run = change_heat},
   };
   // clang-format on

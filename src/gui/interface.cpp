@@ -3,9 +3,9 @@
 #include "gui/command.h"
 #include "gui/dialogs.h"
 #include "gui/style.h"
+#include "gui/widgets.h"
 #include "view/band/band.h"
 #include "view/lesson/lesson_panel.h"
-#include "view/structure/structure.h"
 
 #include <algorithm>
 
@@ -24,9 +24,6 @@ void Interface::grant(const Ui& ui) {
         break;
       case WindowWish::menu:
         wanted_menu_ = (shown_menu_ + 1) % menu_count;
-        break;
-      case WindowWish::exchange:
-        exchanged_ = !exchanged_;
         break;
       case WindowWish::image_settings:
         ui.act(action::SetTab{PictureRoom::tab});
@@ -127,31 +124,18 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   const bool asks = state.bugs.shown || has_question(state);
   if ((state.lessons.shown || state.bugs.shown) && !helps)
     wishes.lesson = with.px(wishes.focus && !asks ? folded_width : 330);
+  wishes.front = state.appearance.front;
+  if (wishes.front == Front::lesson && wishes.lesson == 0) wishes.front = Front::code;
   if (state.effects.shown && !helps) wishes.effects = effects_height(with, lay_out(wishes).plan.width);
   if (state.band.shown && !helps) wishes.band = with.px(static_cast<float>(band_height));
   // The transport's height depends on its width, which does not depend on its height.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
 
-  // The tabs are small; exchanged, they get the plan's room. The Cost panel and the microscope need that from the
-  // start; the former also that of the walk, which it does not show.
-  const Rect left{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.transport.bottom() - layout_.plan.y};
+  // Help takes the plan's place and the strip's. The walk's sentence and buttons, and the code, are always there.
+  const Rect help{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
   const bool folds = wishes.focus;
-  const bool costs = state.appearance.tab == CostRoom::tab && !exchanged_ && !helps && !folds;
-  const bool wide = state.appearance.tab == CostRoom::tab || state.appearance.tab == MicroscopeRoom::tab;
-  if (exchanged_ != wide && !helps && !folds) std::swap(layout_.plan, layout_.tabs);
-  if (costs) layout_.tabs = left;
-  // The microscope has a legend of its own.
-  const bool scope =
-      state.appearance.tab == MicroscopeRoom::tab && !exchanged_ && !folds && state.walk.mode == Mode::trace;
-  if (scope) {
-    layout_.tabs.height = layout_.strip.bottom() - layout_.tabs.y;
-    layout_.strip.height = layout_.corner.height = layout_.band.height = layout_.effects.height = 0;
-  }
-  // Structures are drawn in the plan, with much text beside it: they replace the code.
-  const bool boxes = shows_structure(state) && !exchanged_;
-  if (boxes)
-    layout_.tabs = {layout_.side.x, layout_.side.y, layout_.side.width, layout_.tabs.bottom() - layout_.side.y};
+  if (state.appearance.large() && !helps && !folds && !layout_.tabs.empty()) std::swap(layout_.plan, layout_.tabs);
 
   if (folds && !asks && state.lessons.shown)
     folded_pane(with, "folded-lesson", layout_.lesson);
@@ -169,7 +153,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   if (aside_.frames > 0 && shown_menu_ < 0) wanted_menu_ = std::exchange(aside_, {}).neighbour;
   if (aside_.frames > 0) --aside_.frames;
   if (helps) {
-    help_pane(with, left, std::exchange(scroll_help_, 0.0f));
+    help_pane(with, help, std::exchange(scroll_help_, 0.0f));
   } else {
     if (shows_lines(state)) {
       lines_pane(with, layout_.plan);
@@ -177,18 +161,19 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
       plan_pane(with, layout_.plan);
     }
     // One strip for both modes, so that the plan does not move.
-    if (!costs && state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
-    if (!costs && !scope && state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
-    if (!costs && !scope) focus_button(with, layout_.corner);
-    if (!costs && !scope && wishes.band > 0) band_pane(with, layout_.band);
-    if (!costs && !scope && wishes.effects > 0) effects_pane(with, layout_.effects);
-    if (!costs) transport_pane(with, layout_.transport);
+    if (state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
+    if (state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
+    focus_button(with, layout_.corner);
+    if (wishes.band > 0) band_pane(with, layout_.band);
+    if (wishes.effects > 0) effects_pane(with, layout_.effects);
   }
+  transport_pane(with, layout_.transport);
+  fronts_pane(with, layout_.fronts, wishes.front, wishes.lesson > 0);
   if (folds) {
     folded_pane(with, "folded", layout_.folded);
   } else if (PropertiesPane::shows(state)) {
     properties_.draw(with, layout_.side, std::exchange(focus_properties_, false));
-  } else if (!boxes) {
+  } else {
     code_pane(with, layout_.side);
   }
   if (!folds)
@@ -197,8 +182,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   ImGui::End();
 
   notice_bar(with, layout_.plan);
-  browser_.draw(with, home_);
+  browser_.draw(with, home_, picture.gallery);
   question_dialog(with);
+  show_tooltip(with);
   ImGui::PopFont();
   grant(with);
   next_frame_in_ = rest_.end_frame();

@@ -55,7 +55,6 @@ class Interface {
   struct Aside {
     int neighbour = -1, frames = 0;
   } aside_;
-  bool exchanged_ = false;  ///< tabs and plan are swapped
   float scroll_help_ = 0;
   double next_frame_in_ = -1;
 };

@@ -153,8 +153,15 @@ bool press_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
   if (state.document.question) return answer_by_key(press, ui);
   if (state.document.prompt != PathPrompt::none) {
-    if (press.key == "Escape") ui.act(action::CancelPrompt{});
-    return press.key == "Escape";
+    // Enter takes the first card of the gallery, a new scene, unless it belongs to a field or to the card chosen by
+    // arrows.
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool begins =
+        state.document.prompt == PathPrompt::start && press.key == "Enter" && !io.WantTextInput && !io.NavVisible;
+    if (press.key != "Escape" && !begins) return false;
+    ui.act(action::CancelPrompt{});
+    if (begins) ui.act(action::New{});
+    return true;
   }
   if (press.key == "Escape") return escape(ui);
   if (const auto direction = arrow(press.key);

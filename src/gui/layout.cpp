@@ -10,42 +10,90 @@ namespace {
 // The part of `space` for a pane that wants `wish`.
 float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, std::max(space, 0.0f)); }
 
+float hairline(const LayoutWishes& wishes) { return std::max(std::round(wishes.unit), 1.0f); }  // between neighbours
+
+// Lesson, plan, strip and transport between `top` and `bottom` and left of `right`, the lesson at the left.
+void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bottom, float right, Layout& layout) {
+  const float line = hairline(wishes), below = std::max(bottom - top, 0.0f);
+  const float edge = lesson > 0 ? lesson + line : 0.0f, width = std::max(right - edge, 0.0f);
+  layout.lesson = {0, top, lesson, lesson > 0 ? below : 0.0f};
+  const float transport = take(below * 0.6f, wishes.transport);
+  layout.transport = {edge, bottom - transport, width, transport};
+  const float strip =
+      take((below - transport) * 0.3f, (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit);
+  const float corner = take(width * 0.2f, strip);
+  layout.strip = {edge, std::max(layout.transport.y - line - strip, top), width - corner, strip};
+  layout.corner = {layout.strip.right(), layout.strip.y, corner, strip};
+  const float band = take((below - transport) * 0.25f, wishes.band);
+  layout.band = {edge, std::max(layout.strip.y - band, top), width, band};
+  const float effects = take((below - transport) * 0.25f, wishes.effects);
+  layout.effects = {edge, std::max(layout.band.y - effects, top), width, effects};
+  layout.plan = {edge, top, width, std::max(layout.effects.y - top, 0.0f)};
+}
+
+Layout lay_out_upright(const LayoutWishes& wishes) {
+  const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
+  const float line = hairline(wishes);
+  constexpr float least_tabs = 220, least_two = 540;  // widths, in units at scale 1
+  const bool one_column = width < std::max(wishes.code_width + line + least_tabs * unit, least_two * unit);
+  Layout layout;
+  layout.bar = {0, 0, width, take(height, (one_column ? 76 : 44) * unit)};
+  const float top = std::min(layout.bar.bottom() + line, height), below = height - top;
+  // In one column the lesson stands below the walk, and is not folded away.
+  const bool folds = wishes.focus && !(one_column && wishes.front == Front::lesson);
+  const float low = folds        ? take(below / 8, folded_width * unit)
+                    : one_column ? take(below, below * 0.42f)
+                                 : take(below * 0.5f, std::max(wishes.code, below * 0.4f));
+  const float lesson = wishes.lesson > 0 && !one_column ? take(width * 0.5f - line, wishes.lesson) : 0.0f;
+  lay_out_walk(wishes, lesson, top, std::max(height - low - line, top), width, layout);
+  const Rect lower{0, height - low, width, low};
+  if (folds) {
+    layout.folded = lower;
+    return layout;
+  }
+  if (one_column) {
+    const float choice = take(low * 0.3f, 38 * unit);
+    layout.fronts = {0, lower.y, width, choice};
+    Rect& front = wishes.front == Front::code ? layout.side : wishes.front == Front::tabs ? layout.tabs : layout.lesson;
+    front = {0, lower.y + choice, width, low - choice};
+    return layout;
+  }
+  layout.side = {0, lower.y, take(width, wishes.code_width), low};
+  const float tabs = std::min(layout.side.width + line, width);
+  layout.tabs = {tabs, lower.y, width - tabs, low};
+  return layout;
+}
+
 }  // namespace
 
-float shrink_to_fit(float width, float height, float unit, float least) {
-  const float part = std::min(width / (least * unit), height / (least_height * unit));
+bool is_upright(float width, float height) { return height > 1.15f * width; }
+
+float shrink_to_fit(float width, float height, float unit, bool lesson) {
+  // The least of a window, in units at scale 1.
+  struct Least {
+    float width, height;
+  };
+  const Least least = is_upright(width, height) ? Least{400, 600} : lesson ? Least{900, 360} : Least{640, 360};
+  const float part = std::min(width / (least.width * unit), height / (least.height * unit));
   // In steps, because each needs new fonts. Anything smaller is illegible.
   constexpr float steps = 32, smallest = 0.3f;
   return std::clamp(std::floor(part * steps) / steps, smallest, 1.0f);
 }
 
 Layout lay_out(const LayoutWishes& wishes) {
+  if (is_upright(wishes.width, wishes.height)) return lay_out_upright(wishes);
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
-  const float hairline = std::max(std::round(unit), 1.0f);  // between neighbours
-  const bool low = height < low_window * unit;
+  const float line = hairline(wishes);
   Layout layout;
-  layout.bar = {0, 0, width, take(height, (low ? 38 : 44) * unit)};
-  const float top = std::min(layout.bar.bottom() + hairline, height), below = height - top;
+  layout.bar = {0, 0, width, take(height, (height < low_window * unit ? 38 : 44) * unit)};
+  const float top = std::min(layout.bar.bottom() + line, height), below = height - top;
 
   // The code fits its longest line; the plan gets at least a third of the window.
   const float side = wishes.focus
                          ? take(width / 8, folded_width * unit)
                          : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
-  const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f - hairline, wishes.lesson) : 0.0f;
-  const float edge = lesson > 0 ? lesson + hairline : 0.0f;
-  layout.lesson = {0, top, lesson, lesson > 0 ? height - top : 0.0f};
-  const float left = std::max(width - side - hairline - edge, 0.0f);
-  const float transport = take(below * 0.6f, wishes.transport);
-  layout.transport = {edge, height - transport, left, transport};
-  const float strip = take((below - transport) * 0.3f, (low ? 36 : 42) * unit);
-  const float corner = take(left * 0.2f, strip);
-  layout.strip = {edge, std::max(layout.transport.y - hairline - strip, top), left - corner, strip};
-  layout.corner = {layout.strip.right(), layout.strip.y, corner, strip};
-  const float band = take((below - transport) * 0.25f, wishes.band);
-  layout.band = {edge, std::max(layout.strip.y - band, top), left, band};
-  const float effects = take((below - transport) * 0.25f, wishes.effects);
-  layout.effects = {edge, std::max(layout.band.y - effects, top), left, effects};
-  layout.plan = {edge, top, left, layout.effects.y - top};
+  const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
+  lay_out_walk(wishes, lesson, top, height, std::max(width - side - line, 0.0f), layout);
   if (wishes.focus) {
     layout.folded = {width - side, top, side, height - top};
     return layout;
@@ -55,7 +103,7 @@ Layout lay_out(const LayoutWishes& wishes) {
   const float least_tabs = std::clamp(below * 0.32f, 170 * unit, 250 * unit);
   const float code = take(below, std::min(wishes.code, std::max(below * 0.5f, below - least_tabs)));
   layout.side = {width - side, top, side, code};
-  const float tabs_top = std::min(layout.side.bottom() + hairline, height);
+  const float tabs_top = std::min(layout.side.bottom() + line, height);
   layout.tabs = {width - side, tabs_top, side, height - tabs_top};
   return layout;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "view/appearance/room.h"
+
 namespace raywalk {
 
 /// In ImGui's units, origin in the window's top left corner.
@@ -26,6 +28,7 @@ struct Layout {
   Rect side;       ///< the code, or the properties of the selection
   Rect tabs;       ///< 3-D image, ray tree, stack, legend: below the code
   Rect folded;     ///< in place of both, while the plan is in focus
+  Rect fronts;     ///< in one column: what chooses the one of lesson, side and tabs that is below; else empty
 };
 
 struct LayoutWishes {
@@ -38,18 +41,18 @@ struct LayoutWishes {
   float band = 0;                    ///< height wanted by the band; 0: it is not shown
   float effects = 0;                 ///< height wanted by the switches for effects; 0: they are not shown
   bool focus = false;                ///< code and tabs are folded to an edge
+  Front front = Front::code;         ///< in one column; not the lesson unless it is shown
 };
 
 /// The width of an edge to which panes are folded, in units at scale 1.
 inline constexpr float folded_width = 22;
 /// Below this height, in units at scale 1, buttons that also have a key or a menu entry are hidden.
 inline constexpr float low_window = 430;
-/// The minimum size for everything, in units at scale 1. In a smaller window everything is drawn smaller.
-inline constexpr float least_width = 640, least_height = 360;
-/// The same with a lesson beside the plan.
-inline constexpr float least_width_with_lesson = 900;
-/// The factor of that: 1 if not needed.
-[[nodiscard]] float shrink_to_fit(float width, float height, float unit, float least = least_width);
+/// Taller than wide: code and tabs are below the walk, beside each other or, in a narrow window, one at a time.
+[[nodiscard]] bool is_upright(float width, float height);
+/// In a window too small for everything all is drawn smaller, by this factor: 1 if not needed. `lesson`: one stands
+/// beside the plan.
+[[nodiscard]] float shrink_to_fit(float width, float height, float unit, bool lesson = false);
 
 [[nodiscard]] Layout lay_out(const LayoutWishes& wishes);
 

@@ -33,48 +33,54 @@ void list(const Ui& ui, const LessonPanel& panel) {
   command_button(ui, command("bugs"), {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say("bug.title"));
 }
 
-// The class's votes for a choice: counted while the answer is not known, shown as a bar.
-void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i) {
+// The class's votes for a choice, at its right: counted while the answer is not known. A bar along the lower edge of the
+// choice compares them.
+void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i, const Rect& choice, float width) {
   int most = 1;
-  for (const LessonChoice& choice : panel.choices) most = std::max(most, choice.hands);
+  for (const LessonChoice& each : panel.choices) most = std::max(most, each.hands);
   const int index = static_cast<int>(i), hands = panel.choices[i].hands;
-  const std::string key = std::to_string(i + 1);
+  const std::string key = std::to_string(i + 1), number = std::to_string(hands);
   const ImVec2 extent{button_height(ui), button_height(ui)};
+  const float y = choice.y + (choice.height - extent.y) / 2, left = choice.right() + ui.px(4), right = left + width;
   if (!ui.state.lessons.revealed) {
+    ImGui::SetCursorScreenPos({left, y});
     if (button(ui, "hand-less/" + key, ui.say("lesson.hand_less"), ui.say("keys.name_shift") + "+" + key, extent,
                {.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false}, false, hands > 0))
       ui.act(action::ShowHands{index, -1});
-    ImGui::SameLine();
+    ImGui::SetCursorScreenPos({right - extent.x, y});
     if (button(ui, "hand-more/" + key, ui.say("lesson.hand_more"), key, extent,
                {.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false}))
       ui.act(action::ShowHands{index, 1});
-    ImGui::SameLine();
   }
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float number = ui.px(44), room = std::max(ImGui::GetContentRegionAvail().x - number, 1.0f);
-  const float length = room * static_cast<float>(hands) / static_cast<float>(most), thick = extent.y * 0.4f;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float middle = (left + right) / 2 - ImGui::CalcTextSize(number.c_str()).x / 2;
+  draw.AddText({middle, choice.y + (choice.height - ImGui::GetFontSize()) / 2}, to_imgui(ui.colours.text),
+               number.c_str());
+  const float length = choice.width * static_cast<float>(hands) / static_cast<float>(most), thick = ui.px(4);
   if (hands > 0)
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x + number, at.y + (extent.y - thick) / 2},
-                                              {at.x + number + length, at.y + (extent.y + thick) / 2},
-                                              to_imgui(Shades(ui.state.appearance.theme).accent), ui.px(3));
-  ImGui::SetCursorScreenPos({at.x, at.y + (extent.y - ImGui::GetFontSize()) / 2});
-  label(ui.colours.text, std::to_string(hands));
-  ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x, at.y + extent.y + ui.px(4)});
+    draw.AddRectFilled({choice.x, choice.bottom() - thick}, {choice.x + length, choice.bottom()},
+                       to_imgui(Shades(ui.state.appearance.theme).accent_hovered), thick / 2);
 }
 
 void choices(const Ui& ui, const LessonPanel& panel) {
   const Shades shades(ui.state.appearance.theme);
   const bool revealed = ui.state.lessons.revealed;
+  const bool counts = ui.state.lessons.presenter && (!revealed || !panel.hands.empty());
+  const float hands = counts ? 2 * button_height(ui) + ui.px(30) : 0;
   for (std::size_t i = 0; i < panel.choices.size(); ++i) {
     const LessonChoice& choice = panel.choices[i];
     const bool filled = choice.guessed;
     // The right choice has a sign, not only a colour.
     const std::string sign = !revealed ? "" : choice.right ? "\u2713 " : choice.guessed ? "\u2717 " : "";
     const std::string text = fmt::format("{}{}  {}", sign, i + 1, choice.text);
+    const float width = ImGui::GetContentRegionAvail().x - (counts ? hands + ui.px(4) : 0);
     if (wide_button(ui, fmt::format("guess/{}", i + 1), text, filled ? shades.accent : shades.raised,
-                    filled ? shades.on_accent : ui.colours.text, !revealed))
+                    filled ? shades.on_accent : ui.colours.text, !revealed, width))
       ui.act(action::GuessChoice{static_cast<int>(i)});
-    if (ui.state.lessons.presenter && (!revealed || !panel.hands.empty())) show_of_hands(ui, panel, i);
+    if (!counts) continue;
+    const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax(), next = ImGui::GetCursorScreenPos();
+    show_of_hands(ui, panel, i, {least.x, least.y, most.x - least.x, most.y - least.y}, hands);
+    ImGui::SetCursorScreenPos(next);
   }
 }
 
@@ -314,6 +320,9 @@ Commands LessonRoom::commands() {
       {.name = "lessons", .keys = {"F2"}, .section = Section::learn,
        .chosen = [](const State& state) { return state.lessons.shown; },
        .run = [](const Ui& ui) { ui.act(action::ShowLessons{!ui.state.lessons.shown}); }},
+      {.name = "notes-window", .keys = {"Alt+N"}, .section = Section::learn,
+       .chosen = [](const State& state) { return state.lessons.notes_window; },
+       .run = [](const Ui& ui) { ui.act(action::ShowNotesWindow{!ui.state.lessons.notes_window}); }},
   };
   // clang-format on
   return all;

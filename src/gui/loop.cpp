@@ -4,6 +4,8 @@
 #include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
+#include "gui/loading.h"
+#include "gui/notes.h"
 #include "gui/report.h"
 #include "gui/shown_picture.h"
 #include "gui/style.h"
@@ -11,7 +13,10 @@
 #include "view/outline.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace raywalk {
@@ -37,6 +42,16 @@ constexpr double notice_lasts = 6;          // seconds, unless it reports an err
 bool writes_file(const Action& action) {
   return action.is<action::Export>() || action.is<action::FinishExport>() || action.is<action::Save>() ||
          action.is<action::SaveAs>() || action.is<action::SavePredictions>() || action.is<action::AnswerQuestion>();
+}
+
+/// The name of the scene file that the action reads; none if it reads none.
+std::optional<std::string> file_read_by(const State& state, const Action& action) {
+  std::string path;
+  if (const auto* open = action.as<action::Open>()) path = open->path;
+  if (action.is<action::AnswerQuestion>() && state.document.question)
+    path = state.document.question->path;
+  if (path.empty()) return std::nullopt;
+  return std::filesystem::path(path).filename().string();
 }
 
 }  // namespace
@@ -68,6 +83,7 @@ class Loop::Parts {
       work_on_image();
       work_on_costs();
       work_on_export();
+      show_notes();
       if (wants_picture() && settled()) return false;
     }
     return !state_.document.quit;
@@ -88,13 +104,22 @@ class Loop::Parts {
 
   void act(const Action& action) {
     frames_due_ = frames_to_settle;
+    const std::optional<std::string> file = file_read_by(state_, action);
+    const std::optional<State> before = file ? std::optional(state_) : std::nullopt;
+    bool cancelled = false;
     const Attention::Watch watch(attention_, Attention::To::closing);
+    if (file) attention_.tell([&](double seconds) { return cancelled = cancels_reading(*file, seconds); });
     try {
       update(state_, action);
     } catch (const Stopped&) {
-      // Closed during a change. Earlier changes are in the autosave.
-      state_.document.quit = true;
-      return;
+      if (!cancelled) {
+        // Closed during a change. Earlier changes are in the autosave.
+        state_.document.quit = true;
+        return;
+      }
+      state_ = *before;
+      state_.document.notice =
+          Notice{Notice::Kind::info, fill("notice.reading_cancelled", state_.appearance.language, {{"file", *file}})};
     }
     if (!options_.demo_path.empty()) note_failure(action);
   }
@@ -125,6 +150,17 @@ class Loop::Parts {
   }
 
  private:
+  // Shows that a file is being read, and for how long. Whether Escape was pressed.
+  bool cancels_reading(const std::string& file, double seconds) {
+    bool cancelled = false;
+    for (const KeyPress& key : window_.take_keys()) cancelled = cancelled || key.key == "Escape";
+    const Language language = state_.appearance.language;
+    const int whole = static_cast<int>(seconds);
+    show_loading(window_, fonts_, state_.appearance.theme, fill("files.reading_scene", language, {{"file", file}}),
+                 fill("files.reading_cancel", language, {{"seconds", whole}}), seconds);
+    return cancelled;
+  }
+
   // After each frame, and not only at the end, which may be abrupt.
   void keep_settings() {
     const Settings now = settings_of(state_);
@@ -141,7 +177,7 @@ class Loop::Parts {
   [[nodiscard]] float shrink() const {
     const auto [width, height] = window_.extent();
     const bool lesson = state_.lessons.shown || state_.bugs.shown;
-    return shrink_to_fit(width, height, wished_unit(), lesson ? least_width_with_lesson : least_width);
+    return shrink_to_fit(width, height, wished_unit(), lesson);
   }
   [[nodiscard]] float dpi() const { return shrink() * window_.scale(); }
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
@@ -163,6 +199,7 @@ class Loop::Parts {
     if (state_.document.notice && state_.document.notice->kind == Notice::Kind::info)
       at_most(notice_lasts - notice_seen_);
     if (interface_.next_frame_in() >= 0) at_most(interface_.next_frame_in());
+    if (notes_) at_most(1);
     return wait;
   }
 
@@ -268,6 +305,13 @@ class Loop::Parts {
       frames_due_ = std::max(frames_due_, 1);
   }
 
+  // After each turn, and once a second for its clock.
+  void show_notes() {
+    if (!state_.lessons.notes_window) return notes_.reset();
+    if (!notes_) notes_ = std::make_unique<NotesWindow>(window_, fonts_found_);
+    if (!notes_->show(state_)) act(action::ShowNotesWindow{false});
+  }
+
   // A picture is taken once all its contents are complete; a film advances by one frame between polls of events.
   void work_on_export() {
     if (!state_.exports.window || frames_due_ > 0) return;
@@ -323,7 +367,8 @@ class Loop::Parts {
                             image_.seconds_left(),
                             image_.preview().hottest(),
                             &costs_,
-                            shown_costs_.texture()};
+                            shown_costs_.texture(),
+                            &gallery_};
     interface_.draw(state_, fonts_, unit(), dpi(), shown);
     const Colour ground = palette(state_.appearance.theme).window;
     if (seen) {
@@ -383,10 +428,12 @@ class Loop::Parts {
   LiveImage image_;
   LiveCosts costs_;
   ShownPicture shown_image_, shown_costs_;
+  GalleryPictures gallery_;
   Clock::time_point begun_, last_ = Clock::now();
   Settings settings_;  ///< as last saved
   FontFiles fonts_found_;
   Fonts fonts_;
+  std::unique_ptr<NotesWindow> notes_;  ///< while it is open
   float styled_unit_ = 0;
   Theme styled_theme_ = Theme::dark;
   int frames_due_ = frames_to_settle, frames_drawn_ = 0;

@@ -213,7 +213,7 @@ Commands MicroscopeRoom::commands() {
       {.name = "numerics-robust", .keys = {"Shift+Q"}, .section = Section::numerics, .line = "keys.numerics",
        .chosen = [](const State& state) { return state.scene().render.numerics == Numerics::robust; },
        .run = [](const Ui& ui) { set_numerics(ui, Numerics::robust); }},
-      {.name = "numerics-naive", .keys = {"Q"}, .section = Section::numerics, .line = "keys.numerics",
+      {.name = "numerics-naive", .keys = {"Shift+N"}, .section = Section::numerics, .line = "keys.numerics",
        .chosen = [](const State& state) { return state.scene().render.numerics == Numerics::naive; },
        .run = [](const Ui& ui) { set_numerics(ui, Numerics::naive); }},
       {.name = "precision-double", .keys = {"Alt+Shift+Q"}, .section = Section::precision, .line = "keys.numerics",

@@ -41,8 +41,9 @@ void heading(const Ui& ui, Colour colour, const std::string& text) {
 float button_height(const Ui& ui) { return ImGui::GetFontSize() + ui.px(14); }
 
 bool wide_button(const Ui& ui, const std::string& name, const std::string& text, Colour ground, Colour ink,
-                 bool enabled) {
-  const float width = ImGui::GetContentRegionAvail().x, pad = ui.px(10);
+                 bool enabled, float width) {
+  if (width <= 0) width = ImGui::GetContentRegionAvail().x;
+  const float pad = ui.px(10);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = size.y + ui.px(12);

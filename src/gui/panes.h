@@ -13,8 +13,9 @@
 
 namespace raywalk {
 
-class LiveCosts;     // gui/live_costs.h
-struct LessonPanel;  // view/lesson/lesson_panel.h
+class GalleryPictures;  // gui/gallery.h
+class LiveCosts;        // gui/live_costs.h
+struct LessonPanel;     // view/lesson/lesson_panel.h
 
 inline constexpr int menu_count = 5;
 /// A menu: the id of its title, and the sections of its commands.
@@ -106,10 +107,11 @@ struct PictureView {
   int width = 0, height = 0;   ///< of the image; `texture` has this size
   double done = 0;             ///< 0..1
   bool has_every_pixel = false, finished = false;
-  double seconds_left = 0;           ///< an estimate; 0: none
-  double hottest = 0;                ///< of a heat map: the value of the last colour
-  const LiveCosts* costs = nullptr;  ///< of the Cost panel; may be null
-  std::uintptr_t cost_texture = 0;   ///< its picture, of costs->size()
+  double seconds_left = 0;             ///< an estimate; 0: none
+  double hottest = 0;                  ///< of a heat map: the value of the last colour
+  const LiveCosts* costs = nullptr;    ///< of the Cost panel; may be null
+  std::uintptr_t cost_texture = 0;     ///< its picture, of costs->size()
+  GalleryPictures* gallery = nullptr;  ///< of the dialog that opens scenes; may be null
 };
 
 /// What tabs keep between frames, each a type of its own.
@@ -124,6 +126,10 @@ class TabMemory {
 
  private:
   std::map<std::type_index, std::any> kept_;
+};
+/// The ray that a tree last scrolled to.
+struct CentredOn {
+  int ray = -1;
 };
 /// What a tab is drawn with, beside the state.
 struct TabContext {
@@ -144,12 +150,19 @@ class TabsPane {
   int hovering_ = -1;  ///< the ray hovered in this pane
 };
 
+/// The ray tree of the current pixel, in a region that scrolls to the ray under way once it is another than
+/// `centred_on`. Returns the hovered ray, or -1.
+int ray_tree(const Ui& ui, const Rect& where, int& centred_on);
+
 /// The popup "image-settings", where it is open.
 void image_settings(const Ui& ui, FormMemory& memory);
 /// The popup "cost-knobs", where it is open.
 void cost_knobs_popup(const Ui& ui, FormMemory& memory);
 /// A field for the scene's epsilon of naive rays.
 void epsilon_row(const Ui& ui, Form& form);
+
+/// In one column: what stands below the walk.
+void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson);
 
 /// Samples of the ray kinds, in one row; a click on one hides or shows its rays.
 void legend_pane(const Ui& ui, const Rect& where);

@@ -115,6 +115,7 @@ std::string report(const State& state, const Interface& interface, const Preview
                       {"aimed", sitting.guess.arrow.has_value()},
                       {"presenter", sitting.presenter},
                       {"notes", sitting.notes},
+                      {"notes_window", sitting.notes_window},
                       {"hands", sitting.hands},
                       {"right", sitting.right},
                       {"judged", sitting.judged}};

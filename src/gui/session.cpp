@@ -37,9 +37,10 @@ Result<void> choose(const std::string& name, const char* what, Choice& to) {
 }  // namespace
 
 Settings settings_of(const State& state) {
-  return {state.appearance.theme, state.appearance.ui_scale,
-          state.appearance.tab,   std::string(state.appearance.language.code()),
-          state.walk.tweens,      state.appearance.english_code};
+  return {state.appearance.theme,    state.appearance.ui_scale,
+          state.appearance.tab,      std::string(state.appearance.language.code()),
+          state.walk.tweens,         state.appearance.english_code,
+          state.appearance.exchanged};
 }
 
 Settings read_settings(const std::string& state_dir) {
@@ -61,6 +62,10 @@ Settings read_settings(const std::string& state_dir) {
   if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
   if (const auto at = json.find("english_code"); at != json.end() && at->is_boolean())
     settings.english_code = at->get<bool>();
+  if (const auto at = json.find("exchanged"); at != json.end() && at->is_array())
+    for (const auto& each : *at)
+      if (const auto tab = each.is_string() ? named<Tab>(each.get<std::string>()) : std::nullopt)
+        settings.exchanged.push_back(*tab);
   return settings;
 }
 
@@ -71,6 +76,7 @@ void write_settings(const std::string& state_dir, const Settings& settings) {
                       {"ui_scale", settings.ui_scale},
                       {"tweens", settings.tweens},
                       {"english_code", settings.english_code}};
+  for (const Tab& tab : settings.exchanged) json["exchanged"].push_back(tab.word);
   if (!settings.language.empty()) json["language"] = settings.language;
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
@@ -126,6 +132,7 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
 
   state.appearance.theme = settings.theme;
   state.appearance.english_code = settings.english_code;
+  state.appearance.exchanged = settings.exchanged;
   state.appearance.ui_scale =
       options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
   state.appearance.tab = settings.tab;

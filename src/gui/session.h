@@ -22,6 +22,7 @@ struct Settings {
   std::string language{};  ///< its code; empty: none saved
   bool tweens = true;
   bool english_code = false;
+  std::vector<Tab> exchanged{};
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 [[nodiscard]] Settings settings_of(const State& state);

@@ -26,19 +26,6 @@ bool choice_button(const Ui& ui, ButtonRow& row, std::string_view name, const st
   return button(ui, name, words, said(ui, hint), {width, height}, look, is_chosen);
 }
 
-float draw_choices(const Ui& ui, const Rect& where, float height) {
-  ButtonRow row(ui, where, height);
-  for (const StructurePage page : {StructurePage::search, StructurePage::build}) {
-    const bool search = page == StructurePage::search;
-    if (choice_button(ui, row, search ? "structure/search" : "structure/build",
-                      said(ui, search ? "structure.search" : "structure.build"),
-                      search ? "structure.search_hint" : "structure.build_hint", height,
-                      ui.state.structure.page == page))
-      ui.act(action::ShowStructurePage{page});
-  }
-  return row.bottom();
-}
-
 float draw_steps(const Ui& ui, const Rect& where, float height) {
   const float edge = 1.6f * height, gap = ui.px(4);
   const ButtonLook back{.look = Look::plain, .icon = Icon::back, .font = nullptr, .label = false};
@@ -57,6 +44,24 @@ float draw_steps(const Ui& ui, const Rect& where, float height) {
   ImGui::SetCursorScreenPos({where.right() - edge, where.y});
   command_button(ui, command("structure-next"), {edge, height}, next);
   return where.y + height;
+}
+
+// The pages, and the steps beside or below them.
+float draw_pages(const Ui& ui, const Rect& where, float height) {
+  ButtonRow row(ui, where, height);
+  for (const StructurePage page : {StructurePage::search, StructurePage::build}) {
+    const bool search = page == StructurePage::search;
+    if (choice_button(ui, row, search ? "structure/search" : "structure/build",
+                      said(ui, search ? "structure.search" : "structure.build"),
+                      search ? "structure.search_hint" : "structure.build_hint", height,
+                      ui.state.structure.page == page))
+      ui.act(action::ShowStructurePage{page});
+  }
+  if (structure_steps(ui.state) == 0) return row.bottom();
+  const float right = ImGui::GetItemRectMax().x + ui.px(8), gap = ui.px(8);
+  if (where.right() - right >= ui.px(210))
+    return draw_steps(ui, {right, where.y, where.right() - right, height}, height);
+  return draw_steps(ui, {where.x, row.bottom() + gap, where.width, height}, height);
 }
 
 // Each line is a button that chooses its accelerator.
@@ -106,7 +111,7 @@ void StructureRoom::draw_tab(const Ui& ui, const Rect& pane, TabContext&) {
   const float height = ui.px(32), gap = ui.px(8);
   Rect rest = where;
   const auto take = [&](float bottom) { rest = {where.x, bottom + gap, where.width, where.bottom() - bottom - gap}; };
-  take(draw_choices(ui, rest, height));
+  take(draw_pages(ui, rest, height));
   const auto words = [&](ImFont* font, Colour colour, const std::string& said_here, const char* name) {
     if (said_here.empty()) return;
     ImGui::SetCursorScreenPos({where.x, rest.y});
@@ -117,7 +122,6 @@ void StructureRoom::draw_tab(const Ui& ui, const Rect& pane, TabContext&) {
     take(ImGui::GetItemRectMax().y);
   };
   words(ui.fonts.strong, ui.colours.text, panel.title, "structure/title");
-  if (structure_steps(ui.state) > 0) take(draw_steps(ui, {rest.x, rest.y, rest.width, height}, height));
   // Room for three lines, so that nothing below jumps between steps.
   const float top = rest.y;
   words(ui.fonts.text, ui.colours.text, panel.sentence, "structure/sentence");

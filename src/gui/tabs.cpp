@@ -1,7 +1,28 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
 
+#include <algorithm>
+#include <string_view>
+
 namespace raywalk {
+
+void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson) {
+  if (where.empty()) return;
+  const Pane pane(ui, "fronts", where, ui.colours.window, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  const float margin = ui.px(10), gap = ui.px(6), count = with_lesson ? 3 : 2;
+  const ImVec2 extent{(where.width - 2 * margin - (count - 1) * gap) / count, where.height - ui.px(6)};
+  float x = where.x + margin;
+  const auto choice = [&](Front each, const char* name, std::string_view label) {
+    ImGui::SetCursorScreenPos({x, where.y + ui.px(3)});
+    if (button(ui, name, ui.say(label), "", extent, {.look = Look::choice}, front == each))
+      ui.act(action::ShowFront{each});
+    x += extent.x + gap;
+  };
+  choice(Front::code, "front-code", PropertiesPane::shows(ui.state) ? "command.edit_properties.label" : "front.code");
+  choice(Front::tabs, "front-tabs", "menu.panels");
+  if (with_lesson) choice(Front::lesson, "front-lesson", "command.lessons.label");
+}
 
 void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs) {
   const Pane pane(ui, "tabs", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
@@ -14,7 +35,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
                                      where.width - 2 * margin - height - ui.px(4));
   ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
   command_button(ui, command("exchange"), {height, height},
-                 {.look = Look::flat, .icon = Icon::exchange, .font = nullptr, .label = false});
+                 {.look = Look::choice, .icon = Icon::exchange, .font = nullptr, .label = false});
   const float top = where.y + tabs + ui.px(14);
   const Rect inside{where.x + margin, top, where.width - 2 * margin, where.bottom() - top - ui.px(4)};
   int pointed_at = -1;
@@ -38,20 +59,31 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
     }
     ImGui::EndChild();
   }
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  const float bar = ui.px(44), gap = ui.px(8), width = ui.px(390 + 2 * 14);  // of the widest popup
   // Beside the picture, and never over the menus.
   const auto beside = [&] {
-    const ImVec2 whole = ImGui::GetIO().DisplaySize;
-    const float bar = ui.px(44), gap = ui.px(8), width = ui.px(390 + 2 * 14);  // of the widest popup
     const bool to_the_left = where.x > whole.x / 3;
     const float x = to_the_left ? where.x - gap : std::min(where.right() + gap, whole.x - gap - width);
     ImGui::SetNextWindowPos({x, whole.y - gap}, ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(whole.y - bar - ui.px(12), 1.0f)});
   };
+  // Below its button, or above it if there is more room.
+  const auto next_to = [&](std::string_view button) {
+    const auto found = ui.items.find(button);
+    if (found == ui.items.end()) return beside();
+    const Rect& at = found->second;
+    const float above = at.y - bar - gap, below = whole.y - at.bottom() - gap;
+    const bool down = below >= above;
+    ImGui::SetNextWindowPos({std::clamp(at.x, 0.0f, std::max(whole.x - width, 0.0f)), down ? at.bottom() : at.y},
+                            ImGuiCond_Appearing, {0, down ? 0.0f : 1.0f});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(down ? below : above, 1.0f)});
+  };
   if (open_settings) ImGui::OpenPopup("image-settings");
   beside();
   image_settings(ui, settings_);
   if (open_knobs) ImGui::OpenPopup("cost-knobs");
-  beside();
+  next_to("cost-knobs");
   cost_knobs_popup(ui, knobs_);
   if (pointed_at != hovering_ && pointed_at != ui.state.plan.hovered_ray) ui.act(action::HoverRay{pointed_at});
   hovering_ = pointed_at;

@@ -23,7 +23,10 @@ struct Rows {
   explicit Rows(const Ui& ui, float width) {
     constexpr float low = 560;  // units at scale 1
     const bool tight = ImGui::GetIO().DisplaySize.y < ui.px(low);
-    compact = ImGui::GetIO().DisplaySize.y < ui.px(low_window);
+    // A telephone held upright has room for as little as a low window.
+    constexpr float telephone = 470;  // units at scale 1
+    const ImVec2 whole = ImGui::GetIO().DisplaySize;
+    compact = whole.y < ui.px(low_window) || (is_upright(whole.x, whole.y) && width < ui.px(telephone));
     big = ui.px(compact ? 34 : tight ? 38 : 46);
     gap = ui.px(tight ? 6 : 9);
     top = ui.px(tight ? 5 : 8);
@@ -37,6 +40,10 @@ struct Rows {
     speed = ends + ui.px(max_speed_width);
     beside = transport + grain + speed + ui.px(28) <= inner;
     if (compact) {
+      // One button for all lengths of a step.
+      grain = 0;
+      for (const Command* each : commands_in(Section::grain))
+        grain = std::max(grain, button_width(ui, *each, {.look = Look::plain, .font = ui.fonts.small}));
       beside = true;
       shrink = std::clamp((inner - 3 * space) / buttons, 0.3f, 1.0f);
     } else if (!beside) {
@@ -61,7 +68,7 @@ struct Rows {
   float big, gap, top, bottom, grain, speed, slider, inner, sentence, scrub, height;
   float shrink = 1;
   bool beside, own_row = false;
-  bool compact;  ///< without grain and speed, which have menu entries and keys
+  bool compact;  ///< without the speed, which has menu entries and keys
 };
 
 // STEP and BACK speed up while held down.
@@ -109,6 +116,20 @@ void speed_control(const Ui& ui, const Rows& rows) {
   command_button(ui, command("faster"), {ui.px(small), ui.px(small)}, plus);
 }
 
+// The length of a step; pressed, the next one. Returns its right end.
+float grain_button(const Ui& ui, const Rows& rows, ImVec2 at) {
+  const std::vector<const Command*>& grains = commands_in(Section::grain);
+  std::size_t now = 0;
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    if (chosen(*grains[i], ui.state)) now = i;
+  ImGui::SetCursorScreenPos(at);
+  if (button(ui, "grain", command_label(*grains[now], ui.state),
+             command_hint(*grains[now], ui.state.appearance.language), {rows.grain, rows.scrub},
+             {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
+    perform(*grains[(now + 1) % grains.size()], ui);
+  return at.x + rows.grain;
+}
+
 void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const State& state = ui.state;
   push_font(ui.fonts.small);
@@ -116,13 +137,16 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const auto widest_of = [&](bool in_short) {
     return ImGui::CalcTextSize(widest_status_line(state, in_short).c_str()).x;
   };
-  const float least_bar = rows.beside || rows.own_row ? ui.px(rows.compact ? 150 : 260) : rows.grain + ui.px(220);
+  const float least_bar = rows.compact                  ? rows.grain + ui.px(150)
+                          : rows.beside || rows.own_row ? ui.px(260)
+                                                        : rows.grain + ui.px(220);
   const bool in_short = widest_of(false) + least_bar > rows.inner;
   const float widest = widest_of(in_short);
   pop_font();
   const std::string status = in_short ? short_status_line(state) : status_line(state);
   const bool with_status = widest + least_bar <= rows.inner;
   const float right = at.x + rows.inner;
+  if (rows.compact) at.x = grain_button(ui, rows, at) + ui.px(6);
   if (!rows.beside && !rows.own_row) at.x += rows.grain + ui.px(8);
   const float edge = ui.px(26);
   at.y += (rows.scrub - edge) / 2;

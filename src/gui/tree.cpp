@@ -98,12 +98,9 @@ void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& sp
             ui.colours.panel.with_alpha(200));
 }
 
-// The ray that the tree last scrolled to.
-struct CentredOn {
-  int ray = -1;
-};
+}  // namespace
 
-int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
+int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
   const TreePanel tree = tree_panel(ui.state);
   if (tree.nodes.empty()) {
     paragraph(ui.colours.dim_text, ui.say("tree.empty"));
@@ -163,10 +160,8 @@ int tree_tab(const Ui& ui, const Rect& where, int& centred_on) {
   return pointed_at;
 }
 
-}  // namespace
-
 void TreeRoom::draw_tab(const Ui& ui, const Rect& where, TabContext& context) {
-  context.pointed_at = tree_tab(ui, where, context.memory.of<CentredOn>().ray);
+  context.pointed_at = ray_tree(ui, where, context.memory.of<CentredOn>().ray);
 }
 
 Commands TreeRoom::commands() {

@@ -1,5 +1,7 @@
 #include "gui/ui.h"
 
+#include "gui/style.h"
+
 #include <algorithm>
 
 namespace raywalk {
@@ -44,6 +46,17 @@ FormPopup::~FormPopup() {
   ImGui::EndPopup();
 }
 
+void mark_more(const Ui& ui, const Rect& where, bool above, bool below) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 ink = to_imgui(Shades(ui.state.appearance.theme).accent);
+  const float x = where.x + where.width / 2, half = ui.px(7), high = ui.px(5), edge = ui.px(2);
+  const auto head = [&](float tip, float base) {
+    draw.AddTriangleFilled({x, tip}, {x - half, base}, {x + half, base}, ink);
+  };
+  if (above) head(where.y + edge, where.y + edge + high);
+  if (below) head(where.bottom() - edge, where.bottom() - edge - high);
+}
+
 void fade_edges(const Ui& ui, Colour ground) {
   const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
   const float bar = ImGui::GetScrollMaxY() > 0 ? ImGui::GetStyle().ScrollbarSize : 0;
@@ -55,6 +68,7 @@ void fade_edges(const Ui& ui, Colour ground) {
   draw.PushClipRect(at, {right, bottom});
   if (above > 0) draw.AddRectFilledMultiColor(at, {right, at.y + above}, solid, solid, clear, clear);
   if (below > 0) draw.AddRectFilledMultiColor({at.x, bottom - below}, {right, bottom}, clear, clear, solid, solid);
+  mark_more(ui, {at.x, at.y, right - at.x, bottom - at.y}, above > 0, below > 0);
   draw.PopClipRect();
 }
 

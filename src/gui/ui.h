@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,7 +26,6 @@ enum class WindowWish {
   image_settings,  ///< opens the settings of the 3-D picture
   cost_knobs,      ///< opens the knobs of the Cost panel
   breakpoints,     ///< opens the breakpoints and the go-to field
-  exchange,        ///< swaps the plan and the tabs
   line_up,         ///< these scroll the help text
   line_down,
   page_up,
@@ -34,33 +34,45 @@ enum class WindowWish {
   bottom,
 };
 
+/// A tooltip to be shown at the end of the frame, when it is known what stands beside its item.
+struct Tip {
+  Rect item;
+  std::string text;
+};
+
 /// What the pointer rests on, for delayed tooltips.
 class Rest {
  public:
-  /// Called in every frame for the item under the pointer: whether it has been there long enough.
-  bool rested_on(std::string_view name, double now) {
+  /// Called in every frame for the item under the pointer: whether it has been there long enough. Not once it was
+  /// `pressed`: who clicks on it, perhaps again and again, knows it.
+  bool rested_on(std::string_view name, double now, bool pressed) {
     if (name_ != name) {
       name_ = name;
       since_ = now;
+      pressed_ = false;
     }
+    pressed_ = pressed_ || pressed;
     asked_ = true;
     now_ = now;
-    return now - since_ >= patience;
+    return !pressed_ && now - since_ >= patience;
   }
+  void show(Tip tip) { tip_ = std::move(tip); }
+  [[nodiscard]] std::optional<Tip> take_tip() { return std::exchange(tip_, std::nullopt); }
   /// Requests another frame after at most this many seconds.
   void wake_in(double seconds) { wake_ = wake_ < 0 ? seconds : std::min(wake_, seconds); }
   /// At the end of a frame. Returns the seconds until the next frame; negative: none.
   double end_frame() {
     if (!asked_) name_.clear();
-    if (std::exchange(asked_, false) && now_ - since_ < patience) wake_in(patience - (now_ - since_));
+    if (std::exchange(asked_, false) && !pressed_ && now_ - since_ < patience) wake_in(patience - (now_ - since_));
     return std::exchange(wake_, -1);
   }
 
  private:
-  static constexpr double patience = 0.45;  // seconds
+  static constexpr double patience = 0.6;  // seconds
   std::string name_;
   double since_ = 0, now_ = 0;
-  bool asked_ = false;
+  bool asked_ = false, pressed_ = false;
+  std::optional<Tip> tip_;
   double wake_ = -1;
 };
 
@@ -122,8 +134,10 @@ class FormPopup {
   bool open_;
 };
 
+/// Small arrowheads in the middle of the upper and lower edge of `where`: that there is more above or below.
+void mark_more(const Ui& ui, const Rect& where, bool above, bool below);
 /// At the end of a scrolling region: fades into the background where more is above or below, so that clipped lines read
-/// as continued.
+/// as continued, and marks it.
 void fade_edges(const Ui& ui, Colour ground);
 
 }  // namespace raywalk

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -155,30 +156,6 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
       draw.AddLine(at(0, -0.8f), at(0.6f, -0.1f), colour, thick);
       break;
   }
-}
-
-void tooltip(const Ui& ui, std::string_view name, const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  if (!ui.rest.rested_on(name, ImGui::GetTime())) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
-  ImGui::BeginTooltip();
-  push_font(ui.fonts.small);
-  ImGui::PushTextWrapPos(ui.px(340));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  pop_font();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
-}
-
-void tooltip_now(const Ui& ui, const std::string& text) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
-  ImGui::BeginTooltip();
-  push_font(ui.fonts.small);
-  ImGui::TextUnformatted(text.c_str());
-  pop_font();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
 }
 
 bool button(const Ui& ui, std::string_view name, const std::string& label, const std::string& hint, ImVec2 size,

@@ -83,9 +83,11 @@ std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float
 /// A line of a menu.
 void menu_item(const Ui& ui, const Command& command);
 
-/// Shows `text` beside the pointer once it has rested on the last item.
+/// Shows `text` beside the last item once the pointer has rested on it.
 void tooltip(const Ui& ui, std::string_view name, const std::string& text);
-/// The same at once, whatever the pointer is on, in one line.
+/// At the end of a frame: the tooltip that is due, where it covers the least of what can be clicked.
+void show_tooltip(const Ui& ui);
+/// Shows `text` beside the pointer, at once and in one line.
 void tooltip_now(const Ui& ui, const std::string& text);
 
 /// Draws an icon into a square of this edge around `centre`.

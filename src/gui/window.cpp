@@ -157,20 +157,29 @@ Window::~Window() {
   glfwTerminate();
 }
 
+void Window::on_key(GLFWwindow* window, int key, int /*scan_code*/, int action, int modifiers) {
+  Window& self = *window_of(window);
+  self.happened_ = true;
+  self.key_released_ |= action == GLFW_RELEASE;
+  if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
+  const bool ctrl = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
+  const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0, alt = (modifiers & GLFW_MOD_ALT) != 0;
+  self.fast_keys_.push_back({key, ctrl, shift, alt});
+  if (const std::string_view name = name_of_key(key); !name.empty())
+    self.keys_.push_back({name, ctrl, shift && key != GLFW_KEY_EQUAL, alt, action == GLFW_REPEAT});
+}
+
+void Window::hear(GLFWwindow* other) {
+  glfwSetWindowUserPointer(other, this);
+  glfwSetKeyCallback(other, on_key);
+  glfwSetWindowRefreshCallback(other, [](GLFWwindow* w) { window_of(w)->happened_ = true; });
+  glfwSetWindowCloseCallback(other, [](GLFWwindow* w) { window_of(w)->happened_ = true; });
+}
+
 void Window::listen() {
   glfwSetWindowUserPointer(window_, this);
   // A callback per event; most only note that something happened.
-  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
-    Window& self = *window_of(w);
-    self.happened_ = true;
-    self.key_released_ |= action == GLFW_RELEASE;
-    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
-    const bool ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
-    const bool shift = (mods & GLFW_MOD_SHIFT) != 0, alt = (mods & GLFW_MOD_ALT) != 0;
-    self.fast_keys_.push_back({key, ctrl, shift, alt});
-    if (const std::string_view name = name_of_key(key); !name.empty())
-      self.keys_.push_back({name, ctrl, shift && key != GLFW_KEY_EQUAL, alt, action == GLFW_REPEAT});
-  });
+  glfwSetKeyCallback(window_, on_key);
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { window_of(w)->happened_ = true; });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
     Window& self = *window_of(w);

@@ -50,6 +50,9 @@ class Window {
   /// Whether the user asked the window to close since the last call.
   [[nodiscard]] bool take_close_request();
 
+  /// Keys pressed in that window are this one's from now on.
+  void hear(GLFWwindow* other);
+
   void set_title(const std::string& title);
   void toggle_full_screen();
   /// Uploads the rebuilt font atlas to the GPU.
@@ -65,6 +68,7 @@ class Window {
  private:
   Window() = default;
   void listen();
+  static void on_key(GLFWwindow* window, int key, int scan_code, int action, int modifiers);
   void replay_fast_input();
 
   GLFWwindow* window_ = nullptr;

@@ -1,6 +1,9 @@
 #include "gui/browser.h"
 #include "view/export/export.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "gui/bench.h"
 #include "gui/folder.h"
 #include "support/catch.h"
@@ -30,6 +33,75 @@ State asking(const std::string& file, const Action& question) {
 
 }  // namespace
 
+TEST_CASE("every shipped scene and lesson is in the gallery, with a sentence in every language and a picture") {
+  const std::string root = RAYWALK_SOURCE_DIR;
+  for (const Language language : all_languages()) {
+    State state = classic();
+    state.appearance.language = language;
+    state.lessons.folder = root + "/lessons";
+    state.lessons.scenes_folder = root + "/scenes";
+    update(state, action::ListLessons{});
+    const std::vector<GalleryCard> scenes = scene_cards(state, root + "/scenes"), lessons = lesson_cards(state);
+    CHECK(scenes.size() == list_folder(root + "/scenes").files.size() + 1 - 1);  // a new scene; ball.ply is no scene
+    CHECK(scenes.at(1).title == "classic");
+    CHECK(lessons.size() == 13);
+    for (const std::vector<GalleryCard>* cards : {&scenes, &lessons}) {
+      for (const GalleryCard& card : *cards) {
+        CAPTURE(language.code(), card.name);
+        CHECK(card.sentence.size() > 20);
+        if (card.path.empty() && card.lesson.empty()) continue;
+        CHECK(std::filesystem::exists(card.picture));
+        if (card.lesson.empty())
+          CHECK(language.catalogue().find("gallery." + std::filesystem::path(card.path).stem().string()) != nullptr);
+      }
+    }
+  }
+}
+
+TEST_CASE("New and Open begin with the gallery") {
+  const std::string root = RAYWALK_SOURCE_DIR;
+  const auto begin = [&](const Action& ask) {
+    State state = classic();
+    state.lessons.folder = root + "/lessons";
+    state.lessons.scenes_folder = root + "/scenes";
+    update(state, ask);
+    return state;
+  };
+  {
+    Bench bench(begin(action::AskNew{}));
+    bench.frames(4);
+    bench.click("scene-new");
+    CHECK(bench.last<action::New>() != nullptr);
+    CHECK(bench.state.document.prompt == PathPrompt::none);
+    CHECK(bench.state.scene().objects.size() == 2);
+    bench.forget();
+    bench.key("Ctrl+N");
+    bench.frames(3);
+    REQUIRE(bench.state.document.prompt == PathPrompt::start);
+    bench.key("Enter");
+    CHECK(bench.last<action::New>() != nullptr);
+  }
+  Bench bench(begin(action::AskOpen{}));
+  bench.frames(4);
+  bench.click("scene/appel");
+  CHECK(bench.state.document.path == root + "/scenes/appel.toml");
+  CHECK(bench.state.document.prompt == PathPrompt::none);
+  update(bench.state, action::AskOpen{});
+  bench.frames(3);
+  bench.click("gallery-recent");
+  bench.obedient = false;
+  bench.click("recent/0");
+  REQUIRE(bench.last<action::Open>() != nullptr);
+  CHECK(bench.last<action::Open>()->path == root + "/scenes/appel.toml");
+  bench.obedient = true;
+  bench.click("gallery-lessons");
+  bench.frames(3);
+  bench.click("lesson-card/01-ray-casting");
+  CHECK(bench.state.document.prompt == PathPrompt::none);
+  REQUIRE(bench.state.lessons.open);
+  CHECK(bench.state.lessons.open->lesson.name == "01-ray-casting");
+}
+
 TEST_CASE("a folder's listing has its folders and scenes, sorted, and nothing hidden") {
   const Scenes scenes;
   const FolderListing listing = list_folder(scenes / "");
@@ -44,6 +116,7 @@ TEST_CASE("a scene is opened by clicks, through folders") {
   const Scenes scenes;
   Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
   bench.frames(3);
+  bench.click("gallery-files");
   CHECK(bench.has("browser/b.toml"));
   CHECK_FALSE(bench.has("browser/picture.png"));
   bench.click("browser/inner/");
@@ -60,6 +133,7 @@ TEST_CASE("a double click opens at once") {
   const Scenes scenes;
   Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
   bench.frames(3);
+  bench.click("gallery-files");
   bench.obedient = false;
   bench.double_click("browser/b.toml");
   REQUIRE(bench.last<action::Open>() != nullptr);
@@ -85,6 +159,49 @@ TEST_CASE("saving begins with the file's own name and folder") {
   bench.click("browser-accept");
   REQUIRE(bench.last<action::SaveAs>() != nullptr);
   CHECK(bench.last<action::SaveAs>()->path == scenes / "b.toml");
+}
+
+TEST_CASE("a broken file's message never pushes the buttons out, and the name keeps the keyboard") {
+  const Scenes scenes;
+  scenes.put("broken.toml", "[[object]]\nshape = \"spear\"\n");
+  for (const float height : {480.0f, 720.0f}) {
+    Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+    bench.resize(1024, height);
+    bench.frames(4);
+    bench.type(scenes / "broken.toml");
+    bench.enter();
+    bench.frames(3);
+    REQUIRE(bench.state.document.notice);
+    bench.state.document.notice->text += std::string(2000, 'x') + std::string(400, '\n');
+    bench.frames(3);
+    CHECK(bench.has("browser-complaint"));
+    for (const char* button : {"browser-cancel", "browser-accept", "browser-path"})
+      CHECK(bench.rect(button).bottom() <= (height + std::min(height, 620.0f)) / 2 - 5);
+    CHECK(bench.rect("browser-complaint").bottom() <= bench.rect("browser-path").y);
+    // The next name is typed over it.
+    bench.obedient = false;
+    bench.forget();
+    bench.type(scenes / "inner/c.toml");
+    bench.enter();
+    REQUIRE(bench.last<action::Open>() != nullptr);
+    CHECK(bench.last<action::Open>()->path == scenes / "inner/c.toml");
+  }
+}
+
+TEST_CASE("an export goes where the last one went") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "b.toml", action::AskExport{}));
+  bench.frames(4);
+  bench.type(scenes / "inner/walk.txt");
+  bench.enter();
+  bench.frames(3);
+  REQUIRE(bench.state.document.prompt == PathPrompt::none);
+  update(bench.state, action::AskExport{});
+  bench.frames(4);
+  bench.obedient = false;
+  bench.click("browser-accept");
+  REQUIRE(bench.last<action::Export>() != nullptr);
+  CHECK(bench.last<action::Export>()->path == scenes / "inner/b.html");
 }
 
 TEST_CASE("an export's kinds can be seen, and give the name its ending") {

@@ -105,7 +105,7 @@ TEST_CASE("the entries of the menus") {
   bench.state.appearance.ui_scale = 1.5;
   bench.frames(2);
 
-  CHECK(chosen_from<action::New>(bench, "menu-file", "new") != nullptr);
+  CHECK(chosen_from<action::AskNew>(bench, "menu-file", "new") != nullptr);
   CHECK(chosen_from<action::AskOpen>(bench, "menu-file", "open") != nullptr);
   CHECK(chosen_from<action::Save>(bench, "menu-file", "save") != nullptr);
   CHECK(chosen_from<action::AskSaveAs>(bench, "menu-file", "save-as") != nullptr);
@@ -202,6 +202,41 @@ TEST_CASE("AUTO is called PAUSE while it runs") {
   update(state, action::PlayPause{});
   REQUIRE(state.walk.playing);
   CHECK(command_label(command("play"), state) != at_rest);
+}
+
+TEST_CASE("lessons and the length of a step are at hand in large letters and in upright windows") {
+  struct Size {
+    float width, height, wished;
+  };
+  for (const Size& each : {Size{2560, 1440, 3},
+                           {2560, 1440, 3.75f},
+                           {1920, 1080, 2},
+                           {1920, 1080, 2.5f},
+                           {768, 1024, 1},
+                           {768, 1024, 1.25f},
+                           {360, 640, 1},
+                           {414, 896, 1}}) {
+    for (const Language language : all_languages()) {
+      Bench bench(at(40, Mode::trace));
+      bench.state.appearance.language = language;
+      bench.unit = bench.dpi = each.wished * shrink_to_fit(each.width, each.height, each.wished);
+      bench.resize(each.width, each.height);
+      const std::string grain = bench.has("grain") ? "grain" : "grain-pixel";
+      for (const std::string& item : {std::string("lessons"), grain, std::string("step"), std::string("play"),
+                                      std::string("clear"), std::string("mode-help")}) {
+        CAPTURE(each.width, each.wished, language.code(), item);
+        REQUIRE(bench.has(item));
+        const Rect where = bench.rect(item);
+        CHECK(where.x >= 0);
+        CHECK(where.right() <= each.width + 0.5f);
+        CHECK(where.bottom() <= each.height + 0.5f);
+        CHECK_FALSE(bench.has(item + "/clipped"));
+      }
+      const std::string before = std::string(name_of(bench.state.walk.grain));
+      bench.click(grain);
+      CHECK(name_of(bench.state.walk.grain) != before);
+    }
+  }
 }
 
 TEST_CASE("every button that a mouse can press is in the window at 1280 x 720") {

@@ -52,7 +52,8 @@ TEST_CASE("keys mean what the help says") {
   CHECK(in(Mode::move, "Ctrl++") == "scale-up");
   CHECK(in(Mode::move, "Ctrl+-") == "scale-down");
   CHECK(in(Mode::move, "F11") == "full-screen");
-  CHECK(in(Mode::move, "1") == "add-solid-sphere");
+  CHECK(in(Mode::move, "Shift+1") == "add-solid-sphere");
+  CHECK(in(Mode::move, "1").empty());
   CHECK(in(Mode::trace, "1") == "grain-line");
 }
 
@@ -149,6 +150,22 @@ TEST_CASE("Tab goes through everything that can be selected, and round again") {
   CHECK(bench.state.plan.selected == seen.front());
   bench.key("Shift+Tab");
   CHECK(bench.state.plan.selected == seen.back());
+}
+
+TEST_CASE("no letter, digit or sign alone changes the scene") {
+  for (const Mode mode : {Mode::move, Mode::trace}) {
+    for (const char c : std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789,+-")) {
+      Bench bench;
+      update(bench.state, action::SetMode{mode});
+      update(bench.state, action::Select{{TargetKind::object, 0}});
+      update(bench.state, action::Orbit{SpaceView::image, {0.3, 0.1}});  // a camera that could be taken
+      const Scene before = bench.state.scene();
+      CAPTURE(static_cast<int>(mode), c);
+      bench.key(std::string(1, c));
+      CHECK(bench.state.scene() == before);
+      CHECK(bench.state.document.undo.empty());
+    }
+  }
 }
 
 TEST_CASE("Escape takes back one thing at a time") {

@@ -20,10 +20,10 @@ bool overlap(const Rect& a, const Rect& b) {
 
 // What is wrong with a layout; empty when nothing is.
 std::string faults(const Layout& layout, float width, float height) {
-  const std::array panes{layout.bar,    layout.lesson,    layout.plan, layout.effects, layout.band,  layout.strip,
-                         layout.corner, layout.transport, layout.side, layout.tabs,    layout.folded};
-  const std::array names{"bar",    "lesson",    "plan", "effects", "band",  "strip",
-                         "corner", "transport", "side", "tabs",    "folded"};
+  const std::array panes{layout.bar,    layout.lesson,    layout.plan, layout.effects, layout.band,   layout.strip,
+                         layout.corner, layout.transport, layout.side, layout.tabs,    layout.fronts, layout.folded};
+  const std::array names{"bar",    "lesson",    "plan", "effects", "band",   "strip",
+                         "corner", "transport", "side", "tabs",    "fronts", "folded"};
   std::string text;
   for (std::size_t i = 0; i < panes.size(); ++i) {
     const Rect& pane = panes[i];
@@ -49,12 +49,15 @@ TEST_CASE("no size of the window makes panes overlap or leave it") {
         raywalk::LayoutWishes wishes{width, height, unit, 150 * unit, 420 * unit, 300 * unit};
         CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
         wishes.lesson = 330 * unit;
-        CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
-        wishes.band = 58 * unit;
-        wishes.effects = 34 * unit;
-        CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
-        wishes.focus = true;
-        CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
+        for (const auto front : {raywalk::Front::code, raywalk::Front::tabs, raywalk::Front::lesson}) {
+          wishes.front = front;
+          for (const bool focus : {false, true}) {
+            wishes.focus = focus;
+            wishes.band = 58 * unit;
+            wishes.effects = 34 * unit;
+            CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
+          }
+        }
       }
     }
   }
@@ -88,11 +91,47 @@ TEST_CASE("in a small window everything is drawn smaller, never below what can b
   CHECK(shrink_to_fit(1280, 720, 1) == 1);
   CHECK(shrink_to_fit(1280, 720, 2) == 1);
   CHECK(shrink_to_fit(1280, 720, 2.5f) < 1);
-  CHECK(shrink_to_fit(1280, 720, 2, raywalk::least_width_with_lesson) < 0.75f);
-  CHECK(shrink_to_fit(1280, 720, 1, raywalk::least_width_with_lesson) == 1);
+  CHECK(shrink_to_fit(1280, 720, 2, true) < 0.75f);
+  CHECK(shrink_to_fit(1280, 720, 1, true) == 1);
   CHECK(shrink_to_fit(400, 300, 1) <= 400 / 640.0f);
   CHECK(shrink_to_fit(400, 300, 1) > 0.9f * 400 / 640);
   CHECK(shrink_to_fit(10, 10, 1) > 0.2f);
+  // Upright, a lesson is not beside the code, and a telephone's letters stay legible.
+  CHECK(shrink_to_fit(768, 1024, 1, true) == 1);
+  CHECK(shrink_to_fit(360, 640, 1, true) > 0.85f);
+}
+
+TEST_CASE("in an upright window the columns are below each other") {
+  raywalk::LayoutWishes wishes{768, 1024, 1, 134, 413, 310};
+  const Layout layout = raywalk::lay_out(wishes);
+  CHECK(layout.plan.width == 768);
+  CHECK(layout.plan.height > 300);
+  CHECK(layout.side.y > layout.transport.bottom());
+  CHECK(layout.side.width >= 310);
+  CHECK(layout.side.height == 413);
+  CHECK(layout.tabs.y == layout.side.y);
+  CHECK(layout.tabs.width > 400);
+  CHECK(layout.fronts.empty());
+  wishes.lesson = 330;
+  const Layout with = raywalk::lay_out(wishes);
+  CHECK(with.lesson.width == 330);
+  CHECK(with.plan.width > 400);
+  CHECK(with.tabs == layout.tabs);
+}
+
+TEST_CASE("on a telephone held upright lesson, code and panels stand below the walk one at a time") {
+  raywalk::LayoutWishes wishes{360, 640, 0.875f, 140, 360, 270};
+  wishes.lesson = 290;
+  for (const auto front : {raywalk::Front::code, raywalk::Front::tabs, raywalk::Front::lesson}) {
+    wishes.front = front;
+    const Layout layout = raywalk::lay_out(wishes);
+    CHECK(layout.plan.width == 360);
+    CHECK(layout.plan.height > 80);
+    CHECK_FALSE(layout.fronts.empty());
+    CHECK(layout.side.empty() == (front != raywalk::Front::code));
+    CHECK(layout.tabs.empty() == (front != raywalk::Front::tabs));
+    CHECK(layout.lesson.empty() == (front != raywalk::Front::lesson));
+  }
 }
 
 TEST_CASE("the side is never narrower than the longest line of code where the window has room for both") {

@@ -1,13 +1,17 @@
 // The lessons by mouse and keys: on the bench, and in the real window.
 
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "gui/bench.h"
 #include "gui/classic_walk.h"
 #include "support/catch.h"
 #include "support/languages.h"
 #include "text/file.h"
+#include "view/lesson/lesson_panel.h"
 #include "view/plan/plan_view.h"
 
 using namespace raywalk;
@@ -121,6 +125,39 @@ TEST_CASE("everything of a lesson fits into its pane, in both languages") {
         CHECK(where.x >= pane.x);
         CHECK(where.right() <= pane.right());
         CHECK(where.bottom() <= pane.bottom());
+      }
+    }
+  }
+}
+
+TEST_CASE("a class's hands are counted beside each choice, and what is out of sight is marked") {
+  for (const float unit : {1.0f, 1.25f}) {
+    Bench bench(with_lessons());
+    bench.unit = unit;
+    bench.resize(1280, 720);
+    update(bench.state, action::SetLessonOptions{true, true});
+    for (const std::string lesson : {"01-ray-casting", "03-shadows", "05-refraction", "07-shading"}) {
+      update(bench.state, action::OpenLesson{lesson});
+      REQUIRE(bench.state.lessons.open);
+      const int steps = static_cast<int>(bench.state.lessons.open->played.steps.size());
+      for (int step = 0; step < steps; ++step) {
+        update(bench.state, action::GoToLessonStep{step});
+        bench.frames(3);
+        const LessonPanel panel = lesson_panel(bench.state);
+        const Rect& pane = bench.interface().layout().lesson;
+        float bottom = 0;
+        for (std::size_t i = 0; i < panel.choices.size(); ++i) {
+          const std::string key = std::to_string(i + 1);
+          CAPTURE(unit, lesson, step, key);
+          const Rect choice = bench.rect("guess/" + key), less = bench.rect("hand-less/" + key),
+                     more = bench.rect("hand-more/" + key);
+          CHECK(choice.y >= bottom);
+          CHECK(choice.right() <= less.x);
+          CHECK(less.right() <= more.x);
+          CHECK(more.right() <= pane.right());
+          CHECK(std::abs(less.y + less.height / 2 - choice.y - choice.height / 2) <= 1);
+          bottom = choice.bottom();
+        }
       }
     }
   }
@@ -298,4 +335,29 @@ TEST_CASE("Focus folds what stands around the plan, and the same key or either e
     CHECK_FALSE(bench.state.focus.on);
     CHECK(bench.interface().layout().plan == before.plan);
   }
+}
+
+TEST_CASE("the presenter's notes have a window of their own, which closes again", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  Visualiser raywalk(desktop, {std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml"});
+  INFO(raywalk.said());
+  const auto notes = [](bool shown) {
+    return
+        [shown](const Json& report) { return report.contains("lesson") && report["lesson"]["notes_window"] == shown; };
+  };
+  REQUIRE(raywalk.until([](const Json& report) { return report["window"]["frames"].get<int>() >= 3; }, 60));
+  raywalk.key("F2");
+  raywalk.click("lesson/01-ray-casting");
+  raywalk.key("alt+n");
+  REQUIRE(raywalk.until(notes(true)));
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  desktop.picture(std::filesystem::path(std::getenv("RAYWALK_BIN")).parent_path() / "window-test" / "l9-notes.png");
+  // The walk goes on, and its window is drawn as before.
+  raywalk.key("space");
+  REQUIRE(raywalk.until([](const Json& report) { return report["position"].get<int>() > 0; }));
+  raywalk.key("alt+n");
+  REQUIRE(raywalk.until(notes(false)));
+  raywalk.key("ctrl+q");
+  CHECK(raywalk.wait(10) == 0);
 }

@@ -159,6 +159,9 @@ TEST_CASE("Structure in the window: a search stepped, another structure, how it 
   walk.keep_picture("p7-structure");
   raywalk.key("ctrl+k");
   REQUIRE(walk.until("structure", "step", 1));
+  // Exchanged with the plan, the panel shows all of its table.
+  raywalk.key("x");
+  REQUIRE(raywalk.until([](const Json& report) { return report["items"]["structure/kdtree"][1].get<double>() < 560; }));
   raywalk.click("structure/kdtree");
   REQUIRE(walk.until("structure", "kind", "kdtree"));
   raywalk.key("ctrl+u");

@@ -1,8 +1,13 @@
 // What the panes make of the pointer.
 
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "gui/bench.h"
+#include "gui/command.h"
 #include "support/catch.h"
 #include "view/document/question.h"
 #include "view/legend/legend.h"
@@ -191,6 +196,118 @@ TEST_CASE("plan and tabs change places and back") {
   CHECK(bench.rect("tabs") == plan_before);
   bench.key("X");
   CHECK(bench.rect("plan") == plan_before);
+}
+
+TEST_CASE("a panel opens where it was last, by tab and by key, and sentence, buttons and code stay") {
+  Bench bench(at(120));
+  bench.frames(2);
+  const Rect large = bench.rect("plan"), small = bench.rect("tabs"), code = bench.rect("code"),
+             transport = bench.rect("transport");
+  const std::vector<std::pair<std::string, std::string>> tabs{
+      {"tab-image", "I"}, {"tab-tree", "R"}, {"tab-cost", "F3"}, {"tab-microscope", "Y"}, {"tab-structure", "Ctrl+T"}};
+  std::map<std::string, Rect> place;
+  for (const int round : {0, 1, 2}) {
+    for (const auto& [tab, key] : tabs) {
+      CAPTURE(round, tab);
+      if (round == 1)
+        bench.key(key);
+      else
+        bench.click(tab);
+      bench.frames(2);
+      const Rect here = bench.rect("tabs");
+      CHECK((here == large || here == small));
+      CHECK(bench.rect("plan") == (here == large ? small : large));
+      if (round > 0) CHECK(place[tab] == here);
+      CHECK(bench.rect("code") == code);
+      CHECK(bench.rect("transport") == transport);
+      for (const char* always : {"sentence", "step", "play", "clear"}) CHECK(bench.has(always));
+      if (round == 1) continue;
+      bench.key("X");
+      CHECK(bench.rect("tabs") == (here == large ? small : large));
+      place[tab] = bench.rect("tabs");
+    }
+  }
+  CHECK(place["tab-cost"] == large);  // exchanged twice
+  bench.key("F1");
+  for (const char* always : {"sentence", "step", "play", "clear"}) CHECK(bench.has(always));
+}
+
+TEST_CASE("a tooltip comes late, covers no button, and goes with a click") {
+  for (const auto& [width, height] : {std::pair{1280.0f, 720.0f}, {1024.0f, 600.0f}}) {
+    for (const Tab tab : {PictureRoom::tab, CostRoom::tab}) {
+      Bench bench(at(120));
+      update(bench.state, action::SetTab{tab});
+      bench.resize(width, height);
+      std::vector<std::string> buttons;
+      for (const Command* each : commands())
+        if (bench.has(std::string(each->name))) buttons.emplace_back(each->name);
+      REQUIRE(buttons.size() > 20);
+      for (const std::string& button : buttons) {
+        CAPTURE(width, button);
+        bench.point_at(button);
+        CHECK_FALSE(bench.has("tooltip"));
+        bench.frames(60);
+        REQUIRE(bench.has("tooltip"));
+        const Rect tip = bench.rect("tooltip");
+        CHECK((tip.x >= 0 && tip.y >= 0 && tip.right() <= width && tip.bottom() <= height));
+        for (const std::string& other : buttons) {
+          const Rect at = bench.rect(other);
+          CAPTURE(other);
+          CHECK((tip.right() <= at.x || tip.x >= at.right() || tip.bottom() <= at.y || tip.y >= at.bottom()));
+        }
+      }
+      bench.click("step");
+      bench.frames(60);
+      CHECK_FALSE(bench.has("tooltip"));
+      bench.click("step");
+      bench.frames(60);
+      CHECK_FALSE(bench.has("tooltip"));
+      bench.point_at("play");
+      bench.frames(60);
+      CHECK(bench.has("tooltip"));
+    }
+  }
+}
+
+TEST_CASE("no line of code is ever cut, and every line can be reached") {
+  for (const float unit : {1.0f, 1.25f, 2.0f}) {
+    for (const float height : {480.0f, 600.0f, 720.0f, 1080.0f}) {
+      Bench bench(at(40));
+      bench.unit = unit;
+      bench.resize(1280, height);
+      const Rect pane = bench.rect("code");
+      std::set<std::string> seen;
+      const auto look = [&] {
+        for (const auto& [name, rect] : bench.interface().items()) {
+          if (!name.starts_with("line-")) continue;
+          CAPTURE(unit, height, name);
+          CHECK(rect.y >= pane.y);
+          CHECK(rect.bottom() <= pane.bottom() + 0.5f);
+          seen.insert(name);
+        }
+      };
+      look();
+      if (height == 720 && unit < 2) CHECK(seen.size() == 17);  // all, without scrolling
+      bench.point_at("code");
+      for (int i = 0; i < 20; ++i) {
+        bench.wheel(-1);
+        bench.frames(2);
+        look();
+      }
+      CHECK(seen.size() == 17);
+    }
+  }
+}
+
+TEST_CASE("the knobs of Cost open at their button") {
+  Bench bench;
+  bench.key("F3");
+  bench.frames(2);
+  bench.click("cost-knobs");
+  bench.frames(2);
+  const Rect button = bench.rect("cost-knobs"), popup = bench.rect("cost-knobs-popup");
+  CHECK(std::abs(popup.x - button.x) <= 1);
+  CHECK(std::abs(popup.y - button.bottom()) <= 1);
 }
 
 TEST_CASE("a notice is taken away by its cross") {

@@ -100,13 +100,14 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
-  const Settings chosen{Theme::projector, 2.25, TreeRoom::tab, "pt", false, true};
+  const Settings chosen{Theme::projector, 2.25, TreeRoom::tab, "pt", false, true, {TreeRoom::tab, CostRoom::tab}};
   write_settings(folder / "state", chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);
   CHECK(start(wanted)->appearance.theme == Theme::projector);
   CHECK_FALSE(start(wanted)->walk.tweens);
   CHECK(start(wanted)->appearance.english_code);
+  CHECK(start(wanted)->appearance.large());
   wanted.theme = "dark";
   CHECK(start(wanted)->appearance.theme == Theme::dark);
   for (const std::string text : {"", "{", "[1, 2]", R"({"theme": 7, "ui_scale": "large", "tab": "x"})", "\xff\xfe"}) {

@@ -21,7 +21,7 @@ State at_a_ray() {
 
 }  // namespace
 
-TEST_CASE("the structures take the code's place and leave the plan its room") {
+TEST_CASE("the structures leave code and plan their room, and have the plan's on request") {
   Bench bench(at_a_ray());
   bench.frames(2);
   const Rect plan = bench.rect("plan");
@@ -29,8 +29,13 @@ TEST_CASE("the structures take the code's place and leave the plan its room") {
   REQUIRE(bench.state.appearance.tab == StructureRoom::tab);
   bench.frames(2);
   CHECK(bench.rect("plan") == plan);
+  CHECK(bench.has("code"));
   CHECK(bench.has("structure/sentence"));
   CHECK(bench.has("step"));  // the walk goes on beside it
+  CHECK(bench.rect("structure-next").bottom() <= 720);
+  bench.key("X");
+  CHECK(bench.rect("tabs") == plan);
+  CHECK(bench.has("code"));
   for (const AcceleratorKind kind : watched_accelerators) {
     const Rect row = bench.rect("structure/" + std::string(name_of(kind)));
     CHECK(row.bottom() <= 720);
@@ -71,6 +76,7 @@ TEST_CASE("the structure and the page are chosen by mouse and keys") {
   Bench bench(at_a_ray());
   update(bench.state, action::SetTab{StructureRoom::tab});
   bench.frames(2);
+  bench.key("X");  // the small pane scrolls
   bench.click("structure/octree");
   CHECK(bench.state.structure.kind == AcceleratorKind::octree);
   bench.key("Ctrl+U");

@@ -189,6 +189,7 @@ TEST_CASE("files with mouse and keyboard: save as, open, undo, unsaved work, rec
     // The first file again: through the dialog, by its name in the list.
     raywalk.key("ctrl+o");
     REQUIRE(raywalk.until("prompt", "open"));
+    raywalk.click("gallery-files");
     raywalk.click("browser/scene.toml");
     raywalk.click("browser-accept");
     REQUIRE(raywalk.until("path", scene));

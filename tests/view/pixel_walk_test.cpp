@@ -41,7 +41,7 @@ TEST_CASE("a walked pixel ends in the very colour of the picture, of the scene's
       CHECK(state.walk.timeline->pixels()[0].shade == film.at(column, row));
       CHECK(state.walk.position == state.walk.timeline->steps());
       CHECK(state.walk.mode == Mode::trace);
-      CHECK(state.appearance.tab == TreeRoom::tab);
+      CHECK(state.appearance.tab == PictureRoom::tab);
       CHECK_FALSE(tree_panel(state).nodes.empty());
       CHECK(shows_lines(state));
       CHECK(broken_promise(state) == "");

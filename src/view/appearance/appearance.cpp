@@ -32,11 +32,19 @@ void action::SetTouch::apply(State& state) const { state.appearance.touch = on; 
 
 void action::SetTab::apply(State& state) const {
   state.appearance.tab = tab;
+  state.appearance.front = Front::tabs;
   if (tab == StructureRoom::tab) {  // it draws into the plan of a walk
     end_drag(state);
     state.walk.mode = Mode::trace;
   }
   if (tab == PictureRoom::tab) state.space.turned_last = SpaceView::image;  // keys turn the selected view
+}
+
+void action::ShowFront::apply(State& state) const { state.appearance.front = front; }
+
+void action::ExchangePanes::apply(State& state) const {
+  std::vector<Tab>& exchanged = state.appearance.exchanged;
+  if (std::erase(exchanged, state.appearance.tab) == 0) exchanged.push_back(state.appearance.tab);
 }
 
 void action::DismissNotice::apply(State& state) const { state.document.notice.reset(); }

@@ -7,11 +7,19 @@
 #include "view/picture/room.h"
 #include "view/room.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace raywalk {
 
 inline constexpr double min_ui_scale = 1, max_ui_scale = 3;
+
+/// In a narrow, tall window: which of three stands below the walk.
+enum class Front { code, tabs, lesson };
+template <>
+inline constexpr Word<Front> words_of<Front>[] = {
+    {Front::code, "code"}, {Front::tabs, "tabs"}, {Front::lesson, "lesson"}};
 
 }  // namespace raywalk
 
@@ -62,6 +70,19 @@ struct SetTab {
   static constexpr Traits traits{.keeps_drag = true};
   void apply(State& state) const;
 };
+struct ShowFront {
+  static constexpr std::string_view word = "front";
+  Front front;
+  static void fields(auto& f, auto& a) { f(a.front); }
+  static constexpr Traits traits{.keeps_drag = true};
+  void apply(State& state) const;
+};
+/// The open tab and the plan change places; the tab opens there again.
+struct ExchangePanes {
+  static constexpr std::string_view word = "exchange";
+  static constexpr Traits traits{.keeps_drag = true};
+  void apply(State& state) const;
+};
 struct DismissNotice {
   static constexpr std::string_view word = "dismiss";
   static constexpr Traits traits{.keeps_drag = true, .always = true};
@@ -75,7 +96,8 @@ namespace raywalk {
 /// How the window looks.
 struct AppearanceRoom {
   using Actions = Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale,
-                        action::SetTouch, action::SetTab, action::DismissNotice>;
+                        action::SetTouch, action::SetTab, action::ShowFront, action::ExchangePanes,
+                        action::DismissNotice>;
   static Commands commands();
 
   Theme theme = Theme::dark;
@@ -84,7 +106,13 @@ struct AppearanceRoom {
   bool touch = false;         ///< handles are as large as a finger
   double ui_scale = 1;        ///< min_ui_scale..max_ui_scale
   Tab tab = PictureRoom::tab;
+  Front front = Front::code;
+  std::vector<Tab> exchanged{};  ///< those that are not where Tab::large says
 
+  /// Whether the open tab is in the plan's place, and the plan in the tabs'.
+  [[nodiscard]] bool large() const {
+    return tab.large != (std::find(exchanged.begin(), exchanged.end(), tab) != exchanged.end());
+  }
   /// Of the pseudocode.
   [[nodiscard]] Language code_language() const { return english_code ? language.others().english() : language; }
 };

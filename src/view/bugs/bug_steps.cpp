@@ -64,6 +64,7 @@ void action::ShowBugs::apply(State& state) const {
   }
   ShowLessons{false}.apply(state);
   state.bugs.shown = true;
+  state.appearance.front = Front::lesson;
   if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
 }
 

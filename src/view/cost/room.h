@@ -76,7 +76,7 @@ namespace raywalk {
 struct CostRoom {
   using Actions = Types<action::SetCostKnobs, action::TryCost, action::ForgetCosts, action::ChooseCost,
                         action::ShowCosts, action::ShowCostPage>;
-  static constexpr Tab tab{"cost", true};
+  static constexpr Tab tab{"cost", true, true};
   static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
   static Commands commands();
 

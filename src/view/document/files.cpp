@@ -130,6 +130,8 @@ void ask_path(State& state, PathPrompt prompt) {
 
 void action::New::apply(State& state) const { ask_or_do(state, {"question.unsaved_new", begin_scene}, {}); }
 
+void action::AskNew::apply(State& state) const { ask_path(state, PathPrompt::start); }
+
 void action::AskOpen::apply(State& state) const { ask_path(state, PathPrompt::open); }
 
 void action::AskSaveAs::apply(State& state) const { ask_path(state, PathPrompt::save_as); }
@@ -149,11 +151,12 @@ void action::Quit::apply(State& state) const {
 }
 
 void action::Open::apply(State& state) const {
-  const bool asked = std::exchange(state.document.prompt, PathPrompt::none) == PathPrompt::open;
+  const PathPrompt prompt = std::exchange(state.document.prompt, PathPrompt::none);
+  const bool asked = prompt == PathPrompt::open || prompt == PathPrompt::start;
   ask_or_do(state, {"question.unsaved_open", open_file}, path);
   // If it cannot be opened, the dialog stays and says why.
   if (asked && !state.document.question && state.document.notice && state.document.notice->kind == Notice::Kind::error)
-    state.document.prompt = PathPrompt::open;
+    state.document.prompt = prompt;
 }
 
 void ask_or_do(State& state, const Intent& intent, const std::string& path) {

@@ -29,10 +29,12 @@ struct Intent {
   void (*carry_out)(State& state, const std::string& path_or_lesson) = nullptr;
 };
 
-/// A path that the window must ask for; answered by the action of that name, or by CancelPrompt.
-enum class PathPrompt { none, open, save_as, save_predictions, export_walk };
+/// A path that the window must ask for: where to start (with a scene that is shipped, or a new one), to open, to write.
+/// Answered by the action of that name, or by CancelPrompt.
+enum class PathPrompt { none, start, open, save_as, save_predictions, export_walk };
 template <>
-inline constexpr Word<PathPrompt> words_of<PathPrompt>[] = {{PathPrompt::open, "open"},
+inline constexpr Word<PathPrompt> words_of<PathPrompt>[] = {{PathPrompt::start, "new"},
+                                                            {PathPrompt::open, "open"},
                                                             {PathPrompt::save_as, "save_as"},
                                                             {PathPrompt::save_predictions, "save_predictions"},
                                                             {PathPrompt::export_walk, "export"}};
@@ -206,6 +208,12 @@ struct SaveAs {
   static constexpr Traits traits{.answers_prompt = true, .of_own_scene = true};
   void apply(State& state) const;
 };
+/// What to start with: the gallery.
+struct AskNew {
+  static constexpr std::string_view word = "ask-new";
+  static constexpr Traits traits{.of_own_scene = true};
+  void apply(State& state) const;
+};
 struct AskOpen {
   static constexpr std::string_view word = "ask-open";
   static constexpr Traits traits{.of_own_scene = true};
@@ -240,8 +248,8 @@ struct DocumentRoom {
   using Actions = Types<action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner,
                         action::Rename, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
                         action::SetLimits, action::SetNumerics, action::SetSurroundings, action::Undo, action::Redo,
-                        action::New, action::Open, action::Save, action::SaveAs, action::AskOpen, action::AskSaveAs,
-                        action::CancelPrompt, action::AnswerQuestion, action::Quit>;
+                        action::New, action::Open, action::Save, action::SaveAs, action::AskNew, action::AskOpen,
+                        action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion, action::Quit>;
   static Commands commands();
 
   SceneDocument contents;

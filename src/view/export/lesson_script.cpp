@@ -45,29 +45,6 @@ struct ScriptStep {
   std::vector<ScriptLine> lines;  ///< none is empty
 };
 
-/// The question with its choices, and the right answer.
-std::string question_of(const PlayedLesson& played, std::size_t i, const StepWords& said, Language language) {
-  const PlayedStep& step = played.steps[i];
-  const auto filled_in = [&](const Passage& passage) {
-    return filled(played, i, step.asked, passage, language).value_or(passage.text);
-  };
-  std::string question = filled_in(said.question);
-  if (const auto* choices = std::get_if<ChoiceQuestion>(&*step.step->question)) {
-    for (std::size_t c = 0; c < choices->choices.size() && c < said.choices.size(); ++c) {
-      const Outcome value = value_at(played, i, step.shown, choices->choices[c].expression);
-      question += fmt::format("\n{}. {}{}", c + 1, filled_in(said.choices[c]), value && holds(*value) ? " \u2713" : "");
-    }
-  } else if (const auto* number = std::get_if<NumberQuestion>(&*step.step->question)) {
-    const Outcome value = value_at(played, i, step.shown, number->answer.expression);
-    if (const double* truth = value ? std::get_if<double>(&*value) : nullptr)
-      question +=
-          "\n\n" + text_of(*truth, decimals_of(*number, *truth), language.decimal_mark()) + number->unit + " \u2713";
-  } else if (std::holds_alternative<LineQuestion>(*step.step->question) && step.walk->fault) {
-    question += "\n\n" + std::string(text(faulty_line(*step.walk->fault), language)) + " \u2713";
-  }
-  return question;
-}
-
 std::vector<ScriptStep> steps_of(const PlayedLesson& played, const LessonWords& words, Language language) {
   std::vector<ScriptStep> steps;
   for (std::size_t i = 0; i < played.steps.size(); ++i) {
@@ -84,7 +61,7 @@ std::vector<ScriptStep> steps_of(const PlayedLesson& played, const LessonWords& 
                                         : minutes_text(time.begin) + "\u2013" + minutes_text(time.end),
                        {{Role::screen, filled_at(said->text, step.asked)},
                         {Role::say, script.before},
-                        {Role::ask, step.step->question ? question_of(played, i, *said, language) : ""},
+                        {Role::ask, step.step->question ? question_with_answer(played, i, *said, language) : ""},
                         {Role::answer, filled_at(said->reveal, step.shown)},
                         {Role::say, script.after},
                         {Role::teacher, filled_at(said->teacher, step.shown)},

@@ -54,10 +54,18 @@ std::string time_of(const LessonRoom& sitting, const LessonWords& words, Languag
 
 }  // namespace
 
-const std::string& LessonEntry::title(Language language) const {
-  const auto own = titles.find(language.code());
-  return own == titles.end() ? titles.find("en")->second : own->second;
+namespace {
+
+const std::string& told(const std::map<std::string, std::string, std::less<>>& words, Language language) {
+  const auto own = words.find(language.code());
+  return own == words.end() ? words.find("en")->second : own->second;
 }
+
+}  // namespace
+
+const std::string& LessonEntry::title(Language language) const { return told(titles, language); }
+
+const std::string& LessonEntry::summary(Language language) const { return told(summaries, language); }
 
 std::vector<LessonRow> lesson_rows(const LessonRoom& sitting, Language language) {
   std::vector<LessonRow> rows;

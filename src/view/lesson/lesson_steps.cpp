@@ -55,8 +55,14 @@ void read_list(State& state) {
       complain(state, lesson.error().text());
       continue;
     }
-    LessonEntry entry{name, {}, static_cast<int>(lesson->steps.size())};
-    for (const auto& [code, words] : lesson->words) entry.titles[code] = words.title;
+    LessonEntry entry;
+    entry.name = name;
+    entry.steps = static_cast<int>(lesson->steps.size());
+    entry.scene = lesson->steps.empty() ? std::string() : lesson->steps.front().scene.value_or("");
+    for (const auto& [code, words] : lesson->words) {
+      entry.titles[code] = words.title;
+      entry.summaries[code] = words.summary.text;
+    }
     sitting.list.push_back(std::move(entry));
   }
 }
@@ -160,10 +166,13 @@ void action::ShowLessons::apply(State& state) const {
     return;
   }
   state.bugs.shown = false;
+  state.appearance.front = Front::lesson;
   if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
   if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
   read_list(state);
 }
+
+void action::ListLessons::apply(State& state) const { read_list(state); }
 
 void action::OpenLesson::apply(State& state) const {
   ShowLessons{true}.apply(state);
@@ -250,6 +259,13 @@ void action::SetLessonOptions::apply(State& state) const {
   state.lessons.unlocked = unlocked;
   state.lessons.notes = !without_notes;
   write_progress(state);
+}
+
+void action::ShowNotesWindow::apply(State& state) const {
+  state.lessons.notes_window = shown;
+  if (!shown) return;
+  state.lessons.presenter = true;
+  state.lessons.notes = false;  // the class sees none of it
 }
 
 }  // namespace raywalk

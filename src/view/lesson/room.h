@@ -22,6 +22,9 @@ struct LessonEntry {
   std::string name;                                                 ///< of its folder
   std::map<std::string, std::string, std::less<>> titles;           ///< by the languages' codes
   [[nodiscard]] const std::string& title(Language language) const;  ///< in English if there is none in this language
+  std::map<std::string, std::string, std::less<>> summaries{};      ///< likewise: what one learns, in a sentence
+  [[nodiscard]] const std::string& summary(Language language) const;
+  std::string scene{};  ///< the shipped one that it begins with; empty if it has its own
   int steps = 0;
 };
 
@@ -59,6 +62,12 @@ struct ShowLessons {
   bool shown;
   static void fields(auto& f, auto& a) { f(a.shown, on_or_off); }
   [[nodiscard]] constexpr Traits traits() const { return {.of_own_scene = shown}; }
+  void apply(State& state) const;
+};
+/// Reads what lessons there are, for the dialog that asks what to open.
+struct ListLessons {
+  static constexpr std::string_view word = "list-lessons";
+  static constexpr Traits traits{.keeps_drag = true, .keeps_tween = true, .answers_prompt = true};
   void apply(State& state) const;
 };
 /// At the first unfinished step; asks first if there is unsaved work.
@@ -114,15 +123,24 @@ struct SetLessonOptions {
   void apply(State& state) const;
 };
 
+/// The presenter's notes in a window of their own, which a class does not see.
+struct ShowNotesWindow {
+  static constexpr std::string_view word = "notes-window";
+  bool shown;
+  static void fields(auto& f, auto& a) { f(a.shown, on_or_off); }
+  static constexpr Traits traits{.keeps_drag = true, .keeps_tween = true};
+  void apply(State& state) const;
+};
+
 }  // namespace raywalk::action
 
 namespace raywalk {
 
 /// The lessons: which is open, its current step, the guesses.
 struct LessonRoom {
-  using Actions =
-      Types<action::ShowLessons, action::OpenLesson, action::LeaveLesson, action::GoToLessonStep, action::GuessChoice,
-            action::GuessNumber, action::RevealLesson, action::ShowHands, action::SetLessonOptions>;
+  using Actions = Types<action::ShowLessons, action::ListLessons, action::OpenLesson, action::LeaveLesson,
+                        action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
+                        action::ShowHands, action::SetLessonOptions, action::ShowNotesWindow>;
   static Commands commands();
   static void close(State& state);
 
@@ -140,6 +158,7 @@ struct LessonRoom {
   std::set<std::pair<std::string, int>> counted;  ///< lessons and steps of these questions
   bool presenter = false;                         ///< shows of hands, every lesson open, and the notes
   bool notes = false;                             ///< the pane shows presenter's script and teacher's notes
+  bool notes_window = false;                      ///< the notes have a window of their own
   bool unlocked = false;                          ///< any lesson may be opened, and questions may be skipped
   std::map<std::string, int, std::less<>> done;   ///< finished steps of each lesson
 

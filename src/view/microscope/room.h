@@ -22,7 +22,7 @@ namespace raywalk {
 /// A hit at any magnification.
 struct MicroscopeRoom {
   using Actions = Types<action::Magnify>;
-  static constexpr Tab tab{"microscope", true};
+  static constexpr Tab tab{"microscope", true, true};
   static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
   static Commands commands();
 

@@ -39,19 +39,29 @@ struct SetImageSettings {
   void apply(State& state) const;
 };
 
+/// The ray tree of the current pixel beside the picture, so that one can click pixel after pixel.
+struct ShowTreeBeside {
+  static constexpr std::string_view word = "tree-beside";
+  bool shown;
+  static void fields(auto& f, auto& a) { f(a.shown, on_or_off); }
+  static constexpr Traits traits{.keeps_drag = true};
+  void apply(State& state) const;
+};
+
 }  // namespace raywalk::action
 
 namespace raywalk {
 
 /// The 3-D picture.
 struct PictureRoom {
-  using Actions = Types<action::SetImageSettings>;
+  using Actions = Types<action::SetImageSettings, action::ShowTreeBeside>;
   static constexpr Tab tab{"image", true};
   static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
   static Commands commands();
 
   std::optional<Camera> camera;  ///< its own; absent: the scene's
   ImageSettings settings;
+  bool tree_beside = true;     ///< in Trace
   std::uint64_t revision = 0;  ///< changes with every change of `camera` and `settings`
 };
 

@@ -7,9 +7,6 @@ namespace raywalk {
 
 namespace {
 
-/// With more objects than this, only those selected or hovered show handles.
-constexpr std::size_t few_handled = 12;
-
 void draw_dot(Painter& painter, const Target& target) {
   const bool hovered =
       painter.state.plan.hovered == target || (painter.state.plan.drag && painter.state.plan.drag->target == target);

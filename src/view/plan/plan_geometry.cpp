@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace raywalk {
@@ -101,7 +102,24 @@ double reach_of(const Prism<double>& prism, const Vec2d& from, const Vec2d& dire
   return farthest;
 }
 
-/// Above the polygon, clear of its outline; under the pointer while rotating.
+/// The distance from `at` to the nearest handle of another object, or light.
+double clearance(const State& state, int own, const Vec2d& at, const Viewport& viewport) {
+  const Scene& scene = state.scene();
+  double least = std::numeric_limits<double>::infinity();
+  const auto keep_off = [&](const Vec2d& handle) { least = std::min(least, length(handle - at)); };
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    const Object& object = scene.objects[static_cast<std::size_t>(i)];
+    if (i == own || !object.transform.empty()) continue;
+    if (std::holds_alternative<Sphere<double>>(object.shape))
+      keep_off(place_of(state, {TargetKind::radius, i}, viewport));
+    if (const auto* prism = std::get_if<Prism<double>>(&object.shape))
+      for (int corner = 0; corner < prism->sides(); ++corner) keep_off(prism->corner(corner));
+  }
+  for (const Light& light : scene.lights) keep_off(light_place(light, state.plan.camera, viewport));
+  return least;
+}
+
+/// Above the polygon, clear of its outline, or where no other handle is below it; under the pointer while rotating.
 Vec2d rotation_place(const State& state, const Target& target, const Prism<double>& prism, const Viewport& viewport) {
   const Vec2d centre = centroid(prism);
   Vec2d direction(0, 1);
@@ -111,7 +129,23 @@ Vec2d rotation_place(const State& state, const Target& target, const Prism<doubl
     if (size > 0) direction = towards / size;
   }
   const double clear = 26 * state.appearance.ui_scale / state.plan.camera.pixels_per_unit;
-  return centre + (reach_of(prism, centre, direction) + clear) * direction;
+  const auto place = [&](const Vec2d& towards) {
+    return centre + (reach_of(prism, centre, towards) + clear) * towards;
+  };
+  if (state.plan.drag || state.scene().objects.size() > few_handled) return place(direction);
+  constexpr int ways = 12;
+  Vec2d best = place(direction);
+  double most = clearance(state, target.index, best, viewport);
+  for (int i = 1; i < ways && most < clear; ++i) {
+    // Alternately to the right and to the left of the top.
+    const double angle = std::numbers::pi * ((i % 2 == 1 ? 1 : -1) * ((i + 1) / 2)) / (ways / 2);
+    const Vec2d at = place({std::sin(angle), std::cos(angle)});
+    const double free = clearance(state, target.index, at, viewport);
+    if (free <= most) continue;
+    most = free;
+    best = at;
+  }
+  return best;
 }
 
 }  // namespace

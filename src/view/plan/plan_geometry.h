@@ -3,6 +3,7 @@
 
 #include "view/state.h"
 
+#include <cstddef>
 #include <optional>
 
 namespace raywalk {
@@ -20,6 +21,9 @@ struct ScreenPlace {
 /// Radius of the circle of a sphere in the plan: its section, or its outline if it is not cut.
 [[nodiscard]] double plan_radius(const Sphere<double>& sphere);
 [[nodiscard]] bool meets_plan(const Sphere<double>& sphere);
+
+/// With more objects than this, only those selected or hovered show handles.
+inline constexpr std::size_t few_handled = 12;
 
 /// Centre of the area of a simple polygon.
 [[nodiscard]] Vec2d centroid(const Prism<double>& prism);

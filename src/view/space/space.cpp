@@ -66,7 +66,6 @@ void action::WalkPixel::apply(State& state) const {
     return update(state, JumpToCell{column * cells / size.width});
   walk_something(state, PixelWalk{size, column, row, state.picture.camera});
   state.space.lines_wanted.reset();
-  state.appearance.tab = TreeRoom::tab;
   go_to(state, state.walk.timeline->steps());
 }
 
@@ -124,6 +123,8 @@ void action::UseImageCamera::apply(State& state) const {
   ResetView{SpaceView::image}.apply(state);
   inform(state, std::string(text("notice.camera_taken", state.appearance.language)));
 }
+
+void action::ShowTreeBeside::apply(State& state) const { state.picture.tree_beside = shown; }
 
 void action::SetImageSettings::apply(State& state) const {
   ImageSettings next = settings;

@@ -1,5 +1,10 @@
 #include "view/walk/asked.h"
 
+#include "view/text/text.h"
+#include "view/walk/fault.h"
+
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -121,6 +126,28 @@ bool asks_for_line(const State& state) {
 
 std::optional<Line> marked_line(const State& state) {
   return state.bugs.hunt ? state.bugs.hunt->marked : state.lessons.shown ? state.lessons.guess.line : std::nullopt;
+}
+
+std::string question_with_answer(const PlayedLesson& played, std::size_t i, const StepWords& said, Language language) {
+  const PlayedStep& step = played.steps[i];
+  const auto filled_in = [&](const Passage& passage) {
+    return filled(played, i, step.asked, passage, language).value_or(passage.text);
+  };
+  std::string question = filled_in(said.question);
+  if (const auto* choices = std::get_if<ChoiceQuestion>(&*step.step->question)) {
+    for (std::size_t c = 0; c < choices->choices.size() && c < said.choices.size(); ++c) {
+      const Outcome value = value_at(played, i, step.shown, choices->choices[c].expression);
+      question += fmt::format("\n{}. {}{}", c + 1, filled_in(said.choices[c]), value && holds(*value) ? " \u2713" : "");
+    }
+  } else if (const auto* number = std::get_if<NumberQuestion>(&*step.step->question)) {
+    const Outcome value = value_at(played, i, step.shown, number->answer.expression);
+    if (const double* truth = value ? std::get_if<double>(&*value) : nullptr)
+      question +=
+          "\n\n" + text_of(*truth, decimals_of(*number, *truth), language.decimal_mark()) + number->unit + " \u2713";
+  } else if (std::holds_alternative<LineQuestion>(*step.step->question) && step.walk->fault) {
+    question += "\n\n" + std::string(text(faulty_line(*step.walk->fault), language)) + " \u2713";
+  }
+  return question;
 }
 
 }  // namespace raywalk

@@ -3,7 +3,9 @@
 
 #include "view/state.h"
 
+#include <cstddef>
 #include <optional>
+#include <string>
 
 namespace raywalk {
 
@@ -25,6 +27,10 @@ namespace raywalk {
 
 /// The number of decimals shown of a question's answer, or of its error.
 [[nodiscard]] int decimals_of(const NumberQuestion& question, double number);
+
+/// For a presenter: the question of step `i` with its choices, of which the right one is ticked, or the answer.
+[[nodiscard]] std::string question_with_answer(const PlayedLesson& played, std::size_t i, const StepWords& said,
+                                               Language language);
 
 /// The open lesson's guess becomes the arrow from the ray's origin to `towards`, in scene units.
 void guess_arrow(State& state, const Vec2d& towards);
