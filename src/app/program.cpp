@@ -217,7 +217,10 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   };
   const auto asked = std::make_shared<Asked>();
   GuiOptions& to = asked->options;
-  program.add_option("SCENE", to.scene_path, std::string(scene_help) + "; left out: the classic scene")->type_name("");
+  program
+      .add_option("SCENE", to.scene_path,
+                  std::string(scene_help) + "; or a link, as the window copies it; left out: the classic scene")
+      ->type_name("");
   add_file(program, "--demo", to.demo_path, "FILE", "Replay the actions in a file, one a line");
   const CLI::Option* const demo_help_wanted =
       program.add_flag("--demo-help")->description("Print the actions that such a file may have, and exit");

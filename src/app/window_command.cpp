@@ -3,11 +3,20 @@
 #include "app/scene_lookup.h"
 #include "app/texts.h"
 #include "math/stop.h"
+#include "view/link/link.h"
+
+#include <filesystem>
+#include <utility>
 
 namespace raywalk {
 
 ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger) {
   options.data_dir = data_dir();
+  if (is_link(options.scene_path) && !std::filesystem::exists(options.scene_path)) {
+    const auto link = read_link(options.scene_path);
+    if (!link) return fail(link.error());
+    options.link = std::exchange(options.scene_path, {});
+  }
   if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);
 #if RAYWALK_GUI
   options.languages = texts().languages;

@@ -10,6 +10,11 @@ void question_dialog(const Ui& ui);
 /// Enter gives the first answer, which is safe; Escape cancels if possible; a digit picks. Returns whether it did.
 bool answer_by_key(const KeyPress& press, const Ui& ui);
 
+/// The link that is shown, with its QR code.
+void link_dialog(const Ui& ui);
+/// Escape closes it, Enter copies. Returns whether it is open: then no other key has a meaning.
+bool link_by_key(const KeyPress& press, const Ui& ui);
+
 /// The notice above the plan, with a button to dismiss it.
 void notice_bar(const Ui& ui, const Rect& plan);
 

@@ -14,8 +14,11 @@ namespace raywalk {
 /// Options of the window. Only `data_dir` is required. The fields below `data_dir` are for screenshots and tests; `app`
 /// offers them as the hidden options named beside them, each with one value.
 struct GuiOptions {
-  std::string scene_path;                        ///< scene to open; empty: the classic scene of `data_dir`
-  std::string demo_path;                         ///< actions to replay, one per line, as written by `view`; empty: none
+  std::string scene_path;  ///< scene to open; empty: the classic scene of `data_dir`
+  std::string link;        ///< a scene and a moment to open instead (view/link/link.h); empty: none
+  std::string own_page{};  ///< the page that this runs in, where links lead to; empty: none
+  bool embedded = false;   ///< in somebody's page: scene, code and transport alone
+  std::string demo_path;   ///< actions to replay, one per line, as written by `view`; empty: none
   std::shared_ptr<const Languages> languages{};  ///< those that can be chosen; null: English alone
   std::vector<Error> broken_texts{};             ///< language files that could not be read, to be reported
   std::string data_dir;  ///< folder that holds `scenes` (and `fonts`, when fonts are shipped along)

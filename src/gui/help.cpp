@@ -1,13 +1,49 @@
 #include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
+#include "gui/platform.h"
 #include "gui/widgets.h"
 #include "view/plan/pictogram.h"
 #include "view/text/text.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 namespace raywalk {
+
+namespace {
+
+/// What others' licences ask to be shown, each behind its name.
+void licences_section(const Ui& ui, float width) {
+  std::string_view rest = platform::licences();
+  constexpr std::string_view before = "== ", behind = " ==\n";
+  if (!rest.starts_with(before)) return;
+  push_font(ui.fonts.title);
+  label(ui.colours.text, ui.say("help.licences.title"));
+  pop_font();
+  ImGui::Spacing();
+  const float left = ImGui::GetCursorPosX();
+  ImGui::PushTextWrapPos(left + width);
+  label(ui.colours.text, ui.say("help.licences.text"));
+  while (rest.starts_with(before)) {
+    rest.remove_prefix(before.size());
+    const std::size_t name_end = std::min(rest.find(behind), rest.size());
+    const std::string name(rest.substr(0, name_end));
+    rest.remove_prefix(std::min(name_end + behind.size(), rest.size()));
+    const std::size_t end = std::min(rest.find("\n== "), rest.size());
+    const bool open = ImGui::TreeNode(name.c_str());
+    ui.publish("licence/" + name);
+    if (open) {
+      label(ui.colours.dim_text, rest.substr(0, end));
+      ImGui::TreePop();
+    }
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
 
 void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
   const Pane pane(ui, "help", where, ui.colours.panel, {ui.px(28), ui.px(20)});
@@ -52,6 +88,7 @@ void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
     }
     ImGui::Dummy({1, ui.px(14)});
   }
+  licences_section(ui, width);
   fade_edges(ui, ui.colours.panel);
 }
 

@@ -62,7 +62,7 @@ void Interface::grant(const Ui& ui) {
 }
 
 void Interface::press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key) {
-  const bool asks = state.document.question || state.document.prompt != PathPrompt::none;
+  const bool asks = state.document.question || state.document.prompt != PathPrompt::none || state.link.shown;
   const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const Ui with = ui(state, fonts, unit, dpi);
   if (menu_open && shown_menu_ >= 0 && command_of(key, state.walk.mode) == &command("menu")) {
@@ -116,18 +116,20 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(4);
 
-  LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit};
+  const bool embedded = state.appearance.embedded;
+  LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit, .bare = embedded};
   wishes.code = code_height(with);
   wishes.code_width = code_width(with);
   const bool helps = state.walk.mode == Mode::help;
-  wishes.focus = state.focus.on && !helps;
+  wishes.focus = state.focus.on && !helps && !embedded;
   const bool asks = state.bugs.shown || has_question(state);
   if ((state.lessons.shown || state.bugs.shown) && !helps)
     wishes.lesson = with.px(wishes.focus && !asks ? folded_width : 330);
   wishes.front = state.appearance.front;
   if (wishes.front == Front::lesson && wishes.lesson == 0) wishes.front = Front::code;
-  if (state.effects.shown && !helps) wishes.effects = effects_height(with, lay_out(wishes).plan.width);
-  if (state.band.shown && !helps) wishes.band = with.px(static_cast<float>(band_height));
+  if (embedded && wishes.front == Front::tabs) wishes.front = Front::code;
+  if (state.effects.shown && !helps && !embedded) wishes.effects = effects_height(with, lay_out(wishes).plan.width);
+  if (state.band.shown && !helps && !embedded) wishes.band = with.px(static_cast<float>(band_height));
   // The transport's height depends on its width, which does not depend on its height.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   layout_ = lay_out(wishes);
@@ -149,7 +151,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     layout_.plan.height -= banner.height;
     banner_pane(with, banner);
   }
-  shown_menu_ = bar_pane(with, layout_.bar, std::exchange(wanted_menu_, -1));
+  const int menu = std::exchange(wanted_menu_, -1);
+  shown_menu_ = embedded ? -1 : bar_pane(with, layout_.bar, menu);
   if (aside_.frames > 0 && shown_menu_ < 0) wanted_menu_ = std::exchange(aside_, {}).neighbour;
   if (aside_.frames > 0) --aside_.frames;
   if (helps) {
@@ -161,9 +164,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
       plan_pane(with, layout_.plan);
     }
     // One strip for both modes, so that the plan does not move.
-    if (state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
-    if (state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
-    focus_button(with, layout_.corner);
+    if (!embedded && state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
+    if (!embedded && state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
+    if (!embedded) focus_button(with, layout_.corner);
     if (wishes.band > 0) band_pane(with, layout_.band);
     if (wishes.effects > 0) effects_pane(with, layout_.effects);
   }
@@ -176,13 +179,14 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   } else {
     code_pane(with, layout_.side);
   }
-  if (!folds)
-    tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false), std::exchange(open_knobs_, false));
+  const bool settings = std::exchange(open_settings_, false), knobs = std::exchange(open_knobs_, false);
+  if (!embedded && !folds) tabs_.draw(with, layout_.tabs, picture, settings, knobs);
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 
   notice_bar(with, layout_.plan);
   browser_.draw(with, home_, picture.gallery);
+  link_dialog(with);
   question_dialog(with);
   show_tooltip(with);
   ImGui::PopFont();

@@ -163,6 +163,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
     if (begins) ui.act(action::New{});
     return true;
   }
+  if (link_by_key(press, ui)) return true;
   if (press.key == "Escape") return escape(ui);
   if (const auto direction = arrow(press.key);
       direction && state.walk.mode == Mode::move && !press.ctrl && !press.alt) {

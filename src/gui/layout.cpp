@@ -19,8 +19,8 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
   layout.lesson = {0, top, lesson, lesson > 0 ? below : 0.0f};
   const float transport = take(below * 0.6f, wishes.transport);
   layout.transport = {edge, bottom - transport, width, transport};
-  const float strip =
-      take((below - transport) * 0.3f, (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit);
+  const float strip_wish = (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit;
+  const float strip = wishes.bare ? 0 : take((below - transport) * 0.3f, strip_wish);
   const float corner = take(width * 0.2f, strip);
   layout.strip = {edge, std::max(layout.transport.y - line - strip, top), width - corner, strip};
   layout.corner = {layout.strip.right(), layout.strip.y, corner, strip};
@@ -37,8 +37,8 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   constexpr float least_tabs = 220, least_two = 540;  // widths, in units at scale 1
   const bool one_column = width < std::max(wishes.code_width + line + least_tabs * unit, least_two * unit);
   Layout layout;
-  layout.bar = {0, 0, width, take(height, (one_column ? 76 : 44) * unit)};
-  const float top = std::min(layout.bar.bottom() + line, height), below = height - top;
+  if (!wishes.bare) layout.bar = {0, 0, width, take(height, (one_column ? 76 : 44) * unit)};
+  const float top = wishes.bare ? 0 : std::min(layout.bar.bottom() + line, height), below = height - top;
   // In one column the lesson stands below the walk, and is not folded away.
   const bool folds = wishes.focus && !(one_column && wishes.front == Front::lesson);
   const float low = folds        ? take(below / 8, folded_width * unit)
@@ -52,13 +52,13 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
     return layout;
   }
   if (one_column) {
-    const float choice = take(low * 0.3f, 38 * unit);
+    const float choice = wishes.bare && wishes.lesson <= 0 ? 0 : take(low * 0.3f, 38 * unit);
     layout.fronts = {0, lower.y, width, choice};
     Rect& front = wishes.front == Front::code ? layout.side : wishes.front == Front::tabs ? layout.tabs : layout.lesson;
     front = {0, lower.y + choice, width, low - choice};
     return layout;
   }
-  layout.side = {0, lower.y, take(width, wishes.code_width), low};
+  layout.side = {0, lower.y, wishes.bare ? width : take(width, wishes.code_width), low};
   const float tabs = std::min(layout.side.width + line, width);
   layout.tabs = {tabs, lower.y, width - tabs, low};
   return layout;
@@ -85,8 +85,8 @@ Layout lay_out(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float line = hairline(wishes);
   Layout layout;
-  layout.bar = {0, 0, width, take(height, (height < low_window * unit ? 38 : 44) * unit)};
-  const float top = std::min(layout.bar.bottom() + line, height), below = height - top;
+  if (!wishes.bare) layout.bar = {0, 0, width, take(height, (height < low_window * unit ? 38 : 44) * unit)};
+  const float top = wishes.bare ? 0 : std::min(layout.bar.bottom() + line, height), below = height - top;
 
   // The code fits its longest line; the plan gets at least a third of the window.
   const float side = wishes.focus
@@ -101,7 +101,8 @@ Layout lay_out(const LayoutWishes& wishes) {
 
   // The tabs need room for a picture, and get what the code does not need.
   const float least_tabs = std::clamp(below * 0.32f, 170 * unit, 250 * unit);
-  const float code = take(below, std::min(wishes.code, std::max(below * 0.5f, below - least_tabs)));
+  const float code =
+      wishes.bare ? below : take(below, std::min(wishes.code, std::max(below * 0.5f, below - least_tabs)));
   layout.side = {width - side, top, side, code};
   const float tabs_top = std::min(layout.side.bottom() + line, height);
   layout.tabs = {width - side, tabs_top, side, height - tabs_top};

@@ -42,6 +42,7 @@ struct LayoutWishes {
   float effects = 0;                 ///< height wanted by the switches for effects; 0: they are not shown
   bool focus = false;                ///< code and tabs are folded to an edge
   Front front = Front::code;         ///< in one column; not the lesson unless it is shown
+  bool bare = false;                 ///< neither bar nor strip nor tabs
 };
 
 /// The width of an edge to which panes are folded, in units at scale 1.

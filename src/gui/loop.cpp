@@ -231,6 +231,8 @@ class Loop::Parts {
   void apply() {
     for (const Action& action : interface_.take_actions()) act(action);
     if (interface_.take_full_screen()) window_.toggle_full_screen();
+    if (std::exchange(copies_, state_.link.copies) != state_.link.copies)
+      ImGui::SetClipboardText(state_.link.copied.c_str());
   }
 
   void pass_time() {
@@ -438,6 +440,7 @@ class Loop::Parts {
   Theme styled_theme_ = Theme::dark;
   int frames_due_ = frames_to_settle, frames_drawn_ = 0;
   bool key_holds_ = false;  ///< STEP or BACK
+  int copies_ = 0;          ///< that are in the clipboard
   double first_frame_ = 0, notice_seen_ = 0, tooltip_in_ = -1;
   std::string title_, seen_notice_;
   Result<void> failure_;

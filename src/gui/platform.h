@@ -3,6 +3,8 @@
 
 #include "gui/workers.h"
 
+#include <string>
+
 struct GLFWwindow;
 
 namespace raywalk::platform {
@@ -25,5 +27,7 @@ void toggle_full_screen(GLFWwindow* window);
 /// Shows it. What is chosen is opened later.
 void choose_files();
 [[nodiscard]] Workers& workers();
+/// The licences of what is built in, "== NAME ==" above each; empty where nothing is.
+[[nodiscard]] const std::string& licences();
 
 }  // namespace raywalk::platform

@@ -1,5 +1,6 @@
 #include "gui/report.h"
 
+#include "view/link/link.h"
 #include "view/plan/plan_view.h"
 #include "view/predict/predict.h"
 #include "view/structure/structure.h"
@@ -90,6 +91,8 @@ std::string report(const State& state, const Interface& interface, const Preview
             {"hovered_ray", state.plan.hovered_ray},
             {"question", state.document.question ? name_of(state.document.question->kind) : std::string_view()},
             {"prompt", name_of(state.document.prompt)},
+            {"link", state.link.shown ? address_shown(state) : state.link.copied},
+            {"link_shown", state.link.shown},
             {"notice", state.document.notice ? state.document.notice->text : ""},
             {"sentence", sentence(state)},
             {"revision", state.document.revision},

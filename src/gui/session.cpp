@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace raywalk {
 
@@ -37,10 +38,10 @@ Result<void> choose(const std::string& name, const char* what, Choice& to) {
 }  // namespace
 
 Settings settings_of(const State& state) {
-  return {state.appearance.theme,    state.appearance.ui_scale,
-          state.appearance.tab,      std::string(state.appearance.language.code()),
-          state.walk.tweens,         state.appearance.english_code,
-          state.appearance.exchanged};
+  return {state.appearance.theme,     state.appearance.ui_scale,
+          state.appearance.tab,       std::string(state.appearance.language.code()),
+          state.walk.tweens,          state.appearance.english_code,
+          state.appearance.exchanged, state.link.page};
 }
 
 Settings read_settings(const std::string& state_dir) {
@@ -57,6 +58,7 @@ Settings read_settings(const std::string& state_dir) {
   settings.theme = named<Theme>(word("theme")).value_or(settings.theme);
   settings.tab = named<Tab>(word("tab")).value_or(settings.tab);
   settings.language = word("language");
+  settings.link_page = word("link_page");
   if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
     settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
   if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
@@ -78,6 +80,7 @@ void write_settings(const std::string& state_dir, const Settings& settings) {
                       {"english_code", settings.english_code}};
   for (const Tab& tab : settings.exchanged) json["exchanged"].push_back(tab.word);
   if (!settings.language.empty()) json["language"] = settings.language;
+  if (!settings.link_page.empty()) json["link_page"] = settings.link_page;
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
   static_cast<void>(write_file_atomically(settings_path(state_dir), json.dump(2) + "\n"));
@@ -140,6 +143,15 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
     return tl::unexpected(chosen.error());
   if (Result<void> chosen = choose(options.start_tab, "tab", state.appearance.tab); !chosen)
     return tl::unexpected(chosen.error());
+  state.appearance.embedded = options.embedded;
+  state.link.page = settings.link_page;
+  state.link.own_page = options.own_page;
+  if (!options.link.empty()) {
+    // An earlier session's work is asked about all the same.
+    const auto asked = std::exchange(state.document.question, std::nullopt);
+    update(state, action::OpenLink{options.link});
+    if (asked) state.document.question = asked;
+  }
   if (options.start_position) {
     const int position = *options.start_position;
     update(state, action::Jump{position < 0 ? state.walk.timeline->steps() + 1 + position : position});

@@ -23,6 +23,7 @@ struct Settings {
   bool tweens = true;
   bool english_code = false;
   std::vector<Tab> exchanged{};
+  std::string link_page{};  ///< where links lead to; empty: as LinkRoom has it
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 [[nodiscard]] Settings settings_of(const State& state);

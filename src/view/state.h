@@ -14,6 +14,7 @@
 #include "view/focus/room.h"
 #include "view/legend/room.h"
 #include "view/lesson/room.h"
+#include "view/link/room.h"
 #include "view/live/room.h"
 #include "view/microscope/room.h"
 #include "view/picture/room.h"
@@ -50,6 +51,7 @@ struct State {
   FocusRoom focus;
   BandRoom band;
   EffectsRoom effects;
+  LinkRoom link;
 
   [[nodiscard]] const Scene& scene() const { return document.contents.scene; }
 };
@@ -57,7 +59,7 @@ struct State {
 /// All rooms, in the order of their tabs and of their commands in menus.
 using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
                     LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
-                    LiveRoom, BandRoom, EffectsRoom, FocusRoom, AppearanceRoom>;
+                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>

@@ -231,3 +231,15 @@ TEST_CASE("without a display the window says what to do instead") {
   CHECK_THAT(outcome.err, contains("hint: ") && contains("raywalk render"));
   CHECK(folder.names().empty());
 }
+
+TEST_CASE("a link is opened by the window, and one that is none is refused with a sentence") {
+  const Folder folder;
+  const Outcome broken = folder.run({"https://a.example/#v=1/step=many"});
+  CHECK(broken.exit_code == 1);
+  CHECK_THAT(broken.err, contains("step") && contains("copy the link again"));
+  const Outcome later = folder.run({"#v=99/scene=classic"});
+  CHECK(later.exit_code == 1);
+  CHECK_THAT(later.err, contains("later version"));
+  // As far as it comes without a display.
+  CHECK_THAT(folder.run({"raywalk:#v=1/scene=glass/step=3"}).err, contains("display"));
+}

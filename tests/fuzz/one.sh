@@ -9,6 +9,7 @@ log=$build/fuzz-$name.log corpus=$build/corpus-$name
 seeds=$source_dir/tests/fuzz/seeds/$name dict=$source_dir/tests/fuzz/$name.dict
 case $name in
   toml | picture) seeds=$source_dir/scenes dict=$source_dir/tests/fuzz/toml.dict ;;
+  link) seeds=$source_dir/tests/view/links ;;
   lesson | words) seeds=$source_dir/lessons ;;
 esac
 mkdir -p "$corpus"

@@ -1,13 +1,15 @@
-// What the readers of everything else are given by libFuzzer: meshes, materials, pictures, lessons, demo scripts, and
-// the files that long runs keep. Any bytes: they must be refused with a message, or understood.
+// What the readers of everything else are given by libFuzzer: meshes, materials, pictures, lessons, demo scripts,
+// links, and the files that long runs keep. Any bytes: they must be refused with a message, or understood.
 
 #include "check/suite.h"
 #include "image/image_file.h"
 #include "io/mesh_file.h"
+#include "io/scene_patch.h"
 #include "lesson/expression.h"
 #include "lesson/lesson.h"
 #include "lesson/words.h"
 #include "view/action_text.h"
+#include "view/link/link.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +29,66 @@ void require(bool holds) {
 void accept(const MeshFile& file) {
   require(file.mesh != nullptr);
   require(detail::why_no_mesh(*file.mesh).empty());
+}
+#endif
+
+#if defined(FUZZ_link) || defined(FUZZ_patch)
+/// What a link changes; of every kind of value that a scene has.
+const SceneDocument& changed_scene() {
+  static const SceneDocument scene = parse_scene(R"(
+title = "Any"
+background = [0.1, 0.2, 0.3]
+[camera]
+eye = [-6, 0, 0]
+look_at = [0, 0, 0]
+fov = 45
+[limits]
+depth = 3
+[[group]]
+name = "Pair"
+[[group.object]]
+name = "One"
+type = "sphere"
+centre = [0, 0, 0]
+radius = 0.5
+[[light]]
+name = "Lamp"
+type = "point"
+position = [0, 4, 0]
+[[object]]
+name = "Block"
+type = "polygon"
+corners = [[1, 1], [2, 1], [2, 2]]
+height = 1
+[object.material.checker]
+even = 1
+odd = 0
+size = 1
+[[object]]
+name = "Copy"
+type = "instance"
+group = "Pair"
+transform = [["translate", 1, 0, 0]]
+)",
+                                                 "fuzzed.toml")
+                                         .value();
+  return scene;
+}
+#endif
+#if defined(FUZZ_link)
+/// What is understood is written back as the same, and what it changes is refused or leaves a scene.
+void accept(const Link& link) {
+  const auto again = read_link(write_link(link));
+  require(again.has_value() && *again == link);
+  for (const std::string& changes : {link.changes, link.camera})
+    if (const auto scene = patched_scene(changed_scene(), changes); !scene) require(!scene.error().message.empty());
+}
+#elif defined(FUZZ_patch)
+/// What differs, differs by its own patch.
+void accept(const SceneDocument& changed) {
+  const std::string patch = scene_patch(changed_scene().scene, changed.scene);
+  const auto again = patched_scene(changed_scene(), patch);
+  require(again.has_value() && again->scene == changed.scene);
 }
 #endif
 
@@ -51,6 +113,10 @@ auto parse(const std::string& bytes) {
   return parse_words(bytes, "en.md");
 #elif defined(FUZZ_demo)
   return parse_demo(bytes, "fuzzed.demo");
+#elif defined(FUZZ_link)
+  return read_link(bytes);
+#elif defined(FUZZ_patch)
+  return patched_scene(changed_scene(), bytes);
 #elif defined(FUZZ_state)
   check::SuiteOptions of_seed;
   of_seed.rays = 2400;

@@ -58,6 +58,14 @@ TEST_CASE("no size of the window makes panes overlap or leave it") {
             CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
           }
         }
+        wishes.focus = false;
+        wishes.bare = true;
+        for (const auto front : {raywalk::Front::code, raywalk::Front::lesson}) {
+          wishes.front = front;
+          const Layout bare = raywalk::lay_out(wishes);
+          CHECK(faults(bare, width, height) == "");
+          CHECK((bare.bar.empty() && bare.strip.empty() && bare.tabs.empty()));
+        }
       }
     }
   }

@@ -94,6 +94,10 @@ class RandomActions {
 
   // Whole values.
   void operator()(bool& value, Unwritten) { value = flip(); }
+  void operator()(std::optional<int>& value, Unwritten) {
+    value.reset();
+    if (flip()) value = whole(-1, 12);
+  }
   void operator()(Rgbd& colour, Unwritten) { colour = Rgbd(real(-0.1, 1)); }
   void operator()(TraceLimits& limits, Unwritten) { limits = {whole(-1, 6), real(-0.1, 0.2)}; }
   void operator()(Material& material, Unwritten) {

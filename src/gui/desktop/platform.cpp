@@ -44,4 +44,9 @@ Workers& workers() {
   return none;
 }
 
+const std::string& licences() {
+  static const std::string no_text;  // the system has the libraries and the fonts, and their licences
+  return no_text;
+}
+
 }  // namespace raywalk::platform

@@ -108,6 +108,7 @@ struct AppearanceRoom {
   Tab tab = PictureRoom::tab;
   Front front = Front::code;
   std::vector<Tab> exchanged{};  ///< those that are not where Tab::large says
+  bool embedded = false;  ///< in somebody's page: scene, code and transport alone, and an open lesson
 
   /// Whether the open tab is in the plan's place, and the plan in the tabs'.
   [[nodiscard]] bool large() const {

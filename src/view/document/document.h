@@ -33,6 +33,8 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 // files.cpp
 
 void show_document(State& state, SceneDocument document, std::string path);
+/// The same once the user's scene is closed, with all that belongs to it.
+void show_another(State& state, SceneDocument document, std::string path);
 /// Opens the dialog for a path.
 void ask_path(State& state, PathPrompt prompt);
 /// Carries out the intent, once unsaved work is settled.

@@ -31,16 +31,14 @@ void open_file(State& state, const std::string& path) {
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
-  close_scene(state);
-  show_document(state, std::move(*document), path);
+  show_another(state, std::move(*document), path);
   add_recent(state, path);
   inform(state,
          warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
 }
 
 void begin_scene(State& state, const std::string& /*path*/) {
-  close_scene(state);
-  show_document(state, {new_scene(state.appearance.language), {}, {}}, {});
+  show_another(state, {new_scene(state.appearance.language), {}, {}}, {});
 }
 
 void quit(State& state, const std::string& /*path*/) {
@@ -120,6 +118,11 @@ void show_document(State& state, SceneDocument document, std::string path) {
   record_again(state);
   state.walk.position = 0;
   state.plan.camera = fitted(state);
+}
+
+void show_another(State& state, SceneDocument document, std::string path) {
+  close_scene(state);
+  show_document(state, std::move(document), std::move(path));
 }
 
 void ask_path(State& state, PathPrompt prompt) {

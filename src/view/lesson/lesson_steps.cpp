@@ -112,8 +112,8 @@ void stage(State& state) {
   go_to(state, step.asked);
 }
 
-/// Opens it, once unsaved work is settled.
-void begin_lesson(State& state, const std::string& name) {
+/// Opens it, once unsaved work is settled; at the first unfinished step if no other is wanted.
+void begin_lesson_at(State& state, const std::string& name, std::optional<int> wanted) {
   forget_autosave(state);
   LessonRoom& sitting = state.lessons;
   auto lesson = read_lesson(sitting.folder + "/" + name);
@@ -133,9 +133,11 @@ void begin_lesson(State& state, const std::string& name) {
   const auto done = sitting.done.find(name);
   const int steps = static_cast<int>(opened->played.steps.size());
   sitting.step = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
+  if (wanted) sitting.step = std::clamp(*wanted, 0, steps - 1);
   sitting.shown = true;
   stage(state);
 }
+void begin_lesson(State& state, const std::string& name) { begin_lesson_at(state, name, std::nullopt); }
 
 /// Back to the list, and to the previous scene.
 void end_lesson(State& state, const std::string& /*name*/) {
@@ -179,6 +181,7 @@ void action::OpenLesson::apply(State& state) const {
   const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.appearance.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
   if (row == rows.end()) return complain(state, fill("lesson.unknown", state.appearance.language, {{"name", name}}));
+  if (step && !state.document.dirty) return begin_lesson_at(state, name, step);
   if (row->locked) return inform(state, std::string(text("lesson.locked", state.appearance.language)));
   // Changes during a lesson belong to the lesson.
   if (state.lessons.open) state.document.dirty = false;

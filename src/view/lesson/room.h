@@ -74,7 +74,10 @@ struct ListLessons {
 struct OpenLesson {
   static constexpr std::string_view word = "open-lesson";
   std::string name;
-  static void fields(auto& f, auto& a) { f(a.name); }
+  /// From 0; absent: the first unfinished one. Where nothing is unsaved, it opens a locked lesson too: a link leads
+  /// there.
+  std::optional<int> step{};
+  static void fields(auto& f, auto& a) { f(a.name), f(a.step, Unwritten{}); }
   static constexpr Traits traits{.of_own_scene = true};
   void apply(State& state) const;
 };
