@@ -38,7 +38,7 @@ export class Visit {
     visit.page.on('request', (request) => visit.requests.push(request.url()));
     await visit.page.setViewport({ width: 1280, height: 720, ...size });
     visit.begun = Date.now();
-    await visit.page.goto(`${address}?report=/report.json${more || '&language=en'}`);
+    await visit.page.goto(`${address}?report=/report.json${more || '&language=en'}`); // `more` may end in a link
     await visit.page.waitForFunction(() => document.getElementById('says').hidden, { timeout: 120000 });
     await visit.settled();
     return visit;
@@ -62,6 +62,16 @@ export class Visit {
       if (Date.now() > last) throw new Error(`never: ${what}`);
       await new Promise((again) => setTimeout(again, 20));
     }
+  }
+  // Does an action, as a demo file has it.
+  act(line) {
+    return this.page.evaluate((line) => {
+      window.raywalk.ccall('page_act', null, ['string'], [line]);
+      window.dispatchEvent(new Event('focus'));
+    }, line);
+  }
+  copy_link() {
+    return this.act('copy-link');
   }
   settled() {
     return this.until(() => true);

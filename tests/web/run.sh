@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh BUILD: the tests of the page that stands in BUILD/web, against the program in BUILD/release. What they need of
-# npm's is fetched into BUILD/web-tests, once. run.sh BUILD figures: its figures instead.
+# npm's is fetched into BUILD/web-tests, once. run.sh BUILD figures: its figures instead; run.sh BUILD quick: a short set, of two minutes.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -14,5 +14,8 @@ if ! cmp -s "$here/package.json" "$tools/package.json" || [[ ! -d $tools/node_mo
 fi
 cp "$here"/*.mjs "$tools/" # beside the modules that they import
 export RAYWALK_BUILD=$build RAYWALK_SOURCE_DIR=${here%/tests/web}
-[[ ${2:-} != figures ]] || exec node "$tools/figures.mjs"
+case ${2:-} in
+  figures) exec node "$tools/figures.mjs" ;;
+  quick) exec node --test "$tools/quick.mjs" ;;
+esac
 exec node --test --test-concurrency=1 "$tools"/*_test.mjs

@@ -5,6 +5,7 @@
 #include "gui/web/program.h"
 #include "image/image_file.h"
 #include "io/scene_file.h"
+#include "io/scene_patch.h"
 #include "render/render.h"
 #include "text/languages.h"
 #include "text/text_file.h"
@@ -12,11 +13,14 @@
 #include <emscripten/em_js.h>
 #include <emscripten/emscripten.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <limits>
+#include <new>
+#include <string>
 #include <string_view>
 
 // clang-format off
@@ -49,6 +53,9 @@ Result<GuiOptions> options_of(int argc, char** argv) {
     if (name == "scene") options.scene_path = options.data_dir + "/scenes/" + value + ".toml";
     if (name == "language") options.language = options.languages->find(value);
     if (name == "report") options.report_path = value;
+    if (name == "link") options.link = value;
+    if (name == "page") options.own_page = value;
+    if (name == "embed") options.embedded = true;
   }
   return options;
 }
@@ -64,6 +71,17 @@ Result<void> open(int argc, char** argv) {
   return {};
 }
 
+/// Does it. What it throws, the page says, and keeps what is saved.
+void guarded(const auto& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    raywalk_fail("out of memory");
+  } catch (const std::exception& error) {
+    raywalk_fail(error.what());
+  }
+}
+
 }  // namespace
 
 Loop& page_loop() { return *visualiser().loop; }
@@ -76,8 +94,48 @@ extern "C" {
 
 /// A turn of the loop. The seconds until the next is needed, negative if an event must come first; NaN: there is none.
 EMSCRIPTEN_KEEPALIVE double page_turn() {
-  Loop& loop = page_loop();
-  return loop.turn() ? loop.patience() : std::numeric_limits<double>::quiet_NaN();
+  double next = std::numeric_limits<double>::quiet_NaN();
+  guarded([&] {
+    Loop& loop = page_loop();
+    if (loop.turn()) next = loop.patience();
+  });
+  return next;
+}
+
+/// Why a scene is not opened that the page around this one has sent; empty if it is. It names no files: they would be
+/// read here, and what is wrong with them told there.
+EMSCRIPTEN_KEEPALIVE const char* page_refuses(const char* scene) {
+  static std::string why;
+  const auto document = parse_scene(scene, "the scene", MeshReading::skip);
+  why = !document                      ? document.error().text()
+        : names_files(document->scene) ? "the scene names files, which a message cannot bring"
+                                       : "";
+  return why.c_str();
+}
+
+/// What the page around this one is told (embed.js), as JSON.
+EMSCRIPTEN_KEEPALIVE const char* page_told() {
+  static std::string told;
+  const State& state = page_loop().state();
+  const LessonRoom& lessons = state.lessons;
+  const bool lesson = lessons.at() != nullptr, predicted = !state.predictions.made.empty();
+  const nlohmann::json json{
+      {"moment",
+       {{"step", state.walk.position},
+        {"steps", state.walk.timeline->steps()},
+        {"scene", state.scene().title},
+        {"lesson", lesson ? lessons.open->lesson.name : ""},
+        {"lesson_step", lesson ? lessons.step + 1 : 0},
+        {"lesson_steps", lesson ? lessons.open->played.steps.size() : 0}}},
+      {"judged", lessons.judged},
+      {"right", lessons.right},
+      {"made", state.predictions.made.size()},
+      {"last_right", predicted && state.predictions.made.back().right},
+      {"done", lessons.done},
+      {"error",
+       state.document.notice && state.document.notice->kind == Notice::Kind::error ? state.document.notice->text : ""}};
+  told = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return told.c_str();
 }
 
 /// Opens the first scene among these files, one a line; asks before it drops changes.
@@ -92,7 +150,7 @@ EMSCRIPTEN_KEEPALIVE void page_open(const char* paths) {
     chosen = path;
     if (scene_format_of(path) == SceneFormat::toml) break;
   }
-  page_loop().act(action::Open{std::string(chosen)});
+  guarded([&] { page_loop().act(action::Open{std::string(chosen)}); });
 }
 
 /// Whether a key press, "Ctrl+Shift+S", does anything in the window: the browser then should not.
@@ -119,9 +177,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_render(const char* scene, const char* imag
 }
 
 int main(int argc, char** argv) {
-  try {
+  guarded([&] {
     if (const Result<void> opened = open(argc, argv); !opened) raywalk_fail(opened.error().text().c_str());
-  } catch (const std::exception& error) {
-    raywalk_fail(error.what());
-  }
+  });
 }

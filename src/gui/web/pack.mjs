@@ -15,7 +15,7 @@ const texts = join(here, '../../text');
 const read = (folder, name) => readFileSync(join(folder, name), 'utf8');
 
 // What the page runs, in this order, behind the program.
-const scripts = ['offline.js', 'workers.js', 'mirror.js', 'touch.js', 'page.js'];
+const scripts = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js', 'page.js'];
 
 // What is said before the program is there: the table [page] of each language.
 function page_words(toml) {
@@ -59,6 +59,7 @@ writeFileSync(join(site, 'index.html'), page(
   ['raywalk.js', ...scripts].map((name) => `<script src="${version}/${name}"></script>`)));
 copyFileSync(join(here, 'icon.svg'), join(site, 'icon.svg'));
 copyFileSync(join(here, 'manifest.webmanifest'), join(site, 'manifest.webmanifest'));
+copyFileSync(join(here, 'course.html'), join(site, 'course.html'));
 const kept = ['./', 'icon.svg', 'manifest.webmanifest', ...parts.map(([, name]) => `${version}/${name}`)];
 writeFileSync(join(site, 'kept.js'), read(here, 'kept.js')
   .replace("'VERSION'", () => JSON.stringify(version)).replace('[]', () => JSON.stringify(kept)));

@@ -1,0 +1,87 @@
+# The page: raywalk.js and raywalk.wasm, which holds all data too, and what pack.mjs makes of them.
+set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
+
+# Searches that a person watches, and tracers that are wrong on purpose, need not be fast either.
+foreach(file IN ITEMS accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp)
+  set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${file}" PROPERTIES COMPILE_OPTIONS -Os SKIP_PRECOMPILE_HEADERS ON)
+endforeach()
+
+# Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what the page's languages and
+# formulas are written in: as blocks of Unicode, Latin, Greek, marks, arrows, mathematics and shapes. The hints of TrueType
+# fonts are left out, for nothing follows them.
+set(data "${CMAKE_BINARY_DIR}/data")
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(subset "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_SOURCE_DIR}/build/emscripten/root/usr/lib/python3/dist-packages"
+    "${Python3_EXECUTABLE}" -m fontTools.subset
+    --unicodes=0020-017F,0370-03FF,2000-22FF,25A0-25FF,2700-27BF,FFFD --layout-features= --name-IDs=0,1,2,13,14)
+set(fonts)
+set(subset_fonts)
+foreach(font IN ITEMS opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf
+        truetype/jetbrains-mono/JetBrainsMono-Regular.ttf truetype/jetbrains-mono/JetBrainsMono-Bold.ttf)
+  if(NOT EXISTS "/usr/share/fonts/${font}")
+    message(FATAL_ERROR "The page holds its fonts, and /usr/share/fonts/${font} is not here. On Debian and Ubuntu:\n"
+                        "    sudo apt-get install fonts-inter fonts-jetbrains-mono")
+  endif()
+  list(APPEND fonts "/usr/share/fonts/${font}")
+  get_filename_component(name "${font}" NAME)
+  list(APPEND subset_fonts COMMAND ${subset} "/usr/share/fonts/${font}" "--output-file=${data}/fonts/${name}")
+  if(font MATCHES "[.]ttf$")
+    list(APPEND subset_fonts --no-hinting)
+  endif()
+endforeach()
+# What the licences of all this ask to be shown, for the help.
+set(licences "${CMAKE_BINARY_DIR}/licences.txt")
+file(GLOB of_libraries CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/build/web-libraries/prefix/share/licences/*")
+file(WRITE "${licences}.new" "")
+foreach(licence IN ITEMS "Raywalk=${CMAKE_SOURCE_DIR}/LICENSE" ${of_libraries}
+        "Inter=/usr/share/doc/fonts-inter/copyright" "JetBrains Mono=/usr/share/doc/fonts-jetbrains-mono/copyright")
+  if(licence MATCHES "^(.*)=(.*)$")
+    set(name "${CMAKE_MATCH_1}")
+    set(licence "${CMAKE_MATCH_2}")
+  else()
+    get_filename_component(name "${licence}" NAME)
+  endif()
+  file(READ "${licence}" text)
+  file(APPEND "${licences}.new" "== ${name} ==\n${text}\n")
+endforeach()
+configure_file("${licences}.new" "${licences}" COPYONLY)  # newer only if it changed
+file(GLOB scenes CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/scenes/*.toml" "${CMAKE_SOURCE_DIR}/scenes/*.ply")
+file(GLOB_RECURSE lessons CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/lessons/*")
+file(GLOB texts CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/text/*.toml")
+list(FILTER texts EXCLUDE REGEX "/en[.]toml$") # it is part of the program
+list(FILTER lessons EXCLUDE REGEX "/README[.]md$")
+add_custom_command(
+  OUTPUT "${data}.done"
+  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${data}"
+  COMMAND "${CMAKE_COMMAND}" -E make_directory "${data}/fonts" "${data}/scenes" "${data}/text"
+  ${subset_fonts}
+  COMMAND "${CMAKE_COMMAND}" -E copy ${scenes} "${data}/scenes"
+  COMMAND "${CMAKE_COMMAND}" -E copy_directory "${CMAKE_SOURCE_DIR}/lessons" "${data}/lessons"
+  COMMAND "${CMAKE_COMMAND}" -E rm "${data}/lessons/README.md"
+  COMMAND "${CMAKE_COMMAND}" -E copy ${texts} "${data}/text"
+  COMMAND "${CMAKE_COMMAND}" -E copy "${licences}" "${data}"
+  COMMAND "${CMAKE_COMMAND}" -E touch "${data}.done"
+  DEPENDS ${fonts} ${scenes} ${lessons} ${texts} "${licences}"
+  VERBATIM)
+add_custom_target(raywalk_data DEPENDS "${data}.done")
+
+add_executable(raywalk "${page}/main.cpp" "${page}/mirror.cpp" "${page}/worker.cpp")
+target_link_libraries(raywalk PRIVATE raywalk_gui)
+add_dependencies(raywalk raywalk_data)
+set_target_properties(raywalk PROPERTIES LINK_DEPENDS "${data}.done")
+target_link_options(raywalk PRIVATE
+  "SHELL:--embed-file ${data}@/raywalk"
+  # No eval, which a Content-Security-Policy forbids. Under Node, tests call what they want themselves.
+  -sMODULARIZE -sEXPORT_NAME=Raywalk -sENVIRONMENT=web,worker,node -sDYNAMIC_EXECUTION=0
+  -Os # of what is linked only; each floor was compiled as it wants to be
+  -sSTACK_SIZE=8MB -sINITIAL_MEMORY=32MB -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB
+  -sEXPORTED_RUNTIME_METHODS=FS,ccall -sFORCE_FILESYSTEM=1)
+
+find_program(RAYWALK_NODE node REQUIRED)
+file(GLOB page_parts CONFIGURE_DEPENDS "${page}/*.html" "${page}/*.css" "${page}/*.js" "${page}/*.svg" "${page}/*.webmanifest")
+add_custom_command(
+  OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"
+  COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site"
+  DEPENDS raywalk "${page}/pack.mjs" ${page_parts} ${texts}
+  VERBATIM)
+add_custom_target(site ALL DEPENDS "${CMAKE_BINARY_DIR}/site/raywalk.html")

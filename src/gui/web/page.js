@@ -208,6 +208,7 @@ function turn() {
     const wait = program._page_turn();
     if (looked === 0) performance.mark('ready');
     mirror.refresh();
+    embedding?.look(JSON.parse(program.ccall('page_told', 'string')));
     if (wait === 0) soon();
     if (wait > 0) timer = setTimeout(soon, 1000 * wait);
     if (wait === 0 && performance.now() - looked < look_every) return;
@@ -325,10 +326,52 @@ for (const type of ['keypress', 'keyup'])
     else if (type === 'keyup' && event.key === 'Tab') canvas.classList.add('by-keys');
   }, true);
 
+// Hosts without encryption, and frames, have no clipboard by that name.
+function copy(text) {
+  const by_hand = () => {
+    const field = document.createElement('textarea');
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    document.execCommand('copy');
+    field.remove();
+    canvas.focus();
+  };
+  if (navigator.clipboard) navigator.clipboard.writeText(text).catch(by_hand);
+  else by_hand();
+}
+
 // The browser tells what is pasted only here, before the frame in which the program asks for it.
 window.addEventListener('paste', (event) => {
   if (running) program.pasted = event.clipboardData.getData('text/plain');
 });
+
+// --- Links, and the page around this one --------------------------------------------------------------------------------
+
+const own_link = () => location.hash.startsWith('#v=') ? location.hash : '';
+
+function act(line) {
+  if (!running) return;
+  try {
+    call('page_act', line);
+    soon();
+  } catch (why) {
+    fail(why);
+  }
+}
+
+// A link that is typed or pasted over the address of this page.
+window.addEventListener('hashchange', () => own_link() && act('open-link ' + own_link()));
+
+const embedding = asked.has('embed') ? new Embedding(asked.get('embed'), {
+  load_link: (link) => act('open-link ' + link.slice(link.indexOf('#')).replace(/[\n\r]/g, '')),
+  load_scene: (text) => {
+    const why = program.ccall('page_refuses', 'string', ['string'], [text]);
+    if (!why) take([{ name: 'embedded.toml', file: new Blob([text]) }]).catch(fail);
+    return why;
+  },
+  go: (step) => act('jump ' + step),
+}) : null;
 
 // --- Start -----------------------------------------------------------------------------------------------------------
 
@@ -360,6 +403,9 @@ async function start() {
   if (!WebAssembly.validate(with_simd)) return say('no_simd');
   const [files, code] = await Promise.all([recall(), compiled()]);
   const options = ['scene', 'language', 'report'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
+  if (own_link()) options.push('link', own_link());
+  if (embedding) options.push('embed', 'yes');
+  if (location.protocol !== 'file:') options.push('page', location.origin + location.pathname);
   const module = await Raywalk({
     canvas,
     canvas_size,
@@ -374,6 +420,7 @@ async function start() {
     },
     arguments: options,
     fail,
+    copy,
     chooseFiles: () => chooser.click(),
     onAbort: fail,
     preRun: [(module) => {

@@ -1,5 +1,7 @@
 #include "gui/platform.h"
 
+#include "text/file.h"
+
 #include <GLFW/glfw3.h>
 #include <emscripten/em_js.h>
 #include <imgui.h>
@@ -18,7 +20,7 @@ EM_JS(void, raywalk_page_size, (int* width, int* height), {
 EM_JS(void, raywalk_follow_pixel_ratio, (), {
   if (GLFW.scale !== window.devicePixelRatio) GLFW.onDevicePixelRatioChange();
 });
-EM_JS(void, raywalk_copy, (const char* text), { navigator.clipboard?.writeText(UTF8ToString(text)).catch(() => {}); });
+EM_JS(void, raywalk_copy, (const char* text), { Module["copy"](UTF8ToString(text)); });
 EM_JS(char*, raywalk_pasted, (), { return stringToNewUTF8(Module["pasted"] ?? ""); });
 EM_JS(int, raywalk_input_waits, (), { return navigator.scheduling?.isInputPending?.() ? 1 : 0; });
 EM_JS(void, raywalk_toggle_full_screen, (), {
@@ -90,6 +92,12 @@ Workers& workers() {
   };
   static OfPage of_page;
   return of_page;
+}
+
+const std::string& licences() {
+  constexpr std::size_t most = 1 << 20;
+  static const std::string text = read_file("/raywalk/licences.txt", most).value_or("");
+  return text;
 }
 
 }  // namespace raywalk::platform

@@ -116,13 +116,16 @@ build_libraries() {
   open_apt
   mkdir -p "$libraries"/{packages,sources,work} "$prefix"/{include,lib}
   (cd "$libraries/packages" &&
-    "${apt[@]}" source --download-only zlib libpng1.6 giflib libjpeg-turbo freetype fmtlib imgui >/dev/null) ||
+    "${apt[@]}" source --download-only zlib libpng1.6 giflib libjpeg-turbo freetype fmtlib imgui >/dev/null &&
+    "${apt[@]}" source --download-only --tar-only qrencode >/dev/null) ||
     fail "the libraries' sources could not be fetched (apt's message is above)."
   local description name from=$libraries/sources
   for description in "$libraries"/packages/*.dsc; do
     name=${description##*/}
     dpkg-source --no-check -x "$description" "$libraries/sources/${name%%_*}" >/dev/null
   done
+  mkdir "$from/qrencode" # as its authors gave it: what Debian adds is not of the library
+  tar -xf "$libraries"/packages/qrencode_*.orig.tar.* -C "$from/qrencode" --strip-components=1
   export PATH=$emscripten/root/usr/share/emscripten:$PATH
 
   by_hand zlib z -- adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c uncompr.c zutil.c
@@ -141,6 +144,9 @@ build_libraries() {
   by_cmake freetype -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
     -DFT_DISABLE_BROTLI=ON
   by_cmake fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
+  by_hand qrencode qrencode -DSTATIC_IN_RELEASE=static -DMAJOR_VERSION=4 -DMINOR_VERSION=1 -DMICRO_VERSION=1 '-DVERSION="4.1.1"' -- \
+    bitstream.c mask.c mmask.c mqrspec.c qrencode.c qrinput.c qrspec.c rsecc.c split.c
+  cp "$from"/qrencode/qrencode.h "$prefix/include"
   # With the parts that Debian's own has. GLFW is Emscripten's, which needs no library.
   by_hand imgui imgui -std=c++17 "-I$prefix/include/freetype2" -Ibackends -DIMGUI_ENABLE_FREETYPE \
     -DIMGUI_IMPL_OPENGL_ES3 -DIMGUI_DISABLE_DEMO_WINDOWS -- imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp \
@@ -151,6 +157,39 @@ build_libraries() {
   # Libraries that are only headers are this system's own.
   local header
   for header in glm tl toml++ nlohmann; do ln -sfn "/usr/include/$header" "$prefix/include/$header"; done
+
+  # The page shows in its help what each of them asks to be shown.
+  local licences=$prefix/share/licences
+  mkdir -p "$licences"
+  cp "$from/zlib/debian/copyright" "$licences/zlib"
+  cp "$from/libpng1.6/LICENSE" "$licences/libpng"
+  cp "$from/giflib/COPYING" "$licences/giflib"
+  cp "$from/libjpeg-turbo/LICENSE.md" "$licences/libjpeg-turbo"
+  cp "$from/freetype/docs/FTL.TXT" "$licences/FreeType"
+  cp "$from"/fmtlib/LICENSE* "$licences/fmt"
+  cp "$from/qrencode/COPYING" "$licences/libqrencode"
+  cp "$from/imgui/LICENSE.txt" "$licences/Dear ImGui"
+  cp /usr/share/doc/libglm-dev/copyright "$licences/GLM"
+  cp /usr/share/doc/libexpected-dev/copyright "$licences/expected"
+  cp /usr/share/doc/libtomlplusplus-dev/copyright "$licences/toml++"
+  cp /usr/share/doc/nlohmann-json3-dev/copyright "$licences/JSON for Modern C++"
+  cp "$emscripten/root/usr/share/emscripten/system/lib/libc/musl/COPYRIGHT" "$licences/musl"
+  cat >"$licences/Emscripten" <<'MIT'
+Copyright (c) 2010-2014 Emscripten authors, see its AUTHORS file.
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation
+files (the "Software"), to deal in the Software without restriction, including without limitation the rights to use, copy,
+modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the
+Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+MIT
   rm -rf "$libraries"/{packages,sources,work}
 }
 

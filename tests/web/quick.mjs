@@ -1,0 +1,45 @@
+// The short set: the page starts and steps, a lesson's step, a link, and the bits of five scenes.
+import './pictures_of_five.mjs';
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Visit, open_browser, serve } from './browser.mjs';
+
+let browser, server;
+before(async () => {
+  browser = await open_browser();
+  server = await serve();
+});
+after(async () => {
+  await browser?.close();
+  server?.end();
+});
+
+test('the page starts, and STEP steps', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  await visit.page.keyboard.press('Space');
+  await visit.until((now) => now.position === 1);
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});
+
+test('a link opens a scene at its step, and Copy link makes the same', async () => {
+  const link = '#v=1/scene=glass/step=12/mode=trace/tab=tree/lang=pt/theme=projector';
+  const visit = await Visit.begin(browser, server.address, {}, link);
+  const now = await visit.until((now) => now.position === 12);
+  assert.deepEqual([now.tab, now.language, now.theme, now.mode], ['tree', 'pt', 'projector', 'trace']);
+  await visit.copy_link();
+  const { link: made } = await visit.until((now) => now.link !== '');
+  assert.equal(made, server.address + link);
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});
+
+test('a step of a lesson is answered', async () => {
+  const visit = await Visit.begin(browser, server.address, {}, '&language=en#v=1/lesson=01-ray-casting/at=2');
+  await visit.until((now) => now.lesson?.open === '01-ray-casting' && now.lesson.step === 2);
+  await visit.page.keyboard.press('1');
+  await visit.page.keyboard.press('Enter');
+  await visit.until((now) => now.lesson.revealed && now.lesson.judged === 1);
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});
