@@ -37,6 +37,9 @@ void rays_menu(const Ui& ui) {
   ui.publish("menu/rays");
   if (!open) return;
   for (const Command* each : commands_in(Section::rays)) menu_item(ui, *each);
+  ImGui::Separator();
+  label(ui.colours.dim_text, ui.say("legend.earlier"));
+  for (const Command* each : commands_in(Section::earlier)) menu_item(ui, *each);
   ImGui::EndMenu();
 }
 
@@ -53,6 +56,7 @@ void language_items(const Ui& ui) {
 struct MenuPart {
   Section section;
   void (*more)(const Ui&) = nullptr;  ///< what follows its commands
+  std::vector<Section> inner{};       ///< whose commands are in what follows
 };
 
 struct Menu {
@@ -66,7 +70,10 @@ const std::array<Menu, menu_count> menus{{
     {"menu.edit", "menu-edit", {{Section::undo}, {Section::select}}},
     {"menu.view",
      "menu-view",
-     {{Section::zoom}, {Section::show, rays_menu}, {Section::style, language_items}, {Section::window}}},
+     {{Section::zoom},
+      {Section::show, rays_menu, {Section::rays, Section::earlier}},
+      {Section::style, language_items},
+      {Section::window}}},
     {"menu.walk",
      "menu-walk",
      {{Section::step},
@@ -152,7 +159,10 @@ float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
 MenuContents menu_contents(int menu) {
   const Menu& of = menus[static_cast<std::size_t>(menu)];
   MenuContents contents{of.title, {}};
-  for (const MenuPart& part : of.parts) contents.sections.push_back(part.section);
+  for (const MenuPart& part : of.parts) {
+    contents.sections.push_back(part.section);
+    contents.sections.insert(contents.sections.end(), part.inner.begin(), part.inner.end());
+  }
   return contents;
 }
 

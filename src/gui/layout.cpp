@@ -19,16 +19,21 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
   layout.lesson = {0, top, lesson, lesson > 0 ? below : 0.0f};
   const float transport = take(below * 0.6f, wishes.transport);
   layout.transport = {edge, bottom - transport, width, transport};
-  const float strip_wish = (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit;
-  const float strip = wishes.bare ? 0 : take((below - transport) * 0.3f, strip_wish);
-  const float corner = take(width * 0.2f, strip);
-  layout.strip = {edge, std::max(layout.transport.y - line - strip, top), width - corner, strip};
-  layout.corner = {layout.strip.right(), layout.strip.y, corner, strip};
-  const float band = take((below - transport) * 0.25f, wishes.band);
-  layout.band = {edge, std::max(layout.strip.y - band, top), width, band};
-  const float effects = take((below - transport) * 0.25f, wishes.effects);
-  layout.effects = {edge, std::max(layout.band.y - effects, top), width, effects};
-  layout.plan = {edge, top, width, std::max(layout.effects.y - top, 0.0f)};
+  // From below, each in what the ones below it leave.
+  float end = std::max(layout.transport.y - line, top);
+  const auto above = [&](float part, float wish) {
+    const float height = take(std::min((below - transport) * part, end - top), wish);
+    end -= height;
+    return Rect{edge, end, width, height};
+  };
+  const float strip = (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit;
+  layout.strip = above(0.3f, wishes.bare ? 0 : strip);
+  const float corner = take(width * 0.2f, layout.strip.height);
+  layout.strip.width -= corner;
+  layout.corner = {layout.strip.right(), layout.strip.y, corner, layout.strip.height};
+  layout.band = above(0.25f, wishes.band);
+  layout.effects = above(0.4f, wishes.effects);
+  layout.plan = {edge, top, width, end - top};
 }
 
 Layout lay_out_upright(const LayoutWishes& wishes) {

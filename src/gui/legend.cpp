@@ -45,6 +45,11 @@ void row_button(const Ui& ui, const LegendRow& row, const Rect& where) {
 void LegendRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   const Legend content = legend(ui.state);
   const float column = ui.px(78);
+  push_font(ui.fonts.small);
+  label(ui.colours.text, ui.say("legend.earlier"));
+  pop_font();
+  choice(ui, commands_in(Section::earlier), ui.px(30), ui.fonts.small, where.width - ui.px(24));
+  ImGui::Spacing();
   for (const LegendRow& row : content.rays) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     sample(ui, row, at.x, at.y + ImGui::GetFontSize() / 2, ui.px(56));
@@ -63,11 +68,6 @@ void LegendRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
     row_button(ui, row, {at.x, at.y, where.width - ui.px(12), std::max(below.y - at.y, 1.0f)});
     ImGui::SetCursorScreenPos(below);
   }
-  ImGui::Spacing();
-  push_font(ui.fonts.small);
-  label(ui.colours.text, ui.say("legend.earlier"));
-  pop_font();
-  choice(ui, commands_in(Section::earlier), ui.px(30), ui.fonts.small, where.width - ui.px(24));
   ImGui::Spacing();
   for (const LegendSign& sign : content.signs) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -175,12 +175,12 @@ Commands LegendRoom::commands() {
        .run = [](const Ui& ui) {
          ui.act(action::ShowEarlier{shows_earlier<Earlier::hidden>(ui.state) ? Earlier::faded : Earlier::hidden});
        }},
-      {.name = "earlier-shown", .section = Section::earlier, .chosen = shows_earlier<Earlier::shown>,
-       .run = act<action::ShowEarlier, Earlier::shown>},
-      {.name = "earlier-faded", .section = Section::earlier, .chosen = shows_earlier<Earlier::faded>,
-       .run = act<action::ShowEarlier, Earlier::faded>},
-      {.name = "earlier-hidden", .section = Section::earlier, .chosen = shows_earlier<Earlier::hidden>,
-       .run = act<action::ShowEarlier, Earlier::hidden>},
+      {.name = "earlier-shown", .keys = {"Alt+5"}, .section = Section::earlier, .line = "keys.earlier",
+       .chosen = shows_earlier<Earlier::shown>, .run = act<action::ShowEarlier, Earlier::shown>},
+      {.name = "earlier-faded", .keys = {"Alt+6"}, .section = Section::earlier, .line = "keys.earlier",
+       .chosen = shows_earlier<Earlier::faded>, .run = act<action::ShowEarlier, Earlier::faded>},
+      {.name = "earlier-hidden", .keys = {"Alt+7"}, .section = Section::earlier, .line = "keys.earlier",
+       .chosen = shows_earlier<Earlier::hidden>, .run = act<action::ShowEarlier, Earlier::hidden>},
   };
   // clang-format on
   return all;

@@ -1,6 +1,7 @@
 #include "fixtures.h"
 #include "view/plan/plan_geometry.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "support/catch.h"
@@ -342,7 +343,7 @@ TEST_CASE("a finger takes a handle within 22 pixels, and a body where its middle
   update(state, action::SetTouch{true});
   CHECK(under(at + 21.0 * outwards) == handle);
   CHECK(under(at + 23.0 * outwards) != handle);
-  CHECK(under(middle + 0.6 * (at - middle)) == handle);
+  CHECK(under(at - std::min(21.0, 0.4 * length(at - middle)) * outwards) == handle);
   CHECK(under(middle + 0.4 * (at - middle)) == Target{TargetKind::object, 0});
   CHECK(under(middle) == Target{TargetKind::object, 0});
 }

@@ -69,7 +69,7 @@ TEST_CASE("hiding the switches, another scene and a step of a lesson bring all e
   const int steps = student.walk.timeline->steps();
   update(student, action::SwitchEffect{Effect::reflection, false});
   REQUIRE(student.walk.timeline->steps() != steps);
-  update(student, action::GoToLessonStep{1});
+  update(student, action::GoToLessonStep{0});
   CHECK_FALSE(student.effects.leaves_out());
   CHECK(student.walk.timeline->steps() == student.lessons.at()->walk->timeline.steps());
 }
