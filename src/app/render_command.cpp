@@ -6,6 +6,7 @@
 #include "app/scene_lookup.h"
 #include "app/statistics_json.h"
 #include "image/image_file.h"
+#include "image/quick_image.h"
 #include "text/file.h"
 
 #include <fmt/format.h>
@@ -38,11 +39,10 @@ ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering, 
   if (rendering.done == 0) return fail({"", 0, 0, "interrupted before anything was done; nothing was written", ""});
   const auto path = new_partial_file(options.image);
   constexpr double soon_written = 1.5e7;  // pixels
-  const Image image = rendering.image();
-  if (static_cast<double>(image.pixels.size()) > soon_written)
+  const ImageRows rows = rendering.rows();
+  if (static_cast<double>(rows.width) * rows.height > soon_written)
     note("interrupted; writing what is done (once more gives that up)");
-  const auto written =
-      path.and_then([&](const std::string& to) { return write_image(to, image, encoding, Packing::quick); });
+  const auto written = path.and_then([&](const std::string& to) { return write_image_quickly(to, rows, encoding); });
   if (!written) {
     note(interrupted);
     std::error_code ignored;

@@ -36,7 +36,7 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
   json["tests"] = {{"nodes", statistics.tests.nodes},
                    {"primitives", statistics.tests.primitives},
                    {"exactly_decided", statistics.tests.exactly_decided}};
-  json["random_draws"] = statistics.random_draws;
+  json["random_draws"] = statistics.random_draws();
   for (int i = 0; i < effect_count; ++i) {
     const auto effect = static_cast<Effect>(i);
     if (statistics.drawn(effect) > 0) json["draws"][std::string(name_of(effect))] = statistics.drawn(effect);

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <exception>
 #include <stdexcept>
+#include <vector>
 #endif
 
 namespace raywalk {
@@ -62,17 +63,45 @@ class StringIn : public Imf::IStream {
   std::size_t at_ = 0;
 };
 
-/// The memory layout of the channels in `window`. The library takes no const.
-Imf::FrameBuffer plane_axes(const Image& image, const Imath::Box2i& window) {
+/// The channels of pixels: `slice` tells the library how one of them lies in memory. The library takes no const.
+template <class Slice>
+Imf::FrameBuffer channels_of(const Rgb<float>* pixels, Slice slice) {
   static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
-  constexpr std::size_t pixel = sizeof(Rgb<float>);
-  const char* base = reinterpret_cast<const char*>(image.pixels.data());
-  const std::size_t row = pixel * static_cast<std::size_t>(image.width);
+  char* first = const_cast<char*>(reinterpret_cast<const char*>(pixels));
   Imf::FrameBuffer frame;
-  frame.insert("R", Imf::Slice::Make(Imf::FLOAT, base, window, pixel, row));
-  frame.insert("G", Imf::Slice::Make(Imf::FLOAT, base + sizeof(float), window, pixel, row));
-  frame.insert("B", Imf::Slice::Make(Imf::FLOAT, base + 2 * sizeof(float), window, pixel, row));
+  frame.insert("R", slice(first));
+  frame.insert("G", slice(first + sizeof(float)));
+  frame.insert("B", slice(first + 2 * sizeof(float)));
   return frame;
+}
+Imf::FrameBuffer channels_of(const Image& image, const Imath::Box2i& window) {
+  const std::size_t row = sizeof(Rgb<float>) * static_cast<std::size_t>(image.width);
+  return channels_of(image.pixels.data(), [&](const char* first) {
+    return Imf::Slice::Make(Imf::FLOAT, first, window, sizeof(Rgb<float>), row);
+  });
+}
+/// Of rows that all have these pixels.
+Imf::FrameBuffer channels_of_row(const Rgb<float>* pixels) {
+  return channels_of(pixels, [](char* first) { return Imf::Slice(Imf::FLOAT, first, sizeof(Rgb<float>), 0); });
+}
+
+/// `fill(file)` writes the pixels.
+template <class Fill>
+Result<std::string> encode(int width, int height, Imf::Compression compression, Fill fill) {
+  std::string bytes;
+  try {
+    Imf::Header header(width, height);
+    header.compression() = compression;
+    for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    StringOut stream(bytes);
+    Imf::OutputFile file(stream, header, 0);
+    fill(file);
+    // When the file is closed, here, the line offset table is written.
+  } catch (const std::exception& error) {
+    return tl::unexpected(Error{"", 0, 0, std::string("the OpenEXR picture cannot be made: ") + error.what(),
+                                "choose another size, or write a .pfm"});
+  }
+  return bytes;
 }
 
 /// The header alone, which the library reads without allocating the image.
@@ -113,23 +142,24 @@ bool can_hold(std::size_t bytes, const Imf::Header& header) {
 
 bool has_exr() { return true; }
 
-Result<std::string> encode_exr(const Image& image, Packing packing) {
-  std::string bytes;
-  try {
-    Imf::Header header(image.width, image.height);
-    header.compression() = packing == Packing::small ? Imf::ZIP_COMPRESSION : Imf::RLE_COMPRESSION;
-    for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
-    StringOut stream(bytes);
-    {
-      Imf::OutputFile file(stream, header, 0);
-      file.setFrameBuffer(plane_axes(image, header.dataWindow()));
-      file.writePixels(image.height);
-    }  // the line offset table is written on closing
-  } catch (const std::exception& error) {
-    return tl::unexpected(Error{"", 0, 0, std::string("the OpenEXR picture cannot be made: ") + error.what(),
-                                "choose another size, or write a .pfm"});
-  }
-  return bytes;
+Result<std::string> encode_exr(const Image& image) {
+  return encode(image.width, image.height, Imf::ZIP_COMPRESSION, [&](Imf::OutputFile& file) {
+    file.setFrameBuffer(channels_of(image, file.header().dataWindow()));
+    file.writePixels(image.height);
+  });
+}
+
+Result<std::string> encode_exr(const ImageRows& rows) {
+  return encode(rows.width, rows.height, Imf::RLE_COMPRESSION, [&](Imf::OutputFile& file) {
+    for (int row = 0; row < rows.begun; ++row) {
+      file.setFrameBuffer(channels_of_row(rows.row(row)));
+      file.writePixels(1);
+    }
+    if (rows.begun == rows.height) return;
+    const std::vector<Rgb<float>> black(static_cast<std::size_t>(rows.width), Rgb<float>(0));
+    file.setFrameBuffer(channels_of_row(black.data()));
+    file.writePixels(rows.height - rows.begun);
+  });
 }
 
 Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
@@ -145,7 +175,7 @@ Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
     const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
     Image image{width, height, {}};
     image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    file.setFrameBuffer(plane_axes(image, window));
+    file.setFrameBuffer(channels_of(image, window));
     file.readPixels(window.min.y, window.max.y);
     return image;
   } catch (const std::exception& error) {
@@ -164,9 +194,8 @@ Error without_library(const std::string& file) {
 }  // namespace
 
 bool has_exr() { return false; }
-Result<std::string> encode_exr(const Image& /*image*/, Packing /*packing*/) {
-  return tl::unexpected(without_library(""));
-}
+Result<std::string> encode_exr(const Image& /*image*/) { return tl::unexpected(without_library("")); }
+Result<std::string> encode_exr(const ImageRows& /*rows*/) { return tl::unexpected(without_library("")); }
 Result<Image> decode_exr(std::string_view /*bytes*/, const std::string& file_name) {
   return tl::unexpected(without_library(file_name));
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace raywalk {
@@ -33,6 +34,14 @@ struct Image {
   [[nodiscard]] std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
   }
+};
+
+/// A picture's rows, from the top.
+struct ImageRows {
+  int width = 0, height = 0;
+  int begun = 0;  ///< those below are black
+  /// The pixels of a row that is begun; valid until the next call.
+  std::function<const Rgb<float>*(int row)> row{};
 };
 
 }  // namespace raywalk

@@ -60,10 +60,10 @@ Result<ImageFormat> image_format_of(const std::string& path) {
             "name it .png for a picture to look at, .pfm or .exr for linear numbers to compute with"});
 }
 
-std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
-  std::vector<std::uint8_t> bytes(image.pixels.size() * 3);
+std::vector<std::uint8_t> bytes_of(std::span<const Rgb<float>> pixels, Encoding encoding) {
+  std::vector<std::uint8_t> bytes(pixels.size() * 3);
   auto at = bytes.begin();
-  for (const Rgb<float>& pixel : image.pixels) {
+  for (const Rgb<float>& pixel : pixels) {
     const Rgb<float> c = has_nan(pixel) ? Rgb<float>(1, 0, 1) : pixel;
     if (is_black(c))  // as most of a picture is that was interrupted
       at += 3;
@@ -73,7 +73,7 @@ std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
   return bytes;
 }
 
-Result<std::string> encode_png(const Image& image, Encoding encoding, Packing packing) {
+Result<std::string> encode_png(const Image& image, Encoding encoding) {
   if (image.pixels.empty() || has_too_many_pixels({image.width, image.height}))
     return tl::unexpected(Error{"", 0, 0,
                                 "a PNG of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
@@ -85,7 +85,6 @@ Result<std::string> encode_png(const Image& image, Encoding encoding, Packing pa
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width), header.height = static_cast<png_uint_32>(image.height);
   header.format = PNG_FORMAT_RGB;
-  if (packing == Packing::quick) header.flags = PNG_IMAGE_FLAG_FAST;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string png(size, '\0');
   if (png_image_write_to_memory(&header, png.data(), &size, 0, bytes.data(), 0, nullptr) == 0)
@@ -95,9 +94,13 @@ Result<std::string> encode_png(const Image& image, Encoding encoding, Packing pa
   return png;
 }
 
+std::string pfm_header(int width, int height) {
+  return "PF\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
+}
+
 std::string encode_pfm(const Image& image) {
   static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
-  std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
+  std::string bytes = pfm_header(image.width, image.height);
   const std::size_t header = bytes.size(), row_bytes = static_cast<std::size_t>(image.width) * sizeof(Rgb<float>);
   bytes.reserve(header + image.pixels.size() * sizeof(Rgb<float>));
   for (int row = image.height - 1; row >= 0; --row)
@@ -108,13 +111,13 @@ std::string encode_pfm(const Image& image) {
   return bytes;
 }
 
-Result<void> write_image(const std::string& path, const Image& image, Encoding encoding, Packing packing) {
+Result<void> write_image(const std::string& path, const Image& image, Encoding encoding) {
   const auto format = image_format_of(path);
   if (!format) return tl::unexpected(format.error());
   std::string bytes;
   switch (*format) {
     case ImageFormat::png: {
-      auto png = encode_png(image, encoding, packing);
+      auto png = encode_png(image, encoding);
       if (!png) {
         png.error().file = path;
         return tl::unexpected(png.error());
@@ -126,7 +129,7 @@ Result<void> write_image(const std::string& path, const Image& image, Encoding e
       bytes = encode_pfm(image);
       break;
     case ImageFormat::exr: {
-      auto exr = encode_exr(image, packing);
+      auto exr = encode_exr(image);
       if (!exr) {
         exr.error().file = path;
         return tl::unexpected(exr.error());

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,26 +21,23 @@ enum class ImageFormat { png, pfm, exr };
 /// The format that the extension of `path` names, in either case. To be checked before a long render, not after.
 [[nodiscard]] Result<ImageFormat> image_format_of(const std::string& path);
 
-/// How a file is packed; both without loss.
-enum class Packing {
-  small,
-  quick,  ///< in a third of the time, for a picture that somebody waits for
-};
-
 /// 8 bits per channel. NaN pixels are painted full magenta, so that they stand out. Three bytes per pixel, row by row
 /// from the top; magenta for NaN.
-[[nodiscard]] std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding);
-[[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb,
-                                             Packing packing = Packing::small);
+[[nodiscard]] std::vector<std::uint8_t> bytes_of(std::span<const Rgb<float>> pixels, Encoding encoding);
+[[nodiscard]] inline std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
+  return bytes_of(image.pixels, encoding);
+}
+[[nodiscard]] Result<std::string> encode_png(const Image& image, Encoding encoding = Encoding::srgb);
 /// Portable float map: linear, bottom row first, little-endian; NaN is preserved.
 [[nodiscard]] std::string encode_pfm(const Image& image);
+[[nodiscard]] std::string pfm_header(int width, int height);
 
-/// OpenEXR: linear, 32-bit floats, packed without loss. Fails in a build without the library.
-[[nodiscard]] Result<std::string> encode_exr(const Image& image, Packing packing = Packing::small);
+/// OpenEXR: linear, 32-bit floats, packed without loss; rows with little effort. Fails in a build without the library.
+[[nodiscard]] Result<std::string> encode_exr(const Image& image);
+[[nodiscard]] Result<std::string> encode_exr(const ImageRows& rows);
 
 /// Writes the format that the extension names, all or nothing. The encoding applies to 8-bit formats.
-[[nodiscard]] Result<void> write_image(const std::string& path, const Image& image, Encoding encoding = Encoding::srgb,
-                                       Packing packing = Packing::small);
+[[nodiscard]] Result<void> write_image(const std::string& path, const Image& image, Encoding encoding = Encoding::srgb);
 
 /// Reads a colour PFM of either byte order.
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);

@@ -306,7 +306,7 @@ class PlyReader {
 
 Result<MeshFile> parse_ply(std::string bytes, const std::string& path) {
   if (const auto other = why_not_utf8(bytes, path)) return tl::unexpected(*other);
-  if (bytes.starts_with(utf8_mark)) bytes.erase(0, utf8_mark.size());
+  while (bytes.starts_with(utf8_mark)) bytes.erase(0, utf8_mark.size());
   return PlyReader(bytes, path).read();
 }
 

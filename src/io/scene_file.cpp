@@ -93,9 +93,12 @@ void warn_of_bright_materials(const Scene& scene, const toml::table& root, ReadL
 }
 
 Error syntax_error(const toml::parse_error& error, const std::string& file) {
+  const std::string_view what = error.description();
+  const bool number = what.find("floating-point") != what.npos || what.find("representable") != what.npos;
   return {file, static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column),
-          "this is not valid TOML: " + std::string(error.description()),
-          "a line is KEY = VALUE, [TABLE] or a # comment; text stands in \"quotes\", lists in [brackets]"};
+          "this is not valid TOML: " + std::string(what),
+          number ? "a number is written as 2, -0.5 or 1e-3, and none is as large as 1e308"
+                 : "a line is KEY = VALUE, [TABLE] or a # comment; text stands in \"quotes\", lists in [brackets]"};
 }
 
 }  // namespace

@@ -160,8 +160,9 @@ int WordReader::whole(std::string_view what, schema::Whole rule) {
   if (text.size() > 1 && text.front() == '+') text.remove_prefix(1);
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && rule.low <= value && value <= rule.high) return value;
-  fail_word(what, all, rule.expected(), "write it in plain digits");
+  const bool digits = !text.empty() && end == text.data() + text.size();
+  if (digits && error == std::errc() && rule.low <= value && value <= rule.high) return value;
+  fail_word(what, all, rule.expected(), digits ? "choose one in this range" : "write it in plain digits");
   return rule.low;
 }
 

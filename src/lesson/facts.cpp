@@ -99,7 +99,7 @@ Outcome Facts::of_picture(const Rendering& picture, std::string_view name) const
   if (name == "totally_reflected") return number_of(done.ends(Ending::total_internal_reflection));
   if (name == "nodes") return number_of(done.tests.nodes);
   if (name == "tests") return number_of(done.tests.primitives);
-  if (name == "draws") return number_of(done.random_draws);
+  if (name == "draws") return number_of(done.random_draws());
   if (name == "mean") {
     Vec3d sum(0.0);
     for (const Rgbd& pixel : film.pixels()) sum += pixel;

@@ -122,7 +122,7 @@ class Player {
       }
       if (first_ != nullptr) {
         const Rendering& before = first_->steps[to_.steps.size() - 1].pictures.find(request.name)->second;
-        if (request.seed || before.statistics.random_draws == 0) {
+        if (request.seed || before.statistics.random_draws() == 0) {
           to_.steps.back().pictures.insert_or_assign(request.name, before);
           continue;
         }
@@ -134,7 +134,7 @@ class Player {
       settings.accelerator = request.accelerator;
       auto picture = render(scene, settings);
       if (!picture) return fail(picture.error(), request.line);
-      if (picture->statistics.random_draws > 0 && !request.seed) to_.steps.back().random = true;
+      if (picture->statistics.random_draws() > 0 && !request.seed) to_.steps.back().random = true;
       to_.steps.back().pictures.insert_or_assign(request.name, std::move(*picture));
     }
     return true;

@@ -21,7 +21,9 @@ class Film {
   Film() = default;
   /// Black, without samples.
   explicit Film(ImageSize size)
-      : size_(size), means_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
+      : size_(size),
+        begun_(size.height),
+        means_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
 
   /// Adds sample number `sample` of a pixel, from 0. The previous ones must have been added, each once. The mean is
   /// updated as m += (x - m) / n: unlike a sum over n, it stays exact when all samples are equal.
@@ -36,6 +38,10 @@ class Film {
   [[nodiscard]] const Rgb<T>& at(int column, int row) const { return means_[index(column, row)]; }
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] const Pixels& pixels() const { return means_; }
+  /// The rows from the top that may have samples: all, until a cancelled render says otherwise. The pages of the others
+  /// were never touched, and touching them may take seconds.
+  [[nodiscard]] int begun() const { return begun_; }
+  void set_begun(int rows) { begun_ = std::min(rows, size_.height); }
 
  private:
   [[nodiscard]] std::size_t index(int column, int row) const {
@@ -43,6 +49,7 @@ class Film {
   }
 
   ImageSize size_{0, 0};
+  int begun_ = 0;
   Pixels means_;
 };
 
@@ -50,7 +57,8 @@ class Film {
 template <class T>
 [[nodiscard]] Film<T> mean_of_corners(const Film<T>& corners) {
   Film<T> film({corners.size().width - 1, corners.size().height - 1});
-  for (int row = 0; row < film.size().height; ++row)
+  film.set_begun(corners.begun());
+  for (int row = 0; row < film.begun(); ++row)
     for (int column = 0; column < film.size().width; ++column) {
       const Rgb<T> above = corners.at(column, row) + corners.at(column + 1, row);
       const Rgb<T> below = corners.at(column, row + 1) + corners.at(column + 1, row + 1);
@@ -68,11 +76,23 @@ template <class T>
   return image;
 }
 
+/// The same row by row. The film must outlive it.
+template <class T>
+[[nodiscard]] ImageRows rows_of(const Film<T>& film) {
+  const auto row = [&film, pixels = std::vector<Rgb<float>>()](int number) mutable {
+    const auto begin = film.pixels().begin() + static_cast<std::ptrdiff_t>(film.size().width) * number;
+    pixels.assign(begin, begin + film.size().width);
+    return static_cast<const Rgb<float>*>(pixels.data());
+  };
+  return {film.size().width, film.size().height, film.begun(), row};
+}
+
 /// Pixels that are not finite in a picture's file, even though every sample was: sums of very bright ones.
 template <class T>
 [[nodiscard]] std::size_t not_finite(const Film<T>& film) {
-  return static_cast<std::size_t>(std::count_if(film.pixels().begin(), film.pixels().end(),
-                                                [](const Rgb<T>& mean) { return !is_representable(mean); }));
+  const auto begun = film.pixels().begin() + static_cast<std::ptrdiff_t>(film.size().width) * film.begun();
+  return static_cast<std::size_t>(
+      std::count_if(film.pixels().begin(), begun, [](const Rgb<T>& mean) { return !is_representable(mean); }));
 }
 
 }  // namespace raywalk

@@ -89,6 +89,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   std::atomic<std::uint64_t> taken{0};
   std::mutex results_mutex;
   std::map<std::thread::id, double> busy;
+  int begun = 0;  // rows
   Reporter reporter(settings, trace_start);
   constexpr double almost = 0.9999;  // completion is reported once, when no thread is working any more
   // A ray through a long list takes long, and the tracer asks whether it is cancelled only where a pixel has many rays.
@@ -100,6 +101,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     const auto tile_start = Clock::now();
     Statistics statistics;
     const PixelBlock tile = tiles.block(order[static_cast<std::size_t>(position)]);
+    int begun_here = 0;
     std::uint64_t put_here = 0;  // pixels of a row that is cancelled half-way count too
     const auto count = [&put_here] { ++put_here; };
     PixelBlock run = tile;
@@ -113,6 +115,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
              run.column_begin = run.column_end) {
           settings.stop.check();
           run.column_end = std::min(tile.column_end, run.column_begin + max_columns);
+          begun_here = std::max(begun_here, run.row_end);
           statistics += picture.trace(run, count);
         }
         const double all = static_cast<double>(picture.expected());
@@ -126,6 +129,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     }
     const std::lock_guard lock(results_mutex);
     rendering.statistics += statistics;
+    begun = std::max(begun, begun_here);
     busy[std::this_thread::get_id()] += seconds_since(tile_start);
   };
   const std::size_t stack = std::max(default_stack, stack_for(scene.limits.depth));
@@ -138,6 +142,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   rendering.trace_seconds = seconds_since(trace_start);
   for (const auto& [thread, seconds] : busy) rendering.busy_seconds.push_back(seconds);
   if (rendering.finished) reporter.report(1);
+  picture.film().set_begun(begun);
   Film<T> film = settings.sampling.corners ? mean_of_corners(picture.film()) : std::move(picture.film());
   const bool pixel_is_sample = settings.sampling.per_pixel == 1 && !settings.sampling.corners;
   rendering.not_finite_pixels = pixel_is_sample ? rendering.statistics.not_finite : not_finite(film);

@@ -71,6 +71,10 @@ struct Rendering {
   [[nodiscard]] Image image() const {
     return std::visit([](const auto& of) { return image_of(of); }, film);
   }
+  /// The same row by row, for as long as this lives.
+  [[nodiscard]] ImageRows rows() const {
+    return std::visit([](const auto& of) { return rows_of(of); }, film);
+  }
 };
 
 /// Renders the scene's image. Fails only when it does not fit into memory, or its depth not onto the stack.

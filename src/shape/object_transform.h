@@ -24,8 +24,10 @@ template <class T>
   return ObjectTransform<T>{rounded(to_world), rounded(*to_object)};
 }
 
+/// Inlined wherever it is asked for: a call for each primitive costs more than the transform.
 template <class T>
-[[nodiscard]] Ray<T> into_object_space(const ObjectTransform<T>& transform, const Ray<T>& ray) {
+[[nodiscard, gnu::always_inline]] inline Ray<T> into_object_space(const ObjectTransform<T>& transform,
+                                                                  const Ray<T>& ray) {
   return {transform.to_object.point(ray.origin), transform.to_object.direction(ray.direction), ray.departure, ray.time};
 }
 

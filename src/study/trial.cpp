@@ -43,7 +43,7 @@ bool read(std::string_view& line, std::uint64_t& value) {
 Cost cost_of(const Statistics& statistics, double seconds) {
   std::uint64_t rays = 0;
   for (const std::uint64_t formed : statistics.rays) rays += formed;
-  return {rays, statistics.tests.nodes, statistics.tests.primitives, statistics.random_draws, seconds};
+  return {rays, statistics.tests.nodes, statistics.tests.primitives, statistics.random_draws(), seconds};
 }
 
 std::string csv_of(const std::vector<Trial>& trials, const Columns& columns, const std::string& heading) {

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -229,6 +230,18 @@ Result<void> FileWriter::open(const std::string& path) {
 
 Result<void> FileWriter::write(std::string_view bytes) {
   if (const int error = write_all(is_regular_ ? new_file_.descriptor() : direct_, bytes)) return give_up(error);
+  return {};
+}
+
+Result<void> FileWriter::write_zeros(std::size_t count) {
+  if (is_regular_) {
+    const off_t end = ::lseek(new_file_.descriptor(), static_cast<off_t>(count), SEEK_CUR);
+    if (end < 0 || ::ftruncate(new_file_.descriptor(), end) != 0) return give_up(errno);
+    return {};
+  }
+  const std::string zeros(std::min(count, std::size_t{1} << 16), '\0');
+  for (; count > 0; count -= std::min(count, zeros.size()))
+    if (auto written = write(std::string_view(zeros).substr(0, count)); !written) return written;
   return {};
 }
 

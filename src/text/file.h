@@ -26,6 +26,8 @@ class FileWriter {
 
   [[nodiscard]] Result<void> open(const std::string& path);
   [[nodiscard]] Result<void> write(std::string_view bytes);
+  /// As many bytes 0, which take neither time nor room where the file system can leave them out.
+  [[nodiscard]] Result<void> write_zeros(std::size_t count);
   [[nodiscard]] Result<void> commit();
 
  private:

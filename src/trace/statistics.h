@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 
 namespace raywalk {
 
@@ -15,13 +16,15 @@ struct Statistics {
   std::array<std::uint64_t, ray_kind_count> rays{};
   std::array<std::uint64_t, ending_count> ended{};
   TestCounts tests;
-  std::uint64_t random_draws = 0;                   ///< random numbers drawn, of all effects together
-  std::array<std::uint64_t, effect_count> draws{};  ///< and per effect
+  std::array<std::uint64_t, effect_count> draws{};  ///< random numbers, for each effect
   std::uint64_t not_finite = 0;  ///< final shades that a file's float cannot represent: each one is a failure
 
   void drew(Effect effect, int numbers) {
-    random_draws += static_cast<std::uint64_t>(numbers);
     draws[static_cast<std::size_t>(effect)] += static_cast<std::uint64_t>(numbers);
+  }
+  /// Of all effects together.
+  [[nodiscard]] std::uint64_t random_draws() const {
+    return std::accumulate(draws.begin(), draws.end(), std::uint64_t{0});
   }
   [[nodiscard]] std::uint64_t drawn(Effect effect) const { return draws[static_cast<std::size_t>(effect)]; }
   std::uint64_t& formed(RayKind kind) { return rays[static_cast<std::size_t>(kind)]; }
@@ -33,7 +36,6 @@ struct Statistics {
     for (std::size_t i = 0; i < rays.size(); ++i) rays[i] += other.rays[i];
     for (std::size_t i = 0; i < ended.size(); ++i) ended[i] += other.ended[i];
     tests += other.tests;
-    random_draws += other.random_draws;
     for (std::size_t i = 0; i < draws.size(); ++i) draws[i] += other.draws[i];
     not_finite += other.not_finite;
     return *this;

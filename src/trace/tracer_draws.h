@@ -48,8 +48,9 @@ inline auto Tracer<Policy>::light_point(const ShadingPoint& at, const TreeRay& r
       const Vec2<T> cell(static_cast<T>(sample % light.grid), static_cast<T>(sample / light.grid));
       if (!world_.draws) return light.sample((cell + T(0.5)) / edge);
       const auto number = static_cast<std::uint32_t>(sample);
-      constexpr std::uint32_t unasked = 256;  // samples
-      if (number % unasked == unasked - 1) stop_.check();
+      constexpr int unasked = 16;  // rows of samples
+      if (light.grid > unasked && number % (unasked * unasked) == 0) [[unlikely]]
+        check_stop();
       statistics_.drew(Effect::penumbra, 2);
       if (light.grid > 1 && camera_.sampler() != Sampler::sobol) {
         const Vec2<T> unit = at.light_pairs.template draw<T>(light.first_dimension + 2 * number);

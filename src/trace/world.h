@@ -7,6 +7,7 @@
 #include "trace/fault.h"
 #include "trace/texture.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -87,14 +88,17 @@ struct World {
     std::uint32_t first_dimension = 0;  ///< of its draws, two per sample
 
     [[nodiscard]] int samples() const { return grid * grid; }
-    /// Maps the unit square to the light, uniformly in area.
+    /// Maps the unit square to the light, uniformly in area. Kinds with an extent are asked in turn: cheaper than a
+    /// visit, which jumps to one of all kinds.
+    template <std::size_t I = 0>
     [[nodiscard]] Vec3<T> sample(const Vec2<T>& unit) const {
-      return std::visit(
-          [&](const auto& light) {
-            if constexpr (requires { light.sample(unit); }) return light.sample(unit);
-            return place;
-          },
-          kind);
+      if constexpr (I == std::variant_size_v<PreparedLight<T>>) {
+        return place;
+      } else {
+        if constexpr (requires(const std::variant_alternative_t<I, PreparedLight<T>>& light) { light.sample(unit); })
+          if (const auto* light = std::get_if<I>(&kind)) return light->sample(unit);
+        return sample<I + 1>(unit);
+      }
     }
     /// From a surface to a point of the light, which is at t = 1; to a distant one, of unit length.
     [[nodiscard]] Vec3<T> direction_to(const Vec3<T>& point, const Vec3<T>& from) const {

@@ -1,12 +1,20 @@
 #include "image/image_file.h"
 
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <thread>
 
+#include "image/quick_image.h"
 #include "image/srgb.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
+#include "text/file.h"
 
 // An independent decoder.
 #define STB_IMAGE_IMPLEMENTATION
@@ -142,20 +150,66 @@ int compression_effort(const std::string& png) {
   return static_cast<unsigned char>(png.at(data + 5)) >> 6;
 }
 
-TEST_CASE("a picture that is packed quickly is the same picture, packed with less effort") {
-  constexpr int width = 1200, height = 900, begun = 40;  // rows: the others are black
+TEST_CASE("a picture that is written quickly is the same picture, packed with less effort") {
+  constexpr int width = 1200, height = 900;
+  const int begun = GENERATE(0, 40, 900);  // rows: the others are black
   Image image{width, height, std::vector<Rgb<float>>(width * height)};
   for (int row = 0; row < begun; ++row)
     for (int column = 0; column < width; ++column)
-      image.at(column, row) = {static_cast<float>(row) / begun, 0.5F, static_cast<float>(column % 7) / 7};
-  const Result<std::string> small = encode_png(image);
-  const Result<std::string> quick = encode_png(image, Encoding::srgb, Packing::quick);
-  REQUIRE(small);
-  REQUIRE(quick);
-  CHECK(compression_effort(*small) >= 2);
-  CHECK(compression_effort(*quick) <= 1);
-  CHECK(decode_png_or_jpeg(*quick, "quick").value() == decode_png_or_jpeg(*small, "small").value());
-  if (has_exr()) CHECK(decode_exr(encode_exr(image, Packing::quick).value(), "quick").value() == image);
+      image.at(column, row) = {static_cast<float>(row) / height, 0.5F, static_cast<float>(column * row % 7) / 7};
+  int deepest = -1;  // what is not begun is not asked for
+  const ImageRows rows{width, height, begun, [&](int row) {
+                         deepest = std::max(deepest, row);
+                         return &image.at(0, row);
+                       }};
+  const TemporaryFolder folder;
+  const auto quick = [&](const std::string& name) {
+    REQUIRE(write_image_quickly(folder.file(name), rows, Encoding::srgb));
+    CHECK(deepest == begun - 1);
+    return read_file(folder.file(name), 1 << 30).value();
+  };
+  const std::string small_png = encode_png(image).value(), png = quick("a.png");
+  CHECK(compression_effort(small_png) >= 2);
+  CHECK(compression_effort(png) <= 1);
+  int decoded_width = 0, decoded_height = 0;
+  CHECK(decoded(png, decoded_width, decoded_height) == decoded(small_png, decoded_width, decoded_height));
+  CHECK(decode_png_or_jpeg(png, "quick").value() == decode_png_or_jpeg(small_png, "small").value());
+  CHECK(quick("a.pfm") == encode_pfm(image));
+  if (has_exr()) CHECK(decode_exr(quick("a.exr"), "quick").value() == image);
+}
+
+TEST_CASE("black rows of a picture that is written quickly take no room on the disk") {
+  const TemporaryFolder folder;
+  const std::vector<Rgb<float>> grey(1000, Rgb<float>(0.5F));
+  const auto on_disk = [&](int begun) {
+    const std::string path = folder.file(std::to_string(begun) + ".pfm");
+    REQUIRE(write_image_quickly(path, {1000, 1000, begun, [&](int) { return grey.data(); }}, Encoding::srgb));
+    struct stat status{};
+    REQUIRE(::stat(path.c_str(), &status) == 0);
+    CHECK(status.st_size == 12'000'000 + static_cast<int>(pfm_header(1000, 1000).size()));
+    return status.st_blocks * 512;
+  };
+  if (on_disk(1) > 1'000'000) RAYWALK_SKIP("this file system has no holes");
+}
+
+TEST_CASE("a picture that is written quickly into a pipe is whole, and one that cannot be written is refused") {
+  const TemporaryFolder folder;
+  const ImageRows black{300, 200, 0, {}};
+  const auto refused = write_image_quickly(folder.file("none/a.png"), black, Encoding::srgb);
+  REQUIRE(!refused);
+  CHECK_THAT(refused.error().message, contains("there is no folder"));
+  CHECK(!write_image_quickly(folder.file("a.hdr"), black, Encoding::srgb));
+  const std::string pipe = folder.file("a.pfm");
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  std::string read;
+  std::thread reader([&] {
+    std::ifstream from(pipe, std::ios::binary);
+    read.assign(std::istreambuf_iterator<char>(from), {});
+  });
+  const auto written = write_image_quickly(pipe, black, Encoding::srgb);
+  reader.join();
+  REQUIRE(written);
+  CHECK(read == encode_pfm({300, 200, std::vector<Rgb<float>>(300 * 200)}));
 }
 
 TEST_CASE("a PFM is bottom-up, little-endian and linear, byte by byte") {

@@ -103,6 +103,18 @@ TEST_CASE("NFF: every fault is refused at its line, with what was expected and a
   for (const BadText& bad : texts) check_refused(parse_nff, bad);
 }
 
+TEST_CASE("NFF: a whole number out of range is told from one that is not written as one") {
+  for (const auto& [corners, hint] : {std::pair("2", "choose one in this range"),
+                                      {"-3", "choose one in this range"},
+                                      {"20000000000", "choose one in this range"},
+                                      {"3.0", "plain digits"}}) {
+    const auto document = parse_nff(after_matter("p " + std::string(corners) + " 0 0 0 1 0 0\n"), "bad.nff");
+    REQUIRE(!document);
+    INFO(document.error().text());
+    CHECK_THAT(document.error().hint, contains(hint));
+  }
+}
+
 TEST_CASE("NFF: what the bad files are made from is fine") {
   for (const std::string& text : {view, after_view("l 1 2 3\n"), after_matter("s 0 0 0 1\np 3 0 0 0 1 0 0 0 1 0\n")}) {
     const auto document = parse_nff(text, "good.nff");

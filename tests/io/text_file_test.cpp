@@ -79,7 +79,8 @@ TEST_CASE("all readers take a byte order mark, any line ends, and a last line wi
     const std::string mark(utf8_mark), crlf = all_replaced(each.text, "\n", "\r\n"),
                                        cr = all_replaced(each.text, "\n", "\r");
     const std::string bare = each.text.substr(0, each.text.size() - 1);
-    for (const std::string& text : {mark + each.text, crlf, mark + crlf, cr, mark + cr, bare, mark + bare}) {
+    for (const std::string& text :
+         {mark + each.text, crlf, mark + crlf, cr, mark + cr, bare, mark + bare, mark + mark + bare}) {
       put(path, text);
       const auto read = read_scene(path);
       INFO(text << (read ? "" : read.error().text()));

@@ -238,6 +238,19 @@ TEST_CASE("a stopped render returns what is done") {
   CHECK(part.film_of<double>().at(5, 5) != Rgbd(0.0));
   CHECK(part.film_of<double>().at(127, 95) == Rgbd(0.0));
   CHECK(whole.film_of<double>().at(127, 95) != Rgbd(0.0));
+  // What is written of it is the rows with samples.
+  const Image image = part.image();
+  const ImageRows rows = part.rows();
+  CHECK(rows.begun > 0);
+  CHECK(rows.begun < 96);
+  for (int row = 0; row < 96; ++row) {
+    const auto in_image = image.pixels.begin() + 128 * row;
+    if (row < rows.begun)
+      CHECK(std::equal(in_image, in_image + 128, rows.row(row)));
+    else
+      CHECK(std::all_of(in_image, in_image + 128, [](const Rgb<float>& pixel) { return is_black(pixel); }));
+  }
+  CHECK(whole.rows().begun == 96);
 }
 
 TEST_CASE("a render stopped before it began has nothing") {

@@ -68,7 +68,7 @@ std::string text_of(const Statistics& statistics) {
   text << "| ";
   for (const std::uint64_t count : statistics.ended) text << count << ' ';
   text << "| " << statistics.tests.nodes << ' ' << statistics.tests.primitives << ' '
-       << statistics.tests.exactly_decided << " | " << statistics.random_draws << ' ' << statistics.not_finite;
+       << statistics.tests.exactly_decided << " | " << statistics.random_draws() << ' ' << statistics.not_finite;
   return text.str();
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("an attempt is the render of its setup, bit for bit and ray for ray") 
   REQUIRE(rendering);
   CHECK(bench.attempts()[0].image.pixels == rendering->image().pixels);
   CHECK(bench.attempts()[0].cost.rays == cost_of(rendering->statistics, 0).rays);
-  CHECK(bench.attempts()[0].cost.draws == rendering->statistics.random_draws);
+  CHECK(bench.attempts()[0].cost.draws == rendering->statistics.random_draws());
 }
 
 TEST_CASE("an attempt that is interrupted again and again becomes the same") {

@@ -281,7 +281,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   const auto whole = traced(Integrator::distributed, 3);
   CHECK(used_by(scene, 3) == std::set{shadows, reflection, refraction, gloss, translucency, penumbra, depth_of_field,
                                       motion_blur, antialiasing, textures});
-  CHECK(whole.statistics.random_draws > 0);
+  CHECK(whole.statistics.random_draws() > 0);
   scene.render.integrator = Integrator::automatic;
   CHECK(integrator_of(scene) == Integrator::distributed);
   CHECK(integrator_of(plain_scene()) == Integrator::whitted);
@@ -291,7 +291,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures};
   CHECK(used_by(scene, 1) == fixed);
   const auto sharp = picture<double>(scene, width, height, {3, 5});
-  CHECK(sharp.statistics.random_draws == 0);
+  CHECK(sharp.statistics.random_draws() == 0);
   CHECK(sharp.statistics.formed(RayKind::refract) > 0);
   // Nothing is drawn: neither seed nor sampler can show.
   scene.render.sampler = Sampler::sobol;

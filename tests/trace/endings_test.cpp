@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE("rays formed = hit + missed + blocked + reached_light", "", f
     const Picture<TestType> traced = picture<TestType>(scene, 41, 29, {2, 1});
     CHECK(rays_formed(traced.statistics) == rays_ended(traced.statistics));
     CHECK(traced.statistics.formed(RayKind::primary) == 41 * 29 * 2);
-    CHECK(traced.statistics.random_draws == 41 * 29 * 2 * 2);
+    CHECK(traced.statistics.random_draws() == 41 * 29 * 2 * 2);
     CHECK(traced.statistics.not_finite == 0);
     CHECK(traced.statistics.ends(Ending::path_length) == 0);
     CHECK(traced.statistics.tests.primitives > 0);

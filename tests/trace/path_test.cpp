@@ -299,16 +299,16 @@ TEST_CASE("what needs no draw draws nothing") {
   }
   const auto mirrors = path_picture<double>(scene, 21, 15, {0, never, {}});
   CHECK(mirrors.statistics.formed(RayKind::reflect) > 0);
-  CHECK(mirrors.statistics.random_draws == 0);
+  CHECK(mirrors.statistics.random_draws() == 0);
   for (Object& one : scene.objects) one.material.reflection = Rgbd(0.0), one.material.diffuse = Rgbd(0.5);
   scene.lights = {lamp({-3, 3, 2})};
   const auto seen = path_picture<double>(scene, 21, 15, {1, never, PathStrategy::both});
-  CHECK(seen.statistics.random_draws == 0);
+  CHECK(seen.statistics.random_draws() == 0);
   // A direction each time that a matte surface sends the path on, and nothing else.
   const auto sent_on = path_picture<double>(scene, 21, 15, {4, never, PathStrategy::both});
   CHECK(sent_on.statistics.formed(RayKind::shadow) > 0);
-  CHECK(sent_on.statistics.random_draws == 2 * sent_on.statistics.formed(RayKind::reflect));
-  CHECK(sent_on.statistics.drawn(Effect::indirect_light) == sent_on.statistics.random_draws);
+  CHECK(sent_on.statistics.random_draws() == 2 * sent_on.statistics.formed(RayKind::reflect));
+  CHECK(sent_on.statistics.drawn(Effect::indirect_light) == sent_on.statistics.random_draws());
 }
 
 TEST_CASE("float paths are double paths, but for rounding") {
@@ -333,7 +333,7 @@ TEST_CASE("paths draw for the effects that the scene calls for, and for no other
       CHECK((traced.statistics.drawn(effect) > 0) == effects.used(effect));
     }
     CHECK((traced.statistics.formed(RayKind::shadow) > 0) == effects.used(shadows));
-    return traced.statistics.random_draws;
+    return traced.statistics.random_draws();
   };
   Scene scene = all_scene();
   CHECK(drawn(scene, 2) > 0);

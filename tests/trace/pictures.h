@@ -50,7 +50,7 @@ bool same_bits(const Picture<T>& a, const Picture<T>& b) {
 
 inline bool same_counts(const Statistics& a, const Statistics& b) {
   return a.rays == b.rays && a.ended == b.ended && a.tests.nodes == b.tests.nodes &&
-         a.tests.primitives == b.tests.primitives && a.random_draws == b.random_draws && a.draws == b.draws &&
+         a.tests.primitives == b.tests.primitives && a.random_draws() == b.random_draws() && a.draws == b.draws &&
          a.not_finite == b.not_finite;
 }
 

@@ -78,7 +78,7 @@ TEST_CASE("a screen of given width spans the picture's width") {
   CHECK(ray.origin == camera.eye);
   // The rightmost centre: 4/5 of half of 3, at distance 2.
   CHECK(ray.direction.x / -ray.direction.z == Approx(0.8 * 1.5 / 2));
-  CHECK(draws.random_draws == 0);
+  CHECK(draws.random_draws() == 0);
   CHECK(generator.size() == ImageSize{5, 5});
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("samples depend on the seed and on nothing else, and are counted") {
   const Ray<double> later = a.primary_ray({5, 2, 3}, draws);
   const Ray<double> again = same.primary_ray({5, 2, 3}, draws);
   CHECK(later.direction == again.direction);
-  CHECK(draws.random_draws == 4);
+  CHECK(draws.random_draws() == 4);
   CHECK(draws.drawn(Effect::antialiasing) == 4);
   CHECK(other.primary_ray({5, 2, 3}, draws).direction != again.direction);
   // The same pixel from the centre in a larger picture of the same pitch draws the same numbers: its strip or crop.
