@@ -118,7 +118,7 @@ TEST_CASE("effects that are not called for fire no ray and draw no number") {
     CHECK((statistics.drawn(Effect::gloss) > 0) == set.lobes);
     CHECK((statistics.drawn(Effect::translucency) > 0) == (set.lobes && set.refraction));
     CHECK(statistics.random_draws() == statistics.drawn(Effect::penumbra) + statistics.drawn(Effect::gloss) +
-                                         statistics.drawn(Effect::translucency));
+                                           statistics.drawn(Effect::translucency));
     CHECK(statistics.formed(RayKind::shadow) > 0);
   }
   Scene dark = busy_scene();
