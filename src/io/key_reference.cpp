@@ -158,7 +158,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 
 }  // namespace
 
-std::vector<KeyTable> key_tables() { return Documenter::tables_of<Scene>("scene", "scene", ""); }
+std::vector<KeyTable> key_tables() { return Documenter::tables_of<schema::SceneFile>("scene", "scene", ""); }
 
 std::string reference_text(const std::vector<KeyTable>& tables) {
   constexpr std::size_t indent = 18;

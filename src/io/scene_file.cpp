@@ -114,13 +114,12 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
   if (!parsed) return tl::unexpected(syntax_error(parsed.error(), file_name));
   const toml::table& root = parsed.table();
 
-  SceneDocument document;
-  document.text = text;
-  Scene& scene = document.scene;
+  schema::SceneFile file;
+  Scene& scene = file.scene;
   scene.camera.screen.width.reset();  // given by the file, or computed from the angle
   ReadLog log(file_name, meshes == MeshReading::read);
   SceneReader reader(root, log, "");
-  schema::describe(reader, scene);
+  schema::describe(reader, file);
   reader.finish();
   if (!log.error()) {
     check_camera(scene.camera, root, log);
@@ -129,7 +128,9 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
     warn_of_bright_materials(scene, root, log);
   }
   if (log.error()) return tl::unexpected(*log.error());
-  document.warnings = log.warnings();
+  SceneDocument document{std::move(file.scene), std::string(text), log.warnings()};
+  document.ink = std::move(file.ink);
+  document.keeps_ink = !document.ink.empty();
   return document;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Raywalk's own scene format: TOML. Its keys are listed once, in scene/schema.h; scenes/README.md documents them.
 
+#include "scene/ink.h"
 #include "scene/scene.h"
 #include "text/error.h"
 
@@ -19,6 +20,10 @@ struct SceneDocument {
   /// The file that it was read from, to whose folder the names of meshes and textures are relative; may be empty.
   std::string path{};
   std::vector<std::string> files{};  ///< all that were read for it, including meshes, their materials and textures
+  Ink ink{};
+  bool keeps_ink = false;  ///< whether the file has the ink too
+
+  [[nodiscard]] Ink ink_of_file() const { return keeps_ink ? ink : Ink{}; }
 };
 
 /// Meshes come in files of their own, so a larger scene file is a mistake.
@@ -71,16 +76,17 @@ enum class MeshReading { read, skip };
 /// kept, with comments, order and layout: only values that differ are replaced; new objects and lights are added after
 /// their predecessor, removed ones are deleted with their comments (directly above, inside and below, not those set
 /// apart by an empty line). Without a previous text, or with one that is not a scene, a new text. Fails when `scene`
-/// breaks a rule of the format (a radius that is not finite, two objects of one name).
-[[nodiscard]] Result<std::string> format_scene(const Scene& scene, std::string_view previous_text = {});
+/// breaks a rule of the format (a radius that is not finite, two objects of one name). `ink`: what is drawn over it.
+[[nodiscard]] Result<std::string> format_scene(const Scene& scene, std::string_view previous_text = {},
+                                               const Ink& ink = {});
 
 /// `scene` with the names of its meshes and textures, which are relative to the folder of the file `from`, made
 /// relative to the folder of the file `to`. Absolute names are kept. Fails if a folder's name is not UTF-8, which a
 /// scene cannot contain.
 [[nodiscard]] Result<Scene> with_names_from(Scene scene, const std::string& from, const std::string& to);
 
-/// Writes `document.scene`, in our own format whatever it was read from, in the layout of `document.text`, all or
-/// nothing, and on success stores the written text in `document.text`. Refuses the extension of another format.
+/// Writes `document.scene`, and its ink if that is kept, in our own format whatever it was read from, in the layout of
+/// `document.text`, all or nothing, and on success stores the written text in `document.text`. Refuses the extension of another format.
 [[nodiscard]] Result<void> write_scene(SceneDocument& document, const std::string& path);
 
 }  // namespace raywalk

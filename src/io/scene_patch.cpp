@@ -304,6 +304,8 @@ Result<SceneDocument> patched_scene(const SceneDocument& from, std::string_view 
   }
   read->text = from.text;
   read->path = from.path;
+  read->ink = from.ink;  // no part of the scene, and so of its changes
+  read->keeps_ink = from.keeps_ink;
   return read;
 }
 

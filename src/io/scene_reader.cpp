@@ -215,15 +215,33 @@ bool SceneReader::read(const toml::node& node, std::string_view key, const schem
   return false;
 }
 
-bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Name& kind, std::string& value) {
+/// The text of `node`, if it is one line that says something; else null.
+static const std::string* one_line_of(const toml::node& node, std::size_t longest) {
   const auto* text = node.as_string();
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (text == nullptr || text->get().find_first_not_of(" \t") == std::string::npos ||
-      text->get().size() > kind.longest || std::any_of(text->get().begin(), text->get().end(), is_control)) {
+  if (text == nullptr || text->get().find_first_not_of(" \t") == std::string::npos || text->get().size() > longest ||
+      std::any_of(text->get().begin(), text->get().end(), is_control))
+    return nullptr;
+  return &text->get();
+}
+
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::OneLine& kind, std::string& value) {
+  const std::string* line = one_line_of(node, kind.longest);
+  if (line == nullptr) {
+    fail_type(node, key, kind.expected(), "write " + std::string(key) + " = \"...\"");
+    return false;
+  }
+  value = *line;
+  return true;
+}
+
+bool SceneReader::read(const toml::node& node, std::string_view key, const schema::Name& kind, std::string& value) {
+  const std::string* name = one_line_of(node, kind.longest);
+  if (name == nullptr) {
     fail_type(node, key, kind.expected(), "such as name = \"Solid Sphere\"");
     return false;
   }
-  value = text->get();
+  value = *name;
   log_.claim_name(value, node.source());
   place_ = place_.substr(0, place_.find("]]") + 2) + " " + toml_text::quoted(value);
   return true;

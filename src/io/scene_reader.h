@@ -96,6 +96,7 @@ class SceneReader {
   bool read(const toml::node& node, std::string_view key, const schema::Whole& kind, int& value);
   bool read(const toml::node& node, std::string_view key, const schema::Flag& kind, bool& value);
   bool read(const toml::node& node, std::string_view key, const schema::Text& kind, std::string& value);
+  bool read(const toml::node& node, std::string_view key, const schema::OneLine& kind, std::string& value);
   bool read(const toml::node& node, std::string_view key, const schema::Name& kind, std::string& value);
   bool read(const toml::node& node, std::string_view key, const schema::Names& kind, std::vector<std::string>& value);
   bool read(const toml::node& node, std::string_view key, const schema::FileName& kind, std::string& value);

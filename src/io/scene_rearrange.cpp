@@ -79,7 +79,8 @@ Origins pair_up(const Value& old_tables, const Value& new_tables) {
     taken[old] = true;
   };
   std::map<std::string_view, std::size_t> by_name;
-  for (std::size_t i = 0; i < olds.size(); ++i) by_name.emplace(text_of(olds[i], "name"), i);
+  for (std::size_t i = 0; i < olds.size(); ++i)
+    if (olds[i].find("name") != nullptr) by_name.emplace(text_of(olds[i], "name"), i);
   for (std::size_t i = 0; i < news.size(); ++i)
     if (const auto found = by_name.find(text_of(news[i], "name")); found != by_name.end()) pair(i, found->second);
 

@@ -133,8 +133,8 @@ const Value* Value::find(std::string_view child_key) const {
   return child == children.end() ? nullptr : &*child;
 }
 
-Value values_of(const Scene& scene) {
-  Scene copy = scene;
+Value values_of(const Scene& scene, const Ink& ink) {
+  schema::SceneFile copy{scene, ink};
   return Lister::table_of(copy);
 }
 

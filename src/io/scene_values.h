@@ -33,8 +33,8 @@ struct Value {
   [[nodiscard]] const Value* find(std::string_view child_key) const;
 };
 
-/// All of `scene`, including the values that a file may omit.
-[[nodiscard]] Value values_of(const Scene& scene);
+/// All of `scene` and of what is drawn over it, including the values that a file may omit.
+[[nodiscard]] Value values_of(const Scene& scene, const Ink& ink = {});
 
 /// The value on one line, a table in braces, without defaults.
 [[nodiscard]] std::string inline_text(const Value& value);

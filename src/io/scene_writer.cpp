@@ -85,7 +85,7 @@ double least_text(const Scene& scene) {
 
 }  // namespace
 
-Result<std::string> format_scene(const Scene& scene, std::string_view previous_text) {
+Result<std::string> format_scene(const Scene& scene, std::string_view previous_text, const Ink& ink) {
   const auto too_large = [&](std::string_view at_least, double bytes) {
     const std::size_t count = scene.objects.size();
     constexpr double mebibyte = 1 << 20;
@@ -98,16 +98,16 @@ Result<std::string> format_scene(const Scene& scene, std::string_view previous_t
   // The tree of values takes a thousand times the memory of the text, so what is too large is refused before.
   if (const double least = least_text(scene); least > static_cast<double>(max_scene_bytes))
     return too_large("at least ", least);
-  const Value now = detail::values_of(scene);
+  const Value now = detail::values_of(scene, ink);
   // Reading back proves that nothing is lost, and checks the scene itself.
   const auto holds_scene = [&](const Result<SceneDocument>& written) {
-    return written && detail::values_of(written->scene) == now;
+    return written && detail::values_of(written->scene, written->ink) == now;
   };
   if (!previous_text.empty()) {
     const bool windows = has_windows_lines(previous_text);
     const std::string previous = windows ? with_unix_lines(std::string(previous_text)) : std::string(previous_text);
     if (const auto old = parse_scene(previous, "", MeshReading::skip)) {
-      auto text = merged(previous, detail::values_of(old->scene), now);
+      auto text = merged(previous, detail::values_of(old->scene, old->ink), now);
       if (text && windows) text = with_windows_lines(*text);
       if (text && holds_scene(parse_scene(*text, "", MeshReading::skip))) return *text;
     }
@@ -128,7 +128,7 @@ Result<void> write_scene(SceneDocument& document, const std::string& path) {
         Error{path, 0, 0, "scenes in " + std::string(scene_ending(format)) + " are read, not written (expected .toml)",
               "save it as a file that ends in .toml"});
   auto text = with_names_from(document.scene, document.path, path).and_then([&](const Scene& scene) {
-    return format_scene(scene, document.text);
+    return format_scene(scene, document.text, document.ink_of_file());
   });
   if (!text) {
     // A place in a text that the user has not seen is no help; the message names the key and the object.

@@ -23,6 +23,9 @@ inline Value tree(const schema::Number& /*kind*/, double value) {
 inline Value tree(const schema::Whole& /*kind*/, int value) { return scalar(std::to_string(value)); }
 inline Value tree(const schema::Flag& /*kind*/, bool value) { return scalar(value ? "true" : "false"); }
 inline Value tree(const schema::Text& /*kind*/, const std::string& value) { return scalar(toml_text::quoted(value)); }
+inline Value tree(const schema::OneLine& /*kind*/, const std::string& value) {
+  return scalar(toml_text::quoted(value));
+}
 inline Value tree(const schema::Name& /*kind*/, const std::string& value) { return scalar(toml_text::quoted(value)); }
 inline Value tree(const schema::Names& /*kind*/, const std::vector<std::string>& value) {
   Value names{.kind = Value::Kind::list};

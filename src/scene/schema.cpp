@@ -26,6 +26,8 @@ std::string quoted_words(const std::vector<std::string_view>& words) {
   return list;
 }
 
+std::string OneLine::expected() const { return Name{longest}.expected(); }
+
 std::string Name::expected() const { return fmt::format("one line of text in quotes, 1 to {} bytes long", longest); }
 
 std::string Rows::expected() const {

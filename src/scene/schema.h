@@ -392,4 +392,61 @@ void describe(Fields& f, Scene& scene) {
   f.key("object", scene.objects, tables);
 }
 
+// --- Ink
+
+template <class Fields>
+void describe(Fields& f, PenStroke& stroke) {
+  f.about("A line by hand.");
+  f.required("points", stroke.points, pen_points, "What the pen went through.");
+}
+
+template <class Fields>
+void describe(Fields& f, InkArrow& arrow) {
+  f.about("A straight arrow.");
+  f.required("from", arrow.from, place, "Where it begins.");
+  f.required("to", arrow.to, place, "Its tip.");
+}
+
+template <class Fields>
+void describe(Fields& f, InkText& note) {
+  f.about("A few words.");
+  f.required("at", note.at, place, "Where they begin.");
+  f.required("text", note.text, ink_text, "What they say.");
+}
+
+template <class Fields>
+void describe(Fields& f, Ruler& ruler) {
+  f.about("A line that says its length.");
+  f.required("from", ruler.from, place, "One of its ends.");
+  f.required("to", ruler.to, place, "The other end.");
+}
+
+template <class Fields>
+void describe(Fields& f, Protractor& protractor) {
+  f.about("Two arms that say the angle between them.");
+  f.required("vertex", protractor.vertex, place, "Where the arms meet.");
+  f.required("from", protractor.from, place, "The end of one arm.");
+  f.required("to", protractor.to, place, "The end of the other arm.");
+}
+
+template <class Fields>
+void describe(Fields& f, InkMark& mark) {
+  f.about("What is drawn over the plan with Ink; as much as you like. It is no part of the scene, and no ray meets it.");
+  f.type(mark.shape, "What kind of mark it is, which says what further keys it has.");
+  f.key("colour", mark.colour, ink_colours, "Plain is dark on a light plan and light on a dark one.");
+}
+
+/// All that a file holds.
+struct SceneFile {
+  Scene scene;
+  Ink ink;
+  friend bool operator==(const SceneFile&, const SceneFile&) = default;
+};
+
+template <class Fields>
+void describe(Fields& f, SceneFile& file) {
+  describe(f, file.scene);
+  f.key("ink", file.ink, tables);
+}
+
 }  // namespace raywalk::schema

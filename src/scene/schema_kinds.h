@@ -4,6 +4,7 @@
 // format.
 
 #include "math/words.h"
+#include "scene/ink.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -122,10 +123,16 @@ inline constexpr Choice<Encoding> encodings;
 inline constexpr Choice<Integrator> integrators;
 inline constexpr Choice<Sampler> samplers;
 inline constexpr Choice<Numerics> numerics;
+inline constexpr Choice<InkColour> ink_colours;
 
 /// Any text in quotes.
 struct Text {
   [[nodiscard]] static std::string expected() { return "text in quotes"; }
+};
+/// One line of it.
+struct OneLine {
+  std::size_t longest;  ///< in bytes
+  [[nodiscard]] std::string expected() const;
 };
 /// The unique name of an object, light or group.
 struct Name {
@@ -147,6 +154,7 @@ struct FileName {
   [[nodiscard]] std::string expected() const { return std::string(words); }
 };
 inline constexpr Name own_name{100};
+inline constexpr OneLine ink_text{longest_ink_text};
 inline constexpr FileName file_name{"the name of a file in quotes", "it is looked for from the scene's own folder"},
     mesh_file_name{"the name of a mesh file in quotes", "such as file = \"bunny.ply\""};
 
@@ -171,7 +179,7 @@ inline constexpr std::string_view point_words = "[x, y] in the plan or [x, y, z]
                                   colour_words = "one number for a grey, or [red, green, blue]",
                                   radii_words = "one number above 0, or [x, y, z] of them";
 inline constexpr Tuple point{point_words, coordinate, Shorthand::flat},
-    direction{point_words, coordinate.in(""), Shorthand::none, true},
+    place{"[x, y] in the plan", coordinate}, direction{point_words, coordinate.in(""), Shorthand::none, true},
     attenuation_terms{"[constant, linear, quadratic]", not_negative}, open_and_close{"[open, close]", any_number},
     radii{radii_words,
           {.words = radii_words, .above_low = true, .hint = "such as 1 or [1, 2, 0.5]", .unit = scene_units},
@@ -203,6 +211,11 @@ inline constexpr Rows plan_corners{"corners [x, y]",
                 0,
                 10'000,
                 "such as motion = [[0, 0, 0, 0], [1, 2, 0, 0]]: from its place at the time 0 by 2 along x at 1"};
+inline constexpr Rows pen_points{"places [x, y]",
+                                 {"a place [x, y]", coordinate},
+                                 1,
+                                 most_pen_points,
+                                 "the pen goes through them in this order, such as [[0, 0], [1, 0.5]]"};
 /// A list of lists of tuples.
 struct Lists {
   Rows rows;
