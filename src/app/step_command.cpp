@@ -129,9 +129,9 @@ ExitCode step_command(const StepOptions& options) {
       case StepFormat::json:
         return print_json(scene, timeline, options);
       case StepFormat::html:
-        return print(slides_page(scene, kept, language()));
+        return print(slides_page(scene, kept, language(), Theme::projector, document->ink));
       case StepFormat::svg:
-        return print(plan_picture(scene, kept, language()));
+        return print(plan_picture(scene, kept, language(), Theme::projector, document->ink));
     }
     return Result<void>();
   }();

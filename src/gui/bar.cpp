@@ -67,7 +67,7 @@ struct Menu {
 
 const std::array<Menu, menu_count> menus{{
     {"menu.file", "menu-file", {{Section::open, recent_menu}, {Section::save}, {Section::quit}}},
-    {"menu.edit", "menu-edit", {{Section::undo}, {Section::select}}},
+    {"menu.edit", "menu-edit", {{Section::undo}, {Section::select}, {Section::ink}}},
     {"menu.view",
      "menu-view",
      {{Section::zoom},

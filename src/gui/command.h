@@ -25,6 +25,7 @@ enum class Section {
   show,
   rays,
   earlier,
+  ink,
   style,
   window,
   step,

@@ -151,6 +151,13 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     layout_.plan.height -= banner.height;
     banner_pane(with, banner);
   }
+  if (inks(state)) {
+    Rect tools = layout_.plan;
+    tools.height = std::min(ink_height(with, tools.width), layout_.plan.height);
+    layout_.plan.y += tools.height;
+    layout_.plan.height -= tools.height;
+    ink_pane(with, tools);
+  }
   const int menu = std::exchange(wanted_menu_, -1);
   shown_menu_ = embedded ? -1 : bar_pane(with, layout_.bar, menu);
   if (aside_.frames > 0 && shown_menu_ < 0) wanted_menu_ = std::exchange(aside_, {}).neighbour;
@@ -184,6 +191,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 
+  ink_field(with, layout_.plan);
   notice_bar(with, layout_.plan);
   browser_.draw(with, home_, picture.gallery);
   link_dialog(with);

@@ -86,6 +86,8 @@ bool escape(const Ui& ui) {
     ui.act(action::CancelDrag{});
   } else if (state.document.notice) {
     ui.act(action::DismissNotice{});
+  } else if (inks(state)) {
+    ui.act(action::LeaveInk{});
   } else if (state.walk.playing) {
     ui.act(action::PlayPause{});
   } else if (state.walk.mode == Mode::help) {

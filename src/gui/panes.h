@@ -34,6 +34,11 @@ void palette_pane(const Ui& ui, const Rect& where);
 /// The plan and the pointer on it.
 void plan_pane(const Ui& ui, const Rect& where);
 
+/// The tools of ink, above the plan, and the field over the plan for words that are being written.
+void ink_pane(const Ui& ui, const Rect& where);
+[[nodiscard]] float ink_height(const Ui& ui, float width);
+void ink_field(const Ui& ui, const Rect& plan);
+
 /// The scene as lines in space, in the plan's place.
 void lines_pane(const Ui& ui, const Rect& where);
 /// Mouse actions on the last item, which shows a turnable view, in `where`.

@@ -3,6 +3,7 @@
 #include "view/action_text.h"
 #include "view/bugs/bug_panel.h"
 #include "view/document/question.h"
+#include "view/ink/ink.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/lesson/typed_number.h"
 #include "view/plan/plan_geometry.h"
@@ -209,6 +210,23 @@ class Outliner {
     if (drawn < all) add(region, Role::text, "more", say("plan.objects_drawn", {{"drawn", drawn}, {"all", all}}));
   }
 
+  void ink() {
+    const Ink& marks = state_.document.contents.ink;
+    if (marks.empty() && !inks(state_)) return;
+    OutlineItem& region = open("ink", say("command.ink.label"));
+    if (const InkText* note = text_begun(state_)) {
+      field(region, Role::words, "type", say("ink.type"), "ink-type {}", note->text);
+      button(region, "finish", say("ink.finish"), action::FinishInk{});
+    }
+    OutlineItem& list = add(region, Role::list, "marks", say("ink.marks"));
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const std::string what(std::visit([](const auto& mark) { return shape_name(mark); }, marks[i].shape));
+      const std::string reading = reading_of(marks[i], language());
+      const std::string name(family_text("command", "ink_" + what + ".label", language()));
+      add(list, Role::entry, std::to_string(i), reading.empty() ? name : name + ": " + reading);
+    }
+  }
+
   void help_text() {
     if (state_.walk.mode != Mode::help) return;
     OutlineItem& region = open("help", say("command.mode_help.label"));
@@ -373,6 +391,7 @@ Outline outline(const State& state) {
   parts.tree();
   parts.stack();
   parts.plan();
+  parts.ink();
   parts.help_text();
   return std::move(parts).take();
 }
@@ -384,7 +403,8 @@ Result<Action> outlined_action(const State& state, std::string_view does, std::s
   if (does.starts_with("guess-number")) {
     const auto guess = typed_guess(state.lessons, typed);
     value = guess ? fmt::format("{}", *guess) : "";
-  } else if (!does.starts_with("open") && !does.starts_with("save") && !does.starts_with("export")) {
+  } else if (!does.starts_with("ink-type") && !does.starts_with("open") && !does.starts_with("save") &&
+             !does.starts_with("export")) {
     const std::vector<double> meant = typed_numbers(typed);
     value = meant.empty() ? "" : fmt::format("{}", meant.front());
   }

@@ -22,6 +22,16 @@ State make_state(SceneDocument document, std::string path, std::string state_dir
 
 const Scene& saved_scene(const State& state) { return state.document.saved ? *state.document.saved : state.scene(); }
 
+SceneDocument saved_document(const State& state) {
+  SceneDocument document = state.document.contents;
+  document.scene = saved_scene(state);
+  if (document.ink_of_file() != state.document.saved_ink) {
+    document.ink = state.document.saved_ink;
+    document.keeps_ink = !document.ink.empty();
+  }
+  return document;
+}
+
 const Camera& image_camera(const State& state) {
   return state.picture.camera ? *state.picture.camera : state.scene().camera;
 }

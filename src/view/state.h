@@ -12,6 +12,7 @@
 #include "view/equation/room.h"
 #include "view/export/room.h"
 #include "view/focus/room.h"
+#include "view/ink/room.h"
 #include "view/legend/room.h"
 #include "view/lesson/room.h"
 #include "view/link/room.h"
@@ -52,6 +53,7 @@ struct State {
   BandRoom band;
   EffectsRoom effects;
   LinkRoom link;
+  InkRoom ink;
 
   [[nodiscard]] const Scene& scene() const { return document.contents.scene; }
 };
@@ -59,7 +61,7 @@ struct State {
 /// All rooms, in the order of their tabs and of their commands in menus.
 using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
                     LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
-                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, AppearanceRoom>;
+                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, InkRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>
@@ -88,6 +90,8 @@ void restore_session(State& state);
 
 /// The scene as stored in the file.
 [[nodiscard]] const Scene& saved_scene(const State& state);
+/// The document as stored in the file, with the ink that was never to be stored.
+[[nodiscard]] SceneDocument saved_document(const State& state);
 /// The camera of the 3-D picture.
 [[nodiscard]] const Camera& image_camera(const State& state);
 /// Overrides the scene's settings with the user's choices. With a bug, numerics are naive: faults exist only there.

@@ -87,7 +87,7 @@ Result<void> write_autosave(const State& state) {
   const std::string path = autosave_path(state);
   const Result<std::string> written =
       with_names_from(state.scene(), state.document.contents.path, path).and_then([&](const Scene& scene) {
-        return format_scene(scene, state.document.contents.text);
+        return format_scene(scene, state.document.contents.text, state.document.contents.ink_of_file());
       });
   if (!written) return tl::unexpected(written.error());
   return write_in_folder(state, path,
@@ -136,8 +136,10 @@ void recover(State& state, const std::string& original, const std::string& autos
   state.document.autosave_file = autosave;  // it holds this session's work now
   show_document(state, std::move(*document), original);
   // Without a file to compare with, everything is unsaved.
-  state.document.dirty = !file || file->scene != state.scene();
-  if (state.document.dirty) state.document.saved = file ? file->scene : Scene{};
+  const bool changed = !file || file->scene != state.scene();
+  if (changed) state.document.saved = file ? file->scene : Scene{};
+  state.document.saved_ink = file ? file->ink : Ink{};
+  state.document.dirty = changed || state.document.contents.ink_of_file() != state.document.saved_ink;
   state.document.autosaved_revision = 0;
   inform(state, fill("notice.recovered", state.appearance.language, {{"file", document_title(state)}}));
 }

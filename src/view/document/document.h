@@ -24,7 +24,12 @@ void replace_scene(State& state, Scene next);
 /// The same with one undo entry; none if nothing changed.
 void commit(State& state, Scene next, EditMark mark = {}, bool continues = false);
 /// Adds an undo entry that restores `before`.
-void remember(State& state, Scene before);
+void remember(State& state, Undone before);
+/// Replaces the ink, with one undo entry; none if nothing changed. `joins`: the entry of the edit before holds for this
+/// one too.
+void commit_ink(State& state, Ink next, bool joins = false);
+/// Whether the ink goes into the file of the scene.
+void keep_ink(State& state, bool kept);
 /// Why `scene` cannot be saved because of the given parts; empty if it can. -1: not checked.
 [[nodiscard]] std::string why_refused(const Scene& scene, int object, int light);
 /// Commits `next` unless the changed part is invalid; then reports why.

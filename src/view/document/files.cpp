@@ -57,6 +57,7 @@ void write_to(State& state, const std::string& path) {
   state.document.prompt = PathPrompt::none;
   state.document.path = path;
   state.document.saved.reset();
+  state.document.saved_ink = state.document.contents.ink_of_file();
   state.document.dirty = false;
   state.document.last_edit.reset();
   forget_autosave(state);
@@ -97,12 +98,14 @@ void show_document(State& state, SceneDocument document, std::string path) {
   state.document.worlds = std::make_shared<WorldCache>();
   state.document.path = std::move(path);
   state.document.saved.reset();
+  state.document.saved_ink = state.document.contents.ink_of_file();
   state.document.dirty = false;
   state.document.undo.clear();
   state.document.redo.clear();
   state.document.last_edit.reset();
   state.walk.bug.reset();
   state.plan.drag.reset();
+  state.ink.begun.reset();
   state.plan.selected = {};
   state.plan.hovered = {};
   state.plan.hovered_ray = -1;

@@ -3,6 +3,9 @@
 #include "view/text/text.h"
 #include "view/walk/walk.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace raywalk {
 
 namespace {
@@ -14,23 +17,49 @@ std::size_t bytes_of(const Scene& scene) {
   return bytes;
 }
 
-/// Drops the oldest entries beyond the bounds. Both stacks hold similar versions of one scene, so the size of the
-/// current one is used for all.
+std::size_t bytes_of(const Ink& ink) {
+  std::size_t bytes = ink.size() * sizeof(InkMark);
+  for (const InkMark& mark : ink)
+    if (const auto* stroke = std::get_if<PenStroke>(&mark.shape)) bytes += stroke->points.size() * sizeof(Vec2d);
+  return bytes;
+}
+
+/// Drops the oldest entries beyond the bounds. Both stacks hold similar versions of one scene and of one drawing, so
+/// the size of the current ones is used for all.
 void trim(State& state) {
-  const std::size_t by_bytes = undo_bytes / bytes_of(state.scene());
+  const std::size_t by_bytes = undo_bytes / std::max(bytes_of(state.scene()), bytes_of(state.document.contents.ink));
   const std::size_t most = std::max<std::size_t>(1, std::min(undo_entries, by_bytes));
   if (state.document.undo.size() > most)
     state.document.undo.erase(state.document.undo.begin(),
                               state.document.undo.end() - static_cast<std::ptrdiff_t>(most));
 }
 
-void step_history(State& state, std::vector<Scene>& from, std::vector<Scene>& to, std::string_view when_empty) {
+/// After a change of the scene or of the ink.
+void compare_with_file(State& state) {
+  DocumentRoom& document = state.document;
+  if (document.saved && document.contents.scene == *document.saved) document.saved.reset();
+  document.dirty = document.saved || document.contents.ink_of_file() != document.saved_ink;
+  if (!document.dirty) forget_autosave(state);  // nothing to recover any more
+}
+
+void replace_ink(State& state, Ink next) {
+  state.document.contents.ink = std::move(next);
+  if (state.document.contents.keeps_ink) state.document.autosaved_revision = 0;
+  compare_with_file(state);
+}
+
+void step_history(State& state, std::vector<Undone>& from, std::vector<Undone>& to, std::string_view when_empty) {
   if (from.empty()) return inform(state, std::string(text(when_empty, state.appearance.language)));
-  Scene next = std::move(from.back());
+  Undone next = std::move(from.back());
   from.pop_back();
-  to.push_back(state.scene());
   state.document.last_edit.reset();
-  replace_scene(state, std::move(next));
+  if (Scene* const scene = std::get_if<Scene>(&next)) {
+    to.emplace_back(state.scene());
+    replace_scene(state, std::move(*scene));
+  } else {
+    to.emplace_back(state.document.contents.ink);
+    replace_ink(state, std::get<Ink>(std::move(next)));
+  }
 }
 
 }  // namespace
@@ -40,13 +69,11 @@ void replace_scene(State& state, Scene next) {
   state.document.contents.scene = std::move(next);
   state.document.worlds = std::make_shared<WorldCache>();
   ++state.document.revision;
-  state.document.dirty = state.document.contents.scene != *state.document.saved;
-  if (!state.document.dirty) state.document.saved.reset();
-  if (!state.document.dirty) forget_autosave(state);  // nothing to recover any more
+  compare_with_file(state);
   record_again(state);
 }
 
-void remember(State& state, Scene before) {
+void remember(State& state, Undone before) {
   state.document.undo.push_back(std::move(before));
   state.document.redo.clear();
   trim(state);
@@ -60,6 +87,19 @@ void commit(State& state, Scene next, EditMark mark, bool continues) {
   state.document.last_edit = mark;
   state.document.notice.reset();
   replace_scene(state, std::move(next));
+}
+
+void commit_ink(State& state, Ink next, bool joins) {
+  if (next == state.document.contents.ink) return;
+  if (!joins) remember(state, state.document.contents.ink);
+  state.document.last_edit.reset();
+  replace_ink(state, std::move(next));
+}
+
+void keep_ink(State& state, bool kept) {
+  state.document.contents.keeps_ink = kept;
+  state.document.autosaved_revision = 0;
+  compare_with_file(state);
 }
 
 std::string why_refused(const Scene& scene, int object, int light) {

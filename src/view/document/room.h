@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace raywalk {
@@ -62,6 +63,9 @@ struct EditMark {
   int index = -1;
   friend bool operator==(const EditMark&, const EditMark&) = default;
 };
+
+/// What an edit replaced: the scene, or the ink over it.
+using Undone = std::variant<Scene, Ink>;
 
 inline constexpr std::size_t undo_entries = 256;
 inline constexpr std::size_t undo_bytes = 64 << 20;  ///< of undo and redo together, roughly
@@ -253,11 +257,12 @@ struct DocumentRoom {
   static Commands commands();
 
   SceneDocument contents;
-  std::string path;               ///< empty: never saved
-  std::optional<Scene> saved;     ///< the scene as the file holds it; absent: as contents.scene
-  bool dirty = false;             ///< contents.scene differs from saved_scene
-  std::uint64_t revision = 0;     ///< incremented with every change of contents.scene, to restart the 3-D image
-  std::vector<Scene> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::string path;                ///< empty: never saved
+  std::optional<Scene> saved;      ///< the scene as the file holds it; absent: as contents.scene
+  Ink saved_ink{};                 ///< the ink that the file holds
+  bool dirty = false;              ///< contents differ from saved_scene or saved_ink
+  std::uint64_t revision = 0;      ///< incremented with every change of contents.scene, to restart the 3-D image
+  std::vector<Undone> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
   std::shared_ptr<WorldCache>
       worlds;   ///< of contents.scene; replaced with each change of it, so that copies may share it
   Stop stop{};  ///< cancels a long update: it throws Stopped, and the state is then invalid

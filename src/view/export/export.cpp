@@ -36,7 +36,8 @@ Result<std::string> exported(const State& state, ExportKind kind) {
       if (state.walk.timeline->steps() > max_slides)
         return tl::unexpected(
             Error{"", 0, 0, fill("notice.too_many_slides", state.appearance.language, {{"most", max_slides}}), ""});
-      return slides_page(scene, state.walk.timeline, state.appearance.language, state.appearance.theme);
+      return slides_page(scene, state.walk.timeline, state.appearance.language, state.appearance.theme,
+                         state.document.contents.ink);
     case ExportKind::transcript:
       return transcript(scene, *state.walk.timeline, state.appearance.language);
     case ExportKind::steps: {

@@ -24,9 +24,10 @@ constexpr Viewport picture_size{960, 640};
 constexpr Viewport page_size{750, 500};  // smaller, so that letters are larger at the same width
 
 State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme,
-             const Viewport& viewport) {
+             const Viewport& viewport, const Ink& ink) {
   SceneDocument document;
   document.scene = scene;
+  document.ink = ink;
   State state = make_state(std::move(document));
   state.walk.timeline = std::move(timeline);
   state.walk.mode = Mode::trace;
@@ -231,8 +232,9 @@ show(at);
 
 }  // namespace
 
-std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
-  State state = walked(scene, std::move(timeline), language, theme, page_size);
+std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme,
+                        const Ink& ink) {
+  State state = walked(scene, std::move(timeline), language, theme, page_size, ink);
   const Palette& colours = palette(theme);
   PlanWriter plan;
   Dictionary said;
@@ -272,8 +274,9 @@ std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> time
   return page + "<script>\nconst W = " + data + ";" + std::string(script) + "</script></body></html>\n";
 }
 
-std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme) {
-  State state = walked(scene, std::move(timeline), language, theme, picture_size);
+std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme,
+                         const Ink& ink) {
+  State state = walked(scene, std::move(timeline), language, theme, picture_size, ink);
   state.walk.position = state.walk.timeline->steps();
   state.appearance.tab = PictureRoom::tab;
   return svg_file(plan_view(state), picture_size.width, picture_size.height, palette(theme).plan,

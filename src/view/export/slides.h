@@ -1,6 +1,7 @@
 #pragma once
 // A walk as one self-contained HTML page, stepped by buttons, keys and a bar.
 
+#include "scene/ink.h"
 #include "scene/scene.h"
 #include "text/language.h"
 #include "timeline/timeline.h"
@@ -15,12 +16,12 @@ namespace raywalk {
 inline constexpr int max_slides = 20'000;
 
 /// The page; `timeline` was recorded from `scene`. Each step has the plan, the pseudocode with its pointer, the
-/// sentence, read by screen readers, and the equation with its numbers.
+/// sentence, read by screen readers, and the equation with its numbers. `ink`: what is drawn over the plan.
 [[nodiscard]] std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language,
-                                      Theme theme = Theme::projector);
+                                      Theme theme = Theme::projector, const Ink& ink = {});
 
 /// The plan after the last step, as a file of SVG.
 [[nodiscard]] std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language,
-                                       Theme theme = Theme::projector);
+                                       Theme theme = Theme::projector, const Ink& ink = {});
 
 }  // namespace raywalk

@@ -125,9 +125,7 @@ void begin_lesson_at(State& state, const std::string& name, std::optional<int> w
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
   if (!sitting.open && !saved_scene(state).objects.empty()) {
     // Unsaved work was asked about, and discarded.
-    OwnScene own{state.document.contents, state.document.path, mode};
-    own.document.scene = saved_scene(state);
-    sitting.own = std::make_shared<const OwnScene>(std::move(own));
+    sitting.own = std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode});
   }
   sitting.open = opened;
   const auto done = sitting.done.find(name);

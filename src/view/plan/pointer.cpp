@@ -83,7 +83,7 @@ void refit(State& state) {
 }
 
 void hover(State& state) {
-  state.plan.hovered = state.plan.pointer ? pick(state, *state.plan.pointer) : Target{};
+  state.plan.hovered = state.plan.pointer && !inks(state) ? pick(state, *state.plan.pointer) : Target{};
   state.plan.hovered_ray = state.plan.hovered.kind == TargetKind::ray ? state.plan.hovered.index : -1;
 }
 
@@ -93,9 +93,14 @@ void action::PointerPressed::apply(State& state) const {
   state.plan.pointer = pixel;
   hover(state);
   const bool left = button == Button::left;
+  const Vec2d place = clamped(to_scene(state.plan.camera, state.plan.viewport, pixel));
+  if (left && inks(state)) {
+    state.plan.drag = Drag{{}, false, pixel, place, state.plan.camera};
+    state.plan.drag->inks = true;
+    return InkRoom::press(state, place, modifiers);
+  }
   const Target target = left ? state.plan.hovered : Target{};
   if (left) state.plan.selected = selection_of(target, state.walk.mode);
-  const Vec2d place = clamped(to_scene(state.plan.camera, state.plan.viewport, pixel));
   if (left && aim_origin(state)) {
     state.plan.drag = Drag{{}, false, pixel, place, state.plan.camera};
     state.plan.drag->aims = true;
@@ -110,12 +115,16 @@ void action::PointerPressed::apply(State& state) const {
 void action::PointerMoved::apply(State& state) const {
   const Vec2d pixel = near_pane(at);
   state.plan.pointer = pixel;
-  if (!state.plan.drag) return hover(state);
+  if (!state.plan.drag) {
+    if (inks(state)) InkRoom::lead(state, clamped(to_scene(state.plan.camera, state.plan.viewport, pixel)), modifiers);
+    return hover(state);
+  }
   Drag& drag = *state.plan.drag;
   if (!drag.moved && length(pixel - drag.grabbed_px) < click_tremble * state.appearance.ui_scale) return;
   drag.moved = true;
   const Vec2d to = clamped(to_scene(state.plan.camera, state.plan.viewport, pixel));
   if (drag.aims) return GuessWay{to}.apply(state);
+  if (drag.inks) return InkRoom::lead(state, to, modifiers);
   if (drag.pans) {
     state.plan.camera.centre = clamped(state.plan.camera.centre + drag.grabbed - to);
     state.plan.camera.fitted = false;
@@ -151,6 +160,7 @@ void end_drag(State& state) {
   Drag drag = std::move(*state.plan.drag);
   state.plan.drag.reset();
   if (drag.aims) return;
+  if (drag.inks) return InkRoom::lift(state, drag.moved);
   if (drag.pans && !drag.moved) return click(state, drag.target);
   if (!drag.scene || *drag.scene == state.scene()) return;
   state.document.last_edit.reset();
@@ -163,6 +173,8 @@ void action::CancelDrag::apply(State& state) const {
   state.plan.drag.reset();
   if (drag.aims) {
     forget_aim(state);
+  } else if (drag.inks) {
+    state.ink.begun.reset();
   } else if (drag.pans) {
     state.plan.camera = drag.camera;
   } else if (drag.scene && *drag.scene != state.scene()) {

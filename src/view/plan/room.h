@@ -35,6 +35,7 @@ struct Drag {
   Vec2d grabbed{0.0};     ///< the same in scene units
   PlanCamera camera;      ///< at the start
   bool aims = false;      ///< drags the arrow of a guess
+  bool inks = false;      ///< draws over the plan
   bool moved = false;     ///< beyond the jitter of a click
   /// At the start; null while nothing has moved.
   std::shared_ptr<const Scene> scene{};

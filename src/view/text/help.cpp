@@ -44,6 +44,7 @@ const std::vector<Section>& sections() {
         {"help.buttons.breakpoints_term", "help.buttons.breakpoints"}}},
       {"help.lessons.title", {{"", "help.lessons.text"}}},
       {"help.bugs.title", {{"", "help.bugs.text"}}},
+      {"help.ink.title", {{"", "help.ink.text"}}},
       {"help.links.title", {{"", "help.links.text"}}},
       {"help.panels.title",
        {{"help.panels.code_term", "help.panels.code"},

@@ -1,0 +1,175 @@
+// Ink: its tools above the plan, the field for its words, and its commands.
+
+#include "view/ink/ink.h"
+#include "gui/command.h"
+#include "gui/panes.h"
+#include "gui/widgets.h"
+#include "view/plan/plan_view.h"
+#include "view/text/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+namespace raywalk {
+
+namespace {
+
+/// A disc of the colour, with a ring around the chosen one.
+void colour_button(const Ui& ui, InkColour colour, float edge) {
+  const std::string name = "ink/" + std::string(name_of(colour));
+  const ImVec2 least = ImGui::GetCursorScreenPos(), middle{least.x + edge / 2, least.y + edge / 2};
+  if (ImGui::InvisibleButton(name.c_str(), {edge, edge})) ui.act(action::ChooseInkColour{colour});
+  ui.publish(name);
+  const bool chosen = ui.state.ink.colour == colour, hovered = ImGui::IsItemHovered();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddCircleFilled(middle, edge * 0.3f, to_imgui(ink_colour(colour, ui.state.appearance.theme)));
+  if (chosen || hovered)
+    draw.AddCircle(middle, edge * 0.42f, to_imgui(chosen ? ui.colours.text : ui.colours.dim_text), 0, ui.px(2));
+  tooltip(ui, name, std::string(text(colour, ui.state.appearance.language)));
+}
+
+/// The tools in as many rows as they need; `draw`: else they are only measured. Returns the height.
+float ink_rows(const Ui& ui, const Rect& where, bool draw) {
+  const float height = ui.px(30), gap = ui.px(4), left = where.x + ui.px(8), right = where.right() - ui.px(6);
+  float x = left, y = where.y + gap;
+  const auto place = [&](float width) {
+    if (x > left && x + width > right) {
+      x = left;
+      y += height + gap;
+    }
+    if (draw) ImGui::SetCursorScreenPos({x, y});
+    x += width + gap;
+  };
+  const auto add = [&](const Command& each, Look look) {
+    const ButtonLook words{.look = look, .icon = Icon::none, .font = ui.fonts.small};
+    const float width = button_width(ui, each, words);
+    place(width);
+    if (draw) command_button(ui, each, {width, height}, words);
+  };
+  for (const auto& [tool, name] : words_of<InkTool>) add(command("ink-" + std::string(name)), Look::choice);
+  x += gap;
+  // Colours stay together.
+  const float all = static_cast<float>(std::size(words_of<InkColour>)) * height;
+  place(all);
+  for (std::size_t i = 0; draw && i < std::size(words_of<InkColour>); ++i) {
+    ImGui::SetCursorScreenPos({x - all - gap + static_cast<float>(i) * height, y});
+    colour_button(ui, words_of<InkColour>[i].first, height);
+  }
+  x += gap;
+  add(command("ink-clear"), Look::plain);
+  add(command("ink-keep"), Look::choice);
+  place(height);
+  if (draw)
+    command_button(ui, command("ink"), {height, height},
+                   {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false});
+  return y + height + gap - where.y;
+}
+
+}  // namespace
+
+float ink_height(const Ui& ui, float width) { return ink_rows(ui, {0, 0, width, 0}, false); }
+
+void ink_pane(const Ui& ui, const Rect& where) {
+  const Pane pane(ui, "ink-tools", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (pane) ink_rows(ui, where, true);
+}
+
+void ink_field(const Ui& ui, const Rect& plan) {
+  const InkText* const note = text_begun(ui.state);
+  if (note == nullptr || !inks(ui.state)) return;
+  const Vec2d pixels = to_pixels(ui.state.plan.camera, ui.state.plan.viewport, note->at);
+  const ImVec2 padding{ui.px(6), ui.px(4)};
+  const float height = ImGui::GetFontSize() + 2 * padding.y;
+  const float wanted = std::max(ImGui::CalcTextSize(note->text.c_str()).x + ui.px(40), ui.px(160));
+  const float width = std::min(wanted, std::max(plan.width - ui.px(8), 1.0f));
+  const auto within = [](float at, float low, float high) { return std::clamp(at, low, std::max(low, high)); };
+  ImGui::SetNextWindowPos(
+      {within(plan.x + static_cast<float>(pixels.x) * ui.dpi - padding.x, plan.x, plan.right() - width),
+       within(plan.y + static_cast<float>(pixels.y) * ui.dpi - height / 2, plan.y, plan.bottom() - height)});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(ink_colour(ui.state.ink.colour, ui.state.appearance.theme)));
+  ImGui::Begin("ink-field", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav);
+  std::array<char, longest_ink_text + 1> typed{};
+  std::memcpy(typed.data(), note->text.data(), std::min(note->text.size(), longest_ink_text));
+  // It has the keyboard whenever nothing else wants it.
+  if (!ImGui::IsAnyItemActive() &&
+      !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(width);
+  const bool entered = ImGui::InputTextWithHint("##words", ui.say("ink.type").c_str(), typed.data(), typed.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.publish("ink-field");
+  const bool left = ImGui::IsItemDeactivated() && !ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1);
+  if (typed.data() != note->text) ui.act(action::TypeInk{typed.data()});
+  if (entered)
+    ui.act(action::FinishInk{});
+  else if (left)  // by Escape
+    ui.act(action::LeaveInk{});
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+namespace {
+
+bool can_ink(const State& state) { return state.walk.mode != Mode::help && !shows_lines(state); }
+bool is_inked(const State& state) { return !state.document.contents.ink.empty() || state.ink.begun; }
+template <InkTool tool>
+bool inks_with(const State& state) {
+  return state.ink.on && state.ink.tool == tool;
+}
+template <InkTool tool>
+void ink_with(const Ui& ui) {
+  ui.act(action::ChooseInkTool{tool});
+  if (!ui.state.ink.on) ui.act(action::SetInk{true});
+}
+void next_colour(const Ui& ui) {
+  const int next = (static_cast<int>(ui.state.ink.colour) + 1) % static_cast<int>(std::size(words_of<InkColour>));
+  ui.act(action::ChooseInkColour{static_cast<InkColour>(next)});
+}
+std::string colour_label(const State& state, bool /*in_short*/) {
+  const Language language = state.appearance.language;
+  return fill("ink.colour", language, {{"colour", std::string(text(state.ink.colour, language))}});
+}
+
+}  // namespace
+
+Commands InkRoom::commands() {
+  // clang-format off
+  static constexpr Command all[] = {
+      {.name = "ink", .keys = {"Q"}, .section = Section::ink, .line = "keys.ink", .enabled = can_ink,
+       .chosen = [](const State& state) { return state.ink.on; },
+       .run = [](const Ui& ui) { ui.act(action::SetInk{!ui.state.ink.on}); }},
+      {.name = "ink-pen", .keys = {"Shift+P"}, .section = Section::ink, .line = "keys.ink_tools", .enabled = can_ink,
+       .chosen = inks_with<InkTool::pen>, .run = ink_with<InkTool::pen>},
+      {.name = "ink-arrow", .keys = {"Shift+V"}, .section = Section::ink, .line = "keys.ink_tools", .enabled = can_ink,
+       .chosen = inks_with<InkTool::arrow>, .run = ink_with<InkTool::arrow>},
+      {.name = "ink-text", .keys = {"Shift+T"}, .section = Section::ink, .line = "keys.ink_tools", .enabled = can_ink,
+       .chosen = inks_with<InkTool::text>, .run = ink_with<InkTool::text>},
+      {.name = "ink-ruler", .keys = {"Shift+D"}, .section = Section::ink, .line = "keys.ink_tools", .enabled = can_ink,
+       .chosen = inks_with<InkTool::ruler>, .run = ink_with<InkTool::ruler>},
+      {.name = "ink-protractor", .keys = {"Shift+G"}, .section = Section::ink, .line = "keys.ink_tools",
+       .enabled = can_ink, .chosen = inks_with<InkTool::protractor>, .run = ink_with<InkTool::protractor>},
+      {.name = "ink-eraser", .keys = {"Shift+X"}, .section = Section::ink, .line = "keys.ink_tools",
+       .enabled = can_ink, .chosen = inks_with<InkTool::eraser>, .run = ink_with<InkTool::eraser>},
+      {.name = "ink-colour", .keys = {"Shift+K"}, .section = Section::ink, .line = "keys.ink", .label = colour_label,
+       .run = next_colour},
+      {.name = "ink-clear", .keys = {"Shift+C"}, .section = Section::ink, .line = "keys.ink", .enabled = is_inked,
+       .run = act<action::ClearInk>},
+      {.name = "ink-keep", .keys = {"Shift+I"}, .section = Section::ink, .line = "keys.ink",
+       .chosen = [](const State& state) { return state.document.contents.keeps_ink; },
+       .run = [](const Ui& ui) { ui.act(action::KeepInk{!ui.state.document.contents.keeps_ink}); }},
+  };
+  // clang-format on
+  return all;
+}
+
+}  // namespace raywalk
