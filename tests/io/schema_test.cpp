@@ -120,9 +120,29 @@ uv = [[0, 0], [1, 0], [0, 1]]
 name = "instance"
 type = "instance"
 group = "tree"
+[[ink]]
+type = "pen"
+points = [[0, 0], [1, 2]]
+[[ink]]
+type = "arrow"
+from = [0, 0]
+to = [1, 0]
+[[ink]]
+type = "text"
+at = [0, 0]
+text = "n"
+[[ink]]
+type = "ruler"
+from = [0, 0]
+to = [1, 0]
+[[ink]]
+type = "protractor"
+vertex = [0, 0]
+from = [1, 0]
+to = [0, 1]
 )";
 
-Scene scene_of_everything() {
+schema::SceneFile file_of_everything() {
   std::string quadrics;
   for (const char* type :
        {"ellipsoid", "paraboloid", "cone", "cylinder", "hyperboloid_one_sheet", "hyperboloid_two_sheets"})
@@ -130,8 +150,10 @@ Scene scene_of_everything() {
         "[[object]]\nname = \"" + std::string(type) + "\"\ntype = \"" + type + "\"\nradii = 1\nz_min = -2\nz_max = 2\n";
   const auto read = parse_scene(std::regex_replace(everything, std::regex("QUADRICS\n"), quadrics), "everything");
   if (!read) FAIL(read.error().text());
-  return read->scene;
+  return {read->scene, read->ink};
 }
+
+Result<std::string> format_file(const schema::SceneFile& file) { return format_scene(file.scene, {}, file.ink); }
 
 /// The `Fields` of the schema that gives one key of a scene, the one of a number, another value: a legal one or, where
 /// there are such, one below or above what its kind takes.
@@ -269,11 +291,12 @@ class Changer {
   std::string table_ = "scene";
 };
 
-/// `scene` with the `wanted`-th key changed, and what else must change with it.
-Changer change(Scene& scene, int wanted, Changer::To to) {
+/// `file` with the `wanted`-th key changed, and what else must change with it.
+Changer change(schema::SceneFile& file, int wanted, Changer::To to) {
+  Scene& scene = file.scene;
   const std::string tree = scene.groups.front().name;
   Changer changer(wanted, to);
-  schema::describe(changer, scene);
+  schema::describe(changer, file);
   if (scene.camera.screen.width) scene.camera.fov.reset();  // one of them says how wide the view is
   for (Object& object : scene.objects)
     if (auto* instance = std::get_if<Instance>(&object.shape)) {
@@ -286,20 +309,20 @@ Changer change(Scene& scene, int wanted, Changer::To to) {
 }  // namespace
 
 TEST_CASE("every key of the schema is written and read again") {
-  const Scene base = scene_of_everything();
+  const schema::SceneFile base = file_of_everything();
   std::set<std::string> written;
   int count = 1;
   for (int i = 0; i < count; ++i) {
-    Scene changed = base;
+    schema::SceneFile changed = base;
     const Changer changer = change(changed, i, Changer::To::another);
     count = changer.count;
     if (changed == base) continue;
     INFO(changer.changed);
-    const auto text = format_scene(changed);
+    const auto text = format_file(changed);
     if (!text) FAIL(text.error().text());
     const auto read = parse_scene(*text, "changed", MeshReading::skip);
     REQUIRE(read);
-    CHECK(read->scene == changed);
+    CHECK(schema::SceneFile{read->scene, read->ink} == changed);
     const std::string key = changer.changed.substr(changer.changed.find('.') + 1);
     CHECK_THAT(*text, contains(key + " = "));
     written.insert(changer.changed);
@@ -317,16 +340,16 @@ TEST_CASE("every key of the schema is written and read again") {
 }
 
 TEST_CASE("a number out of its key's range is refused in the schema's words") {
-  const Scene base = scene_of_everything();
+  const schema::SceneFile base = file_of_everything();
   int refused = 0, count = 1;
   for (const auto to : {Changer::To::too_low, Changer::To::too_high}) {
     for (int i = 0; i < count; ++i) {
-      Scene changed = base;
+      schema::SceneFile changed = base;
       const Changer changer = change(changed, i, to);
       count = changer.count;
       if (changer.changed.empty() || changed == base) continue;
       INFO(changer.changed);
-      const auto text = format_scene(changed);
+      const auto text = format_file(changed);
       REQUIRE(!text);
       CHECK_THAT(text.error().message, contains(changer.expected));
       ++refused;
@@ -336,7 +359,7 @@ TEST_CASE("a number out of its key's range is refused in the schema's words") {
 }
 
 TEST_CASE("a misspelt key is told the one that was meant") {
-  const std::string text = *format_scene(scene_of_everything());
+  const std::string text = *format_file(file_of_everything());
   const std::regex line("(^|\n)([a-z_]{4,}) = ");
   int count = 0;
   for (auto at = std::sregex_iterator(text.begin(), text.end(), line); at != std::sregex_iterator(); ++at) {

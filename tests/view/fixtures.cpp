@@ -124,9 +124,12 @@ std::string broken_promise(const State& state) {
     return "the position is off the timeline";
   if (state.walk.playing && state.walk.mode != Mode::trace) return "AUTO runs outside of trace mode";
   if (state.walk.playing && state.walk.position == state.walk.timeline->steps()) return "AUTO runs at the end";
-  const Result<std::string> written = format_scene(state.scene());
+  const SceneDocument& document = state.document.contents;
+  const Result<std::string> written = format_scene(state.scene(), {}, document.ink);
   if (!written) return "the scene cannot be saved: " + written.error().text();
-  if (state.document.dirty != (state.scene() != saved_scene(state))) return "dirty tells a lie";
+  if (state.document.dirty !=
+      (state.scene() != saved_scene(state) || document.ink_of_file() != state.document.saved_ink))
+    return "dirty tells a lie";
   if (state.bugs.hunt && !state.walk.bug) return "a hunt without a bug";
   if (state.walk.bug && !state.walk.bug->other) return "nothing to compare the bug with";
   if (state.bugs.shown && state.lessons.shown) return "two panes in one place";

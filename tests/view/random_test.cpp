@@ -19,7 +19,14 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
   state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
   std::vector<std::string> latest;
   std::array<int, action_kinds> applied{};
-  Scene oldest = state.scene();  // which undo leads back to
+  /// What undo leads back to.
+  struct Moment {
+    Scene scene;
+    Ink ink;
+    bool operator==(const Moment&) const = default;
+  };
+  const auto now = [&] { return Moment{state.scene(), state.document.contents.ink}; };
+  Moment oldest = now();
 
   const auto apply = [&](const Action& action) {
     latest.push_back(write_action(action));
@@ -31,7 +38,7 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
       CHECK(may_quit);
       state.document.quit = false;
     }
-    if (state.document.undo.empty() && state.document.redo.empty() && !state.bugs.hunt) oldest = state.scene();
+    if (state.document.undo.empty() && state.document.redo.empty() && !state.bugs.hunt) oldest = now();
     const std::string broken = broken_promise(state);
     if (broken.empty()) return;
     std::string way;
@@ -56,24 +63,24 @@ TEST_CASE("ten thousand random actions of every kind keep every promise, and und
     CHECK(applied[kind] > 0);
   }
 
-  // Undo all the way and redo all the way: the same scenes in the opposite order.
+  // Undo all the way and redo all the way: the same scenes, and the same ink, in the opposite order.
   if (state.document.question) settle();
   for (const Action& action :
        {Action(action::CancelPrompt{}), Action(action::CancelDrag{}), Action(action::LeaveHunt{})})
     apply(action);
   for (int i = 0; i < rounds(80); ++i) apply(actions.next_edit(state));
-  std::vector<Scene> scenes{state.scene()};
+  std::vector<Moment> moments{now()};
   while (!state.document.undo.empty()) {
     update(state, action::Undo{});
-    CHECK(state.scene() != scenes.back());
-    scenes.push_back(state.scene());
+    CHECK(now() != moments.back());
+    moments.push_back(now());
     REQUIRE(broken_promise(state) == "");
   }
-  REQUIRE(scenes.size() > (sanitized ? 2 : 20));
-  if (scenes.size() <= undo_entries) CHECK(scenes.back() == oldest);
-  while (!state.document.redo.empty() && scenes.size() > 1) {
-    scenes.pop_back();
+  REQUIRE(moments.size() > (sanitized ? 2 : 20));
+  if (moments.size() <= undo_entries) CHECK(moments.back() == oldest);
+  while (!state.document.redo.empty() && moments.size() > 1) {
+    moments.pop_back();
     update(state, action::Redo{});
-    REQUIRE(state.scene() == scenes.back());
+    REQUIRE(now() == moments.back());
   }
 }
