@@ -1,5 +1,7 @@
 #include "gui/fonts.h"
 
+#include "gui/fallback_fonts.h"
+
 #include <imgui.h>
 #if __has_include(<imgui_freetype.h>)
 #include <imgui_freetype.h>
@@ -25,7 +27,6 @@ namespace fs = std::filesystem;
 // Heights of a line at scale 1, in units; letters are about four fifths of it.
 constexpr float text_size = 17, small_size = 15, title_size = 23, code_size = 18;
 
-#if IMGUI_VERSION_NUM < 19200  // later ones draw each glyph on first use
 // Characters of the texts and the panes: Latin with accents, the Greek of optics, typographic marks, super- and
 // subscripts, arrows, the mathematics of the sentences, and a few shapes.
 constexpr std::array<ImWchar, 25> glyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033, 0x2070,
@@ -39,6 +40,7 @@ struct Alphabet {
 constexpr std::array alphabets{Alphabet{0x0180, 0x024F}, Alphabet{0x0370, 0x03FF}, Alphabet{0x0400, 0x052F},
                                Alphabet{0x1E00, 0x1EFF}, Alphabet{0x1F00, 0x1FFF}};
 
+#if IMGUI_VERSION_NUM < 19200  // later ones draw each glyph on first use
 // `glyphs`, with the alphabets that are needed: each enlarges the atlas.
 std::vector<ImWchar> glyphs_for(const Languages& languages) {
   std::array<bool, alphabets.size()> needed{};
@@ -135,6 +137,13 @@ FontFiles find_fonts(const std::vector<std::string>& folders) {
   return found;
 }
 
+bool is_letter_of_inter(char16_t letter) {
+  for (std::size_t i = 0; i + 1 < glyphs.size(); i += 2)
+    if (letter >= glyphs[i] && letter <= glyphs[i + 1]) return true;
+  return std::any_of(alphabets.begin(), alphabets.end(),
+                     [&](const Alphabet& each) { return letter >= each.first && letter <= each.last; });
+}
+
 float line_height(const Fonts& fonts, const ImFont& font) {
 #if IMGUI_VERSION_NUM >= 19200
   return font.LegacySize / fonts.density;
@@ -156,9 +165,12 @@ Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float
 #if IMGUI_VERSION_NUM >= 19200
   density = 1;  // glyphs are rasterised on demand, at the framebuffer's density
   const ImWchar* const ranges = nullptr;
+  const ImWchar* const more_ranges = nullptr;
 #else
   const std::vector<ImWchar> wanted_glyphs = glyphs_for(languages);  // used until the atlas is built, below
   const ImWchar* const ranges = wanted_glyphs.data();
+  const std::vector<ImWchar> more_glyphs = ranges_of(files.letters);
+  const ImWchar* const more_ranges = more_glyphs.data();
 #endif
   // A file may be unreadable, or not a font despite its name: then ImGui's own font.
   const auto face = [&](const std::string& file, const std::string& fallback, float size) {
@@ -166,13 +178,21 @@ Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float
     config.OversampleH = config.OversampleV = 1;
     config.PixelSnapH = true;
     const float pixels = std::round(size * scale * density);
-    for (const std::string& name : {file, fallback}) {
+    const auto from_file = [&](const std::string& name, const ImWchar* letters) -> ImFont* {
       std::error_code error;
-      if (name.empty() || fs::file_size(name, error) == 0 || error) continue;
-      if (ImFont* font = atlas.AddFontFromFileTTF(name.c_str(), pixels, &config, ranges)) return font;
+      if (name.empty() || fs::file_size(name, error) == 0 || error) return nullptr;
+      return atlas.AddFontFromFileTTF(name.c_str(), pixels, &config, letters);
+    };
+    ImFont* font = from_file(file, ranges);
+    if (font == nullptr) font = from_file(fallback, ranges);
+    if (font == nullptr) {
+      config.SizePixels = pixels;
+      font = atlas.AddFontDefault(&config);
     }
-    config.SizePixels = pixels;
-    return atlas.AddFontDefault(&config);
+    // Where several have a letter, ImGui takes that of the first.
+    config.MergeMode = true;
+    for (const std::string& name : files.more) from_file(name, more_ranges);
+    return font;
   };
   Fonts fonts;
   fonts.density = density;

@@ -28,6 +28,8 @@ struct Fonts {
 /// Font files by use; an empty path if none was found.
 struct FontFiles {
   std::string text, strong, code, code_strong;
+  std::vector<std::string> more{};  ///< for what the others lack (gui/fallback_fonts.h), best first
+  std::u16string letters{};         ///< sorted: those that are wanted from them
   friend bool operator==(const FontFiles&, const FontFiles&) = default;
 };
 
@@ -35,6 +37,9 @@ struct FontFiles {
 [[nodiscard]] std::vector<std::string> font_folders(const std::string& data_dir);
 /// Searches `folders` recursively, earlier folders first. Unreadable and missing folders are skipped.
 [[nodiscard]] FontFiles find_fonts(const std::vector<std::string>& folders);
+
+/// Whether it is in the alphabets, or among the signs, that Inter is used for.
+[[nodiscard]] bool is_letter_of_inter(char16_t letter);
 
 /// Fills the (cleared) atlas with faces for one scale. `scale`: units per unit at 96 dots per inch, 1 and up;
 /// `density`: pixels per unit. Glyphs are rasterised at their displayed size, so they are crisp: Latin letters and the

@@ -77,7 +77,7 @@ void ink_pane(const Ui& ui, const Rect& where) {
   if (pane) ink_rows(ui, where, true);
 }
 
-void ink_field(const Ui& ui, const Rect& plan) {
+void InkField::draw(const Ui& ui, const Rect& plan) {
   const InkText* const note = text_begun(ui.state);
   if (note == nullptr || !inks(ui.state)) return;
   const Vec2d pixels = to_pixels(ui.state.plan.camera, ui.state.plan.viewport, note->at);
@@ -97,6 +97,7 @@ void ink_field(const Ui& ui, const Rect& plan) {
   ImGui::Begin("ink-field", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav);
+  if (typed_ != note->text) ++number_, typed_ = note->text;
   std::array<char, longest_ink_text + 1> typed{};
   std::memcpy(typed.data(), note->text.data(), std::min(note->text.size(), longest_ink_text));
   // It has the keyboard whenever nothing else wants it.
@@ -104,11 +105,12 @@ void ink_field(const Ui& ui, const Rect& plan) {
       !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(width);
-  const bool entered = ImGui::InputTextWithHint("##words", ui.say("ink.type").c_str(), typed.data(), typed.size(),
+  const std::string name = "##words" + std::to_string(number_);
+  const bool entered = ImGui::InputTextWithHint(name.c_str(), ui.say("ink.type").c_str(), typed.data(), typed.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   ui.publish("ink-field");
   const bool left = ImGui::IsItemDeactivated() && !ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1);
-  if (typed.data() != note->text) ui.act(action::TypeInk{typed.data()});
+  if (typed_ != typed.data()) ui.act(action::TypeInk{typed_ = typed.data()});
   if (entered)
     ui.act(action::FinishInk{});
   else if (left)  // by Escape

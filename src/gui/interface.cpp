@@ -191,7 +191,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 
-  ink_field(with, layout_.plan);
+  ink_field_.draw(with, layout_.plan);
   notice_bar(with, layout_.plan);
   browser_.draw(with, home_, picture.gallery);
   link_dialog(with);

@@ -47,6 +47,7 @@ class Interface {
   TabsPane tabs_;
   LessonPane lesson_;
   BreakpointsPopup breakpoints_;
+  InkField ink_field_;
   Browser browser_;
   bool full_screen_ = false, focus_properties_ = false, open_settings_ = false, open_knobs_ = false,
        open_breakpoints_ = false;

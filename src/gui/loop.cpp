@@ -1,6 +1,7 @@
 #include "gui/loop.h"
 
 #include "gui/command.h"
+#include "gui/fallback_fonts.h"
 #include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
@@ -48,8 +49,7 @@ bool writes_file(const Action& action) {
 std::optional<std::string> file_read_by(const State& state, const Action& action) {
   std::string path;
   if (const auto* open = action.as<action::Open>()) path = open->path;
-  if (action.is<action::AnswerQuestion>() && state.document.question)
-    path = state.document.question->path;
+  if (action.is<action::AnswerQuestion>() && state.document.question) path = state.document.question->path;
   if (path.empty()) return std::nullopt;
   return std::filesystem::path(path).filename().string();
 }
@@ -68,6 +68,8 @@ class Loop::Parts {
         begun_(begun),
         settings_(settings_of(state_)),
         fonts_found_(find_fonts(font_folders(options_.data_dir))) {
+    find_fallbacks(fonts_found_, font_folders(options_.data_dir),
+                   letters_beyond(state_.appearance.language.others(), state_.lessons.folder));
     state_.document.stop = Stop(attention_);
     ImGui::GetIO().ConfigDragClickToInputText = true;
   }

@@ -34,10 +34,19 @@ void palette_pane(const Ui& ui, const Rect& where);
 /// The plan and the pointer on it.
 void plan_pane(const Ui& ui, const Rect& where);
 
-/// The tools of ink, above the plan, and the field over the plan for words that are being written.
+/// The tools of ink, above the plan.
 void ink_pane(const Ui& ui, const Rect& where);
 [[nodiscard]] float ink_height(const Ui& ui, float width);
-void ink_field(const Ui& ui, const Rect& plan);
+
+/// The field over the plan for words of ink that are being written.
+class InkField {
+ public:
+  void draw(const Ui& ui, const Rect& plan);
+
+ private:
+  std::string typed_;  ///< what stands in it
+  int number_ = 0;     ///< another field once other words are begun: ImGui keeps those of a field that has the keyboard
+};
 
 /// The scene as lines in space, in the plan's place.
 void lines_pane(const Ui& ui, const Rect& where);

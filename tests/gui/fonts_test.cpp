@@ -1,4 +1,4 @@
-#include "gui/fonts.h"
+#include "gui/fallback_fonts.h"
 
 #include <imgui.h>
 #include <filesystem>
@@ -89,4 +89,78 @@ TEST_CASE("a language that is written in another alphabet brings its letters alo
     CHECK(font->FindGlyphNoFallback(iota_with_dialytika) == nullptr);  // nothing there is Greek
   }
 #endif
+}
+
+namespace {
+
+// A language called so, with one more text.
+void add_language(Languages& languages, const std::string& code, const std::string& name) {
+  languages.add(
+      Catalogue::parse("[language]\nname = \"" + name + "\"\ndecimal_mark = \",\"\nseparator = \"; \"\n", code)
+          .value());
+}
+
+constexpr char16_t an = 0x10D0, hae = 0x10F0;  // the first and the last letter of Georgian
+const std::string georgian = "\u10e5\u10d0\u10e0\u10d7\u10e3\u10da\u10d8";
+
+}  // namespace
+
+TEST_CASE("letters beyond Inter's alphabets are found in the texts and the lessons of a language") {
+  Languages languages;
+  CHECK(letters_beyond(languages, "").empty());
+  add_language(languages, "ru", "\u0420\u0443\u0441\u0441\u043a\u0438\u0439");
+  CHECK(letters_beyond(languages, "").empty());  // Inter has Cyrillic
+  // Of an alphabet all letters, of ideographs those that are there: also in lessons.
+  const Folder folder;
+  folder.put("01-one/zh.md", "# \u5149\u7ebf");
+  folder.put("01-one/fr.md", "# \u6f22");
+  add_language(languages, "ka", georgian);
+  add_language(languages, "zh", "\u4e2d\u6587");
+  const std::u16string letters = letters_beyond(languages, folder / "");
+  const auto has = [&](char16_t letter) { return letters.find(letter) != std::u16string::npos; };
+  CHECK((has(an) && has(hae)));
+  CHECK((has(u'\u4e2d') && has(u'\u5149') && has(u'\u7ebf')));
+  CHECK_FALSE(has(u'\u6f22'));
+  CHECK_FALSE(has(u'\u0416'));
+  CHECK(letters.size() < 0x80 + 10);
+  CHECK(std::is_sorted(letters.begin(), letters.end()));
+  CHECK(ranges_of(u"abcxz") == std::vector<ImWchar>{u'a', u'c', u'x', u'x', u'z', u'z', 0});
+}
+
+TEST_CASE("a font of the system lends the letters that Inter lacks, and nothing is searched without need") {
+  const std::vector<std::string> folders = font_folders("");
+  FontFiles files = find_fonts(folders);
+  const FontFiles plain = files;
+  find_fallbacks(files, folders, {});
+  CHECK(files == plain);
+  find_fallbacks(files, folders, std::u16string{an, hae});
+  if (files.text.empty() || files.more.empty())
+    RAYWALK_SKIP("Inter, or a font with Georgian letters, is not installed");
+#if IMGUI_VERSION_NUM < 19200
+  CHECK(files.more.size() == 1);
+  ImFontAtlas without, with;
+  CHECK(build_fonts(without, plain, 1, 1).text->FindGlyphNoFallback(an) == nullptr);
+  const Fonts fonts = build_fonts(with, files, 1, 1);
+  for (const ImFont* font : {fonts.text, fonts.strong, fonts.small, fonts.title, fonts.code, fonts.code_strong}) {
+    CHECK(font->FindGlyphNoFallback(an) != nullptr);
+    CHECK(font->FindGlyphNoFallback(hae) != nullptr);
+  }
+  // Latin letters are still those of Inter.
+  CHECK(fonts.text->FindGlyphNoFallback('W')->AdvanceX ==
+        build_fonts(without, plain, 1, 1).text->FindGlyphNoFallback('W')->AdvanceX);
+#endif
+}
+
+TEST_CASE("a fallback that is no font is passed over") {
+  const Folder folder;
+  folder.put("DejaVuSans.ttf", "no font");
+  folder.put("NotoSans-Regular.ttf", "");
+  folder.put("NotoSansThai-Bold.ttf", "no font");
+  FontFiles files;
+  find_fallbacks(files, {folder / "", folder / "missing"}, std::u16string{an});
+#if IMGUI_VERSION_NUM < 19200
+  CHECK(files.more.empty());
+#endif
+  ImFontAtlas atlas;
+  check_complete(build_fonts(atlas, files, 1, 1));
 }

@@ -134,12 +134,12 @@ TEST_CASE("a mark that cannot be is refused with its line") {
     return read.error();
   };
   CHECK(error_of("type = \"pencil\"\n").message ==
-        "type of [[ink]] 1: found \"pencil\" (expected \"pen\", \"arrow\", "
+        "type of [[ink]] number 1: found \"pencil\" (expected \"pen\", \"arrow\", "
         "\"text\", \"ruler\" or \"protractor\")");
   CHECK_THAT(error_of("type = \"pen\"\npoints = []\n").message,
              contains("expected a list of 1 to 10000 places [x, y]"));
   CHECK_THAT(error_of("type = \"ruler\"\nfrom = [0, 0]\n").message, contains("to"));
   CHECK_THAT(error_of("type = \"text\"\nat = [0, 0]\ntext = \"\"\n").message, contains("one line of text in quotes"));
-  CHECK_THAT(error_of("type = \"arrow\"\nfrom = [0, 0]\nto = [0, inf]\n").message, contains("to of [[ink]] 1"));
+  CHECK_THAT(error_of("type = \"arrow\"\nfrom = [0, 0]\nto = [0, inf]\n").message, contains("to of [[ink]] number 1"));
   CHECK(error_of("type = \"arrow\"\nfrom = [0, 0]\nto = [0, 1]\ncolor = \"red\"\n").hint == "did you mean \"colour\"?");
 }

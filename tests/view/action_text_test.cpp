@@ -130,6 +130,14 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ShowEffects{true}, "effects on"},
       {SwitchEffect{Effect::shadows, false}, "effect shadows off"},
       {LimitDepth{3}, "depth 3"},
+      {SetInk{true}, "ink on"},
+      {ChooseInkTool{InkTool::protractor}, "ink-tool protractor"},
+      {ChooseInkColour{InkColour::green}, "ink-colour green"},
+      {TypeInk{"n = 1.5"}, "ink-type n = 1.5"},
+      {FinishInk{}, "ink-finish"},
+      {LeaveInk{}, "ink-leave"},
+      {ClearInk{}, "ink-clear"},
+      {KeepInk{true}, "ink-keep on"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

@@ -398,7 +398,7 @@ TEST_CASE("a stroke keeps its shape with few points, and is drawn round") {
     circle.emplace_back(100 * std::cos(angle), 100 * std::sin(angle));
   }
   const std::vector<Vec2d> few = simplified(circle, 0.3);
-  CHECK(few.size() < 60);
+  CHECK(few.size() < 80);
   for (const Vec2d& at : smooth(few, 2)) CHECK(std::abs(length(at) - 100) < 0.4);
   CHECK(simplified({{0, 0}, {1, 0}, {2, 0}, {2, 1}}, 0.1).size() == 3);
   CHECK(rounded({3.4519999, -0.0004}, 0.001) == Vec2d(3.452, 0));
