@@ -12,18 +12,20 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 namespace raywalk {
 
 namespace {
 
 /// A disc of the colour, with a ring around the chosen one.
-void colour_button(const Ui& ui, InkColour colour, float edge) {
+void colour_button(const Ui& ui, InkColour colour, ImVec2 extent) {
   const std::string name = "ink/" + std::string(name_of(colour));
-  const ImVec2 least = ImGui::GetCursorScreenPos(), middle{least.x + edge / 2, least.y + edge / 2};
-  if (ImGui::InvisibleButton(name.c_str(), {edge, edge})) ui.act(action::ChooseInkColour{colour});
+  const ImVec2 least = ImGui::GetCursorScreenPos(), middle{least.x + extent.x / 2, least.y + extent.y / 2};
+  if (ImGui::InvisibleButton(name.c_str(), extent)) ui.act(action::ChooseInkColour{colour});
   ui.publish(name);
   const bool chosen = ui.state.ink.colour == colour, hovered = ImGui::IsItemHovered();
+  const float edge = std::min(extent.x, extent.y);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddCircleFilled(middle, edge * 0.3f, to_imgui(ink_colour(colour, ui.state.appearance.theme)));
   if (chosen || hovered)
@@ -31,9 +33,31 @@ void colour_button(const Ui& ui, InkColour colour, float edge) {
   tooltip(ui, name, std::string(text(colour, ui.state.appearance.language)));
 }
 
-/// The tools in as many rows as they need; `draw`: else they are only measured. Returns the height.
-float ink_rows(const Ui& ui, const Rect& where, bool draw) {
-  const float height = ui.px(30), gap = ui.px(4), left = where.x + ui.px(8), right = where.right() - ui.px(6);
+Icon icon_of(InkTool tool) {
+  switch (tool) {
+    case InkTool::pen:
+      return Icon::pen;
+    case InkTool::arrow:
+      return Icon::arrow;
+    case InkTool::text:
+      return Icon::letter;
+    case InkTool::ruler:
+      return Icon::ruler;
+    case InkTool::protractor:
+      return Icon::protractor;
+    case InkTool::eraser:
+      return Icon::eraser;
+  }
+  return Icon::none;
+}
+
+constexpr float tool_height = 30, between_tools = 4;
+
+/// The tools, by their words or, where these do not fit into one row, by icons in as many rows as they need; `draw`:
+/// else they are only measured. Returns the height.
+float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
+  const float height = ui.px(tool_height), gap = ui.px(between_tools);
+  const float left = where.x + ui.px(8), right = where.right() - ui.px(6);
   float x = left, y = where.y + gap;
   const auto place = [&](float width) {
     if (x > left && x + width > right) {
@@ -43,24 +67,26 @@ float ink_rows(const Ui& ui, const Rect& where, bool draw) {
     if (draw) ImGui::SetCursorScreenPos({x, y});
     x += width + gap;
   };
-  const auto add = [&](const Command& each, Look look) {
-    const ButtonLook words{.look = look, .icon = Icon::none, .font = ui.fonts.small};
-    const float width = button_width(ui, each, words);
+  const auto add = [&](const Command& each, Look look, Icon icon) {
+    const ButtonLook as{.look = look, .icon = words ? Icon::none : icon, .font = ui.fonts.small, .label = words};
+    const float width = words ? button_width(ui, each, as) : height;
     place(width);
-    if (draw) command_button(ui, each, {width, height}, words);
+    if (draw) command_button(ui, each, {width, height}, as);
   };
-  for (const auto& [tool, name] : words_of<InkTool>) add(command("ink-" + std::string(name)), Look::choice);
+  for (const auto& [tool, name] : words_of<InkTool>)
+    add(command("ink-" + std::string(name)), Look::choice, icon_of(tool));
   x += gap;
   // Colours stay together.
-  const float all = static_cast<float>(std::size(words_of<InkColour>)) * height;
+  constexpr std::size_t colours = std::size(words_of<InkColour>);
+  const float apart = words ? height : 0.85f * height, all = static_cast<float>(colours) * apart;
   place(all);
-  for (std::size_t i = 0; draw && i < std::size(words_of<InkColour>); ++i) {
-    ImGui::SetCursorScreenPos({x - all - gap + static_cast<float>(i) * height, y});
-    colour_button(ui, words_of<InkColour>[i].first, height);
+  for (std::size_t i = 0; draw && i < colours; ++i) {
+    ImGui::SetCursorScreenPos({x - all - gap + static_cast<float>(i) * apart, y});
+    colour_button(ui, words_of<InkColour>[i].first, {apart, height});
   }
   x += gap;
-  add(command("ink-clear"), Look::plain);
-  add(command("ink-keep"), Look::choice);
+  add(command("ink-clear"), Look::plain, Icon::bin);
+  add(command("ink-keep"), Look::choice, Icon::keep);
   place(height);
   if (draw)
     command_button(ui, command("ink"), {height, height},
@@ -68,14 +94,30 @@ float ink_rows(const Ui& ui, const Rect& where, bool draw) {
   return y + height + gap - where.y;
 }
 
+/// Whether the words of all tools fit into one row.
+bool fits_words(const Ui& ui, float width) {
+  return ink_rows(ui, {0, 0, width, 0}, true, false) < ui.px(2 * tool_height);
+}
+
 }  // namespace
 
-float ink_height(const Ui& ui, float width) { return ink_rows(ui, {0, 0, width, 0}, false); }
+float ink_height(const Ui& ui, float width) { return ink_rows(ui, {0, 0, width, 0}, fits_words(ui, width), false); }
 
 void ink_pane(const Ui& ui, const Rect& where) {
   const Pane pane(ui, "ink-tools", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
-  if (pane) ink_rows(ui, where, true);
+  if (pane) ink_rows(ui, where, fits_words(ui, where.width), true);
 }
+
+namespace {
+
+/// A field that gets the keyboard selects its text: what is typed next goes behind it instead.
+int go_on(ImGuiInputTextCallbackData* data) {
+  bool& begins = *static_cast<bool*>(data->UserData);
+  if (std::exchange(begins, false)) data->SelectionStart = data->SelectionEnd = data->CursorPos = data->BufTextLen;
+  return 0;
+}
+
+}  // namespace
 
 void InkField::draw(const Ui& ui, const Rect& plan) {
   const InkText* const note = text_begun(ui.state);
@@ -102,12 +144,15 @@ void InkField::draw(const Ui& ui, const Rect& plan) {
   std::memcpy(typed.data(), note->text.data(), std::min(note->text.size(), longest_ink_text));
   // It has the keyboard whenever nothing else wants it.
   if (!ImGui::IsAnyItemActive() &&
-      !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+      !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::SetKeyboardFocusHere();
+    begins_ = true;
+  }
   ImGui::SetNextItemWidth(width);
   const std::string name = "##words" + std::to_string(number_);
-  const bool entered = ImGui::InputTextWithHint(name.c_str(), ui.say("ink.type").c_str(), typed.data(), typed.size(),
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint(
+      name.c_str(), ui.say("ink.type").c_str(), typed.data(), typed.size(),
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, go_on, &begins_);
   ui.publish("ink-field");
   const bool left = ImGui::IsItemDeactivated() && !ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1);
   if (typed_ != typed.data()) ui.act(action::TypeInk{typed_ = typed.data()});

@@ -44,8 +44,9 @@ class InkField {
   void draw(const Ui& ui, const Rect& plan);
 
  private:
-  std::string typed_;  ///< what stands in it
-  int number_ = 0;     ///< another field once other words are begun: ImGui keeps those of a field that has the keyboard
+  std::string typed_;    ///< what stands in it
+  bool begins_ = false;  ///< it has just been given the keyboard
+  int number_ = 0;  ///< another field once other words are begun: ImGui keeps those of a field that has the keyboard
 };
 
 /// The scene as lines in space, in the plan's place.

@@ -150,6 +150,44 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
           draw.AddLine(at(0.85f * x, 0.85f * y), at(0.85f * x, 0.25f * y), colour, thick);
         }
       break;
+    case Icon::pen:
+      draw.AddLine(at(-0.4f, 0.4f), at(0.75f, -0.75f), colour, 2.4f * thick);
+      draw.AddTriangleFilled(at(-0.95f, 0.95f), at(-0.72f, 0.22f), at(-0.22f, 0.72f), colour);
+      break;
+    case Icon::arrow:
+      draw.AddLine(at(-0.8f, 0.8f), at(0.5f, -0.5f), colour, thick);
+      draw.AddTriangleFilled(at(0.9f, -0.9f), at(0.05f, -0.7f), at(0.7f, -0.05f), colour);
+      break;
+    case Icon::letter:
+      draw.AddLine(at(-0.8f, -0.75f), at(0.8f, -0.75f), colour, 1.3f * thick);
+      draw.AddLine(at(0, -0.75f), at(0, 0.9f), colour, 1.3f * thick);
+      break;
+    case Icon::ruler:
+      draw.AddRect(at(-1, -0.45f), at(1, 0.5f), colour, 0, 0, 0.8f * thick);
+      for (const float x : {-0.5f, 0.0f, 0.5f}) draw.AddLine(at(x, -0.45f), at(x, 0.1f), colour, 0.8f * thick);
+      break;
+    case Icon::protractor:
+      draw.PathArcTo(at(0, 0.5f), 0.95f * r, -3.14159265f, 0, 24);
+      draw.PathStroke(colour, ImDrawFlags_Closed, 0.8f * thick);
+      draw.AddLine(at(0, 0.5f), at(0.42f, -0.22f), colour, 0.8f * thick);
+      break;
+    case Icon::eraser:
+      draw.AddQuad(at(-0.95f, 0.35f), at(0.2f, -0.8f), at(0.9f, -0.1f), at(-0.25f, 0.9f), colour, 0.8f * thick);
+      draw.AddQuadFilled(at(-0.95f, 0.35f), at(-0.4f, -0.2f), at(0.3f, 0.45f), at(-0.25f, 0.9f), colour);
+      break;
+    case Icon::bin:
+      draw.AddLine(at(-0.85f, -0.6f), at(0.85f, -0.6f), colour, thick);
+      draw.AddLine(at(-0.25f, -0.85f), at(0.25f, -0.85f), colour, thick);
+      draw.AddQuad(at(-0.6f, -0.6f), at(0.6f, -0.6f), at(0.48f, 0.9f), at(-0.48f, 0.9f), colour, 0.8f * thick);
+      for (const float x : {-0.18f, 0.18f}) draw.AddLine(at(x, -0.25f), at(x, 0.55f), colour, 0.8f * thick);
+      break;
+    case Icon::keep:  // into a tray
+      draw.AddLine(at(0, -0.9f), at(0, 0.1f), colour, thick);
+      draw.AddTriangleFilled(at(0, 0.5f), at(-0.5f, -0.1f), at(0.5f, -0.1f), colour);
+      draw.AddLine(at(-0.9f, 0.2f), at(-0.9f, 0.85f), colour, thick);
+      draw.AddLine(at(-0.9f, 0.85f), at(0.9f, 0.85f), colour, thick);
+      draw.AddLine(at(0.9f, 0.85f), at(0.9f, 0.2f), colour, thick);
+      break;
     case Icon::up:
       draw.AddLine(at(0, -0.8f), at(0, 0.9f), colour, thick);
       draw.AddLine(at(0, -0.8f), at(-0.6f, -0.1f), colour, thick);

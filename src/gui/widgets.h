@@ -27,7 +27,15 @@ enum class Icon {
   close,
   up,
   exchange,
-  focus
+  focus,
+  pen,
+  arrow,
+  letter,
+  ruler,
+  protractor,
+  eraser,
+  bin,
+  keep
 };
 
 enum class Look {

@@ -3,11 +3,9 @@
 
 #include "contrast.h"
 #include "fixtures.h"
-#include "lesson_state.h"
 #include "support/catch.h"
-#include "text/file.h"
+#include "support/languages.h"
 #include "view/drawing/svg.h"
-#include "view/export/slides.h"
 #include "view/outline.h"
 #include "view/plan/plan_geometry.h"
 #include "view/text/text.h"
@@ -291,104 +289,6 @@ TEST_CASE("the eraser removes the marks that it touches, and they come back at o
   CHECK(ink_of(state).size() == 3);
   click(state, {140, 100});
   CHECK(ink_of(state).size() == 2);
-}
-
-TEST_CASE("ink goes into the file on request alone, and only then is it missed") {
-  const TemporaryFolder folder;
-  State state = saved_state(folder);
-  const std::string path = folder.file("scene.toml"), before = read_file(path, 1 << 20).value();
-  update(state, action::SetInk{true});
-  drag(state, nowhere, elsewhere);
-  REQUIRE(ink_of(state).size() == 1);
-  CHECK_FALSE(state.document.dirty);
-  update(state, action::Save{});
-  CHECK(read_file(path, 1 << 20).value() == before);
-  CHECK(ink_of(state).size() == 1);
-
-  update(state, action::KeepInk{true});
-  CHECK(state.document.dirty);
-  CHECK(broken_promise(state) == "");
-  update(state, action::KeepInk{false});
-  CHECK_FALSE(state.document.dirty);
-  update(state, action::KeepInk{true});
-  update(state, action::Save{});
-  CHECK_FALSE(state.document.dirty);
-  const SceneDocument read = read_document(path);
-  CHECK(read.ink == ink_of(state));
-  CHECK(read.scene == state.scene());
-  // Opened again it is there, and kept.
-  State other = make_state(read, path);
-  CHECK(other.document.contents.keeps_ink);
-  CHECK_FALSE(other.document.dirty);
-  update(other, action::ClearInk{});
-  CHECK(other.document.dirty);
-  update(other, action::Undo{});
-  CHECK_FALSE(other.document.dirty);
-  update(other, action::ClearInk{});
-  update(other, action::Save{});
-  CHECK(read_document(path).ink.empty());
-}
-
-TEST_CASE("kept ink is autosaved and recovered") {
-  const TemporaryFolder folder;
-  State state = saved_state(folder);
-  update(state, action::KeepInk{true});
-  update(state, action::SetInk{true});
-  drag(state, nowhere, elsewhere);
-  CHECK(wants_autosave(state));
-  update(state, action::Tick{autosave_every + 1});
-  CHECK_FALSE(wants_autosave(state));
-  drag(state, {60, 200}, {160, 230});
-  CHECK(wants_autosave(state));
-  update(state, action::Tick{autosave_every + 1});
-  State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
-  restore_session(next);
-  REQUIRE(next.document.question);
-  update(next, action::AnswerQuestion{action::Answer::recover});
-  CHECK(ink_of(next) == ink_of(state));
-  CHECK(next.document.dirty);
-  CHECK(broken_promise(next) == "");
-}
-
-TEST_CASE("ink stays through the steps of a walk and a hunt, and comes back after a lesson") {
-  State state = state_with_lessons();
-  update(state, action::SetMode{Mode::trace});
-  update(state, action::SetInk{true});
-  drag(state, nowhere, elsewhere);
-  const Ink mine = ink_of(state);
-  update(state, action::Step{});
-  CHECK(ink_of(state) == mine);
-  update(state, action::OpenLesson{state.lessons.list.front().name});
-  REQUIRE(state.lessons.at() != nullptr);
-  CHECK(ink_of(state).empty());
-  drag(state, nowhere, {60, 200});
-  CHECK(ink_of(state).size() == 1);
-  CHECK_FALSE(state.document.dirty);
-  update(state, action::LeaveLesson{});
-  CHECK(ink_of(state) == mine);
-  update(state, action::HuntBug{1});
-  CHECK(ink_of(state).empty());
-  drag(state, nowhere, {60, 200});
-  update(state, action::LeaveHunt{});
-  CHECK(ink_of(state) == mine);
-}
-
-TEST_CASE("exports of the plan show the ink, and Help and lines in space do not draw") {
-  State state = inking(InkTool::pen);
-  drag(state, nowhere, elsewhere);
-  const std::string without = slides_page(state.scene(), state.walk.timeline, in_english, Theme::dark);
-  const std::string with = slides_page(state.scene(), state.walk.timeline, in_english, Theme::dark, ink_of(state));
-  CHECK(with.size() > without.size());
-  CHECK(with.size() < without.size() + 5000);  // once, not at each step
-  State light = state;
-  update(light, action::SetTheme{Theme::projector});
-  CHECK(svg_of(light) != svg_of(state));
-  update(state, action::SetMode{Mode::help});
-  CHECK_FALSE(inks(state));
-  update(state, action::SetMode{Mode::trace});
-  CHECK(inks(state));
-  update(state, action::ShowLines{true});
-  CHECK_FALSE(inks(state));
 }
 
 TEST_CASE("a stroke keeps its shape with few points, and is drawn round") {

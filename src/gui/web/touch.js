@@ -73,9 +73,13 @@ class Touch {
   pinch([one, other]) {
     const now = { x: (one.clientX + other.clientX) / 2, y: (one.clientY + other.clientY) / 2 };
     const apart = Math.max(Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY), 1);
+    if (!this.two && this.finger?.presses) {
+      // It lets go where it is, before the middle is pointed at: what it drags or draws stays there.
+      this.press(false, this.finger.now);
+      this.settle();
+    }
     this.mouse('mousemove', now);
     if (!this.two) {
-      if (this.finger?.presses) this.press(false, now);
       this.finger = null;
       this.two = { now, apart };
       this.press(true, now, 1);
