@@ -138,6 +138,12 @@ TEST_CASE("a line that was written reads back as the same action") {
       {LeaveInk{}, "ink-leave"},
       {ClearInk{}, "ink-clear"},
       {KeepInk{true}, "ink-keep on"},
+      {SetEnglishCode{true}, "english-code on"},
+      {SetTouch{true}, "touch on"},
+      {CopyLink{}, "copy-link"},
+      {ShowLink{true}, "show-link on"},
+      {SetLinkPage{"https://a.example/"}, "link-page https://a.example/"},
+      {OpenLink{"#v=1/scene=glass"}, "open-link #v=1/scene=glass"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

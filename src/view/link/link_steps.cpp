@@ -18,26 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view scene_file_ending = ".toml";
 /// How links begin where there is no page that they could lead to.
 constexpr std::string_view own_scheme = "raywalk:";
 /// More than fits into any link; comparing them would only take time.
 constexpr std::size_t most_objects = 1000, most_triangles = 1000;
-
-std::string shipped_path(const State& state, const std::string& name) {
-  return state.lessons.scenes_folder + "/" + name + std::string(scene_file_ending);
-}
-
-/// The names of the shipped scenes, in alphabetical order.
-std::vector<std::string> shipped_names(const State& state) {
-  std::vector<std::string> names;
-  std::error_code failed;
-  fs::directory_iterator entry(state.lessons.scenes_folder, failed);
-  for (; !failed && entry != fs::directory_iterator(); entry.increment(failed))
-    if (entry->path().extension() == scene_file_ending) names.push_back(entry->path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 bool may_fit(const Scene& scene) {
   std::size_t objects = scene.objects.size() + scene.lights.size(), triangles = 0;
