@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -72,11 +73,17 @@ std::size_t rank_of(const fs::path& path) {
   return static_cast<std::size_t>(family - families.begin());
 }
 
+/// Whether it begins as TrueType, OpenType and collections of them do: ImGui gives up on anything else.
+bool begins_as_font(const std::string& file) {
+  std::array<char, 4> head{};
+  std::ifstream(file, std::ios::binary).read(head.data(), head.size());
+  constexpr std::array<std::string_view, 4> heads{std::string_view("\0\1\0\0", 4), "OTTO", "true", "ttcf"};
+  return std::find(heads.begin(), heads.end(), std::string_view(head.data(), head.size())) != heads.end();
+}
+
 #if IMGUI_VERSION_NUM < 19200
 /// Which of the letters a face has: as ImGui finds it, in small.
 std::u16string had_by(const std::string& file, const std::u16string& letters) {
-  std::error_code error;
-  if (fs::file_size(file, error) == 0 || error) return {};
   constexpr float tiny = 6;
   ImFontAtlas atlas;
   const std::vector<ImWchar> ranges = ranges_of(letters);
@@ -155,6 +162,7 @@ void find_fallbacks([[maybe_unused]] FontFiles& files, [[maybe_unused]] const st
     }
   }
   for (const auto& [rank, file] : found) {
+    if (!begins_as_font(file)) continue;
 #if IMGUI_VERSION_NUM < 19200
     const std::u16string had = had_by(file, letters);
     if (had.empty()) continue;
