@@ -131,9 +131,15 @@ TEST_CASE("words are typed in the plan, ended by Enter and dropped by Escape") {
   CHECK(bench.state.walk.position == position);  // no letter was a command
 
   click_at(at.x, at.y + 60);
-  bench.type("glass");
+  bench.type("gla");
+  // Another colour meanwhile, and on behind the letters.
+  bench.click("ink/green");
+  bench.frames(3);
+  bench.type("ss");
+  CHECK(text_begun(bench.state)->text == "glass");
   click_at(at.x, at.y + 120);
-  CHECK(ink_of(bench).size() == 2);
+  REQUIRE(ink_of(bench).size() == 2);
+  CHECK(ink_of(bench).back() == InkMark{std::get<InkText>(ink_of(bench).back().shape), InkColour::green});
   REQUIRE(bench.has("ink-field"));
   bench.type("no");
   bench.hold(ImGuiKey_Escape, true);

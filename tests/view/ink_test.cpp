@@ -289,6 +289,12 @@ TEST_CASE("the eraser removes the marks that it touches, and they come back at o
   CHECK(ink_of(state).size() == 3);
   click(state, {140, 100});
   CHECK(ink_of(state).size() == 2);
+  // A sweep that is taken back has erased nothing.
+  update(state, action::PointerPressed{{20, 110}});
+  update(state, action::PointerMoved{{120, 110}});
+  CHECK(ink_of(state).empty());
+  update(state, action::CancelDrag{});
+  CHECK(ink_of(state).size() == 2);
 }
 
 TEST_CASE("a stroke keeps its shape with few points, and is drawn round") {

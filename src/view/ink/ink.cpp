@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raywalk {
 
@@ -135,12 +136,18 @@ void InkRoom::lead(State& state, const Vec2d& at, const action::Modifiers& modif
 
 void InkRoom::lift(State& state, bool moved) {
   InkRoom& ink = state.ink;
+  ink.erased = false;
   if (!ink.begun || text_begun(state) != nullptr) return;
   const std::vector<Vec2d*> places = places_of(ink.begun->mark);
   if (places.empty()) return put_down(state);
   // A click leaves the second place to the next one.
   if (std::exchange(ink.begun->fresh, false) && !moved) return;
   if (++ink.begun->placed == static_cast<int>(places.size())) put_down(state);
+}
+
+void InkRoom::drop(State& state) {
+  state.ink.begun.reset();
+  if (std::exchange(state.ink.erased, false)) action::Undo{}.apply(state);
 }
 
 void action::SetInk::apply(State& state) const {

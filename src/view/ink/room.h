@@ -90,6 +90,7 @@ struct InkRoom {
   static void press(State& state, const Vec2d& at, const action::Modifiers& modifiers);
   static void lead(State& state, const Vec2d& at, const action::Modifiers& modifiers);
   static void lift(State& state, bool moved);
+  static void drop(State& state);  ///< takes the drag back
 
   /// A mark that is not finished.
   struct Begun {

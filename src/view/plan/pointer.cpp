@@ -174,7 +174,7 @@ void action::CancelDrag::apply(State& state) const {
   if (drag.aims) {
     forget_aim(state);
   } else if (drag.inks) {
-    state.ink.begun.reset();
+    InkRoom::drop(state);
   } else if (drag.pans) {
     state.plan.camera = drag.camera;
   } else if (drag.scene && *drag.scene != state.scene()) {
