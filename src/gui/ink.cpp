@@ -73,8 +73,10 @@ float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
     place(width);
     if (draw) command_button(ui, each, {width, height}, as);
   };
-  for (const auto& [tool, name] : words_of<InkTool>)
-    add(command("ink-" + std::string(name)), Look::choice, icon_of(tool));
+  for (const auto& [tool, word] : words_of<InkTool>) {
+    const std::string name = "ink-" + std::string(word);
+    add(command(name), Look::choice, icon_of(tool));
+  }
   x += gap;
   // Colours stay together.
   constexpr std::size_t colours = std::size(words_of<InkColour>);
