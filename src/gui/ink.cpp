@@ -56,20 +56,21 @@ constexpr float tool_height = 30, between_tools = 4;
 /// The tools, by their words or, where these do not fit into one row, by icons in as many rows as they need; `draw`:
 /// else they are only measured. Returns the height.
 float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
-  const float height = ui.px(tool_height), gap = ui.px(between_tools);
+  const float height = ui.px(tool_height), below = ui.px(between_tools), gap = words ? below : below / 2;
+  const float icon_width = 0.87f * height;
   const float left = where.x + ui.px(8), right = where.right() - ui.px(6);
-  float x = left, y = where.y + gap;
+  float x = left, y = where.y + below;
   const auto place = [&](float width) {
     if (x > left && x + width > right) {
       x = left;
-      y += height + gap;
+      y += height + below;
     }
     if (draw) ImGui::SetCursorScreenPos({x, y});
     x += width + gap;
   };
   const auto add = [&](const Command& each, Look look, Icon icon) {
     const ButtonLook as{.look = look, .icon = words ? Icon::none : icon, .font = ui.fonts.small, .label = words};
-    const float width = words ? button_width(ui, each, as) : height;
+    const float width = words ? button_width(ui, each, as) : icon_width;
     place(width);
     if (draw) command_button(ui, each, {width, height}, as);
   };
@@ -80,7 +81,7 @@ float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
   x += gap;
   // Colours stay together.
   constexpr std::size_t colours = std::size(words_of<InkColour>);
-  const float apart = words ? height : 0.85f * height, all = static_cast<float>(colours) * apart;
+  const float apart = words ? height : 0.73f * height, all = static_cast<float>(colours) * apart;
   place(all);
   for (std::size_t i = 0; draw && i < colours; ++i) {
     ImGui::SetCursorScreenPos({x - all - gap + static_cast<float>(i) * apart, y});
@@ -89,11 +90,11 @@ float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
   x += gap;
   add(command("ink-clear"), Look::plain, Icon::bin);
   add(command("ink-keep"), Look::choice, Icon::keep);
-  place(height);
+  place(icon_width);
   if (draw)
-    command_button(ui, command("ink"), {height, height},
+    command_button(ui, command("ink"), {icon_width, height},
                    {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false});
-  return y + height + gap - where.y;
+  return y + height + below - where.y;
 }
 
 /// Whether the words of all tools fit into one row.
