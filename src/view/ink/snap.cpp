@@ -88,7 +88,7 @@ Snapped snapped(const State& state, const InkRoom::Begun* begun, const Vec2d& at
   }
   const Sizes sizes(state);
   const double reach = (state.appearance.touch ? 2.5 : 1.5) * sizes.reach * pixel;
-  Snapped best{at};
+  Snapped best{rounded(at, 0.1 * pixel)};
   double nearest = reach;
   each_place(state, [&](const Vec2d& place) {
     const double away = length(place - at);
