@@ -86,7 +86,8 @@ enum class MeshReading { read, skip };
 [[nodiscard]] Result<Scene> with_names_from(Scene scene, const std::string& from, const std::string& to);
 
 /// Writes `document.scene`, and its ink if that is kept, in our own format whatever it was read from, in the layout of
-/// `document.text`, all or nothing, and on success stores the written text in `document.text`. Refuses the extension of another format.
+/// `document.text`, all or nothing, and on success stores the written text in `document.text`. Refuses the extension of
+/// another format.
 [[nodiscard]] Result<void> write_scene(SceneDocument& document, const std::string& path);
 
 }  // namespace raywalk

@@ -15,8 +15,8 @@ namespace raywalk::detail {
 /// For each element of a new list, its counterpart in the old list, if any.
 using Origins = std::vector<std::optional<std::size_t>>;
 
-/// Matches tables by name; the others, and tables without names, with those that differ only in name, then with those at the same place with the
-/// same type and at least half of their values equal.
+/// Matches tables by name; the others, and tables without names, with those that differ only in name, then with those
+/// at the same place with the same type and at least half of their values equal.
 [[nodiscard]] Origins pair_up(const Value& old_tables, const Value& new_tables);
 
 /// Whether nothing was added, removed or moved.

@@ -431,7 +431,8 @@ void describe(Fields& f, Protractor& protractor) {
 
 template <class Fields>
 void describe(Fields& f, InkMark& mark) {
-  f.about("What is drawn over the plan with Ink; as much as you like. It is no part of the scene, and no ray meets it.");
+  f.about(
+      "What is drawn over the plan with Ink; as much as you like. It is no part of the scene, and no ray meets it.");
   f.type(mark.shape, "What kind of mark it is, which says what further keys it has.");
   f.key("colour", mark.colour, ink_colours, "Plain is dark on a light plan and light on a dark one.");
 }

@@ -178,8 +178,8 @@ struct Colour : Tuple {};
 inline constexpr std::string_view point_words = "[x, y] in the plan or [x, y, z]",
                                   colour_words = "one number for a grey, or [red, green, blue]",
                                   radii_words = "one number above 0, or [x, y, z] of them";
-inline constexpr Tuple point{point_words, coordinate, Shorthand::flat},
-    place{"[x, y] in the plan", coordinate}, direction{point_words, coordinate.in(""), Shorthand::none, true},
+inline constexpr Tuple point{point_words, coordinate, Shorthand::flat}, place{"[x, y] in the plan", coordinate},
+    direction{point_words, coordinate.in(""), Shorthand::none, true},
     attenuation_terms{"[constant, linear, quadratic]", not_negative}, open_and_close{"[open, close]", any_number},
     radii{radii_words,
           {.words = radii_words, .above_low = true, .hint = "such as 1 or [1, 2, 0.5]", .unit = scene_units},
