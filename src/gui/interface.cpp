@@ -184,6 +184,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 
+  // What lies below a dialog is not hovered over, though the pointer still rests there in the dialog's first frame.
+  if (state.document.question || state.document.prompt != PathPrompt::none || state.link.shown)
+    static_cast<void>(rest_.take_tip());
   notice_bar(with, layout_.plan);
   browser_.draw(with, home_, picture.gallery);
   link_dialog(with);
