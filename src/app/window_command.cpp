@@ -21,7 +21,7 @@ std::optional<Error> why_not_opened(const std::string& letters, const std::strin
   if (!link) return link.error();
   if (link->bug > 0) return std::nullopt;
   if (link->lesson.empty()) {
-    const auto scene = linked_scene(*link, data + "/scenes");
+    const auto scene = linked_scene(*link, data + "/scenes/" + link->scene + ".toml");
     return scene ? std::nullopt : std::optional(scene.error());
   }
   std::error_code unreadable;

@@ -231,8 +231,8 @@ void Browser::gallery(const Ui& ui, float height, GalleryPictures* pictures) {
   const GalleryCard* chosen = draw_cards(ui, cards_, height, pictures);
   if (chosen == nullptr || chosen->locked) return;
   if (!chosen->path.empty()) return ui.act(action::Open{chosen->path});
-  ui.act(action::CancelPrompt{});
   if (chosen->lesson.empty()) return ui.act(action::New{});
+  ui.act(action::CancelPrompt{});
   ui.act(action::OpenLesson{chosen->lesson});
 }
 

@@ -159,8 +159,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
     const bool begins =
         state.document.prompt == PathPrompt::start && press.key == "Enter" && !io.WantTextInput && !io.NavVisible;
     if (press.key != "Escape" && !begins) return false;
-    ui.act(action::CancelPrompt{});
-    if (begins) ui.act(action::New{});
+    ui.act(begins ? Action(action::New{}) : Action(action::CancelPrompt{}));
     return true;
   }
   if (link_by_key(press, ui)) return true;

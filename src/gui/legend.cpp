@@ -45,10 +45,20 @@ void row_button(const Ui& ui, const LegendRow& row, const Rect& where) {
 void LegendRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   const Legend content = legend(ui.state);
   const float column = ui.px(78);
+  // Before its choice if both fit into a line.
   push_font(ui.fonts.small);
-  label(ui.colours.text, ui.say("legend.earlier"));
+  const std::string earlier = ui.say("legend.earlier");
+  const float words = ImGui::CalcTextSize(earlier.c_str()).x + ui.px(12), room = where.width - ui.px(24);
+  float buttons = 0;
+  for (const Command* each : commands_in(Section::earlier))
+    buttons += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small});
+  const bool in_line = words + buttons <= room;
+  if (in_line) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.px(30) - ImGui::GetFontSize()) / 2);
+  const ImVec2 begun = ImGui::GetCursorScreenPos();
+  label(ui.colours.text, earlier);
+  if (in_line) ImGui::SetCursorScreenPos({begun.x + words, begun.y - (ui.px(30) - ImGui::GetFontSize()) / 2});
   pop_font();
-  choice(ui, commands_in(Section::earlier), ui.px(30), ui.fonts.small, where.width - ui.px(24));
+  choice(ui, commands_in(Section::earlier), ui.px(30), ui.fonts.small, in_line ? room - words : room);
   ImGui::Spacing();
   for (const LegendRow& row : content.rays) {
     const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -110,7 +110,7 @@ Commands LinkRoom::commands() {
   static constexpr Command all[] = {
       {.name = "copy-link", .keys = {"Ctrl+Shift+E"}, .section = Section::save, .line = "keys.files",
        .run = act<action::CopyLink>},
-      {.name = "show-link", .section = Section::save, .run = act<action::ShowLink, true>},
+      {.name = "show-link", .keys = {"Alt+L"}, .section = Section::save, .line = "keys.files", .run = act<action::ShowLink, true>},
   };
   // clang-format on
   return all;

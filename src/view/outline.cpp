@@ -2,6 +2,7 @@
 
 #include "view/action_text.h"
 #include "view/bugs/bug_panel.h"
+#include "view/document/document.h"
 #include "view/document/question.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/lesson/typed_number.h"
@@ -59,6 +60,7 @@ class Outliner {
       switch (state_.document.prompt) {
         case PathPrompt::none:
           return {};
+        case PathPrompt::start:
         case PathPrompt::open:
           return "open {}";
         case PathPrompt::save_as:
@@ -73,7 +75,18 @@ class Outliner {
     if (line.empty()) return;
     OutlineItem& region = open("prompt", say("outline.asks"));
     field(region, Role::words, "path", say("dialog.path"), line, state_.document.path);
+    if (line == "open {}") shipped(region);
     button(region, "cancel", say("answer.cancel"), action::CancelPrompt{});
+  }
+
+  /// What there is to open: in the window these are cards.
+  void shipped(OutlineItem& region) {
+    button(region, "new", say("scene.new_title"), action::New{});
+    for (const std::string& name : shipped_names(state_)) {
+      const std::string* sentence = state_.appearance.language.catalogue().find("gallery." + name);
+      button(region, name, sentence == nullptr ? name : name + ": " + *sentence,
+             action::Open{shipped_path(state_, name)});
+    }
   }
 
   void lesson() {

@@ -23,6 +23,11 @@ TEST_CASE("a click on a kind of ray in the legend hides it, and another shows it
     bench.frames(2);
     for (const RayKind kind : values_of<RayKind>) {
       const std::string name(name_of(kind));
+      if (in_tab && kind == RayKind::reflect) {  // the last ones may be below the edge
+        bench.point_at("legend/shadow");
+        bench.wheel(-1);
+        bench.frames(2);
+      }
       CAPTURE(name, in_tab);
       bench.click("legend/" + name);
       CHECK_FALSE(bench.state.legend.shows(kind));

@@ -299,7 +299,7 @@ TEST_CASE("in Focus question, choices and Reveal are whole, and the plan is larg
         INFO(entry.name << ", step " << step + 1 << ", " << language.code());
         const Layout& layout = bench.interface().layout();
         CHECK(layout.plan.width > 0.6f * 1024);
-        CHECK(layout.plan.height > 0.55f * 576);
+        CHECK(layout.plan.height > 0.5f * 576);
         REQUIRE(bench.has("lesson-reveal"));
         const Rect reveal = bench.rect("lesson-reveal");
         CHECK(reveal.bottom() <= layout.lesson.bottom());

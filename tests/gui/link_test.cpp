@@ -90,7 +90,7 @@ TEST_CASE("embedded, the window is the scene, the code and the transport") {
   const int before = bench.state.walk.position;
   bench.click("step");
   CHECK(bench.state.walk.position == before + 1);
-  bench.key("m");
+  bench.key("M");
   bench.frames(3);
   bench.key("Ctrl+Z");
 }

@@ -315,11 +315,13 @@ TEST_CASE("no line of code is ever cut, and every line can be reached") {
       look();
       if (height == 720 && unit < 2) CHECK(seen.size() == 17);  // all, without scrolling
       bench.point_at("code");
-      for (int i = 0; i < 20; ++i) {
-        bench.wheel(-1);
-        bench.frames(2);
-        look();
-      }
+      for (const float turn : {1.0f, -1.0f})
+        for (int i = 0; i < 20; ++i) {
+          bench.wheel(turn);
+          bench.frames(2);
+          look();
+        }
+      CAPTURE(unit, height);
       CHECK(seen.size() == 17);
     }
   }

@@ -130,6 +130,12 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ShowEffects{true}, "effects on"},
       {SwitchEffect{Effect::shadows, false}, "effect shadows off"},
       {LimitDepth{3}, "depth 3"},
+      {SetEnglishCode{true}, "english-code on"},
+      {SetTouch{true}, "touch on"},
+      {CopyLink{}, "copy-link"},
+      {ShowLink{true}, "show-link on"},
+      {SetLinkPage{"https://a.example/"}, "link-page https://a.example/"},
+      {OpenLink{"#v=1/scene=glass"}, "open-link #v=1/scene=glass"},
   };
   for (const auto& [action, line] : lines) {
     INFO(line);

@@ -4,6 +4,7 @@
 #include "lesson_state.h"
 #include "support/catch.h"
 #include "view/action_text.h"
+#include "view/document/document.h"
 #include "view/lesson/typed_number.h"
 #include "view/plan/plan_geometry.h"
 #include "view/walk/code_panel.h"
@@ -177,6 +178,17 @@ TEST_CASE("a question and a prompt are in the outline with all their answers") {
   update(state, action::AskSaveAs{});
   CHECK(named(state, Role::words, "File"));
   use(state, Role::button, "Cancel");
+  CHECK(state.document.prompt == PathPrompt::none);
+  update(state, action::AskNew{});
+  CHECK(faults(outline(state)) == "");
+  use(state, Role::button, "mirrors: " + fill("gallery.mirrors", in_english));
+  REQUIRE(state.document.question);  // there is unsaved work
+  use(state, Role::button, "Don't save");
+  CHECK(state.document.path == shipped_path(state, "mirrors"));
+  CHECK(state.document.prompt == PathPrompt::none);
+  update(state, action::AskNew{});
+  use(state, Role::button, "A new scene");
+  CHECK(state.document.path.empty());
   CHECK(state.document.prompt == PathPrompt::none);
 }
 

@@ -87,6 +87,7 @@ void action::HuntBug::apply(State& state) const {
   state.picture.settings.walk_samples = 1;
   state.picture.settings.heat = Heat::none;
   state.lessons.open.reset();
+  EffectsRoom::close(state);
   show_document(state, std::move(*document), {});
   set_bug(state, fault);
   BugHunt& hunt = *state.bugs.hunt;

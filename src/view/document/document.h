@@ -7,6 +7,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -31,6 +32,10 @@ void remember(State& state, Scene before);
 bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark = {}, bool continues = false);
 
 // files.cpp
+
+/// The names of the shipped scenes, in alphabetical order: "classic".
+[[nodiscard]] std::vector<std::string> shipped_names(const State& state);
+[[nodiscard]] std::string shipped_path(const State& state, const std::string& name);
 
 void show_document(State& state, SceneDocument document, std::string path);
 /// The same once the user's scene is closed, with all that belongs to it.

@@ -90,7 +90,23 @@ std::vector<std::string> files_in_use(const State& state, bool of_scene) {
   return files;
 }
 
+constexpr std::string_view scene_file_ending = ".toml";
+
 }  // namespace
+
+std::string shipped_path(const State& state, const std::string& name) {
+  return state.lessons.scenes_folder + "/" + name + std::string(scene_file_ending);
+}
+
+std::vector<std::string> shipped_names(const State& state) {
+  std::vector<std::string> names;
+  std::error_code failed;
+  std::filesystem::directory_iterator entry(state.lessons.scenes_folder, failed);
+  for (; !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed))
+    if (entry->path().extension() == scene_file_ending) names.push_back(entry->path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 void show_document(State& state, SceneDocument document, std::string path) {
   state.document.contents = std::move(document);
@@ -131,7 +147,10 @@ void ask_path(State& state, PathPrompt prompt) {
   if (state.document.notice && state.document.notice->kind == Notice::Kind::error) state.document.notice.reset();
 }
 
-void action::New::apply(State& state) const { ask_or_do(state, {"question.unsaved_new", begin_scene}, {}); }
+void action::New::apply(State& state) const {
+  state.document.prompt = PathPrompt::none;
+  ask_or_do(state, {"question.unsaved_new", begin_scene}, {});
+}
 
 void action::AskNew::apply(State& state) const { ask_path(state, PathPrompt::start); }
 

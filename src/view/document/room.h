@@ -185,7 +185,7 @@ struct Redo {
 
 struct New {
   static constexpr std::string_view word = "new";
-  static constexpr Traits traits{.of_own_scene = true};
+  static constexpr Traits traits{.answers_prompt = true, .of_own_scene = true};
   void apply(State& state) const;
 };
 struct Open {

@@ -92,6 +92,7 @@ void stage(State& state) {
     state.picture.settings.single_precision = false;
     state.picture.settings.integrator.reset();
     state.picture.settings.walk_samples = 1;
+    EffectsRoom::close(state);
     show_document(state, walk.document, {});
     state.walk.pixel = pixel;
     if (pixel && !walk.fault) record_again(state);

@@ -20,29 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view scene_file_ending = ".toml";
 /// How links begin where there is no page that they could lead to.
 constexpr std::string_view own_scheme = "raywalk:";
 /// More than fits into any link; comparing them would only take time.
 constexpr std::size_t most_objects = 1000, most_triangles = 1000;
-
-std::string shipped_path(const std::string& scenes_folder, const std::string& name) {
-  return scenes_folder + "/" + name + std::string(scene_file_ending);
-}
-std::string shipped_path(const State& state, const std::string& name) {
-  return shipped_path(state.lessons.scenes_folder, name);
-}
-
-/// The names of the shipped scenes, in alphabetical order.
-std::vector<std::string> shipped_names(const State& state) {
-  std::vector<std::string> names;
-  std::error_code failed;
-  fs::directory_iterator entry(state.lessons.scenes_folder, failed);
-  for (; !failed && entry != fs::directory_iterator(); entry.increment(failed))
-    if (entry->path().extension() == scene_file_ending) names.push_back(entry->path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 bool may_fit(const Scene& scene) {
   std::size_t objects = scene.objects.size() + scene.lights.size(), triangles = 0;
@@ -205,7 +186,7 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
     if (!link.changes.empty()) commit(state, std::move(changed->scene));
     name = state.lessons.open->lesson.told(language).title;
   } else {
-    auto linked = linked_scene(link, state.lessons.scenes_folder);
+    auto linked = linked_scene(link, shipped_path(state, link.scene));
     if (!linked) return tl::unexpected(linked.error());
     sum = linked->sum;
     const std::string path = link.changes.empty() ? linked->document.path : std::string();
@@ -254,9 +235,8 @@ std::string address_shown(const State& state) {
   return (page.empty() ? std::string(own_scheme) : page) + state.link.letters;
 }
 
-Result<LinkedScene> linked_scene(const Link& link, const std::string& scenes_folder) {
-  auto base =
-      link.scene.empty() ? Result<SceneDocument>(SceneDocument{}) : read_scene(shipped_path(scenes_folder, link.scene));
+Result<LinkedScene> linked_scene(const Link& link, const std::string& shipped) {
+  auto base = link.scene.empty() ? Result<SceneDocument>(SceneDocument{}) : read_scene(shipped);
   if (!base)
     return tl::unexpected(Error{"", 0, 0, fmt::format("its scene {}: {}", link.scene, base.error().message),
                                 "a later version may have it"});

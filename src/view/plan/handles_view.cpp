@@ -13,9 +13,9 @@ void draw_dot(Painter& painter, const Target& target) {
   const bool selected = painter.state.plan.selected == target;
   const Vec2d at = painter.pixels(place_of(painter.state, target, painter.viewport));
   const Colour fill = hovered ? painter.colours.hovered : selected ? painter.colours.selected : painter.colours.plan;
-  const double radius = painter.sizes.handle * (hovered ? 1.35 : 1);
+  const double largest = 1.35 * painter.sizes.handle, radius = hovered ? largest : painter.sizes.handle;
   painter.add(CircleItem{at, radius, fill, painter.stroke(painter.colours.handle)}, target);
-  painter.keep_free(at, painter.sizes.handle);
+  painter.keep_free(at, largest);
 }
 
 /// A ring on a stalk: rotates its object.

@@ -36,8 +36,10 @@ Colour ground_at(const Painter& painter, const std::vector<DrawnBody>& bodies, c
   return ground;
 }
 
-/// Black or white, whichever is more legible on the background of a label.
-Colour readable_on(const Painter& painter, const std::vector<DrawnBody>& bodies, const PixelRect& label) {
+/// Black or white, whichever is more legible on the background of a label; none where neither is legible enough (WCAG
+/// 2.1, level AA).
+std::optional<Colour> readable_on(const Painter& painter, const std::vector<DrawnBody>& bodies,
+                                  const PixelRect& label) {
   constexpr Colour black{0, 0, 0}, white{255, 255, 255};
   double on_black = 1e9, on_white = 1e9;
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -46,6 +48,7 @@ Colour readable_on(const Painter& painter, const std::vector<DrawnBody>& bodies,
     on_black = std::min(on_black, contrast(black, ground));
     on_white = std::min(on_white, contrast(white, ground));
   }
+  if (std::max(on_black, on_white) < 4.5) return std::nullopt;
   return on_black > on_white ? black : white;
 }
 
@@ -125,10 +128,11 @@ void draw_labels(Painter& painter) {
     if (!is_shown(thing, place)) continue;
     const PixelRect box = place.box();
     painter.kept_free.push_back({box.min - gap / 2, box.max + gap / 2});
-    if (place.on_body) {
-      draw_letters(painter, place.at, place.letters, readable_on(painter, bodies, box));
-      continue;
-    }
+    if (place.on_body)
+      if (const auto colour = readable_on(painter, bodies, box)) {
+        draw_letters(painter, place.at, place.letters, *colour);
+        continue;
+      }
     if (const auto leader = leader_of(painter, bodies, thing, place)) {
       const auto [from, to] = *leader;
       painter.add(LineItem{from, to, painter.stroke(painter.colours.text.with_alpha(190), 0.7)});
@@ -139,7 +143,7 @@ void draw_labels(Painter& painter) {
                              {box.max.x + gap, box.min.y},
                              {box.max.x + gap, box.max.y},
                              {box.min.x - gap, box.max.y}},
-                            painter.colours.plan.with_alpha(150),
+                            painter.colours.plan.with_alpha(170),
                             std::nullopt});
     draw_letters(painter, place.at, place.letters, painter.colours.text);
   }
