@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #endif
 
 namespace raywalk {
@@ -74,10 +76,14 @@ ExitCode check_numerics_command(const CheckOptions& options) {
   }
   if (!result) return fail(result.error());
   if (const auto printed = print(check::table_text(*families, *result)); !printed) return fail(printed.error());
-  if (!result->finished)
+  if (!result->finished) {
+    std::error_code unreadable;
     return fail({"", 0, 0, "interrupted; the table is of what was done",
                  suite.state.empty() ? "with --state FILE, a run goes on where it was stopped"
-                                     : "the same command goes on from here, by " + suite.state});
+                 : std::filesystem::exists(suite.state, unreadable)
+                     ? "the same command goes on from here, by " + suite.state
+                     : "no part was finished that " + suite.state + " could keep; let it run longer"});
+  }
   if (!result->good()) {
     const auto broken = std::count_if(result->lines.begin(), result->lines.end(),
                                       [](const check::Tested& line) { return !line.broken.empty(); });

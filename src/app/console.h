@@ -16,6 +16,10 @@ enum class ExitCode : int {
   wrong_usage = 2,  ///< the command line
 };
 
+/// Standard streams that are closed get descriptors that cannot be used, so that no file or connection opened later
+/// takes their numbers and with them what is printed. To be called first of all.
+void hold_closed_streams();
+
 /// Writes a result. Fails if standard output does, as on a full disk.
 [[nodiscard]] Result<void> print(std::string_view text);
 

@@ -1,3 +1,4 @@
+#include "app/console.h"
 #include "app/interrupt.h"
 #include "app/program.h"
 #include "render/parallel.h"
@@ -10,6 +11,7 @@
 
 int main(int argc, char** argv) {
   using namespace raywalk;
+  hold_closed_streams();
   end_at_signals();
   // Whatever the stack limit (`ulimit -s`): enough for the deepest scene allowed.
   constexpr std::size_t around = std::size_t{2} << 20, room = stack_for(schema::depth_count.high) + around;

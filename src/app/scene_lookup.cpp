@@ -66,7 +66,7 @@ Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warning
     const std::string meant = nearest_word(fs::path(scene).stem().string(), {names.begin(), names.end()});
     if (!meant.empty()) {
       error.hint = "did you mean \"" + meant + "\", which comes with Raywalk?";
-    } else if (!names.empty() && !scene.empty() && !fs::path(scene).has_parent_path()) {
+    } else if (!names.empty() && !scene.empty() && scene != "-" && !fs::path(scene).has_parent_path()) {
       error.hint = "give the path of a scene file, or the name of a scene that comes with Raywalk: " +
                    one_of({names.begin(), names.end()});
     }

@@ -6,15 +6,39 @@
 #include "view/link/link.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace raywalk {
 
+namespace {
+
+/// Why the window cannot begin with this link, as far as that shows without one.
+std::optional<Error> why_not_opened(const std::string& letters, const std::string& data) {
+  const auto link = read_link(letters);
+  if (!link) return link.error();
+  if (link->bug > 0) return std::nullopt;
+  if (link->lesson.empty()) {
+    const auto scene = linked_scene(*link, data + "/scenes/" + link->scene + ".toml");
+    return scene ? std::nullopt : std::optional(scene.error());
+  }
+  std::error_code unreadable;
+  if (std::filesystem::is_directory(data + "/lessons/" + link->lesson, unreadable)) return std::nullopt;
+  return Error{"", 0, 0, "there is no lesson " + link->lesson, "raywalk lesson list says which there are"};
+}
+
+}  // namespace
+
 ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger) {
   options.data_dir = data_dir();
-  if (is_link(options.scene_path) && !std::filesystem::exists(options.scene_path)) {
-    const auto link = read_link(options.scene_path);
-    if (!link) return fail(link.error());
+  std::error_code no_path;
+  if (is_link(options.scene_path) && !std::filesystem::exists(options.scene_path, no_path)) {
+    if (auto why = why_not_opened(options.scene_path, options.data_dir)) {
+      why->message = "this link cannot be opened: " + why->message;
+      return fail(*why);
+    }
     options.link = std::exchange(options.scene_path, {});
   }
   if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);

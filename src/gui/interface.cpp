@@ -192,6 +192,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   ImGui::End();
 
   ink_field_.draw(with, layout_.plan);
+  // What lies below a dialog is not hovered over, though the pointer still rests there in the dialog's first frame.
+  if (state.document.question || state.document.prompt != PathPrompt::none || state.link.shown)
+    static_cast<void>(rest_.take_tip());
   notice_bar(with, layout_.plan);
   browser_.draw(with, home_, picture.gallery);
   link_dialog(with);

@@ -150,6 +150,14 @@ bool has_scene_ending(std::string_view path) { return ends_with(path, scene_endi
 
 namespace {
 
+/// Said of what is wrong in a file whose ending is no scene's.
+std::string why_toml() {
+  std::string endings;
+  for (int i = 0; i < scene_format_count; ++i)
+    endings.append(i == 0 ? "" : ", ").append(scene_ending(static_cast<SceneFormat>(i)));
+  return "; it is read as TOML, for its name has none of the endings " + endings;
+}
+
 Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
   if (is_mesh(format)) return scene_of_mesh(path);
   auto text = read_file(path, format == SceneFormat::toml ? max_scene_bytes : max_foreign_bytes);
@@ -189,7 +197,11 @@ Result<SceneDocument> read_scene(const std::string& path) {
     return tl::unexpected(Error{path, 0, 0, "there is not enough memory to read this, with the files that it names",
                                 "close other programs, or use smaller meshes or textures"});
   }
-  if (!document) return document;
+  if (!document) {
+    Error& error = document.error();
+    if (error.line > 0 && !has_scene_ending(path)) error.hint += why_toml();
+    return document;
+  }
   document->path = path;
   document->files = ledger.files_read();
   return document;

@@ -64,13 +64,17 @@ class Lister {
   /// The table of `value`'s members, with those of a default T marked.
   template <class T>
   static Value table_of(T& value) {
-    Lister lister, fresh;
-    T new_value{};
+    static const Value fresh = [] {
+      Lister of_new;
+      T new_value{};
+      schema::describe(of_new, new_value);
+      return std::move(of_new.table_);
+    }();
+    Lister lister;
     schema::describe(lister, value);
-    schema::describe(fresh, new_value);
     std::vector<Value>& members = lister.table_.children;
     for (Value& member : members) {
-      const Value* usual = fresh.table_.find(member.key);
+      const Value* usual = fresh.find(member.key);
       if (member.kind == Kind::tables)
         member.is_default = false;
       else if (member.kind == Kind::table)
@@ -178,6 +182,30 @@ std::string section_text(const Value& table, const std::string& path) {
   }
   if (path.empty() && lines.empty() && !sections.empty()) sections.erase(0, 1);
   return lines + sections;
+}
+
+bool have_same_values(schema::SceneFile a, schema::SceneFile b) {
+  std::vector<Object> of_a = std::exchange(a.scene.objects, {}), of_b = std::exchange(b.scene.objects, {});
+  const auto same = [](Object& one, Object& other) { return tree(schema::table, one) == tree(schema::table, other); };
+  return Lister::table_of(a) == Lister::table_of(b) &&
+         std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), same);
+}
+
+SceneText scene_text(schema::SceneFile file, std::size_t most) {
+  std::vector<Object> objects = std::exchange(file.scene.objects, {});
+  Ink ink = std::exchange(file.ink, {});
+  SceneText listed{section_text(Lister::table_of(file), "")};
+  const auto add = [&](const std::string& key, auto& table) {
+    listed.text += "\n[[" + key + "]]\n" + section_text(tree(schema::table, table), key);
+  };
+  // The last keys of a file.
+  for (Object& object : objects) {
+    if (listed.text.size() > most) return listed;
+    add("object", object);
+    ++listed.objects;
+  }
+  for (InkMark& mark : ink) add("ink", mark);
+  return listed;
 }
 
 }  // namespace raywalk::detail

@@ -3,6 +3,7 @@
 
 #include "scene/schema.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,11 +36,20 @@ struct Value {
 
 /// All of `scene` and of what is drawn over it, including the values that a file may omit.
 [[nodiscard]] Value values_of(const Scene& scene, const Ink& ink = {});
+/// Whether all values of two files are the same, without the memory for either.
+[[nodiscard]] bool have_same_values(schema::SceneFile a, schema::SceneFile b);
 
 /// The value on one line, a table in braces, without defaults.
 [[nodiscard]] std::string inline_text(const Value& value);
 /// The lines under a table's header: its values other than defaults, then its tables under their own headers. `path` is
 /// the header's name, "" for the whole file.
 [[nodiscard]] std::string section_text(const Value& table, const std::string& path);
+
+/// The text of a new file. Objects are listed one by one, until it is longer than `most`: then it breaks off.
+struct SceneText {
+  std::string text{};
+  std::size_t objects = 0;  ///< that stand in it
+};
+[[nodiscard]] SceneText scene_text(schema::SceneFile file, std::size_t most);
 
 }  // namespace raywalk::detail

@@ -71,54 +71,52 @@ std::optional<std::string> merged(std::string text, Value old, const Value& now)
   return edits.apply(text);
 }
 
-/// Minimum size of the scene's text: a short name, a type and a few digits per object, "0, " per number of a mesh.
-double least_text(const Scene& scene) {
-  constexpr double per_object = 60, per_number = 3;
-  double bytes = per_object * static_cast<double>(scene.objects.size());
+/// Whether the triangle meshes that a scene holds itself are too large for its text: at least "0, " per number. Their
+/// trees of values would take a hundred times that memory.
+bool has_large_meshes(const Scene& scene) {
+  constexpr std::size_t per_row = 3 * 3;
+  std::size_t bytes = 0;
   for (const Object& object : scene.objects)
     if (const auto* mesh = std::get_if<MeshShape>(&object.shape); mesh && mesh->mesh && mesh->file.empty())
-      bytes +=
-          3 * per_number *
-          static_cast<double>(mesh->mesh->positions.size() + mesh->mesh->normals.size() + mesh->mesh->triangles.size());
-  return bytes;
+      bytes += per_row * (mesh->mesh->positions.size() + mesh->mesh->normals.size() + mesh->mesh->triangles.size());
+  return bytes > max_scene_bytes;
+}
+
+Error too_large(const Scene& scene, std::size_t listed) {
+  const std::size_t count = scene.objects.size();
+  const std::string which = listed < count ? fmt::format("the first {} of its {} objects", listed, count)
+                            : count == 1   ? "its object"
+                                           : fmt::format("its {} objects", count);
+  return {
+      "", 0, 0,
+      fmt::format("the scene is too large for a .toml: {} would take more than {} MiB", which, max_scene_bytes >> 20),
+      "convert it to .pov, which may be larger, or keep the file that it was read from"};
 }
 
 }  // namespace
 
 Result<std::string> format_scene(const Scene& scene, std::string_view previous_text, const Ink& ink) {
-  const auto too_large = [&](std::string_view at_least, double bytes) {
-    const std::size_t count = scene.objects.size();
-    constexpr double mebibyte = 1 << 20;
-    return tl::unexpected(Error{
-        "", 0, 0,
-        fmt::format("the scene is too large for a .toml: {} object{} to {}{:.0f} MiB (expected at most {} MiB)", count,
-                    count == 1 ? " comes" : "s come", at_least, std::ceil(bytes / mebibyte), max_scene_bytes >> 20),
-        "convert it to .pov, which may be larger, or keep the file that it was read from"});
-  };
-  // The tree of values takes a thousand times the memory of the text, so what is too large is refused before.
-  if (const double least = least_text(scene); least > static_cast<double>(max_scene_bytes))
-    return too_large("at least ", least);
-  const Value now = detail::values_of(scene, ink);
+  if (has_large_meshes(scene)) return tl::unexpected(too_large(scene, scene.objects.size()));
   // Reading back proves that nothing is lost, and checks the scene itself.
   const auto holds_scene = [&](const Result<SceneDocument>& written) {
-    return written && detail::values_of(written->scene, written->ink) == now;
+    return written && detail::have_same_values({written->scene, written->ink}, {scene, ink});
   };
   if (!previous_text.empty()) {
     const bool windows = has_windows_lines(previous_text);
     const std::string previous = windows ? with_unix_lines(std::string(previous_text)) : std::string(previous_text);
     if (const auto old = parse_scene(previous, "", MeshReading::skip)) {
-      auto text = merged(previous, detail::values_of(old->scene, old->ink), now);
+      auto text = merged(previous, detail::values_of(old->scene, old->ink), detail::values_of(scene, ink));
       if (text && windows) text = with_windows_lines(*text);
       if (text && holds_scene(parse_scene(*text, "", MeshReading::skip))) return *text;
     }
   }
-  std::string text = detail::section_text(now, "");
-  if (text.size() > max_scene_bytes) return too_large("", static_cast<double>(text.size()));
-  const auto written = parse_scene(text, "the scene to be written", MeshReading::skip);
+  detail::SceneText listed = detail::scene_text({scene, ink}, max_scene_bytes);
+  if (listed.text.size() > max_scene_bytes) return tl::unexpected(too_large(scene, listed.objects));
+  const auto written = parse_scene(listed.text, "the scene to be written", MeshReading::skip);
   if (!written) return tl::unexpected(written.error());
   if (!holds_scene(written))
     return tl::unexpected(Error{"", 0, 0, "the scene cannot be written without loss", "change what was edited last"});
-  return text;
+  return std::move(listed.text);
 }
 
 Result<void> write_scene(SceneDocument& document, const std::string& path) {

@@ -112,7 +112,7 @@ std::size_t length_at(const std::vector<Token>& tokens, std::size_t at, const st
 }  // namespace
 
 Result<ClaimWords> parse_claim_words(std::string_view text, const std::string& file_name) {
-  if (const auto checked = toml_text::check(text, file_name); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = toml_text::check(text, file_name, "words"); !checked) return tl::unexpected(checked.error());
   const toml::parse_result parsed = toml::parse(text, file_name);
   if (!parsed)
     return tl::unexpected(Error{file_name, static_cast<int>(parsed.error().source().begin.line),

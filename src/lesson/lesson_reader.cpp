@@ -321,7 +321,8 @@ std::vector<std::string> lesson_names(const std::string& folder) {
 }
 
 Result<Lesson> parse_lesson(std::string_view text, const std::string& file_name) {
-  if (const auto checked = toml_text::check(text, file_name); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = toml_text::check(text, file_name, "a lesson"); !checked)
+    return tl::unexpected(checked.error());
   const toml::parse_result parsed = toml::parse(text, file_name);
   if (!parsed) {
     const toml::parse_error& error = parsed.error();

@@ -1,5 +1,7 @@
 #include "text/file.h"
 
+#include "text/file_path.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -33,6 +35,7 @@ Error cannot(const char* what, const std::string& path, int error_number, std::s
   return {path, 0, 0, std::string("cannot ") + what + ": " + system_message(error_number), std::move(hint)};
 }
 
+/// `replaces`: something that there was would have been lost.
 std::string hint_for_writing(int error_number, bool replaces) {
   const std::string whole = replaces ? "; the old file is unchanged" : "";
   switch (error_number) {
@@ -89,13 +92,6 @@ std::string_view what_else(mode_t mode) {
   return S_ISSOCK(mode) ? "a socket" : "a device";
 }
 
-/// Whether a path names a file that this process has open, such as the one that standard output goes to: it is appended
-/// to, not replaced.
-bool is_already_open(std::string_view path) {
-  return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
-         path.starts_with("/proc/self/fd/");
-}
-
 Result<void> check_folder(const std::string& path, const std::filesystem::path& folder) {
   struct stat status{};
   const int error = ::stat(folder.c_str(), &status) == 0 ? 0 : errno;
@@ -121,28 +117,6 @@ int write_all(int descriptor, std::string_view bytes) {
 }
 
 }  // namespace
-
-namespace detail {
-
-Result<std::filesystem::path> follow_links(const std::string& path) {
-  namespace fs = std::filesystem;
-  fs::path target = path;
-  constexpr int max_links = 40;  // as Linux itself
-  for (int i = 0; i < max_links; ++i) {
-    std::error_code error;
-    if (fs::symlink_status(target, error).type() != fs::file_type::symlink) return target;
-    const fs::path next = fs::read_symlink(target, error);
-    if (error) return tl::unexpected(cannot("follow the link", path, error.value(), "check where the link points"));
-    target = next.is_absolute() ? next : target.parent_path() / next;
-  }
-  return tl::unexpected(cannot("follow the link", path, ELOOP, "the symbolic links lead in a circle"));
-}
-
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-}  // namespace detail
 
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
   if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot read: the file name is empty", "give a file name"});
@@ -184,16 +158,21 @@ tl::unexpected<Error> FileWriter::give_up(int error_number) {
   if (direct_ >= 0) ::close(direct_);
   direct_ = -1;
   new_file_.discard();
-  return tl::unexpected(cannot("write", path_, error_number, hint_for_writing(error_number, exists_ && is_regular_)));
+  return tl::unexpected(
+      cannot("write", path_, error_number, hint_for_writing(error_number, !is_empty_ && is_regular_)));
 }
 
 Result<void> FileWriter::find_target(const std::string& path) {
   path_ = path;
   if (path.empty()) return tl::unexpected(Error{"", 0, 0, "cannot write: the file name is empty", "give a file name"});
+  const std::optional<int> descriptor = detail::descriptor_named(path);
+  if (descriptor)
+    if (auto open = detail::check_descriptor(path, *descriptor); !open) return open;
   struct stat old{};
   exists_ = ::stat(path.c_str(), &old) == 0;
   if (!exists_ && errno != ENOENT && errno != ENOTDIR) return give_up(errno);
-  is_regular_ = !exists_ || (S_ISREG(old.st_mode) && !is_already_open(path));
+  is_regular_ = !exists_ || (S_ISREG(old.st_mode) && !descriptor);
+  is_empty_ = !exists_ || old.st_size == 0;
   target_ = path;
   // The links of what is open already may lead to no path at all, as a pipe's.
   if (is_regular_) {
@@ -205,9 +184,9 @@ Result<void> FileWriter::find_target(const std::string& path) {
     return tl::unexpected(
         Error{path, 0, 0, "cannot write: this is a folder (expected a file name)", "add a file name to the path"});
   if (exists_ && ::access(target_.c_str(), W_OK) != 0)
-    return tl::unexpected(cannot(
-        "write", path, errno,
-        errno == EROFS ? hint_for_writing(errno, is_regular_) : "the file is write-protected; choose another name"));
+    return tl::unexpected(cannot("write", path, errno,
+                                 errno == EROFS ? hint_for_writing(errno, !is_empty_ && is_regular_)
+                                                : "the file is write-protected; choose another name"));
   if (!exists_)
     if (auto there = check_folder(path, detail::folder_of(target_)); !there) return there;
   old_mode_ = old.st_mode & 07777;

@@ -5,7 +5,6 @@
 #include "text/temporary_file.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -40,6 +39,7 @@ class FileWriter {
   TemporaryFile new_file_;     ///< not open when written directly
   int direct_ = -1;            ///< the descriptor of a special file
   bool exists_ = false, is_regular_ = true;
+  bool is_empty_ = true;  ///< no byte of an old file is replaced; so too for one just made to keep a name free
   unsigned old_mode_ = 0, old_user_ = 0, old_group_ = 0;
 };
 
@@ -58,12 +58,5 @@ class FileWriter {
 /// replaced; permissions (and the owner, where allowed) are kept. Special files (/dev/stdout, a pipe) are written
 /// directly. A file that is write-protected is not replaced.
 [[nodiscard]] Result<void> write_file_atomically(const std::string& path, std::string_view bytes);
-
-namespace detail {
-/// The file that `path` leads to through all symbolic links, even if that file does not exist yet.
-[[nodiscard]] Result<std::filesystem::path> follow_links(const std::string& path);
-/// The folder of the file of this name.
-[[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
-}  // namespace detail
 
 }  // namespace raywalk

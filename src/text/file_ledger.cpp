@@ -1,6 +1,6 @@
 #include "text/file_ledger.h"
 
-#include "text/file.h"
+#include "text/file_path.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -18,7 +18,7 @@ constexpr std::size_t max_of_a_file = 4 << 20;
 Result<Catalogue> read_catalogue(const std::string& file, const std::string& code) {
   const Result<std::string> bytes = read_file(file, max_of_a_file);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (const auto checked = toml_text::check(*bytes, file); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = toml_text::check(*bytes, file, "texts"); !checked) return tl::unexpected(checked.error());
   tl::expected<Catalogue, TextMistake> catalogue = Catalogue::parse(*bytes, code);
   if (!catalogue) {
     const TextMistake& mistake = catalogue.error();

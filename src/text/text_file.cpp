@@ -45,6 +45,11 @@ Result<void> make_plain_text(std::string& bytes, const std::string& path) {
                                 "the line begins with a byte order mark (BOM) (expected none after the first line)",
                                 "were files joined here? remove the mark, which editors do not show"});
   }
+  if (const auto zero = std::find(bytes.begin(), bytes.end(), '\0'); zero != bytes.end()) {
+    const auto line = 1 + std::count(bytes.begin(), zero, '\n');
+    return tl::unexpected(Error{path, static_cast<int>(line), 0, "this is no text: it holds the byte 0x00",
+                                "is this the right file, and is it whole?"});
+  }
   return {};
 }
 
@@ -52,11 +57,7 @@ Result<std::string> read_text(const std::string& path, std::size_t max_bytes) {
   auto bytes = read_file(path, max_bytes);
   if (!bytes) return bytes;
   if (const auto plain = make_plain_text(*bytes, path); !plain) return tl::unexpected(plain.error());
-  const auto zero = std::find(bytes->begin(), bytes->end(), '\0');
-  if (zero == bytes->end()) return bytes;
-  const auto line = 1 + std::count(bytes->begin(), zero, '\n');
-  return tl::unexpected(Error{path, static_cast<int>(line), 0, "this is no text: it holds the byte 0x00",
-                              "is this the right file, and is it whole?"});
+  return bytes;
 }
 
 }  // namespace raywalk

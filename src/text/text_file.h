@@ -21,11 +21,11 @@ void end_lines_with_lf(std::string& bytes, std::size_t begin, std::size_t end);
 
 /// Normalizes the bytes of a text file: UTF-8 without a mark, whose lines end with LF or CR LF. A UTF-8 mark at the
 /// beginning is removed, or several, and a lone CR, once a line end, becomes LF; the last line needs no end. Refuses
-/// UTF-16 and UTF-32, and a mark at the beginning of a later line, where files were joined: it would invisibly change
-/// the line's first word. `path` is for messages.
+/// UTF-16 and UTF-32, a byte 0, and a mark at the beginning of a later line, where files were joined: it would
+/// invisibly change the line's first word. `path` is for messages.
 [[nodiscard]] Result<void> make_plain_text(std::string& bytes, const std::string& path);
 
-/// The normalized text of a file; refuses what read_file refuses, and a byte 0.
+/// The normalized text of a file; refuses what read_file refuses, too.
 [[nodiscard]] Result<std::string> read_text(const std::string& path, std::size_t max_bytes);
 
 }  // namespace raywalk

@@ -121,15 +121,17 @@ std::size_t after_string(std::string_view text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
 
-Result<void> check(std::string_view text, const std::string& file) {
+Result<void> check(std::string_view text, const std::string& file, std::string_view what) {
   const auto refuse = [&](std::size_t at, std::string message, std::string hint) {
     return tl::unexpected(error_at(text, at, file, std::move(message), std::move(hint)));
   };
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    return refuse(0, "the file is empty (expected a scene in TOML)", "copy scenes/classic.toml and change it");
+    return refuse(0, fmt::format("the file is empty (expected {} in TOML)", what),
+                  "copy one that comes with Raywalk, such as scenes/classic.toml, and change it");
   if (const auto other = why_not_utf8(text, file)) return tl::unexpected(*other);
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-    return refuse(zero, "this is a binary file (expected a scene in TOML, which is text)", "is this the right file?");
+    return refuse(zero, fmt::format("this is a binary file (expected {} in TOML, which is text)", what),
+                  "is this the right file?");
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = utf8_length(text, at);
     if (length == 0)

@@ -13,8 +13,9 @@ namespace raywalk::toml_text {
 [[nodiscard]] std::size_t after_string(std::string_view text, std::size_t at);
 
 /// Refuses what no parser should get: empty text, binary data, encodings other than UTF-8, and keys nested so deeply
-/// that a recursive parser would run out of stack.
-[[nodiscard]] Result<void> check(std::string_view text, const std::string& file_name);
+/// that a recursive parser would run out of stack. `what` is expected there.
+[[nodiscard]] Result<void> check(std::string_view text, const std::string& file_name,
+                                 std::string_view what = "a scene");
 
 /// `text` as a TOML string in double quotes.
 [[nodiscard]] std::string quoted(std::string_view text);

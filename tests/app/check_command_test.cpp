@@ -1,3 +1,5 @@
+#include <csignal>
+
 #include "app/process.h"
 #include "support/catch.h"
 
@@ -25,6 +27,20 @@ TEST_CASE("check numerics judges rays of one family, and keeps what is done") {
   const Outcome other = folder.run({"check", "numerics", "sphere", "--rays", "4800", "--state", "run.state"});
   CHECK(other.exit_code == 1);
   CHECK_THAT(other.err, contains("this keeps another run"));
+}
+
+TEST_CASE("a check that was stopped before it kept anything does not say that it goes on from there") {
+  const Folder folder;
+  if (folder.run({"check", "numerics", "--list"}).err.find(without_oracle) != std::string::npos) return;
+  Process process(raywalk_program(),
+                  {"check", "numerics", "sphere", "--rays", "1000000000", "--threads", "1", "--state", "run.state"},
+                  folder.path());
+  process.wait_until_busy_and_catching(SIGINT);
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("no part was finished that run.state could keep"));
+  CHECK(folder.names().empty());
 }
 
 TEST_CASE("check numerics names its families, and knows a misspelt one") {

@@ -177,3 +177,23 @@ TEST_CASE("what goes to devices and to what is open already may be the same") {
   CHECK(dash.exit_code == 2);
   CHECK_THAT(dash.err, contains("/dev/stdout"));
 }
+
+TEST_CASE("closed streams are named, and their numbers go to no file") {
+  const Folder folder;
+  put_scene(folder);
+  const auto run = [&](const std::string& line) {
+    Process process("/bin/sh", {"-c", "\"$0\" " + line, raywalk_program()}, folder.path());
+    return process.wait();
+  };
+  const Outcome statistics = run("render scene.toml -o a.png --stats /dev/stdout >&-");
+  CHECK(statistics.exit_code == 1);
+  CHECK_THAT(statistics.err,
+             contains("/dev/stdout: cannot write: standard output is closed") && !contains("choose another"));
+  CHECK_FALSE(folder.holds("a.png"));
+  const Outcome info = run("info scene.toml >&-");
+  CHECK(info.exit_code == 1);
+  CHECK_THAT(info.err, contains("cannot write to standard output"));
+  CHECK(run("render scene.toml -o open.pfm").exit_code == 0);
+  CHECK(run("render scene.toml -o closed.pfm <&- >&- 2>&-").exit_code == 0);
+  CHECK(folder.read("open.pfm") == folder.read("closed.pfm"));
+}

@@ -2,7 +2,9 @@
 #include "app/process.h"
 
 #include <algorithm>
+#include <string>
 
+#include "io/packed_text.h"
 #include "support/catch.h"
 
 using namespace raywalk::test;
@@ -236,10 +238,36 @@ TEST_CASE("a link is opened by the window, and one that is none is refused with 
   const Folder folder;
   const Outcome broken = folder.run({"https://a.example/#v=1/step=many"});
   CHECK(broken.exit_code == 1);
-  CHECK_THAT(broken.err, contains("step") && contains("copy the link again"));
+  CHECK_THAT(broken.err,
+             contains("this link cannot be opened: its part step cannot be read") && contains("copy the link again"));
   const Outcome later = folder.run({"#v=99/scene=classic"});
   CHECK(later.exit_code == 1);
   CHECK_THAT(later.err, contains("later version"));
+  for (const std::string& link : {std::string("#v=1/scene=nothing_of_that_name"), std::string("#v=1/lesson=99-nothing"),
+                                  "#v=1/changes=" + raywalk::pack_text("7")}) {
+    const Outcome outcome = folder.run({link});
+    INFO(link << ": " << outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.err, contains("this link cannot be opened: ") && !contains("display"));
+  }
   // As far as it comes without a display.
   CHECK_THAT(folder.run({"raywalk:#v=1/scene=glass/step=3"}).err, contains("display"));
+  CHECK_THAT(folder.run({"#v=1/lesson=03-shadows/at=2"}).err, contains("display"));
+}
+
+TEST_CASE("a link longer than a path may be is a link all the same") {
+  const Folder folder;
+  const std::string link = "#v=1/scene=glass/later=";
+  CHECK_THAT(folder.run({link + std::string(7000, 'x')}).err, contains("display"));
+  const Outcome longer = folder.run({link + std::string(100'000, 'x')});
+  CHECK(longer.exit_code == 1);
+  CHECK_THAT(longer.err, contains("letters (expected at most 8000)"));
+  CHECK(longer.err.size() < 400);
+}
+
+TEST_CASE("a scene from standard input is asked for as a file") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"info", "-"});
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("nothing is read from standard input; put it into a file"));
 }

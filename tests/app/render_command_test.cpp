@@ -210,6 +210,22 @@ TEST_CASE("Ctrl-C leaves what is done in a file of its own and the old picture w
   CHECK(partial->at(440, 330) == Rgb<float>(0));
 }
 
+TEST_CASE("a partial file that cannot be written is not kept, and no old one is spoken of") {
+  const Folder folder;
+  Process process("/bin/sh",
+                  {"-c", "ulimit -f 8; exec \"$0\" \"$@\"", raywalk_program(), "render", classic, "-o", "long.pfm",
+                   "--spp", "1000000", "--threads", "2"},
+                  folder.path());
+  process.wait_until_busy_and_catching(SIGINT);
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.err, contains("interrupted with ") && contains("long.partial.pfm: cannot write: File too large") &&
+                              !contains("old file"));
+  CHECK(folder.names().empty());
+}
+
 TEST_CASE("a picture that cannot be written is refused before the render") {
   const Folder folder;
   std::filesystem::create_directory(folder / "folder.png");

@@ -4,6 +4,7 @@
 #include "check/suite.h"
 #include "image/image_file.h"
 #include "io/mesh_file.h"
+#include "io/packed_text.h"
 #include "io/scene_patch.h"
 #include "lesson/expression.h"
 #include "lesson/lesson.h"
@@ -92,6 +93,16 @@ void accept(const SceneDocument& changed) {
 }
 #endif
 
+#if defined(FUZZ_packed)
+constexpr std::size_t most_unpacked = 1 << 16;
+/// Packed again it may have other letters, for there are many ways to pack a text, but leads back to it.
+void accept(const std::string& text) {
+  require(text.size() <= most_unpacked);
+  const auto again = unpack_text(pack_text(text), most_unpacked);
+  require(again.has_value() && *again == text);
+}
+#endif
+
 auto parse(const std::string& bytes) {
 #if defined(FUZZ_obj)
   return parse_obj(bytes, "fuzzed.obj");
@@ -117,6 +128,8 @@ auto parse(const std::string& bytes) {
   return read_link(bytes);
 #elif defined(FUZZ_patch)
   return patched_scene(changed_scene(), bytes);
+#elif defined(FUZZ_packed)
+  return unpack_text(bytes, most_unpacked);
 #elif defined(FUZZ_state)
   check::SuiteOptions of_seed;
   of_seed.rays = 2400;
@@ -130,6 +143,9 @@ void accept(const Understood&) {}
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+#if defined(FUZZ_packed)
+  accept(std::string(reinterpret_cast<const char*>(data), size));
+#endif
   const auto understood = parse({reinterpret_cast<const char*>(data), size});
   if (understood) {
     accept(*understood);

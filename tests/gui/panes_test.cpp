@@ -269,6 +269,32 @@ TEST_CASE("a tooltip comes late, covers no button, and goes with a click") {
   }
 }
 
+TEST_CASE("a dialog that opens in the frame of a tooltip goes without it") {
+  const auto at_rest = [](Bench& bench) {
+    bench.state.document.dirty = true;
+    bench.point_at("step");
+  };
+  int frames = 0;
+  {
+    Bench bench(at(120));
+    at_rest(bench);
+    for (; !bench.has("tooltip"); ++frames) {
+      REQUIRE(frames < 100);
+      bench.frames(1);
+    }
+  }
+  Bench bench(at(120));
+  at_rest(bench);
+  bench.frames(frames - 1);
+  REQUIRE_FALSE(bench.has("tooltip"));
+  update(bench.state, action::Quit{});
+  REQUIRE(bench.state.document.question);
+  bench.frames(1);
+  CHECK_FALSE(bench.has("tooltip"));
+  bench.frames(5);
+  CHECK(bench.has("answer-0"));
+}
+
 TEST_CASE("no line of code is ever cut, and every line can be reached") {
   for (const float unit : {1.0f, 1.25f, 2.0f}) {
     for (const float height : {480.0f, 600.0f, 720.0f, 1080.0f}) {

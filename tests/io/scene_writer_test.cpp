@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "io/scene_file.h"
+#include "io/scene_values.h"
 #include "random_scene.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
@@ -298,10 +299,30 @@ TEST_CASE("a scene that is too large for our format is said to be, not the file 
   const auto written = write_scene(document, folder.file("scene.toml"));
   REQUIRE(!written);
   CHECK_THAT(written.error().text(),
-             contains("scene.toml: the scene is too large for a .toml: 1 object comes to 17 MiB "
-                      "(expected at most 16 MiB)"));
+             contains("scene.toml: the scene is too large for a .toml: its object would take more than 16 MiB"));
   CHECK_THAT(written.error().hint, contains(".pov"));
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("of a scene that is too large, no more is listed than fits") {
+  const TemporaryFolder folder;
+  SceneDocument document;
+  for (int i = 0; i < 400'000; ++i)
+    document.scene.objects.push_back({std::to_string(i), Sphere<double>{{0, 0, 0}, 1}, {}});
+  const auto written = write_scene(document, folder.file("scene.toml"));
+  REQUIRE(!written);
+  CHECK_THAT(written.error().message, contains("of its 400000 objects would take more than 16 MiB"));
+  CHECK(folder.entries() == 0);
+
+  constexpr std::size_t most = 10'000, longest_object = 100;
+  const detail::SceneText listed = detail::scene_text(document.scene, most);
+  CHECK(listed.text.size() > most);
+  CHECK(listed.text.size() < most + longest_object);
+  CHECK(listed.objects < most / 60);
+  document.scene.objects.resize(100);
+  const detail::SceneText whole = detail::scene_text(document.scene, most);
+  CHECK(whole.objects == 100);
+  CHECK(whole.text == format_scene(document.scene).value());
 }
 
 TEST_CASE("saving makes the text what was written") {

@@ -151,6 +151,39 @@ TEST_CASE("materials of a mesh are text like any other") {
   CHECK_THAT(read.error().message, contains("UTF-16"));
 }
 
+TEST_CASE("no text holds a byte 0, in the middle or at its end") {
+  const TemporaryFolder folder;
+  for (const FormatText& each : formats) {
+    if (each.ending == "ply") continue;  // whose numbers may be bytes
+    const std::string path = folder.file("one." + each.ending);
+    for (const std::size_t at : {each.text.size() / 2, each.text.size()}) {
+      std::string text = each.text;
+      put(path, text.insert(at, 1, '\0'));
+      const auto read = read_scene(path);
+      INFO(each.ending);
+      REQUIRE(!read);
+      CHECK(read.error().line == 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+      CHECK_THAT(read.error().message, contains("0x00"));
+    }
+  }
+  put(folder.file("one.obj"), "mtllib one.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+  put(folder.file("one.mtl"), std::string("newmtl red\nK\0d 1 0 0\n", 22));
+  const auto mesh = read_mesh(folder.file("one.obj"));
+  REQUIRE(!mesh);
+  CHECK_THAT(mesh.error().text(), contains("one.mtl:2: this is no text"));
+}
+
+TEST_CASE("what is read as TOML for want of a known ending says so") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"scene.pov", "scene.toml"}) {
+    put(folder.file(name), "// POV-Ray\nsphere { <0, 0, 0>, 1 }\n");
+    const auto read = read_scene(folder.file(name));
+    REQUIRE(!read);
+    CHECK((read.error().hint.find("read as TOML, for its name has none of the endings .toml, .nff") !=
+           std::string::npos) == (name == "scene.pov"));
+  }
+}
+
 TEST_CASE("a lesson or a demo with a byte 0 is no text") {
   const TemporaryFolder folder;
   for (const std::string where : {"title\n", "title\nwords\n"}) {

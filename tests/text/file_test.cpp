@@ -115,6 +115,46 @@ TEST_CASE("a full disk leaves the old file whole and nothing half-written") {
   CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("no old file is spoken of where one was only made to keep its name") {
+  const TemporaryFolder folder;
+  REQUIRE(make_new_file(folder.file("o.partial.png")).value());
+  tl::expected<void, Error> written;
+  {
+    const FullDisk full(1000);
+    written = write_file_atomically(folder.file("o.partial.png"), std::string(5000, 'x'));
+  }
+  REQUIRE(!written);
+  CHECK_THAT(written.error().hint, !contains("old file"));
+}
+
+TEST_CASE("a descriptor that is closed or only read from is named") {
+  const auto refusal = [](const std::string& path) {
+    const auto claimed = claim_output(path), written = write_file_atomically(path, "x");
+    INFO(path);
+    REQUIRE(!claimed);
+    REQUIRE(!written);
+    CHECK(claimed.error().text() == written.error().text());
+    return written.error().text();
+  };
+  const TemporaryFolder folder;
+  put(folder.file("read"), "what is read");
+  const int reading = ::open(folder.file("read").c_str(), O_RDONLY | O_CLOEXEC);
+  const std::string number = std::to_string(reading);
+  fs::create_symlink("/dev/fd/" + number, folder.file("link"));
+  for (const std::string& path : {"/dev/fd/" + number, "/proc/self/fd/" + number, folder.file("link")})
+    CHECK_THAT(refusal(path), contains("descriptor " + number + " is closed, or open for reading only"));
+  ::close(reading);
+  CHECK_THAT(refusal("/dev/fd/" + number), contains("descriptor " + number + " is closed"));
+  CHECK(contents(folder.file("read")) == "what is read");
+  const int kept = ::dup(STDOUT_FILENO);
+  ::close(STDOUT_FILENO);
+  const auto closed = claim_output("/dev/stdout");
+  ::dup2(kept, STDOUT_FILENO);
+  ::close(kept);
+  REQUIRE(!closed);
+  CHECK_THAT(closed.error().text(), contains("cannot write: standard output is closed") && !contains("folder"));
+}
+
 TEST_CASE("a device that is full is told of, too") {
   if (!fs::exists("/dev/full")) RAYWALK_SKIP("this system has no /dev/full");
   const auto written = write_file_atomically("/dev/full", "x");

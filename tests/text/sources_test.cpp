@@ -180,7 +180,7 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
                                     "walk.direction_mirror",   "walk.direction_transparent", "structure.test_missed",
                                     "structure.test_nearest",  "structure.test_farther",     "structure.test_blocks",
                                     "structure.test_filters",  "question.unsaved_new",       "question.unsaved_open",
-                                    "question.unsaved_quit"};
+                                    "question.unsaved_quit",   "question.unsaved_link"};
   std::map<std::string, bool> filled;
   for (const Use& use : uses()) {
     if (use.arguments.empty()) continue;
@@ -272,6 +272,7 @@ TEST_CASE("what is said in other words in English is translated") {
                                    "Base",
                                    "Cone",
                                    "Face",
+                                   "Links",
                                    "Slides",
                                    "antialiasing",
                                    "bvh",

@@ -296,6 +296,7 @@ TEST_CASE("what is no link is refused with a sentence, and changes nothing") {
            begun + "/changes=" + pack_text(R"({"object":{"Floor":{"material":{"texture":{"file":"/dev/zero"}}}}})"),
            begun + "/changes=" + pack_text(R"({"image":{"width":60000,"height":60000}})"),
            begun + "/changes=" + pack_text("{\"title\":\"" + std::string(1 << 20, 'x') + "\"}"),
+           begun + "/camera=" + pack_text(R"({"camera":{"up":[0,0,0]}})"),
            begun + "/x=" + std::string(max_link, 'x')}) {
     INFO(link.substr(0, 200));
     CHECK(refusal(state, link).size() > 20);
@@ -304,6 +305,13 @@ TEST_CASE("what is no link is refused with a sentence, and changes nothing") {
   // Parts of a later version are passed over, and what a messenger escapes is read.
   update(state, action::OpenLink{"#v=1/scene=glass/fresh=fish/step%3D4"});
   CHECK(state.walk.position == 4);
+}
+
+TEST_CASE("a step of no lesson is none") {
+  const auto read = read_link("#v=1/scene=glass/at=2");
+  REQUIRE(read.has_value());
+  CHECK(*read == Link{.scene = "glass"});
+  CHECK(read_link(write_link(*read)).value() == *read);
 }
 
 TEST_CASE("a link of another version's scene says so") {

@@ -51,6 +51,13 @@ struct Link {
 [[nodiscard]] std::string write_link(const Link& link);
 /// Of a whole address, or from the # on. Anybody may have written it.
 [[nodiscard]] Result<Link> read_link(std::string_view address);
+/// The scene of a link that is neither a lesson's nor a bug's, and the sum of what its changes are applied to.
+/// `shipped`: the path of the shipped scene that it names, if it does.
+struct LinkedScene {
+  SceneDocument document{};
+  std::uint32_t sum = 0;
+};
+[[nodiscard]] Result<LinkedScene> linked_scene(const Link& link, const std::string& shipped);
 /// Whether this is meant to be a link, and no path.
 [[nodiscard]] bool is_link(std::string_view word);
 

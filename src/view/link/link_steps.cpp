@@ -7,6 +7,8 @@
 #include "view/text/text.h"
 #include "view/walk/walk.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -149,6 +151,14 @@ void set_moment(State& state, const Link& link) {
   if (link.theme) action::SetTheme{*link.theme}.apply(state);
 }
 
+/// `base` with a link's changes; fails if its camera cannot see the outcome either.
+Result<SceneDocument> changed_by(const Link& link, const SceneDocument& base) {
+  auto changed = patched_scene(base, link.changes);
+  if (!changed) return changed;
+  if (const auto seen = patched_scene(*changed, link.camera); !seen) return tl::unexpected(seen.error());
+  return changed;
+}
+
 /// Opens the scene that it tells; a sentence about it, or why not.
 Result<std::string> open_scene_of(State& state, const Link& link) {
   const Language language = state.appearance.language;
@@ -171,25 +181,21 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
     const PlayedStep* at = state.lessons.at();
     if (at == nullptr || state.lessons.open->lesson.name != link.lesson) return no_lesson();
     sum = scene_sum(at->walk->document.scene);
-    if (!link.changes.empty()) {
-      auto changed = patched_scene(at->walk->document, link.changes);
-      if (!changed) return tl::unexpected(changed.error());
-      commit(state, std::move(changed->scene));
-    }
+    auto changed = changed_by(link, at->walk->document);
+    if (!changed) return tl::unexpected(changed.error());
+    if (!link.changes.empty()) commit(state, std::move(changed->scene));
     name = state.lessons.open->lesson.told(language).title;
   } else {
-    const std::string path = link.scene.empty() ? std::string() : shipped_path(state, link.scene);
-    auto base = path.empty() ? Result<SceneDocument>(SceneDocument{}) : read_scene(path);
-    if (!base) return tl::unexpected(base.error());
-    sum = scene_sum(base->scene);
-    auto scene = patched_scene(*base, link.changes);
-    if (!scene) return tl::unexpected(scene.error());
-    name = scene->scene.title.empty() ? link.scene : scene->scene.title;
-    show_another(state, std::move(*scene), link.changes.empty() ? path : std::string());
+    auto linked = linked_scene(link, shipped_path(state, link.scene));
+    if (!linked) return tl::unexpected(linked.error());
+    sum = linked->sum;
+    const std::string path = link.changes.empty() ? linked->document.path : std::string();
+    name = linked->document.scene.title.empty() ? link.scene : linked->document.scene.title;
+    show_another(state, std::move(linked->document), path);
     if (state.lessons.shown) action::ShowLessons{false}.apply(state);
   }
   if (link.sum && *link.sum != sum) return fill("link.other_version", language, {{"scene", name}});
-  return fill("notice.opened", language, {{"file", name}});
+  return name.empty() ? std::string() : fill("notice.opened", language, {{"file", name}});
 }
 
 /// Opens it, once unsaved work is settled.
@@ -227,6 +233,16 @@ std::string address_shown(const State& state) {
   if (state.link.letters.empty()) return {};
   const std::string& page = page_of_links(state);
   return (page.empty() ? std::string(own_scheme) : page) + state.link.letters;
+}
+
+Result<LinkedScene> linked_scene(const Link& link, const std::string& shipped) {
+  auto base = link.scene.empty() ? Result<SceneDocument>(SceneDocument{}) : read_scene(shipped);
+  if (!base)
+    return tl::unexpected(Error{"", 0, 0, fmt::format("its scene {}: {}", link.scene, base.error().message),
+                                "a later version may have it"});
+  auto changed = changed_by(link, *base);
+  if (!changed) return tl::unexpected(changed.error());
+  return LinkedScene{std::move(*changed), scene_sum(base->scene)};
 }
 
 Result<Link> link_of(const State& state) {

@@ -69,7 +69,7 @@ class LinkReader {
   explicit LinkReader(Link& link) : link_(link) {}
 
   [[nodiscard]] Result<void> part(std::string_view key, std::string_view value) {
-    if (!understood(key, value) && error_.empty()) error_ = fmt::format("its part {} is none", key);
+    if (!understood(key, value) && error_.empty()) error_ = fmt::format("its part {} cannot be read", key);
     if (!error_.empty()) return no_link(error_, "copy the link again, from its beginning to its end");
     return {};
   }
@@ -194,6 +194,7 @@ Result<Link> read_link(std::string_view address) {
       return tl::unexpected(read.error());
   }
   if (!begun) return no_link("there is nothing in it (expected #v=1/...)");
+  if (link.lesson.empty()) link.lesson_step = 1;
   return link;
 }
 

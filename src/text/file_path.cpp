@@ -1,0 +1,76 @@
+#include "text/file_path.h"
+
+#include <fcntl.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace raywalk::detail {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One link of `path` on, which is a symbolic link.
+fs::path after_link(const fs::path& path, std::error_code& failed) {
+  const fs::path next = fs::read_symlink(path, failed);
+  return next.is_absolute() ? next : path.parent_path() / next;
+}
+
+constexpr int max_links = 40;  // as Linux itself
+
+tl::unexpected<Error> cannot_follow(const std::string& path, int error_number, std::string hint) {
+  return tl::unexpected(Error{path, 0, 0, "cannot follow the link: " + system_message(error_number), std::move(hint)});
+}
+
+}  // namespace
+
+Result<fs::path> follow_links(const std::string& path) {
+  fs::path target = path;
+  for (int i = 0; i < max_links; ++i) {
+    std::error_code error;
+    if (!fs::is_symlink(target, error)) return target;
+    target = after_link(target, error);
+    if (error) return cannot_follow(path, error.value(), "check where the link points");
+  }
+  return cannot_follow(path, ELOOP, "the symbolic links lead in a circle");
+}
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+std::optional<int> descriptor_named(fs::path path) {
+  constexpr std::array<std::string_view, 3> standard{"/dev/stdin", "/dev/stdout", "/dev/stderr"};
+  for (int i = 0; i < max_links; ++i) {
+    std::string_view word = path.native();
+    for (std::size_t number = 0; number < standard.size(); ++number)
+      if (word == standard[number]) return static_cast<int>(number);
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+      if (!word.starts_with(folder)) continue;
+      word.remove_prefix(folder.size());
+      int number = 0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+      if (error == std::errc() && end == word.data() + word.size()) return number;
+    }
+    std::error_code failed;
+    if (!fs::is_symlink(path, failed)) break;
+    path = after_link(path, failed);
+  }
+  return std::nullopt;
+}
+
+Result<void> check_descriptor(const std::string& path, int descriptor) {
+  const int flags = ::fcntl(descriptor, F_GETFL);
+  if (flags >= 0 && (flags & O_ACCMODE) != O_RDONLY) return {};
+  constexpr std::array<std::string_view, 3> names{"standard input", "standard output", "standard error"};
+  const std::string name = descriptor >= 0 && descriptor < static_cast<int>(names.size())
+                               ? std::string(names[static_cast<std::size_t>(descriptor)])
+                               : "descriptor " + std::to_string(descriptor);
+  return tl::unexpected(Error{path, 0, 0, "cannot write: " + name + " is closed, or open for reading only",
+                              "redirect it to a file or a pipe, or name a file"});
+}
+
+}  // namespace raywalk::detail

@@ -1,0 +1,23 @@
+#pragma once
+// Where a path leads to.
+
+#include "text/error.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace raywalk::detail {
+
+/// The file that `path` leads to through all symbolic links, even if that file does not exist yet.
+[[nodiscard]] Result<std::filesystem::path> follow_links(const std::string& path);
+/// The folder of the file of this name.
+[[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
+
+/// The descriptor of this process that a path names, itself or through links, as /dev/stdout does: what is open already
+/// is appended to, not replaced.
+[[nodiscard]] std::optional<int> descriptor_named(std::filesystem::path path);
+/// Fails if it is not open for writing.
+[[nodiscard]] Result<void> check_descriptor(const std::string& path, int descriptor);
+
+}  // namespace raywalk::detail
