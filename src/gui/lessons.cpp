@@ -33,8 +33,8 @@ void list(const Ui& ui, const LessonPanel& panel) {
   command_button(ui, command("bugs"), {ImGui::GetContentRegionAvail().x, button_height(ui)}, {}, ui.say("bug.title"));
 }
 
-// The class's votes for a choice, at its right: counted while the answer is not known. A bar along the lower edge of the
-// choice compares them.
+// The class's votes for a choice, at its right: counted while the answer is not known. A bar along the lower edge of
+// the choice compares them.
 void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i, const Rect& choice, float width) {
   int most = 1;
   for (const LessonChoice& each : panel.choices) most = std::max(most, each.hands);

@@ -95,9 +95,9 @@ namespace raywalk {
 
 /// How the window looks.
 struct AppearanceRoom {
-  using Actions = Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale,
-                        action::SetTouch, action::SetTab, action::ShowFront, action::ExchangePanes,
-                        action::DismissNotice>;
+  using Actions =
+      Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale, action::SetTouch,
+            action::SetTab, action::ShowFront, action::ExchangePanes, action::DismissNotice>;
   static Commands commands();
 
   Theme theme = Theme::dark;
@@ -108,7 +108,7 @@ struct AppearanceRoom {
   Tab tab = PictureRoom::tab;
   Front front = Front::code;
   std::vector<Tab> exchanged{};  ///< those that are not where Tab::large says
-  bool embedded = false;  ///< in somebody's page: scene, code and transport alone, and an open lesson
+  bool embedded = false;         ///< in somebody's page: scene, code and transport alone, and an open lesson
 
   /// Whether the open tab is in the plan's place, and the plan in the tabs'.
   [[nodiscard]] bool large() const {
