@@ -315,12 +315,12 @@ TEST_CASE("of a scene that is too large, no more is listed than fits") {
   CHECK(folder.entries() == 0);
 
   constexpr std::size_t most = 10'000, longest_object = 100;
-  const detail::SceneText listed = detail::scene_text(document.scene, most);
+  const detail::SceneText listed = detail::scene_text({document.scene, {}}, most);
   CHECK(listed.text.size() > most);
   CHECK(listed.text.size() < most + longest_object);
   CHECK(listed.objects < most / 60);
   document.scene.objects.resize(100);
-  const detail::SceneText whole = detail::scene_text(document.scene, most);
+  const detail::SceneText whole = detail::scene_text({document.scene, {}}, most);
   CHECK(whole.objects == 100);
   CHECK(whole.text == format_scene(document.scene).value());
 }
