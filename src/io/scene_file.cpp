@@ -189,7 +189,7 @@ Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
 }  // namespace
 
 Result<SceneDocument> read_scene(const std::string& path) {
-  const FileLedger ledger;
+  const FileLedger ledger(FileLedger::Notes::reading);
   Result<SceneDocument> document;
   try {
     document = read_format(path, scene_format_of(path));

@@ -291,7 +291,7 @@ Result<SceneDocument> patched_scene(const SceneDocument& from, std::string_view 
       return refused(fmt::format("its scene needs the file {}, which a link cannot hold", toml_text::quoted(file)),
                      "save the scene, and pass it on together with its files");
   if (!known.empty()) {
-    const FileLedger ledger;
+    const FileLedger ledger(FileLedger::Notes::reading);
     try {
       read = parse_scene(text, from.path);
       if (!read) return fail(read.error());

@@ -47,6 +47,7 @@ struct Entry {
 
 struct Book {
   const FileLedger* ledger;
+  FileLedger::Notes notes;
   std::vector<Entry> entries{};
   bool has_refused = false;
 };
@@ -70,6 +71,7 @@ Error in_use(const std::string& path, const std::string& as, std::string_view is
 Result<void> note_output(const std::string& path, Use use) {
   const std::lock_guard lock(ledgers().mutex);
   for (Book& book : ledgers().open) {
+    if (book.notes == FileLedger::Notes::reading) continue;
     Entry* claim = nullptr;
     for (Entry& entry : book.entries) {
       const bool may_be_claim = use == Use::written && (entry.use == Use::claimed || entry.use == Use::kept);
@@ -109,9 +111,9 @@ std::optional<Error> why_in_use(const std::string& path, const std::vector<std::
   return std::nullopt;
 }
 
-FileLedger::FileLedger() {
+FileLedger::FileLedger(Notes notes) {
   const std::lock_guard lock(ledgers().mutex);
-  ledgers().open.push_back({this});
+  ledgers().open.push_back({this, notes});
 }
 
 void FileLedger::close() {

@@ -23,7 +23,9 @@ namespace raywalk {
 /// its readers and writers need not know of each other.
 class FileLedger {
  public:
-  FileLedger();
+  /// What it notes. A reader that the window no longer waits for goes on beside writers that it has nothing to do with.
+  enum class Notes { all, reading };
+  explicit FileLedger(Notes notes = Notes::all);
   ~FileLedger() { close(); }
   FileLedger(const FileLedger&) = delete;
   FileLedger& operator=(const FileLedger&) = delete;

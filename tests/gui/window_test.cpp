@@ -145,7 +145,7 @@ TEST_CASE("a scene that is not planar: the picture is turned, a pixel of it is w
   REQUIRE(raywalk.until([](const Json& report) { return report.contains("walk"); }));
   CHECK(raywalk.report()["position"] == raywalk.report()["steps"]);
   CHECK(raywalk.report()["rays"].get<int>() >= 1);
-  CHECK(raywalk.report()["tab"] == "tree");
+  CHECK(raywalk.report()["tab"] == "image");
   desktop.picture(picture("d-pixel"));
   const auto [left, top] = raywalk.place("lines");
   raywalk.drag(left, top, left + 120, top + 40);
