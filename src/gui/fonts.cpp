@@ -154,6 +154,7 @@ float line_height(const Fonts& fonts, const ImFont& font) {
 
 Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density,
                   [[maybe_unused]] const Languages& languages) {
+  atlas.Clear();  // what an earlier call put there points to ranges that are gone
 #ifdef RAYWALK_FREETYPE
 #if IMGUI_VERSION_NUM >= 19200
   atlas.SetFontLoader(ImGuiFreeType::GetFontLoader());

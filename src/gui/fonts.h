@@ -41,9 +41,9 @@ struct FontFiles {
 /// Whether it is in the alphabets, or among the signs, that Inter is used for.
 [[nodiscard]] bool is_letter_of_inter(char16_t letter);
 
-/// Fills the (cleared) atlas with faces for one scale. `scale`: units per unit at 96 dots per inch, 1 and up;
-/// `density`: pixels per unit. Glyphs are rasterised at their displayed size, so they are crisp: Latin letters and the
-/// Greek of optics, and other alphabets used by `languages`.
+/// Fills the atlas with faces for one scale, in place of all that it held. `scale`: units per unit at 96 dots per inch,
+/// 1 and up; `density`: pixels per unit. Glyphs are rasterised at their displayed size, so they are crisp: Latin
+/// letters and the Greek of optics, and other alphabets used by `languages`.
 [[nodiscard]] Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float density,
                                 const Languages& languages = Language().others());
 

@@ -51,7 +51,6 @@ Result<State> start_in_sight(const GuiOptions& options, Window& window, Attentio
   const Language language = language_for(options, settings);
   const float unit = window.scale() * static_cast<float>(settings.ui_scale * theme_scale(settings.theme));
   ImGuiIO& io = ImGui::GetIO();
-  io.Fonts->Clear();
   const Fonts fonts =
       build_fonts(*io.Fonts, find_fonts(font_folders(options.data_dir)), unit, window.density(), language.others());
   io.FontGlobalScale = 1 / window.density();

@@ -348,7 +348,6 @@ class Loop::Parts {
       set_style(ImGui::GetStyle(), state_.appearance.theme, now);
     if (now != styled_unit_ || density != fonts_.density || fonts_.text == nullptr) {
       ImGuiIO& io = ImGui::GetIO();
-      io.Fonts->Clear();
       fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density, state_.appearance.language.others());
       io.FontGlobalScale = 1 / density;
       window_.upload_fonts();

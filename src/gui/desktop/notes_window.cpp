@@ -99,7 +99,6 @@ struct NotesWindow::Parts {
         std::round(4 * std::min(static_cast<float>(width) / 900, static_cast<float>(height) / 700)) / 4, 0.5f, 4.0f);
     if (wanted == unit && density == fonts.density) return;
     ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->Clear();
     fonts = build_fonts(*io.Fonts, files, wanted, density, language.others());
     io.FontGlobalScale = 1 / density;
     unit = wanted;
