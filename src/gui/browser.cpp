@@ -131,30 +131,24 @@ void Browser::accept(const Ui& ui) {
 }
 
 void Browser::entries(const Ui& ui, float height) {
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ui.colours.window));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
-  const bool visible = ImGui::BeginChild("files", {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
-  if (visible) {
-    std::string into;
-    for (const std::string& name : listing_.folders) {
-      if (ImGui::Selectable((name + "/").c_str())) into = name;
-      ui.publish("browser/" + name + "/");
-    }
-    for (const std::string& name : listing_.files) {
-      if (ImGui::Selectable(name.c_str(), name == typed_, ImGuiSelectableFlags_AllowDoubleClick)) {
-        typed_ = name;
-        if (ImGui::IsMouseDoubleClicked(0)) accept(ui);
-      }
-      ui.publish("browser/" + name);
-    }
-    if (!listing_.readable) paragraph(ui.colours.error, ui.say("files.folder_unreadable"));
-    if (listing_.readable && listing_.files.empty() && opens(asking_))
-      paragraph(ui.colours.dim_text, ui.say("files.no_scene_here"));
-    if (!into.empty()) go_to((fs::path(folder_) / into).string());
+  const ScrolledList list(ui, "files", height, ui.px(8));
+  if (!list) return;
+  std::string into;
+  for (const std::string& name : listing_.folders) {
+    if (ImGui::Selectable((name + "/").c_str())) into = name;
+    ui.publish("browser/" + name + "/");
   }
-  ImGui::EndChild();
+  for (const std::string& name : listing_.files) {
+    if (ImGui::Selectable(name.c_str(), name == typed_, ImGuiSelectableFlags_AllowDoubleClick)) {
+      typed_ = name;
+      if (ImGui::IsMouseDoubleClicked(0)) accept(ui);
+    }
+    ui.publish("browser/" + name);
+  }
+  if (!listing_.readable) paragraph(ui.colours.error, ui.say("files.folder_unreadable"));
+  if (listing_.readable && listing_.files.empty() && opens(asking_))
+    paragraph(ui.colours.dim_text, ui.say("files.no_scene_here"));
+  if (!into.empty()) go_to((fs::path(folder_) / into).string());
 }
 
 void Browser::kinds(const Ui& ui) {
@@ -225,7 +219,7 @@ void Browser::gallery(const Ui& ui, float height, GalleryPictures* pictures) {
   const std::string wanted = std::string(state.appearance.language.code()) + (scenes ? "/scenes" : "/lessons") +
                              std::to_string(scenes ? 0 : state.lessons.list.size());
   if (cards_for_ != wanted) {
-    cards_ = scenes ? scene_cards(state, home_) : lesson_cards(state);
+    cards_ = scenes ? scene_cards(state) : lesson_cards(state);
     cards_for_ = wanted;
   }
   const GalleryCard* chosen = draw_cards(ui, cards_, height, pictures);
@@ -237,24 +231,17 @@ void Browser::gallery(const Ui& ui, float height, GalleryPictures* pictures) {
 }
 
 void Browser::recent(const Ui& ui, float height) {
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ui.colours.window));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
-  const bool visible = ImGui::BeginChild("recent", {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
-  if (visible) {
-    int number = 0;
-    for (const std::string& path : ui.state.document.recent) {
-      if (ImGui::Selectable(path.c_str())) ui.act(action::Open{path});
-      ui.publish("recent/" + std::to_string(number++));
-    }
-    if (number == 0) paragraph(ui.colours.dim_text, ui.say("files.no_recent"));
+  const ScrolledList list(ui, "recent", height, ui.px(8));
+  if (!list) return;
+  int number = 0;
+  for (const std::string& path : ui.state.document.recent) {
+    if (ImGui::Selectable(path.c_str())) ui.act(action::Open{path});
+    ui.publish("recent/" + std::to_string(number++));
   }
-  ImGui::EndChild();
+  if (number == 0) paragraph(ui.colours.dim_text, ui.say("files.no_recent"));
 }
 
 void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictures) {
-  home_ = home;
   // While a question is open the dialog waits, and then returns unchanged.
   const PathPrompt wanted = ui.state.document.prompt;
   if (wanted != asking_) {

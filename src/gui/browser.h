@@ -43,7 +43,7 @@ class Browser {
 
   PathPrompt asking_ = PathPrompt::none;
   std::optional<ExportKind> export_asked_;  ///< independent of the typed extension
-  std::string home_, folder_, typed_;
+  std::string folder_, typed_;
   std::string export_folder_;  ///< of the last export; empty: none yet
   FolderListing listing_;
   Page page_ = Page::scenes;

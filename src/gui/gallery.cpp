@@ -1,11 +1,11 @@
 #include "gui/gallery.h"
 
 #include "gui/broken_lines.h"
-#include "gui/browser.h"
 #include "gui/widgets.h"
 #include "gui/window.h"
 #include "image/image_file.h"
 #include "io/scene_file.h"
+#include "view/document/document.h"
 #include "view/lesson/lesson_panel.h"
 
 #include <algorithm>
@@ -59,16 +59,20 @@ std::string sentence_of(const State& state, const std::string& scene, const std:
 
 }  // namespace
 
-std::vector<GalleryCard> scene_cards(const State& state, const std::string& folder) {
+std::vector<GalleryCard> scene_cards(const State& state) {
   const auto say = [&](std::string_view id) { return fill(id, state.appearance.language); };
   std::vector<GalleryCard> cards{{"scene-new", say("scene.new_title"), say("files.new_scene"), {}, {}, {}, false}};
-  for (const std::string& file : list_folder(folder).files) {
-    if (!file.ends_with(".toml")) continue;
-    const std::string scene = fs::path(file).stem().string(), path = (fs::path(folder) / file).string();
+  for (const std::string& scene : shipped_names(state)) {
+    const std::string path = shipped_path(state, scene);
     std::string title = scene;
     std::replace(title.begin(), title.end(), '_', ' ');
-    cards.push_back(
-        {"scene/" + scene, title, sentence_of(state, scene, path), picture_of(folder, scene), path, {}, false});
+    cards.push_back({"scene/" + scene,
+                     title,
+                     sentence_of(state, scene, path),
+                     picture_of(state.lessons.scenes_folder, scene),
+                     path,
+                     {},
+                     false});
   }
   // The classic scene is where everybody begins.
   const auto classic =
@@ -98,66 +102,60 @@ const GalleryCard* draw_cards(const Ui& ui, const std::vector<GalleryCard>& card
                               GalleryPictures* pictures) {
   const Shades shades(ui.state.appearance.theme);
   const GalleryCard* chosen = nullptr;
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ui.colours.window));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
-  const bool visible = ImGui::BeginChild("cards", {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
-  if (visible) {
-    const float gap = ui.px(10), room = ImGui::GetContentRegionAvail().x, pad = ui.px(8);
-    const int columns = std::max(static_cast<int>((room + gap) / (ui.px(190) + gap)), 1);
-    const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-    const float picture = std::floor((width - 2 * pad) * 0.6f), text = line_height(ui.fonts, *ui.fonts.small);
-    constexpr float lines = 5;
-    const float tall = picture + line_height(ui.fonts, *ui.fonts.strong) + lines * text + 3 * pad;
-    const ImVec2 origin = ImGui::GetCursorScreenPos();
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    int number = 0;
-    for (const GalleryCard& card : cards) {
-      const ImVec2 at{origin.x + static_cast<float>(number % columns) * (width + gap),
-                      origin.y + static_cast<float>(number / columns) * (tall + gap)};
-      ++number;
-      ImGui::SetCursorScreenPos(at);
-      if (ImGui::InvisibleButton(card.name.c_str(), {width, tall})) chosen = &card;
-      const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-      ui.publish(card.name);
-      if (!ImGui::IsItemVisible()) continue;
-      const ImVec2 end{at.x + width, at.y + tall};
-      draw.AddRectFilled(at, end, to_imgui(lit ? shades.raised_hovered : shades.raised), ui.px(6));
-      if (lit) draw.AddRect(at, end, to_imgui(shades.accent), ui.px(6), 0, ui.px(1.5f));
-      const Rect frame{at.x + pad, at.y + pad, width - 2 * pad, picture};
-      draw.AddRectFilled(corner(frame), opposite(frame), to_imgui(ui.colours.plan), ui.px(4));
-      const GalleryPictures::Picture shown =
-          pictures != nullptr ? pictures->of(card.picture) : GalleryPictures::Picture{};
-      if (shown.texture != 0) {
-        const float scale = std::min(frame.width / shown.width, frame.height / shown.height);
-        const float w = shown.width * scale, h = shown.height * scale;
-        const ImVec2 from{frame.x + (frame.width - w) / 2, frame.y + (frame.height - h) / 2};
-        draw.AddImage((ImTextureID)shown.texture, from, {from.x + w, from.y + h});
-      } else if (card.picture.empty()) {
-        draw_icon(draw, Icon::plus, {frame.x + frame.width / 2, frame.y + frame.height / 2}, picture * 0.3f,
-                  to_imgui(ui.colours.dim_text));
-      }
-      const Colour ink = card.locked ? ui.colours.dim_text : ui.colours.text;
-      float y = frame.bottom() + pad / 2;
-      push_font(ui.fonts.strong);
-      draw.AddText({frame.x, y}, to_imgui(ink), shortened(card.title, frame.width).c_str());
-      y += ImGui::GetFontSize() + ui.px(2);
-      pop_font();
-      push_font(ui.fonts.small);
-      draw.PushClipRect({frame.x, y}, {frame.right(), at.y + tall - pad / 2}, true);
-      draw.AddText({frame.x, y}, to_imgui(card.locked ? ui.colours.dim_text : ink),
-                   broken_lines(card.sentence, frame.width).c_str());
-      draw.PopClipRect();
-      pop_font();
-      if (card.locked) tooltip(ui, card.name, ui.say("lesson.locked"));
+  const ScrolledList list(ui, "cards", height, ui.px(10));
+  if (!list) return nullptr;
+  const float gap = ui.px(10), room = ImGui::GetContentRegionAvail().x, pad = ui.px(8);
+  const int columns = std::max(static_cast<int>((room + gap) / (ui.px(190) + gap)), 1);
+  const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+  const float picture = std::floor((width - 2 * pad) * 0.6f), text = line_height(ui.fonts, *ui.fonts.small);
+  constexpr float lines = 5;
+  const float tall = picture + line_height(ui.fonts, *ui.fonts.strong) + lines * text + 3 * pad;
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  int number = 0;
+  for (const GalleryCard& card : cards) {
+    const ImVec2 at{origin.x + static_cast<float>(number % columns) * (width + gap),
+                    origin.y + static_cast<float>(number / columns) * (tall + gap)};
+    ++number;
+    ImGui::SetCursorScreenPos(at);
+    if (ImGui::InvisibleButton(card.name.c_str(), {width, tall})) chosen = &card;
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    ui.publish(card.name);
+    if (!ImGui::IsItemVisible()) continue;
+    const ImVec2 end{at.x + width, at.y + tall};
+    draw.AddRectFilled(at, end, to_imgui(lit ? shades.raised_hovered : shades.raised), ui.px(6));
+    if (lit) draw.AddRect(at, end, to_imgui(shades.accent), ui.px(6), 0, ui.px(1.5f));
+    const Rect frame{at.x + pad, at.y + pad, width - 2 * pad, picture};
+    draw.AddRectFilled(corner(frame), opposite(frame), to_imgui(ui.colours.plan), ui.px(4));
+    const GalleryPictures::Picture shown =
+        pictures != nullptr ? pictures->of(card.picture) : GalleryPictures::Picture{};
+    if (shown.texture != 0) {
+      const float scale = std::min(frame.width / shown.width, frame.height / shown.height);
+      const float w = shown.width * scale, h = shown.height * scale;
+      const ImVec2 from{frame.x + (frame.width - w) / 2, frame.y + (frame.height - h) / 2};
+      draw.AddImage((ImTextureID)shown.texture, from, {from.x + w, from.y + h});
+    } else if (card.picture.empty()) {
+      draw_icon(draw, Icon::plus, {frame.x + frame.width / 2, frame.y + frame.height / 2}, picture * 0.3f,
+                to_imgui(ui.colours.dim_text));
     }
-    const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
-    ImGui::SetCursorScreenPos({origin.x, origin.y + static_cast<float>(rows) * (tall + gap) - gap - 1});
-    ImGui::Dummy({1, 1});
-    fade_edges(ui, ui.colours.window);
+    const Colour ink = card.locked ? ui.colours.dim_text : ui.colours.text;
+    float y = frame.bottom() + pad / 2;
+    push_font(ui.fonts.strong);
+    draw.AddText({frame.x, y}, to_imgui(ink), shortened(card.title, frame.width).c_str());
+    y += ImGui::GetFontSize() + ui.px(2);
+    pop_font();
+    push_font(ui.fonts.small);
+    draw.PushClipRect({frame.x, y}, {frame.right(), at.y + tall - pad / 2}, true);
+    draw.AddText({frame.x, y}, to_imgui(card.locked ? ui.colours.dim_text : ink),
+                 broken_lines(card.sentence, frame.width).c_str());
+    draw.PopClipRect();
+    pop_font();
+    if (card.locked) tooltip(ui, card.name, ui.say("lesson.locked"));
   }
-  ImGui::EndChild();
+  const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
+  ImGui::SetCursorScreenPos({origin.x, origin.y + static_cast<float>(rows) * (tall + gap) - gap - 1});
+  ImGui::Dummy({1, 1});
+  fade_edges(ui, ui.colours.window);
   return chosen;
 }
 

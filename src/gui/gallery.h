@@ -39,8 +39,8 @@ struct GalleryCard {
   std::string lesson;  ///< else of a lesson; both empty: a new scene
   bool locked = false;
 };
-/// A new scene, then the shipped ones. `folder`: theirs.
-[[nodiscard]] std::vector<GalleryCard> scene_cards(const State& state, const std::string& folder);
+/// A new scene, then the shipped ones.
+[[nodiscard]] std::vector<GalleryCard> scene_cards(const State& state);
 [[nodiscard]] std::vector<GalleryCard> lesson_cards(const State& state);
 
 /// Draws them in a region of this height that scrolls, and returns the one that was chosen, or null.

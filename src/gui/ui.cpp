@@ -28,6 +28,14 @@ Pane::Pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImV
   ui.publish(name, where);
 }
 
+ScrolledList::ScrolledList(const Ui& ui, const char* name, float height, float padding) {
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ui.colours.window));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
+  visible_ = ImGui::BeginChild(name, {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
 FormPopup::FormPopup(const Ui& ui, const char* name) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
   open_ = ImGui::BeginPopup(name);

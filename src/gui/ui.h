@@ -121,6 +121,19 @@ class Pane {
   bool visible_;
 };
 
+/// In a dialog, a framed list of this height that scrolls, as wide as there is room. False while nothing of it is seen.
+class ScrolledList {
+ public:
+  ScrolledList(const Ui& ui, const char* name, float height, float padding);
+  ~ScrolledList() { ImGui::EndChild(); }
+  ScrolledList(const ScrolledList&) = delete;
+  ScrolledList& operator=(const ScrolledList&) = delete;
+  explicit operator bool() const { return visible_; }
+
+ private:
+  bool visible_;
+};
+
 /// A popup with a form, as long as it exists: named NAME-popup, in small letters. False unless it is open.
 class FormPopup {
  public:

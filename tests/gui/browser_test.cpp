@@ -41,7 +41,7 @@ TEST_CASE("every shipped scene and lesson is in the gallery, with a sentence in 
     state.lessons.folder = root + "/lessons";
     state.lessons.scenes_folder = root + "/scenes";
     update(state, action::ListLessons{});
-    const std::vector<GalleryCard> scenes = scene_cards(state, root + "/scenes"), lessons = lesson_cards(state);
+    const std::vector<GalleryCard> scenes = scene_cards(state), lessons = lesson_cards(state);
     CHECK(scenes.size() == list_folder(root + "/scenes").files.size() + 1 - 1);  // a new scene; ball.ply is no scene
     CHECK(scenes.at(1).title == "classic");
     CHECK(lessons.size() == 13);
