@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -108,17 +109,28 @@ class Loop::Parts {
     frames_due_ = frames_to_settle;
     const std::optional<std::string> file = file_read_by(state_, action);
     const std::optional<State> before = file ? std::optional(state_) : std::nullopt;
-    bool cancelled = false;
+    bool told = false, cancelled = false;
     const Attention::Watch watch(attention_, Attention::To::closing);
-    if (file) attention_.tell([&](double seconds) { return cancelled = cancels_reading(*file, seconds); });
+    if (file)
+      attention_.tell([&](double seconds) {
+        tell_of_reading(*file, seconds);
+        told = true;
+        return cancelled = escape_pressed();
+      });
     try {
       update(state_, action);
+      if (told) {  // nobody was asked while the scene took its place, though that it can be cancelled was still said
+        static_cast<void>(window_.look(false));
+        cancelled = escape_pressed() || cancelled;
+      }
     } catch (const Stopped&) {
       if (!cancelled) {
         // Closed during a change. Earlier changes are in the autosave.
         state_.document.quit = true;
         return;
       }
+    }
+    if (cancelled) {
       state_ = *before;
       state_.document.notice =
           Notice{Notice::Kind::info, fill("notice.reading_cancelled", state_.appearance.language, {{"file", *file}})};
@@ -152,15 +164,18 @@ class Loop::Parts {
   }
 
  private:
-  // Shows that a file is being read, and for how long. Whether Escape was pressed.
-  bool cancels_reading(const std::string& file, double seconds) {
-    bool cancelled = false;
-    for (const KeyPress& key : window_.take_keys()) cancelled = cancelled || key.key == "Escape";
+  // Whether Escape is among the keys that were pressed; drops them all. Return may be among them: it would begin anew.
+  bool escape_pressed() {
+    const std::vector<KeyPress> keys = window_.drop_keys();
+    return std::any_of(keys.begin(), keys.end(), [](const KeyPress& key) { return key.key == "Escape"; });
+  }
+
+  // Shows that a file is being read, and for how long.
+  void tell_of_reading(const std::string& file, double seconds) {
     const Language language = state_.appearance.language;
     const int whole = static_cast<int>(seconds);
     show_loading(window_, fonts_, state_.appearance.theme, fill("files.reading_scene", language, {{"file", file}}),
                  fill("files.reading_cancel", language, {{"seconds", whole}}), seconds);
-    return cancelled;
   }
 
   // After each frame, and not only at the end, which may be abrupt.

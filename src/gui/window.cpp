@@ -254,6 +254,11 @@ bool Window::look(bool input) {
 
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
 
+std::vector<KeyPress> Window::drop_keys() {
+  fast_keys_.clear();
+  return take_keys();
+}
+
 bool Window::take_key_release() { return std::exchange(key_released_, false); }
 
 bool Window::take_close_request() { return std::exchange(close_requested_, false); }

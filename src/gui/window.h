@@ -45,6 +45,8 @@ class Window {
   [[nodiscard]] bool look(bool input);
   /// Keys pressed since the last call, in order.
   [[nodiscard]] std::vector<KeyPress> take_keys();
+  /// The same, which no frame shall see any more: not even as pressed, where it waits for a frame of its own.
+  [[nodiscard]] std::vector<KeyPress> drop_keys();
   /// Whether a key was let go since the last call.
   [[nodiscard]] bool take_key_release();
   /// Whether the user asked the window to close since the last call.
