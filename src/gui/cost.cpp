@@ -18,7 +18,6 @@ namespace raywalk {
 
 namespace {
 
-constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
 /// Tooltips of the marks; a click chooses, with Shift or the right button it compares.
 void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
   const float scale = ui.dpi;
@@ -115,7 +114,7 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   const study::Setup now = cost_knobs(ui.state);
   study::Setup next = now;
   form.whole("property.samples", next.samples, 1, CostRoom::max_samples);
-  pick_among(ui, form, "property.sampler", samplers, next.sampler);
+  pick_among(ui, form, "property.sampler", values_of<Sampler>, next.sampler);
   form.whole("property.light_grid", next.light_grid, 0, CostRoom::max_grid);
   form.whole("property.limits_depth", next.depth, 1, CostRoom::max_depth);
   form.number("property.threshold", next.threshold, 0.0005, 0, 1);

@@ -32,6 +32,14 @@ double entries_of(const std::vector<Object>& objects) {
   return entries;
 }
 
+Scene::Scene() = default;
+Scene::Scene(const Scene&) = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(const Scene&) = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+bool operator==(const Scene&, const Scene&) = default;
+
 GroupContent::GroupContent(Group from) : group(std::move(from)), entries(entries_of(group.objects)), nesting(1) {
   for (const Object& object : group.objects) {
     box.include(image_of(affine_of(object.transform), bounds(object.shape)));

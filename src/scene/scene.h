@@ -52,6 +52,13 @@ struct TraceLimits {
 
 /// A scene as a person describes it: plain values, in double, right-handed, z towards the reader of the plan.
 struct Scene {
+  // What a compiler writes by itself, but once: it takes half a second in every file that copies a scene.
+  Scene();
+  Scene(const Scene&);
+  Scene(Scene&&) noexcept;
+  Scene& operator=(const Scene&);
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
   std::string title;
   std::string description;
   Camera camera;
@@ -66,7 +73,7 @@ struct Scene {
   std::vector<Object> objects;
   /// Names that are shown in the language of the window (scene/names.h); all others are shown as they are.
   std::vector<std::string> translated{};
-  friend bool operator==(const Scene&, const Scene&) = default;
+  friend bool operator==(const Scene&, const Scene&);
 };
 
 /// Every material used by some surface of the scene, with its object: also those of instanced groups and of mesh files.

@@ -14,13 +14,11 @@ namespace raywalk::study {
 
 namespace {
 
-constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
-
 std::vector<Subject> subjects() { return {smooth_subject(), edge_subject(), lens_subject()}; }
 
 double shown_as(double linear) { return srgb_encode(std::clamp(linear, 0.0, 1.0)); }
 
-Report conclude(const std::vector<Trial>& trials) {
+Report conclude_adaptive(const std::vector<Trial>& trials) {
   Report report;
   Plot share, price;
   share.title = "Pixels that are off by more than the tolerance";
@@ -31,7 +29,7 @@ Report conclude(const std::vector<Trial>& trials) {
   price.title = "What the tolerance costs on edges";
   price.x_label = "tolerance X";
   price.y_label = "samples a pixel, mean";
-  for (const Sampler sampler : samplers) {
+  for (const Sampler sampler : values_of<Sampler>) {
     const std::string name(name_of(sampler));
     for (const Subject& subject : subjects()) {
       const std::string method = name + " " + subject.name;
@@ -82,7 +80,7 @@ Experiment adaptive_experiment(Effort effort) {
     std::vector<Trial> trials;
     for (double tolerance = 0.16; tolerance > 0.9 * least; tolerance /= 2)
       for (Subject& subject : subjects())
-        for (const Sampler sampler : samplers) {
+        for (const Sampler sampler : values_of<Sampler>) {
           if (stop.asked()) return trials;
           subject.scene.render.sampler = sampler;
           RenderSettings settings{ImageSize{edge, edge}, {1 << 16, seed_of(round)}};
@@ -104,7 +102,7 @@ Experiment adaptive_experiment(Effort effort) {
         }
     return trials;
   };
-  e.conclude = conclude;
+  e.conclude = conclude_adaptive;
   return e;
 }
 

@@ -98,7 +98,7 @@ std::uint64_t digest(std::uint64_t so_far, double answer) {
   return (so_far ^ std::bit_cast<std::uint64_t>(answer)) * 0x9e3779b97f4a7c15u + (so_far >> 29);
 }
 
-Report conclude(const std::vector<Trial>& trials) {
+Report conclude_constants(const std::vector<Trial>& trials) {
   Report report;
   Plot time;
   time.title = "Terms computed once, or each time";
@@ -196,7 +196,7 @@ Experiment constants_experiment(Effort effort) {
     }
     return trials;
   };
-  e.conclude = conclude;
+  e.conclude = conclude_constants;
   return e;
 }
 

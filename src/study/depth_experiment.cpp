@@ -14,7 +14,7 @@ namespace raywalk::study {
 namespace {
 
 constexpr std::array albedos{0.3, 0.5, 0.7, 0.9};
-constexpr double least = 1e-7;  ///< relative error below which rounding begins to show
+constexpr double rounding_floor = 1e-7;  ///< relative error below which rounding begins to show
 
 Scene room(double albedo, bool mirror, int depth, int round) {
   Scene scene = glowing_room(albedo, mirror, round);
@@ -24,21 +24,21 @@ Scene room(double albedo, bool mirror, int depth, int round) {
 
 std::string method_of(double albedo, bool mirror) { return fmt::format("{} {}", mirror ? "mirror" : "paths", albedo); }
 
-Report conclude(const std::vector<Trial>& trials) {
+Report conclude_depth(const std::vector<Trial>& trials) {
   Report report;
   Plot plot;
   plot.title = "What is missing after N rays, by how much walls send back";
   plot.x_label = "depth N: rays one after the other";
   plot.y_label = "missing light, share of all";
   plot.log_x = false;
-  plot.floor = least, plot.floor_name = "fitted above this";
+  plot.floor = rounding_floor, plot.floor_name = "fitted above this";
   for (const bool mirror : {true, false})
     for (const double albedo : albedos) {
       const ErrorCurve curve(trials, method_of(albedo, mirror));
       std::vector<double> n, logs;
       for (std::size_t i = 0; i < curve.knobs().size(); ++i) {
         const double missing = curve.at(i);
-        if (missing < least) continue;
+        if (missing < rounding_floor) continue;
         n.push_back(curve.knobs()[i]);
         logs.push_back(std::log(missing));
       }
@@ -92,7 +92,7 @@ Experiment depth_experiment(Effort effort, const Faults& faults) {
         }
     return trials;
   };
-  e.conclude = conclude;
+  e.conclude = conclude_depth;
   return e;
 }
 

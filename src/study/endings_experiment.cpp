@@ -49,7 +49,7 @@ Scene balls(int round) {
 
 double rays_of(const Trial& trial) { return static_cast<double>(trial.cost.rays) / trial.other; }
 
-Report conclude(const std::vector<Trial>& trials, double max_samples) {
+Report conclude_endings(const std::vector<Trial>& trials, double max_samples) {
   Report report;
   // In the mirror room, every number is known.
   int off = 0, miscounted = 0;
@@ -184,7 +184,7 @@ Experiment endings_experiment(Effort effort) {
     }
     return trials;
   };
-  e.conclude = [=](const std::vector<Trial>& trials) { return conclude(trials, samples); };
+  e.conclude = [=](const std::vector<Trial>& trials) { return conclude_endings(trials, samples); };
   return e;
 }
 

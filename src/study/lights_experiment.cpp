@@ -12,7 +12,7 @@ namespace raywalk::study {
 namespace {
 
 constexpr double light_height = 2, blocker_height = 1, half_light = 0.4, half_view = 0.5, eye_height = 0.5;
-constexpr int columns = 32, rows = 4;
+constexpr int image_columns = 32, image_rows = 4;
 
 enum class Placing { regular, random, jittered, sobol };
 constexpr std::array placings{Placing::regular, Placing::random, Placing::jittered, Placing::sobol};
@@ -69,8 +69,8 @@ Scene scene_of(const Setting& setting, Placing placing, int n) {
 
 /// The pixel's middle on the floor.
 Vec2d middle_of_pixel(int column, int row) {
-  const double pixel = 2 * half_view / columns;
-  return {pixel * (column + 0.5) - half_view, pixel * (rows / 2.0 - row - 0.5)};
+  const double pixel = 2 * half_view / image_columns;
+  return {pixel * (column + 0.5) - half_view, pixel * (image_rows / 2.0 - row - 0.5)};
 }
 
 double truth_at(const Setting& setting, const Vec2d& p) {
@@ -84,11 +84,11 @@ double truth_at(const Setting& setting, const Vec2d& p) {
   return solid_angle(seen, p.x, p.y, light_height) / area;
 }
 
-struct Expected {
+struct ExpectedByLight {
   double smooth, blocked;
   std::string smooth_name, blocked_name;
 };
-Expected expected_of(Placing placing) {
+ExpectedByLight expected_of(Placing placing) {
   switch (placing) {
     case Placing::regular:
       return {-1, -0.5, "N^-1", "N^-1/2"};
@@ -105,13 +105,13 @@ Expected expected_of(Placing placing) {
 /// The penumbra as a strip, every pixel 8 wide and high.
 Image strip(const std::function<double(int column, int row)>& at) {
   constexpr int zoom = 12;
-  Image image{columns * zoom, rows * zoom, {}};
+  Image image{image_columns * zoom, image_rows * zoom, {}};
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) image.pixels.emplace_back(static_cast<float>(4 * at(x / zoom, y / zoom)));
   return image;
 }
 
-Report conclude(const std::vector<Trial>& trials, double most) {
+Report conclude_lights(const std::vector<Trial>& trials, double most) {
   Report report;
   for (const bool blocked : {true, false}) {
     Plot plot;
@@ -121,7 +121,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
     for (const Placing placing : placings) {
       const std::string name = name_of(placing), where = blocked ? "penumbra" : "open";
       const ErrorCurve curve(trials, name + " " + where);
-      const Expected law = expected_of(placing);
+      const ExpectedByLight law = expected_of(placing);
       PlotSeries series = curve.series(name);
       series.law = blocked ? law.blocked : law.smooth;
       series.law_name = blocked ? law.blocked_name : law.smooth_name;
@@ -159,7 +159,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
       {"exact", strip([&](int column, int row) { return truth_at(shown, middle_of_pixel(column, row)); })});
   for (const Placing placing : placings) {
     Scene scene = scene_of(shown, placing, 4);
-    const Shot shot = shoot(scene, {columns, rows}, {1, seed_of(0)});
+    const Shot shot = shoot(scene, {image_columns, image_rows}, {1, seed_of(0)});
     report.pictures.push_back(
         {name_of(placing) + ", 4 x 4", strip([&](int column, int row) { return shot.film.at(column, row).x; })});
   }
@@ -182,8 +182,8 @@ Experiment lights_experiment(Effort effort, const Faults& faults) {
         for (const Placing placing : placings) {
           if (stop.asked()) return trials;
           const Setting setting = setting_of(blocked, round);
-          const Shot shot =
-              shoot(scene_of(setting, placing, n), {columns, rows}, {1, seed_of(round)}, faults.shuffled_seed);
+          const Shot shot = shoot(scene_of(setting, placing, n), {image_columns, image_rows}, {1, seed_of(round)},
+                                  faults.shuffled_seed);
           const Compared off = compared(shot.film, [&](int column, int row) {
             return faults.reference * truth_at(setting, middle_of_pixel(column, row));
           });
@@ -192,7 +192,7 @@ Experiment lights_experiment(Effort effort, const Faults& faults) {
         }
     return trials;
   };
-  e.conclude = [=](const std::vector<Trial>& trials) { return conclude(trials, most * most); };
+  e.conclude = [=](const std::vector<Trial>& trials) { return conclude_lights(trials, most * most); };
   return e;
 }
 

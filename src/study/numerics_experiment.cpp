@@ -110,7 +110,7 @@ constexpr std::array<Method, 8> methods{{{"float", "textbook, 24 bits"},
 
 double nanoseconds(const Trial& t) { return 1e9 * t.cost.seconds / static_cast<double>(t.cost.rays); }
 
-Report conclude(const std::vector<Trial>& trials) {
+Report conclude_numerics(const std::vector<Trial>& trials) {
   Report report;
   Plot wrong, bargain;
   wrong.title = "Near the outline: rays decided wrongly, by distance";
@@ -223,7 +223,7 @@ Experiment numerics_experiment(Effort effort) {
     }
     return trials;
   };
-  e.conclude = conclude;
+  e.conclude = conclude_numerics;
   return e;
 }
 

@@ -105,7 +105,7 @@ Wrong tried_aware(const std::vector<SpawnCase>& all) {
   return wrong;
 }
 
-Report conclude(const std::vector<Trial>& trials) {
+Report conclude_offsets(const std::vector<Trial>& trials) {
   Report report;
   Plot both, apart;
   both.title = "Wrong answers to rays that leave a surface";
@@ -193,7 +193,7 @@ Experiment offsets_experiment(Effort effort) {
     }
     return trials;
   };
-  e.conclude = conclude;
+  e.conclude = conclude_offsets;
   return e;
 }
 

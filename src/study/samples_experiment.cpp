@@ -9,8 +9,6 @@ namespace raywalk::study {
 
 namespace {
 
-constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
-
 /// Root mean square over the pixels that count.
 double error_in(const Subject& subject, const Film<double>& film, double factor) {
   double squares = 0;
@@ -22,11 +20,11 @@ double error_in(const Subject& subject, const Film<double>& film, double factor)
   return std::sqrt(squares / counted);
 }
 
-struct Expected {
+struct ExpectedBySampler {
   double smooth, edge;
   std::string smooth_name, edge_name, why;
 };
-Expected expected_of(Sampler sampler) {
+ExpectedBySampler expected_of(Sampler sampler) {
   switch (sampler) {
     case Sampler::random:
       return {-0.5, -0.5, "N^-1/2", "N^-1/2", "each sample by itself, the central limit theorem"};
@@ -47,7 +45,7 @@ double owen_bound(double least, double most) {
   return fit_line(x, y).slope;
 }
 
-Report conclude(const std::vector<Trial>& trials, double most) {
+Report conclude_samples(const std::vector<Trial>& trials, double most) {
   Report report;
   for (const char* subject : {"smooth", "edge"}) {
     const bool smooth = std::string(subject) == "smooth";
@@ -58,10 +56,10 @@ Report conclude(const std::vector<Trial>& trials, double most) {
     Plot cost = plot;
     cost.title = smooth ? "A smooth pixel: error against time" : "A pixel on an edge: error against time";
     cost.x_label = "processor seconds a picture, median";
-    for (const Sampler sampler : samplers) {
+    for (const Sampler sampler : values_of<Sampler>) {
       const std::string name(name_of(sampler)), method = name + " " + subject;
       const ErrorCurve curve(trials, method);
-      const Expected law = expected_of(sampler);
+      const ExpectedBySampler law = expected_of(sampler);
       PlotSeries series = curve.series(name);
       series.law = smooth ? law.smooth : law.edge;
       const std::string series_law = smooth ? law.smooth_name : law.edge_name;
@@ -124,7 +122,7 @@ Experiment samples_experiment(Effort effort, const Faults& faults) {
     std::vector<Trial> trials;
     for (int n = 1; n <= most; n *= 4)
       for (const Subject& from : {smooth_subject(), edge_subject()})
-        for (const Sampler sampler : samplers) {
+        for (const Sampler sampler : values_of<Sampler>) {
           if (stop.asked()) return trials;
           Subject subject = from;
           subject.scene.render.sampler = sampler;
@@ -137,7 +135,7 @@ Experiment samples_experiment(Effort effort, const Faults& faults) {
         }
     return trials;
   };
-  e.conclude = [=](const std::vector<Trial>& trials) { return conclude(trials, most); };
+  e.conclude = [=](const std::vector<Trial>& trials) { return conclude_samples(trials, most); };
   return e;
 }
 

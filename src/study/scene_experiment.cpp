@@ -11,8 +11,7 @@ namespace raywalk::study {
 
 namespace {
 
-constexpr ImageSize size{24, 18};
-constexpr std::array samplers{Sampler::random, Sampler::jittered, Sampler::sobol};
+constexpr ImageSize picture_size{24, 18};
 
 Scene everything_at_once() {
   Scene scene;
@@ -50,14 +49,14 @@ References references(int samples) {
   Scene scene = everything_at_once();
   References made;
   scene.render.sampler = Sampler::sobol;
-  made.first = shoot(scene, size, {samples, 1}).film;
+  made.first = shoot(scene, picture_size, {samples, 1}).film;
   scene.render.sampler = Sampler::jittered;
-  made.second = shoot(scene, size, {samples, 2}).film;
+  made.second = shoot(scene, picture_size, {samples, 2}).film;
   made.apart = compared(made.first, [&](int column, int row) { return made.second.at(column, row).x; }).rms;
   return made;
 }
 
-Report conclude(const std::vector<Trial>& trials, double most) {
+Report conclude_scene(const std::vector<Trial>& trials, double most) {
   Report report;
   Plot plot, time;
   plot.title = "Gloss, penumbra, lens and motion at once";
@@ -67,7 +66,7 @@ Report conclude(const std::vector<Trial>& trials, double most) {
   time.x_label = "processor seconds a picture, median";
   plot.floor = time.floor = trials.empty() ? 0 : trials.front().other;
   plot.floor_name = time.floor_name = "difference of the two references";
-  for (const Sampler sampler : samplers) {
+  for (const Sampler sampler : values_of<Sampler>) {
     const std::string name(name_of(sampler));
     const ErrorCurve curve(trials, name);
     PlotSeries series = curve.series(name);
@@ -115,18 +114,18 @@ Experiment scene_experiment(Effort effort) {
     const References& truth = once->made;
     std::vector<Trial> trials;
     for (int n = 1; n <= most; n *= 4)
-      for (const Sampler sampler : samplers) {
+      for (const Sampler sampler : values_of<Sampler>) {
         if (stop.asked()) return trials;
         Scene scene = everything_at_once();
         scene.render.sampler = sampler;
-        const Shot shot = shoot(scene, size, {n, seed_of(round)});
+        const Shot shot = shoot(scene, picture_size, {n, seed_of(round)});
         const Compared off = compared(shot.film, [&](int column, int row) { return truth.mean(column, row); });
         trials.push_back(
             {round, std::string(name_of(sampler)), static_cast<double>(n), off.rms, truth.apart, shot.cost});
       }
     return trials;
   };
-  e.conclude = [=](const std::vector<Trial>& trials) { return conclude(trials, most); };
+  e.conclude = [=](const std::vector<Trial>& trials) { return conclude_scene(trials, most); };
   return e;
 }
 

@@ -13,8 +13,8 @@ namespace raywalk::study {
 namespace {
 
 using Kind = AcceleratorKind;
-constexpr std::array kinds{Kind::none, Kind::spheres, Kind::ellipsoids, Kind::boxes,
-                           Kind::bvh,  Kind::grid,    Kind::octree,     Kind::kdtree};
+constexpr std::array structures{Kind::none, Kind::spheres, Kind::ellipsoids, Kind::boxes,
+                                Kind::bvh,  Kind::grid,    Kind::octree,     Kind::kdtree};
 /// Without a hierarchy, every ray is tested against every object or its volume.
 constexpr bool is_flat(Kind kind) { return kind <= Kind::boxes; }
 
@@ -62,7 +62,7 @@ TrialValue microseconds() {
   return [](const Trial& t) { return 1e6 * t.cost.seconds / static_cast<double>(t.cost.rays); };
 }
 
-Report conclude(const std::vector<Trial>& trials) {
+Report conclude_structures(const std::vector<Trial>& trials) {
   Report report;
   Plot work, time, build, even;
   work.title = "What a ray meets, by the number of spheres";
@@ -75,10 +75,11 @@ Report conclude(const std::vector<Trial>& trials) {
   even.title = "From how many rays on building pays";
   even.y_label = "rays until it is cheaper than no structure";
   const ErrorCurve none(trials, std::string(name_of(Kind::none)), microseconds(), Pool::median);
-  for (const Kind kind : kinds) {
+  for (const Kind kind : structures) {
     const std::string name(name_of(kind));
     const ErrorCurve curve(trials, name, error_of, Pool::mean);
-    const auto look = static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
+    const auto look =
+        static_cast<std::size_t>(std::find(structures.begin(), structures.end(), kind) - structures.begin());
     const auto add = [&](Plot& plot, PlotSeries more) {
       more.look = look;
       plot.series.push_back(std::move(more));
@@ -164,7 +165,7 @@ Experiment structures_experiment(Effort effort) {
       const std::vector<Ray<double>> all = rays_into(rays, round);
       std::optional<std::uint64_t> right;
       int different = 0;
-      for (const Kind kind : kinds) {
+      for (const Kind kind : structures) {
         if (stop.asked()) return trials;
         if (is_flat(kind) && count > 10000) continue;  // their growth is known by then
         const double before = thread_seconds();
@@ -190,7 +191,7 @@ Experiment structures_experiment(Effort effort) {
     }
     return trials;
   };
-  e.conclude = conclude;
+  e.conclude = conclude_structures;
   return e;
 }
 

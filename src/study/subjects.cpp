@@ -7,7 +7,7 @@ namespace raywalk::study {
 
 namespace {
 
-constexpr double eye_height = 2, half_view = 1;
+constexpr double eye_above = 2, half_width = 1;
 
 Material glow() {
   Material material;
@@ -19,7 +19,7 @@ Material glow() {
 Subject subject(std::string name, bool only_edges) {
   Subject made{std::move(name), {}, {}, only_edges};
   made.scene.render.integrator = Integrator::distributed;
-  made.scene.camera = looking_down(0, 0, eye_height, half_view);
+  made.scene.camera = looking_down(0, 0, eye_above, half_width);
   return made;
 }
 
@@ -79,9 +79,9 @@ Scene glowing_room(double albedo, bool mirror, int round) {
 }
 
 Rectangle pixel_at(int column, int row, int edge) {
-  const double width = 2 * half_view / edge;
-  return {-half_view + width * column, -half_view + width * (column + 1), half_view - width * (row + 1),
-          half_view - width * row};
+  const double width = 2 * half_width / edge;
+  return {-half_width + width * column, -half_width + width * (column + 1), half_width - width * (row + 1),
+          half_width - width * row};
 }
 
 void for_each_pixel(const Subject& subject, const Film<double>& film,

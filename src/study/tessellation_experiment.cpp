@@ -43,7 +43,7 @@ struct BallHit {
   Vec3d normal, smooth;
 };
 
-Report conclude(const std::vector<Trial>& trials, double most) {
+Report conclude_tessellation(const std::vector<Trial>& trials, double most) {
   Report report;
   Plot error, price;
   error.title = "Error of a ball of triangles";
@@ -134,7 +134,7 @@ Experiment tessellation_experiment(Effort effort) {
     }
     return trials;
   };
-  e.conclude = [=](const std::vector<Trial>& trials) { return conclude(trials, most); };
+  e.conclude = [=](const std::vector<Trial>& trials) { return conclude_tessellation(trials, most); };
   return e;
 }
 
