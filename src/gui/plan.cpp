@@ -109,8 +109,7 @@ Commands PlanRoom::commands() {
       {.name = "zoom-out", .keys = {"Alt+Down"}, .section = Section::zoom, .line = "keys.zoom",
        .run = [](const Ui& ui) { zoom(ui, 1 / 1.25); }},
       {.name = "ghosts", .keys = {"N"}, .section = Section::show,
-       .chosen = [](const State& state) { return state.walk.shows_ghosts; },
-       .run = [](const Ui& ui) { ui.act(action::ShowGhosts{!ui.state.walk.shows_ghosts}); }},
+       .chosen = [](const State& state) { return state.walk.shows_ghosts; }, .turn = turn<action::ShowGhosts>},
   };
   // clang-format on
   return all;
