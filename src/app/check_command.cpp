@@ -65,12 +65,7 @@ ExitCode check_numerics_command(const CheckOptions& options) {
   Result<check::SuiteResult> result;
   {
     ProgressBar bar;
-    suite.progress = [&bar](double done, double seconds_left) {
-      Progress progress{};
-      progress.done = done;
-      progress.seconds_left = seconds_left;
-      bar.show(progress);
-    };
+    suite.progress = [&bar](double done, double seconds_left) { bar.show(done, seconds_left); };
     result = check::run_suite(*families, suite);
     interrupt.heeded();
   }

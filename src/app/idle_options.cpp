@@ -45,9 +45,9 @@ std::vector<std::string> idle_options(const RenderOptions& given, const Scene& s
   if (given.light_grid && std::none_of(scene.lights.begin(), scene.lights.end(), is_area))
     idle("--light-grid", "no light has an extent");
   const bool path = integrator == Integrator::path;
-  if (path || integrator == Integrator::cast) {
-    const std::string why =
-        path ? "paths end by chance, or as --path-length says" : "the integrator cast follows no ray beyond a hit";
+  if (path || !traits_of(integrator).is_recursive) {
+    const std::string why = path ? "paths end by chance, or as --path-length says"
+                                 : fmt::format("the integrator {} follows no ray beyond a hit", name);
     if (given.depth) idle("--depth", why);
     if (given.threshold) idle("--threshold", why);
   }

@@ -47,4 +47,11 @@ void ProgressBar::show(const Progress& progress) {
   std::fflush(stderr);
 }
 
+void ProgressBar::show(double done, double seconds_left) {
+  Progress progress{};
+  progress.done = done;
+  progress.seconds_left = seconds_left;
+  show(progress);
+}
+
 }  // namespace raywalk

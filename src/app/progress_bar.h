@@ -20,6 +20,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   void show(const Progress& progress);
+  void show(double done, double seconds_left);
 
  private:
   int width_;

@@ -86,10 +86,7 @@ ExitCode study_command(const StudyCommandOptions& options) {
   {
     ProgressBar bar;
     to.progress = [&bar](const std::string& /*experiment*/, double done, double seconds_left) {
-      Progress progress{};
-      progress.done = done;
-      progress.seconds_left = seconds_left;
-      bar.show(progress);
+      bar.show(done, seconds_left);
     };
     result = study::run_study(*experiments, to);
     interrupt.heeded();

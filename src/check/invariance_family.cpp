@@ -1,6 +1,6 @@
 #include "check/invariance.h"
 
-#include "check/family.h"
+#include "check/shape_family.h"
 
 namespace raywalk::check {
 
@@ -11,16 +11,9 @@ void add(Family& family) {
   for (const Invariance invariance : {Invariance::mirrored, Invariance::scaled}) {
     const std::string name =
         std::string(shape_name(S<double>{})) + (invariance == Invariance::mirrored ? ", mirrored" : ", times 4^k");
-    const auto line = [&](const char* scalar, auto run) {
-      family.lines.push_back({name,
-                              scalar,
-                              [run, invariance](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-                                return run(invariance, seed, first, count);
-                              },
-                              {}});
-    };
-    line("float", test_invariance<S<float>, float>);
-    line("double", test_invariance<S<double>, double>);
+    add_lines<S>(family, name, [invariance]<class Shape, class T>(auto... range) {
+      return test_invariance<Shape, T>(invariance, range...);
+    });
   }
 }
 

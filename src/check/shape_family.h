@@ -3,6 +3,10 @@
 #include "check/family.h"
 #include "check/judge.h"
 
+#include <cstdint>
+#include <string>
+#include <utility>
+
 namespace raywalk::check {
 
 template <class S, class T>
@@ -23,6 +27,39 @@ template <template <class> class S>
   add_strata<S<float>, float>(family, "float", goals);
   add_strata<S<double>, double>(family, "double", goals);
   return family;
+}
+
+/// A line for each scalar type, with what `run.operator()<S<T>, T>(seed, first, count)` does for a shape.
+template <template <class> class S, class Run>
+void add_lines(Family& family, const std::string& name, const Run& run) {
+  const auto line = [&]<class T>(const char* scalar) {
+    family.lines.push_back({name,
+                            scalar,
+                            [run](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+                              return run.template operator()<S<T>, T>(seed, first, count);
+                            },
+                            {}});
+  };
+  line.template operator()<float>("float");
+  line.template operator()<double>("double");
+}
+
+/// Calls `add.operator()<S>()` for each shape that has an exact truth, in the order of the tables.
+template <class Add>
+void for_each_shape(const Add& add) {
+  add.template operator()<Sphere>();
+  add.template operator()<Plane>();
+  add.template operator()<Disk>();
+  add.template operator()<Box>();
+  add.template operator()<Triangle>();
+  add.template operator()<Polygon>();
+  add.template operator()<Prism>();
+  add.template operator()<Ellipsoid>();
+  add.template operator()<EllipticParaboloid>();
+  add.template operator()<Cone>();
+  add.template operator()<Cylinder>();
+  add.template operator()<HyperboloidOneSheet>();
+  add.template operator()<HyperboloidTwoSheets>();
 }
 
 }  // namespace raywalk::check

@@ -1,31 +1,17 @@
 #include "check/spawn.h"
 
-#include "check/family.h"
+#include "check/shape_family.h"
+
+#include <type_traits>
 
 namespace raywalk::check {
 
-namespace {
-
-template <template <class> class S>
-void add(Family& family) {
-  const std::string name(shape_name(S<double>{}));
-  family.lines.push_back({name, "float", spawn<S<float>, float>, {}});
-  family.lines.push_back({name, "double", spawn<S<double>, double>, {}});
-}
-
-template <template <class> class... Shapes>
-void add_all(Family& family) {
-  (add<Shapes>(family), ...);
-}
-
-}  // namespace
-
 std::vector<Family> spawn_families() {
-  Family family{"spawned", "", {}};
-  add_all<Sphere, Plane, Disk, Box, Triangle, Polygon, Ellipsoid, EllipticParaboloid, Cone, Cylinder,
-          HyperboloidOneSheet, HyperboloidTwoSheets>(family);
-  Family prisms{"spawned_polygon", "", {}};
-  add<Prism>(prisms);
+  Family family{"spawned", "", {}}, prisms{"spawned_polygon", "", {}};
+  for_each_shape([&]<template <class> class S>() {
+    add_lines<S>(std::is_same_v<S<double>, Prism<double>> ? prisms : family, std::string(shape_name(S<double>{})),
+                 []<class Shape, class T>(auto... range) { return spawn<Shape, T>(range...); });
+  });
   return {family, prisms};
 }
 

@@ -29,8 +29,7 @@ Commands AppearanceRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "tweens", .keys = {"Shift+A"}, .section = Section::style,
-       .chosen = [](const State& state) { return state.walk.tweens; },
-       .run = [](const Ui& ui) { ui.act(action::SetTweens{!ui.state.walk.tweens}); }},
+       .chosen = [](const State& state) { return state.walk.tweens; }, .turn = turn<action::SetTweens>},
       {.name = "theme", .keys = {"P", "D"}, .section = Section::style, .label = theme_label, .run = change_theme},
       {.name = "scale-up", .keys = {"Ctrl++"}, .section = Section::style, .line = "keys.scale",
        .enabled = [](const State& state) { return state.appearance.ui_scale < max_ui_scale; },
@@ -44,8 +43,7 @@ Commands AppearanceRoom::commands() {
        .run = [](const Ui& ui) { ui.act(action::SetLanguage{std::string(ui.state.appearance.language.next().code())}); }},
       {.name = "english-code", .keys = {"Ctrl+Shift+L"}, .section = Section::style,
        .enabled = [](const State& state) { return state.appearance.language.code() != "en"; },
-       .chosen = [](const State& state) { return state.appearance.english_code; },
-       .run = [](const Ui& ui) { ui.act(action::SetEnglishCode{!ui.state.appearance.english_code}); }},
+       .chosen = [](const State& state) { return state.appearance.english_code; }, .turn = turn<action::SetEnglishCode>},
       {.name = "exchange", .keys = {"X"}, .section = Section::window,
        .chosen = [](const State& state) { return state.appearance.large(); }, .run = act<action::ExchangePanes>},
       {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = wish<WindowWish::menu>},

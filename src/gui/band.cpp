@@ -34,8 +34,7 @@ Commands BandRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "band", .keys = {"Shift+S"}, .section = Section::show,
-       .chosen = [](const State& state) { return state.band.shown; },
-       .run = [](const Ui& ui) { ui.act(action::ShowBand{!ui.state.band.shown}); }},
+       .chosen = [](const State& state) { return state.band.shown; }, .turn = turn<action::ShowBand>},
   };
   // clang-format on
   return all;

@@ -130,8 +130,7 @@ Commands BugRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "bugs", .keys = {"Shift+F2"}, .section = Section::learn, .line = "keys.bugs",
-       .chosen = [](const State& state) { return state.bugs.shown; },
-       .run = [](const Ui& ui) { ui.act(action::ShowBugs{!ui.state.bugs.shown}); }},
+       .chosen = [](const State& state) { return state.bugs.shown; }, .turn = turn<action::ShowBugs>},
       {.name = "bug-surprise", .keys = {"Ctrl+F2"}, .line = "keys.bugs", .run = hunt_surprise},
       {.name = "bug-mark", .keys = {{"Enter", When::trace}}, .line = "keys.bugs", .enabled = can_mark,
        .run = mark_line},
@@ -141,7 +140,7 @@ Commands BugRoom::commands() {
       {.name = "bug-mend", .keys = {"Alt+Enter"}, .line = "keys.bugs",
        .enabled = [](const State& state) { return state.walk.bug && state.walk.bug->known; },
        .chosen = [](const State& state) { return state.walk.bug && state.walk.bug->mended; },
-       .run = [](const Ui& ui) { ui.act(action::MendBug{!ui.state.walk.bug->mended}); }},
+       .turn = turn<action::MendBug>},
   };
   // clang-format on
   return all;

@@ -66,7 +66,11 @@ bool enabled(const Command& command, const State& state) {
 bool chosen(const Command& command, const State& state) { return command.chosen != nullptr && command.chosen(state); }
 
 void perform(const Command& command, const Ui& ui) {
-  if (enabled(command, ui.state)) command.run(ui);
+  if (!enabled(command, ui.state)) return;
+  if (command.turn != nullptr)
+    command.turn(ui, !chosen(command, ui.state));
+  else
+    command.run(ui);
 }
 
 }  // namespace raywalk

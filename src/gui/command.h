@@ -56,6 +56,7 @@ struct Command {
   bool (*chosen)(const State&) = nullptr;                       ///< for choices: whether it is the current one
   std::string (*label)(const State&, bool in_short) = nullptr;  ///< in place of its text, if it depends on the state
   void (*run)(const Ui&) = nullptr;                             ///< when enabled
+  void (*turn)(const Ui&, bool on) = nullptr;                   ///< of a switch, in place of `run`: on if not `chosen`
   void (*held)(const Ui&) = nullptr;  ///< while its key or its button is held down; null: nothing more
 };
 
@@ -63,6 +64,11 @@ struct Command {
 template <class Action, auto... fields>
 void act(const Ui& ui) {
   ui.act(Action{fields...});
+}
+/// What a switch does: `.turn = turn<action::ShowBand>`.
+template <class Action>
+void turn(const Ui& ui, bool on) {
+  ui.act(Action{on});
 }
 template <WindowWish what>
 void wish(const Ui& ui) {

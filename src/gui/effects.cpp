@@ -114,8 +114,7 @@ Commands EffectsRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "effects", .keys = {"Shift+E"}, .section = Section::show,
-       .chosen = [](const State& state) { return state.effects.shown; },
-       .run = [](const Ui& ui) { ui.act(action::ShowEffects{!ui.state.effects.shown}); }},
+       .chosen = [](const State& state) { return state.effects.shown; }, .turn = turn<action::ShowEffects>},
   };
   // clang-format on
   return all;

@@ -29,8 +29,7 @@ Commands FocusRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "focus", .keys = {"Shift+F"}, .section = Section::window,
-       .chosen = [](const State& state) { return state.focus.on; },
-       .run = [](const Ui& ui) { ui.act(action::SetFocus{!ui.state.focus.on}); }},
+       .chosen = [](const State& state) { return state.focus.on; }, .turn = turn<action::SetFocus>},
   };
   // clang-format on
   return all;

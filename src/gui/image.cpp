@@ -284,8 +284,7 @@ Commands PictureRoom::commands() {
       {.name = "image-settings", .keys = {","}, .section = Section::show, .line = "keys.image",
        .run = wish<WindowWish::image_settings>},
       {.name = "tree-beside", .keys = {"Shift+R"}, .section = Section::show, .line = "keys.image",
-       .chosen = [](const State& state) { return state.picture.tree_beside; },
-       .run = [](const Ui& ui) { ui.act(action::ShowTreeBeside{!ui.state.picture.tree_beside}); }},
+       .chosen = [](const State& state) { return state.picture.tree_beside; }, .turn = turn<action::ShowTreeBeside>},
       {.name = "heat", .keys = {"G"}, .section = Section::show, .line = "keys.image", .run = change_heat},
   };
   // clang-format on

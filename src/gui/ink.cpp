@@ -196,8 +196,7 @@ Commands InkRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "ink", .keys = {"Q"}, .section = Section::ink, .line = "keys.ink", .enabled = can_ink,
-       .chosen = [](const State& state) { return state.ink.on; },
-       .run = [](const Ui& ui) { ui.act(action::SetInk{!ui.state.ink.on}); }},
+       .chosen = [](const State& state) { return state.ink.on; }, .turn = turn<action::SetInk>},
       {.name = "ink-pen", .keys = {"Shift+P"}, .section = Section::ink, .line = "keys.ink_tools", .enabled = can_ink,
        .chosen = inks_with<InkTool::pen>, .run = ink_with<InkTool::pen>},
       {.name = "ink-arrow", .keys = {"Shift+V"}, .section = Section::ink, .line = "keys.ink_tools", .enabled = can_ink,
@@ -215,8 +214,7 @@ Commands InkRoom::commands() {
       {.name = "ink-clear", .keys = {"Shift+C"}, .section = Section::ink, .line = "keys.ink", .enabled = is_inked,
        .run = act<action::ClearInk>},
       {.name = "ink-keep", .keys = {"Shift+I"}, .section = Section::ink, .line = "keys.ink",
-       .chosen = [](const State& state) { return state.document.contents.keeps_ink; },
-       .run = [](const Ui& ui) { ui.act(action::KeepInk{!ui.state.document.contents.keeps_ink}); }},
+       .chosen = [](const State& state) { return state.document.contents.keeps_ink; }, .turn = turn<action::KeepInk>},
   };
   // clang-format on
   return all;

@@ -318,11 +318,9 @@ Commands LessonRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "lessons", .keys = {"F2"}, .section = Section::learn,
-       .chosen = [](const State& state) { return state.lessons.shown; },
-       .run = [](const Ui& ui) { ui.act(action::ShowLessons{!ui.state.lessons.shown}); }},
+       .chosen = [](const State& state) { return state.lessons.shown; }, .turn = turn<action::ShowLessons>},
       {.name = "notes-window", .keys = {"Alt+N"}, .section = Section::learn,
-       .chosen = [](const State& state) { return state.lessons.notes_window; },
-       .run = [](const Ui& ui) { ui.act(action::ShowNotesWindow{!ui.state.lessons.notes_window}); }},
+       .chosen = [](const State& state) { return state.lessons.notes_window; }, .turn = turn<action::ShowNotesWindow>},
   };
   // clang-format on
   return all;

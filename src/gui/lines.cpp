@@ -38,9 +38,7 @@ bool clicked_in_place() {
 }
 
 void lines_pane(const Ui& ui, const Rect& where) {
-  const Viewport viewport{std::max(static_cast<double>(where.width / ui.dpi), 1.0),
-                          std::max(static_cast<double>(where.height / ui.dpi), 1.0)};
-  if (!where.empty() && viewport != ui.state.plan.viewport) ui.act(action::ResizePlan{viewport});
+  const Viewport viewport = plan_viewport(ui, where);
   const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;

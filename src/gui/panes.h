@@ -31,6 +31,8 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu);
 /// Buttons to add and remove objects.
 void palette_pane(const Ui& ui, const Rect& where);
 
+/// The size of the plan's pane, which the state is told.
+[[nodiscard]] Viewport plan_viewport(const Ui& ui, const Rect& where);
 /// The plan and the pointer on it.
 void plan_pane(const Ui& ui, const Rect& where);
 

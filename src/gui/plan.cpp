@@ -70,11 +70,15 @@ void name_target(const Ui& ui) {
 
 }  // namespace
 
-void plan_pane(const Ui& ui, const Rect& where) {
+Viewport plan_viewport(const Ui& ui, const Rect& where) {
   const Viewport viewport{std::max(static_cast<double>(where.width / ui.dpi), 1.0),
                           std::max(static_cast<double>(where.height / ui.dpi), 1.0)};
   if (!where.empty() && viewport != ui.state.plan.viewport) ui.act(action::ResizePlan{viewport});
+  return viewport;
+}
 
+void plan_pane(const Ui& ui, const Rect& where) {
+  const Viewport viewport = plan_viewport(ui, where);
   const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
@@ -109,8 +113,7 @@ Commands PlanRoom::commands() {
       {.name = "zoom-out", .keys = {"Alt+Down"}, .section = Section::zoom, .line = "keys.zoom",
        .run = [](const Ui& ui) { zoom(ui, 1 / 1.25); }},
       {.name = "ghosts", .keys = {"N"}, .section = Section::show,
-       .chosen = [](const State& state) { return state.walk.shows_ghosts; },
-       .run = [](const Ui& ui) { ui.act(action::ShowGhosts{!ui.state.walk.shows_ghosts}); }},
+       .chosen = [](const State& state) { return state.walk.shows_ghosts; }, .turn = turn<action::ShowGhosts>},
   };
   // clang-format on
   return all;

@@ -8,8 +8,7 @@ Commands PredictRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "predict", .keys = {"Ctrl+P"}, .section = Section::learn, .line = "keys.predict",
-       .chosen = [](const State& state) { return state.predictions.on; },
-       .run = [](const Ui& ui) { ui.act(action::SetPredictions{!ui.state.predictions.on}); }},
+       .chosen = [](const State& state) { return state.predictions.on; }, .turn = turn<action::SetPredictions>},
       {.name = "save-predictions", .keys = {"Ctrl+Shift+P"}, .section = Section::save, .line = "keys.predict",
        .run = act<action::AskSavePredictions>},
   };

@@ -98,16 +98,19 @@ std::string pfm_header(int width, int height) {
   return "PF\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
 }
 
-std::string encode_pfm(const Image& image) {
+std::string pfm_bytes(std::span<const Rgb<float>> pixels) {
   static_assert(sizeof(Rgb<float>) == 3 * sizeof(float));
-  std::string bytes = pfm_header(image.width, image.height);
-  const std::size_t header = bytes.size(), row_bytes = static_cast<std::size_t>(image.width) * sizeof(Rgb<float>);
-  bytes.reserve(header + image.pixels.size() * sizeof(Rgb<float>));
-  for (int row = image.height - 1; row >= 0; --row)
-    bytes.append(reinterpret_cast<const char*>(&image.at(0, row)), row_bytes);
+  std::string bytes(reinterpret_cast<const char*>(pixels.data()), pixels.size_bytes());
   if constexpr (std::endian::native == std::endian::big)
-    for (auto number = bytes.begin() + static_cast<std::ptrdiff_t>(header); number != bytes.end(); number += 4)
-      std::reverse(number, number + 4);
+    for (auto number = bytes.begin(); number != bytes.end(); number += 4) std::reverse(number, number + 4);
+  return bytes;
+}
+
+std::string encode_pfm(const Image& image) {
+  std::string bytes = pfm_header(image.width, image.height);
+  bytes.reserve(bytes.size() + image.pixels.size() * sizeof(Rgb<float>));
+  for (int row = image.height - 1; row >= 0; --row)
+    bytes += pfm_bytes({&image.at(0, row), static_cast<std::size_t>(image.width)});
   return bytes;
 }
 

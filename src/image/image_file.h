@@ -31,6 +31,8 @@ enum class ImageFormat { png, pfm, exr };
 /// Portable float map: linear, bottom row first, little-endian; NaN is preserved.
 [[nodiscard]] std::string encode_pfm(const Image& image);
 [[nodiscard]] std::string pfm_header(int width, int height);
+/// What stands there of some pixels of a row.
+[[nodiscard]] std::string pfm_bytes(std::span<const Rgb<float>> pixels);
 
 /// OpenEXR: linear, 32-bit floats, packed without loss; rows with little effort. Fails in a build without the library.
 [[nodiscard]] Result<std::string> encode_exr(const Image& image);

@@ -3,9 +3,7 @@
 #include "image/image_file.h"
 #include "text/file.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -100,16 +98,12 @@ Result<void> write_png(FileWriter& file, const ImageRows& rows, Encoding encodin
 
 /// Bottom row first, little-endian.
 Result<void> write_pfm(FileWriter& file, const ImageRows& rows) {
-  const std::size_t row_bytes = static_cast<std::size_t>(rows.width) * sizeof(Rgb<float>);
+  const auto width = static_cast<std::size_t>(rows.width);
   if (auto written = file.write(pfm_header(rows.width, rows.height)); !written) return written;
-  if (auto written = file.write_zeros(row_bytes * static_cast<std::size_t>(rows.height - rows.begun)); !written)
-    return written;
-  for (int row = rows.begun - 1; row >= 0; --row) {
-    std::string bytes(reinterpret_cast<const char*>(rows.row(row)), row_bytes);
-    if constexpr (std::endian::native == std::endian::big)
-      for (auto number = bytes.begin(); number != bytes.end(); number += 4) std::reverse(number, number + 4);
-    if (auto written = file.write(bytes); !written) return written;
-  }
+  const std::size_t below = width * static_cast<std::size_t>(rows.height - rows.begun);
+  if (auto written = file.write_zeros(below * sizeof(Rgb<float>)); !written) return written;
+  for (int row = rows.begun - 1; row >= 0; --row)
+    if (auto written = file.write(pfm_bytes({rows.row(row), width})); !written) return written;
   return {};
 }
 

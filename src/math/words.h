@@ -31,18 +31,29 @@ inline constexpr auto values_of = [] {
 
 /// Their words.
 template <Worded E>
-[[nodiscard]] std::vector<std::string_view> all_words() {
-  std::vector<std::string_view> words;
-  for (const auto& each : words_of<E>) words.push_back(each.second);
+inline constexpr auto word_array = [] {
+  std::array<std::string_view, std::size(words_of<E>)> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = words_of<E>[i].second;
   return words;
+}();
+template <Worded E>
+[[nodiscard]] std::vector<std::string_view> all_words() {
+  return {word_array<E>.begin(), word_array<E>.end()};
+}
+
+/// The place of a value among them; none if it has no word.
+template <Worded E>
+[[nodiscard]] constexpr std::optional<std::size_t> index_of(const E& value) {
+  for (std::size_t i = 0; i < std::size(words_of<E>); ++i)
+    if (words_of<E>[i].first == value) return i;
+  return std::nullopt;
 }
 
 /// The word of a value; empty if it has none.
 template <Worded E>
 [[nodiscard]] constexpr std::string_view name_of(const E& value) {
-  for (const auto& [each, word] : words_of<E>)
-    if (each == value) return word;
-  return {};
+  const std::optional<std::size_t> index = index_of(value);
+  return index ? word_array<E>[*index] : std::string_view();
 }
 /// The value of this word.
 template <Worded E>

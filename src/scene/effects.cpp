@@ -1,6 +1,7 @@
 #include "scene/effects.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace raywalk {
 
@@ -10,7 +11,7 @@ namespace {
 template <class Calls>
 const Object* first_object(const Scene& scene, Calls calls) {
   for (const MaterialUse& use : material_uses(scene))
-    if (calls(*use.material)) return use.object;
+    if (std::invoke(calls, *use.material)) return use.object;
   return nullptr;
 }
 
@@ -28,10 +29,6 @@ const Light* first_light(const Scene& scene, Calls calls) {
   return found == scene.lights.end() ? nullptr : &*found;
 }
 
-bool is_glossy(const Material& m) { return m.gloss > 0 && (m.reflects() || m.transmits()); }
-bool is_translucent(const Material& m) { return m.translucency > 0 && m.transmits(); }
-bool emits(const Material& m) { return !is_black(m.emission); }
-
 EffectUse left_out(Integrator integrator, std::string_view what) {
   return {false, "none: " + std::string(name_of(integrator)) + " " + std::string(what)};
 }
@@ -39,7 +36,7 @@ EffectUse left_out(Integrator integrator, std::string_view what) {
 EffectUse refraction(const Scene& scene, Integrator integrator) {
   if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
   if (!scene.render.switches.refraction) return {false, "none: it is switched off"};
-  return use_if(scene, [](const Material& m) { return m.transmits(); }, "transmits", "nothing transmits");
+  return use_if(scene, &Material::transmits, "transmits", "nothing transmits");
 }
 
 /// Every transmitting material also reflects: a part by Fresnel's equations, or everything beyond the critical angle.
@@ -58,18 +55,19 @@ EffectUse reflection(const Scene& scene, Integrator integrator) {
 }
 
 EffectUse gloss(const Scene& scene, Integrator integrator) {
-  const EffectUse use = use_if(scene, is_glossy, "has a rough reflection", "every mirror is sharp");
+  const EffectUse use = use_if(scene, &Material::is_glossy, "has a rough reflection", "every mirror is sharp");
   return use.used && !draws_random(integrator) ? left_out(integrator, "takes every mirror as sharp") : use;
 }
 
 EffectUse translucency(const Scene& scene, Integrator integrator) {
-  const EffectUse use = use_if(scene, is_translucent, "scatters what it transmits", "every transmitter is clear");
+  const EffectUse use =
+      use_if(scene, &Material::is_translucent, "scatters what it transmits", "every transmitter is clear");
   return use.used && !draws_random(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
 }
 
 /// A scene may be lit by emitting objects only. It then has soft shadows, but not from a light.
 EffectUse no_light(const Scene& scene) {
-  const Object* emitter = first_object(scene, emits);
+  const Object* emitter = first_object(scene, &Material::emits);
   if (emitter == nullptr) return {false, "none: no light shines"};
   return {false, "none: no light shines; what " + emitter->name + " emits is indirect light, which only paths follow"};
 }
@@ -117,7 +115,7 @@ EffectUse indirect_light(const Scene& scene, Integrator integrator) {
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
   if (light == nullptr && indirect_light(scene, integrator).used)
-    return use_if(scene, emits, "emits, and paths look for it from all surfaces", "no light shines");
+    return use_if(scene, &Material::emits, "emits, and paths look for it from all surfaces", "no light shines");
   if (light == nullptr) return {false, "none: no light shines"};
   if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
   return {true, light->name + " shines on objects"};

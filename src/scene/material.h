@@ -72,6 +72,9 @@ struct Material {
 
   [[nodiscard]] bool reflects() const { return !is_black(reflection); }
   [[nodiscard]] bool transmits() const { return !is_black(transmission); }
+  [[nodiscard]] bool is_glossy() const { return gloss > 0 && (reflects() || transmits()); }
+  [[nodiscard]] bool is_translucent() const { return translucency > 0 && transmits(); }
+  [[nodiscard]] bool emits() const { return !is_black(emission); }
 };
 
 }  // namespace raywalk

@@ -23,17 +23,27 @@ enum class Integrator {
 struct IntegratorTraits {
   Integrator integrator;
   std::string_view name;
+  std::string_view follows;   ///< what light it follows, for the reference of the keys
   bool draws_random = false;  ///< cast and whitted take their samples at fixed positions
   bool is_global = false;     ///< surfaces light each other
   bool is_recursive = true;   ///< follows rays beyond the first hit
 };
 /// All integrators, in the order of the enumeration: files, options and menus offer them from here.
 inline constexpr std::array integrators{
-    IntegratorTraits{.integrator = Integrator::automatic, .name = "automatic"},
-    IntegratorTraits{.integrator = Integrator::cast, .name = "cast", .is_recursive = false},
-    IntegratorTraits{.integrator = Integrator::whitted, .name = "whitted"},
-    IntegratorTraits{.integrator = Integrator::distributed, .name = "distributed", .draws_random = true},
-    IntegratorTraits{.integrator = Integrator::path, .name = "path", .draws_random = true, .is_global = true}};
+    IntegratorTraits{.integrator = Integrator::automatic,
+                     .name = "automatic",
+                     .follows = "distributed if the scene has any of these, else whitted"},
+    IntegratorTraits{.integrator = Integrator::cast, .name = "cast", .follows = "shadows only", .is_recursive = false},
+    IntegratorTraits{.integrator = Integrator::whitted, .name = "whitted", .follows = "mirrors and glass, all sharp"},
+    IntegratorTraits{.integrator = Integrator::distributed,
+                     .name = "distributed",
+                     .follows = "soft shadows, lens, motion, gloss and translucency too",
+                     .draws_random = true},
+    IntegratorTraits{.integrator = Integrator::path,
+                     .name = "path",
+                     .follows = "light from everywhere",
+                     .draws_random = true,
+                     .is_global = true}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }

@@ -26,6 +26,19 @@ std::string quoted_words(const std::vector<std::string_view>& words) {
   return list;
 }
 
+const std::string& integrator_sentence() {
+  static const std::string sentence = [] {
+    std::string each, rest;
+    for (const IntegratorTraits& traits : raywalk::integrators)
+      if (traits.integrator == Integrator::automatic)
+        rest = fmt::format(". {}: {}.", traits.name, traits.follows);
+      else
+        each += fmt::format("{} {} ({})", each.empty() ? ":" : ";", traits.follows, traits.name);
+    return "How light is followed" + each + rest;
+  }();
+  return sentence;
+}
+
 std::string OneLine::expected() const { return Name{longest}.expected(); }
 
 std::string Name::expected() const { return fmt::format("one line of text in quotes, 1 to {} bytes long", longest); }

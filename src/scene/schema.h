@@ -86,11 +86,7 @@ void describe(Fields& f, TraceLimits& limits) {
 template <class Fields>
 void describe(Fields& f, RenderChoices& render) {
   f.about("How the picture is made; what `raywalk render` is told comes before it.");
-  f.key(
-      "integrator", render.integrator, integrators,
-      "How light is followed: shadows only (cast); mirrors and glass, all sharp (whitted); soft shadows, lens, motion, "
-      "gloss and translucency too (distributed); light from everywhere (path). automatic: distributed if the scene "
-      "has any of these, else whitted.");
+  f.key("integrator", render.integrator, integrators, integrator_sentence());
   f.key("samples", render.samples, sample_count, "Samples of each pixel; one lies in its middle.");
   f.key("sampler", render.sampler, samplers, "Where samples fall.");
   f.key("light_grid", render.light_grid, light_grid_count,

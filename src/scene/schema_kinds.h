@@ -121,6 +121,8 @@ inline constexpr Choice<ShadowKind> shadow_kinds;
 inline constexpr Choice<ShadingNormal> shading_normals;
 inline constexpr Choice<Encoding> encodings;
 inline constexpr Choice<Integrator> integrators;
+/// What each of them follows: "How light is followed: shadows only (cast); ...".
+[[nodiscard]] const std::string& integrator_sentence();
 inline constexpr Choice<Sampler> samplers;
 inline constexpr Choice<Numerics> numerics;
 inline constexpr Choice<InkColour> ink_colours;

@@ -46,7 +46,7 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
     surface.gloss = lobe<T>(m.gloss);
     surface.translucency = lobe<T>(m.translucency);
   }
-  const bool follows = integrator != Integrator::cast;
+  const bool follows = traits_of(integrator).is_recursive;
   if (!follows || !on.reflection) surface.reflection = Rgb<T>(0);
   if (!follows || !on.refraction) {
     surface.transmission = Rgb<T>(0);

@@ -31,14 +31,14 @@ class Fields {
   template <Worded E>
   void operator()(E& value) {
     std::optional<std::size_t> index = index_of(value);
-    choice(names<E>, index, true);
+    choice(word_array<E>, index, true);
     if (index) value = words_of<E>[*index].first;
   }
   template <Worded E>
   void operator()(std::optional<E>& value) {
     std::optional<std::size_t> index;
     if (value) index = index_of(*value);
-    choice(names<E>, index, false);
+    choice(word_array<E>, index, false);
     if (index) value = words_of<E>[*index].first;
   }
   template <class Value>
@@ -68,19 +68,6 @@ class Fields {
   virtual void maybe_line(std::optional<Line>& value) = 0;
   /// One of these words, by its index; left out only where none is `needed`.
   virtual void choice(Names words, std::optional<std::size_t>& index, bool needed) = 0;
-
-  template <Worded E>
-  static constexpr auto names = [] {
-    std::array<std::string_view, std::size(words_of<E>)> all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = words_of<E>[i].second;
-    return all;
-  }();
-  template <Worded E>
-  static std::optional<std::size_t> index_of(const E& value) {
-    for (std::size_t i = 0; i < std::size(words_of<E>); ++i)
-      if (words_of<E>[i].first == value) return i;
-    return {};
-  }
 };
 
 class ActionWriter final : public Fields {

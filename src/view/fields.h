@@ -11,7 +11,9 @@
 //       void apply(State& state) const;
 //     };
 //
-// No word: it has no text form. No fields: it has none. No traits: those of Traits{}.
+// No word: it has no text form. No fields: it has none. No traits: those of Traits{}. One that only sets a value says
+// so in place, `void apply(auto& state) const { state.band.shown = on; }`: State is not complete here, and a template
+// waits until it is.
 
 #include "math/vec.h"
 #include "math/words.h"

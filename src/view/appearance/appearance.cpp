@@ -21,14 +21,10 @@ void action::SetLanguage::apply(State& state) const {
   state.document.notice.reset();  // it is in the old language
 }
 
-void action::SetEnglishCode::apply(State& state) const { state.appearance.english_code = on; }
-
 void action::SetUiScale::apply(State& state) const {
   state.appearance.ui_scale = std::clamp(scale, min_ui_scale, max_ui_scale);
   refit(state);
 }
-
-void action::SetTouch::apply(State& state) const { state.appearance.touch = on; }
 
 void action::SetTab::apply(State& state) const {
   state.appearance.tab = tab;
@@ -40,13 +36,9 @@ void action::SetTab::apply(State& state) const {
   if (tab == PictureRoom::tab) state.space.turned_last = SpaceView::image;  // keys turn the selected view
 }
 
-void action::ShowFront::apply(State& state) const { state.appearance.front = front; }
-
 void action::ExchangePanes::apply(State& state) const {
   std::vector<Tab>& exchanged = state.appearance.exchanged;
   if (std::erase(exchanged, state.appearance.tab) == 0) exchanged.push_back(state.appearance.tab);
 }
-
-void action::DismissNotice::apply(State& state) const { state.document.notice.reset(); }
 
 }  // namespace raywalk

@@ -46,7 +46,7 @@ struct SetEnglishCode {
   bool on;
   static void fields(auto& f, auto& a) { f(a.on, on_or_off); }
   static constexpr Traits traits{.keeps_drag = true, .always = true};
-  void apply(State& state) const;
+  void apply(auto& state) const { state.appearance.english_code = on; }
 };
 struct SetUiScale {
   static constexpr std::string_view word = "ui-scale";
@@ -61,7 +61,7 @@ struct SetTouch {
   bool on;
   static void fields(auto& f, auto& a) { f(a.on, on_or_off); }
   static constexpr Traits traits{.keeps_drag = true, .always = true};
-  void apply(State& state) const;
+  void apply(auto& state) const { state.appearance.touch = on; }
 };
 struct SetTab {
   static constexpr std::string_view word = "tab";
@@ -75,7 +75,7 @@ struct ShowFront {
   Front front;
   static void fields(auto& f, auto& a) { f(a.front); }
   static constexpr Traits traits{.keeps_drag = true};
-  void apply(State& state) const;
+  void apply(auto& state) const { state.appearance.front = front; }
 };
 /// The open tab and the plan change places; the tab opens there again.
 struct ExchangePanes {
@@ -86,7 +86,7 @@ struct ExchangePanes {
 struct DismissNotice {
   static constexpr std::string_view word = "dismiss";
   static constexpr Traits traits{.keeps_drag = true, .always = true};
-  void apply(State& state) const;
+  void apply(auto& state) const { state.document.notice.reset(); }
 };
 
 }  // namespace raywalk::action

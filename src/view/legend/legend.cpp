@@ -4,10 +4,6 @@
 
 namespace raywalk {
 
-void action::ShowEarlier::apply(State& state) const { state.legend.earlier = how; }
-
-void action::ShowRays::apply(State& state) const { state.legend.hidden[static_cast<std::size_t>(kind)] = !shown; }
-
 Legend legend(const State& state) {
   Legend legend;
   const auto str = [](const State& in, std::string_view id) { return std::string(text(id, in.appearance.language)); };

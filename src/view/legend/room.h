@@ -6,6 +6,7 @@
 #include "view/room.h"
 
 #include <array>
+#include <cstddef>
 
 namespace raywalk {
 
@@ -26,7 +27,7 @@ struct ShowEarlier {
   Earlier how;
   static void fields(auto& f, auto& a) { f(a.how); }
   static constexpr Traits traits{.keeps_drag = true};
-  void apply(State& state) const;
+  void apply(auto& state) const { state.legend.earlier = how; }
 };
 struct ShowRays {
   static constexpr std::string_view word = "rays";
@@ -34,7 +35,7 @@ struct ShowRays {
   bool shown;
   static void fields(auto& f, auto& a) { f(a.kind), f(a.shown, on_or_off); }
   static constexpr Traits traits{.keeps_drag = true};
-  void apply(State& state) const;
+  void apply(auto& state) const { state.legend.hidden[static_cast<std::size_t>(kind)] = !shown; }
 };
 
 }  // namespace raywalk::action
