@@ -37,9 +37,10 @@ int main(int argc, char** argv) {
   const Vec2d eye = to_pixels(state.plan.camera, state.plan.viewport, plan(state.scene().camera.eye));
   update(state, action::PointerMoved{eye});
   update(state, action::PointerPressed{eye});
+  update(state, action::PointerMoved{eye + Vec2d(20, 12)});
   std::vector<double> times;
   std::size_t items = 0;
-  const std::uint64_t revision = state.document.revision;
+  std::uint64_t revision = state.document.revision;
   for (int i = 0; i < frames; ++i) {
     // To and fro, never twice at the same place in a row.
     const Vec2d at = eye + Vec2d(i % 80 < 40 ? i % 80 : 80 - i % 80, i % 60 < 30 ? i % 60 : 60 - i % 60) + Vec2d(1);
@@ -47,10 +48,10 @@ int main(int argc, char** argv) {
     update(state, action::PointerMoved{at});
     items = plan_view(state).size();
     times.push_back(1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-  }
-  if (state.document.revision != revision + static_cast<std::uint64_t>(frames)) {
-    std::fputs("EYE did not follow the pointer\n", stderr);
-    return 1;
+    if (std::exchange(revision, state.document.revision) == state.document.revision) {
+      std::fprintf(stderr, "EYE did not follow the pointer in frame %d\n", i);
+      return 1;
+    }
   }
   std::sort(times.begin(), times.end());
   const double median = times[times.size() / 2], most = times.back();
