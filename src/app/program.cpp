@@ -355,8 +355,10 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     return printed(version.what() + std::string("\n"));
   } catch (const CLI::ParseError& error) {
     if (const auto misplaced = why_misplaced(program, argc, argv)) return refuse(*misplaced);
-    return refuse(
-        {"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error, argc, argv)});
+    const std::string wrong = what_is_wrong(program, error);
+    const bool advised = wrong.find("\n  hint: ") != std::string::npos;  // an option's own check says what to do
+    return refuse({"", 0, 0, command_name(program) + ": " + wrong,
+                   advised ? std::string() : hint_for(program, error, argc, argv)});
   }
   const ExitCode code = run();
   // A command that was refused because it would overwrite its own input was used wrongly.

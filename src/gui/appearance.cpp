@@ -45,7 +45,7 @@ Commands AppearanceRoom::commands() {
        .enabled = [](const State& state) { return state.appearance.language.code() != "en"; },
        .chosen = [](const State& state) { return state.appearance.english_code; }, .turn = turn<action::SetEnglishCode>},
       {.name = "exchange", .keys = {"X"}, .section = Section::window,
-       .chosen = [](const State& state) { return state.appearance.large(); }, .run = act<action::ExchangePanes>},
+       .chosen = [](const State& state) { return state.appearance.exchanges(); }, .run = act<action::ExchangePanes>},
       {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = wish<WindowWish::menu>},
       {.name = "full-screen", .keys = {"F11"}, .section = Section::window, .line = "keys.menus",
        .run = wish<WindowWish::full_screen>},

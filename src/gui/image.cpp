@@ -137,10 +137,24 @@ void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
   ui.publish("heat-legend", {where.x, y, where.width, bar});
 }
 
-// Of the tab, for the ray tree beside the picture.
-float tree_width(const Ui& ui, const Rect& where, const Rect& image) {
-  constexpr float part = 0.4f;  // of the tab, if the picture leaves less
-  return std::max(where.width - image.width, part * where.width) - ui.px(24);
+// The rooms of the picture and of its ray tree, which stands beside it or, where that leaves the picture larger, below
+// it and what `legend` is high.
+struct PictureRooms {
+  Rect picture, tree;
+};
+PictureRooms with_tree(const Ui& ui, const Rect& room, const PictureView& picture, float legend) {
+  constexpr float part = 0.4f;  // for the tree, if the picture leaves less
+  const float gap = ui.px(12);
+  const auto fit = [&](const Rect& in) { return fitted(in, picture.width, picture.height, ui.fonts.density); };
+  const Rect alone = fit(room);
+  PictureRooms beside{room, room}, below{room, room};
+  beside.tree.width = std::max(room.width - alone.width, part * room.width) - gap;
+  beside.picture.width = std::max(room.width - beside.tree.width - gap, 1.0f);
+  beside.tree.x = beside.picture.right() + gap;
+  below.tree.height = std::max(room.height - alone.height, part * room.height) - gap;
+  below.picture.height = std::max(room.height - below.tree.height - gap, 1.0f);
+  below.tree.y = below.picture.bottom() + legend + gap;
+  return fit(below.picture).width > fit(beside.picture).width ? below : beside;
 }
 
 void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
@@ -157,14 +171,13 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};
   Rect image = fitted(room, picture.width, picture.height, ui.fonts.density);
   if (ui.state.picture.tree_beside && ui.state.walk.mode == Mode::trace) {
-    const float tree = tree_width(ui, where, image);
-    room.width = std::max(room.width - tree, 1.0f);
+    const PictureRooms rooms = with_tree(ui, room, picture, legend);
+    room = rooms.picture;
     image = fitted(room, picture.width, picture.height, ui.fonts.density);
-    const Rect beside{room.right() + side, room.y, tree - side, room.height};
-    if (beside.width > ui.px(60)) {
-      ImGui::SetCursorScreenPos(corner(beside));
-      ui.publish("tree-beside/pane", beside);
-      if (const int ray = ray_tree(ui, beside, context.memory.of<CentredOn>().ray); ray >= 0) context.pointed_at = ray;
+    if (const Rect& tree = rooms.tree; tree.width > ui.px(60) && tree.height > ui.px(20)) {
+      ImGui::SetCursorScreenPos(corner(tree));
+      ui.publish("tree-beside/pane", tree);
+      if (const int ray = ray_tree(ui, tree, context.memory.of<CentredOn>().ray); ray >= 0) context.pointed_at = ray;
     }
   }
   const bool has_row = ui.state.walk.planar && !ui.state.picture.camera;

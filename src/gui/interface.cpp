@@ -137,7 +137,10 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // Help takes the plan's place and the strip's. The walk's sentence and buttons, and the code, are always there.
   const Rect help{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
   const bool folds = wishes.focus;
-  if (state.appearance.large() && !helps && !folds && !layout_.tabs.empty()) std::swap(layout_.plan, layout_.tabs);
+  // An upright window has less room in the plan's place than beside or below the code.
+  const bool upright = is_upright(io.DisplaySize.x, io.DisplaySize.y);
+  const bool in_plans_place = state.appearance.exchanges() != (state.appearance.tab.large && !upright);
+  if (in_plans_place && !helps && !folds && !layout_.tabs.empty()) std::swap(layout_.plan, layout_.tabs);
 
   if (folds && !asks && state.lessons.shown)
     folded_pane(with, "folded-lesson", layout_.lesson);

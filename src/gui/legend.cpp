@@ -99,7 +99,7 @@ void legend_pane(const Ui& ui, const Rect& where) {
   push_font(ui.fonts.small);
   const Legend content = legend(ui.state);
   const float height = line_height(ui.fonts, *ui.fonts.small), gap = ui.px(7);
-  const float length = ui.px(where.width < ui.px(640) ? 26 : 34);
+  float length = ui.px(where.width < ui.px(640) ? 26 : 34);
   const auto width_of = [&](std::string LegendRow::* name) {
     float sum = 0;
     for (const LegendRow& row : content.rays) sum += length + gap + ImGui::CalcTextSize((row.*name).c_str()).x;
@@ -119,13 +119,15 @@ void legend_pane(const Ui& ui, const Rect& where) {
   // Spread, but not too far; in a narrow window tight, or in two lines.
   const auto count = content.rays.size();
   const std::size_t lines = width_of(name) + least_between > most ? 2 : 1, in_line = (count + lines - 1) / lines;
-  const float room = (most - width_of(name) / static_cast<float>(lines)) / static_cast<float>(in_line);
-  const float between = std::clamp(room, ui.px(4), ui.px(22));
-  const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
-  float y = std::round(where.y + (where.height - line * static_cast<float>(lines)) / 2 + (line - height) / 2);
-  // In two lines the names are aligned.
+  // In two lines the names are aligned, with shorter samples where the widest would not fit otherwise.
   float widest = 0;
   for (const LegendRow& row : content.rays) widest = std::max(widest, ImGui::CalcTextSize((row.*name).c_str()).x);
+  const auto each = static_cast<float>(in_line);
+  if (lines > 1) length = std::clamp(most / each - ui.px(4) - gap - widest, ui.px(8), length);
+  const float needed = lines > 1 ? each * (length + gap + widest) : width_of(name);
+  const float between = std::clamp((most - needed) / each, ui.px(4), ui.px(22));
+  const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
+  float y = std::round(where.y + (where.height - line * static_cast<float>(lines)) / 2 + (line - height) / 2);
   float x = where.x + ui.px(14);
   for (std::size_t i = 0; i < count; ++i) {
     const LegendRow& row = content.rays[i];

@@ -94,7 +94,11 @@ class Loop::Parts {
 
   Result<void> end() {
     if (wants_picture() && settled()) return take_picture();
-    keep_settings();
+    if (wants_picture() && failure_)
+      return tl::unexpected(Error{options_.screenshot_path, 0, 0,
+                                  "not written: the window was closed before its picture was whole",
+                                  "a demo for a screenshot needs no \"quit\": the program ends with the picture"});
+    if (!wants_picture()) keep_settings();
     return failure_;
   }
 

@@ -73,16 +73,24 @@ float cell(Colour colour, const std::string& words, float x, float y, float widt
   return ImGui::GetItemRectMax().y;
 }
 
-// A disc and a triangle, as in the drawing.
-void draw_heads(const Ui& ui, float robust, float naive, float y) {
+// A disc and a triangle, as in the drawing. Returns where the rows may begin.
+float draw_heads(const Ui& ui, float robust, float naive, float y) {
+  const float r = ui.px(5), words = 3 * r;
+  push_font(ui.fonts.strong);
+  const auto width = [&](const char* id) { return ImGui::CalcTextSize(ui.say(id).c_str()).x; };
+  const bool narrow = words + std::max(width("microscope.robust"), width("microscope.naive")) > naive - robust - r;
+  pop_font();
+  push_font(narrow ? ui.fonts.small : ui.fonts.strong);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float r = ui.px(5), middle = y + ImGui::GetFontSize() / 2;
+  const float middle = y + ImGui::GetFontSize() / 2;
   draw.AddCircleFilled({robust + r, middle}, r, to_imgui(ui.colours.hovered));
   draw.AddTriangle({naive + r, middle - 1.2f * r}, {naive - 0.2f * r, middle + r}, {naive + 2.2f * r, middle + r},
                    to_imgui(ui.colours.error), ui.px(2));
-  const float words = 3 * r;
   cell(ui.colours.text, ui.say("microscope.robust"), robust + words, y, ui.px(200));
   cell(ui.colours.text, ui.say("microscope.naive"), naive + words, y, ui.px(200));
+  y += ImGui::GetFontSize();
+  pop_font();
+  return y;
 }
 
 void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
@@ -99,10 +107,7 @@ void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
   y = cell(ui.colours.text, table.sentence, where.x, y, where.width) + 1.5f * gap;
   ui.publish("microscope/sentence");
   pop_font();
-  push_font(ui.fonts.strong);
-  draw_heads(ui, robust, naive, y);
-  y += ImGui::GetFontSize() + gap;
-  pop_font();
+  y = draw_heads(ui, robust, naive, y) + gap;
   push_font(font);
   int number = 0;
   for (const MicroscopeTable::Row& row : table.rows) {
@@ -136,7 +141,8 @@ void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
   const float top = row.bottom() + gap;
   Rect slide{where.x, top, where.width, where.bottom() - top}, table = slide;
   if (wide) {
-    slide.width = std::floor(where.width * 0.54f);
+    // A narrow table needs its share more than the drawing does.
+    slide.width = std::floor(where.width * (where.width < ui.px(480) ? 0.5f : 0.54f));
     table.x = slide.right() + ui.px(14);
     table.width = where.right() - table.x;
   } else {

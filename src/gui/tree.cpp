@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -79,23 +81,45 @@ void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spa
             node.returned ? contrasting(ground) : ui.colours.text, node.symbol, 2 * r);
 }
 
-// What it hit, below it, if there is room; always for the current one.
-void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing) {
-  const float r = spacing.radius, column = spacing.column;
-  if (node.future || ((column < ui.px(64) || spacing.level < ui.px(58)) && !node.current && !node.hovered)) return;
-  const bool whole = node.current || node.hovered;
-  const float room = whole ? ui.px(200) : column - ui.px(6);
-  if (whole) {
-    // Beside its node rather than clipped at the border.
-    push_font(ui.fonts.small);
-    const float half = std::min(ImGui::CalcTextSize(node.label.c_str()).x, room) / 2 + ui.px(4);
-    pop_font();
-    const float left = ImGui::GetWindowPos().x + half, right = left - half + ImGui::GetWindowWidth() - half;
-    at.x = std::clamp(at.x, left,
-                      std::max(left, right - (ImGui::GetScrollMaxY() > 0 ? ImGui::GetStyle().ScrollbarSize : 0)));
+// The middle of a label of this size by the node at `at`: below it, unless that covers more nodes, or more of the
+// pane's border, than a place on another side. `seen`: the visible part of the tree.
+ImVec2 label_place(const Ui& ui, ImVec2 at, ImVec2 half, float r, const Rect& seen, const std::vector<ImVec2>& nodes) {
+  const float beside = r + ui.px(8) + half.x, below = r + ui.px(12);
+  ImVec2 best = at;
+  float least = -1;
+  for (const ImVec2 way : {ImVec2{0, below}, {beside, 0}, {-beside, 0}, {0, -below}}) {
+    ImVec2 middle{at.x + way.x, at.y + way.y};
+    if (way.x == 0) middle.x = std::clamp(middle.x, seen.x + half.x, std::max(seen.x + half.x, seen.right() - half.x));
+    const float beyond = std::max({seen.x - middle.x + half.x, middle.x + half.x - seen.right(), 0.0f}) +
+                         std::max({seen.y - middle.y + half.y, middle.y + half.y - seen.bottom(), 0.0f});
+    float covered = 2 * beyond;
+    for (const ImVec2& node : nodes)
+      covered += std::max(half.x + r - std::abs(node.x - middle.x), 0.0f) > 0
+                     ? std::max(half.y + r - std::abs(node.y - middle.y), 0.0f)
+                     : 0;
+    if (least >= 0 && covered >= least) continue;
+    best = middle;
+    least = covered;
   }
-  draw_text(ui, ui.fonts.small, {at.x, at.y + r + ui.px(12)}, ui.colours.dim_text, node.label, room,
-            ui.colours.panel.with_alpha(200));
+  return best;
+}
+
+// What it hit, below it, if there is room; always for the current one.
+void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing, const Rect& seen,
+                const std::vector<ImVec2>& nodes) {
+  const float r = spacing.radius, column = spacing.column;
+  if (node.future || node.label.empty()) return;
+  const bool whole = node.current || node.hovered;
+  if (!whole && (column < ui.px(64) || spacing.level < ui.px(58))) return;
+  const float room = whole ? std::min(ui.px(320), seen.width - ui.px(8)) : column - ui.px(6);
+  ImVec2 middle{at.x, at.y + r + ui.px(12)};
+  if (whole) {
+    push_font(ui.fonts.small);
+    const ImVec2 extent = ImGui::CalcTextSize(node.label.c_str());
+    pop_font();
+    middle = label_place(ui, at, {std::min(extent.x, room) / 2 + ui.px(4), extent.y / 2}, r, seen, nodes);
+  }
+  draw_text(ui, ui.fonts.small, middle, ui.colours.dim_text, node.label, room, ui.colours.panel.with_alpha(200));
 }
 
 }  // namespace
@@ -116,16 +140,22 @@ int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
     const auto columns = static_cast<float>(std::max(tree.columns, 1.0));
     const auto levels = static_cast<float>(std::max(tree.levels, 1));
     const float inset = ui.px(10);
-    // A unit less than available: rounding could otherwise cause scroll bars.
-    const float column =
-        std::clamp((where.width - ui.px(1) - 2 * inset) / columns, ui.px(least_column), ui.px(max_column));
     // The lowest nodes have their labels below them.
     const float below = line_height(ui.fonts, *ui.fonts.small) + ui.px(4);
-    const float level = std::clamp((where.height - ui.px(1) - below) / levels, ui.px(least_level), ui.px(max_level));
+    // Either scroll bar takes room from the other direction. A unit less than available: rounding could otherwise cause
+    // scroll bars.
+    const float bar = ImGui::GetStyle().ScrollbarSize;
+    Rect seen = where;
+    if (ui.px(least_level) * levels + below > where.height) seen.width -= bar;
+    const float column =
+        std::clamp((seen.width - ui.px(1) - 2 * inset) / columns, ui.px(least_column), ui.px(max_column));
+    const float width = column * columns + 2 * inset;
+    if (width > seen.width) seen.height -= bar;
+    const float level = std::clamp((seen.height - ui.px(1) - below) / levels, ui.px(least_level), ui.px(max_level));
     const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(max_radius));
-    const float width = column * columns + 2 * inset, height = level * levels + below;
+    const float height = level * levels + below;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const float indent = std::max((where.width - width) / 2, 0.0f) + inset + column / 2;
+    const float indent = std::max((seen.width - width) / 2, 0.0f) + inset + column / 2;
     const auto place = [&](const TreeNode& node) {
       return ImVec2{origin.x + indent + static_cast<float>(node.x) * column,
                     origin.y + radius + ui.px(7) + static_cast<float>(node.y) * level};
@@ -148,11 +178,15 @@ int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
       draw_node(ui, node, at, {column, level, radius});
       if (node.current && centred_on != node.ray) {
         centred_on = node.ray;
-        ImGui::SetScrollX(std::max(at.x - origin.x - where.width / 2, 0.0f));
-        ImGui::SetScrollY(std::max(at.y - origin.y - where.height / 2, 0.0f));
+        // With its label, below it.
+        ImGui::SetScrollX(std::max(at.x - origin.x - seen.width / 2, 0.0f));
+        ImGui::SetScrollY(std::max(at.y + below / 2 - origin.y - seen.height / 2, 0.0f));
       }
     }
-    for (const TreeNode& node : tree.nodes) draw_label(ui, node, place(node), {column, level, radius});
+    std::vector<ImVec2> places;
+    for (const TreeNode& node : tree.nodes) places.push_back(place(node));
+    for (std::size_t i = 0; i < places.size(); ++i)
+      draw_label(ui, tree.nodes[i], places[i], {column, level, radius}, seen, places);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({width, height});
   }

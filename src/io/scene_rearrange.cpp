@@ -138,10 +138,24 @@ void rearrange_tables(const TomlLayout& layout, std::string_view text, const Lay
     edits.replace(spans[place].front(), moved);
     for (std::size_t k = 1; k < spans[place].size(); ++k) edits.remove(spans[place][k]);
   }
+  std::vector<Span> gone;
   for (std::size_t i = 0; i < spans.size(); ++i) {
     if (stays[i]) continue;
-    for (const Span& span : spans[i]) edits.remove(with_gap(text, span));
+    for (const Span& span : spans[i]) {
+      const Span whole = with_gap(text, span);
+      if (!gone.empty() && gone.back().end == whole.begin)
+        gone.back().end = whole.end;
+      else
+        gone.push_back(whole);
+    }
   }
+  // What stood last leaves no empty lines at the end, unless something new goes there.
+  const bool adds = std::any_of(origins.begin(), origins.end(), [](const auto& origin) { return !origin; });
+  if (!adds && !gone.empty() && gone.back().end == text.size()) {
+    std::size_t& begin = gone.back().begin;
+    while (begin > 0 && is_empty_line(text, line_begin(text, begin - 1))) begin = line_begin(text, begin - 1);
+  }
+  for (const Span& span : gone) edits.remove(span);
 }
 
 void rearrange_list(std::string_view text, const LayoutNode& list, const Value& now, const Origins& origins,

@@ -38,7 +38,7 @@ using Commands = std::span<const Command>;
 struct Tab {
   std::string_view word;
   bool scrolls = false;  ///< by itself, or not at all; else the pane scrolls
-  bool large = false;    ///< opens in the plan's place, until a person exchanges the two
+  bool large = false;    ///< opens in the plan's place, except in an upright window, until a person exchanges the two
   friend bool operator==(const Tab&, const Tab&) = default;
 };
 

@@ -106,6 +106,7 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"render", classic, "-o", "x.png", "--precision", "half"}, "expected float or double"},
       {{"render", classic, "-o", "x.png", "--thread", "2"}, "did you mean --threads"},
       {{"render", classic, "-o", "x.png", "more"}, "more"},
+      {{"render", classic, "-o", ""}, "the file name has no ending"},
       {{"render", classic, "-o", "x.png", "-o", "y.png"},
        "raywalk render: --output is given twice\n  hint: give it once\n"},
       {{"render", classic, "-o", "x.png", "--threads", "1", "--threads", "2"}, "render: --threads is given twice\n"},
@@ -133,6 +134,7 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.out == "");
     CHECK_THAT(outcome.err, contains(mistake.said) && contains("hint: "));
+    CHECK(outcome.err.find("hint: ") == outcome.err.rfind("hint: "));  // one is enough
   }
   CHECK(folder.names().empty());
 }

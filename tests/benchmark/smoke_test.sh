@@ -13,6 +13,9 @@ without=$("$folder/benchmark_hooks_removed" "$scene" 20x15)
 strip=$("$folder/benchmark_strip" "$scene" 1) || [ $? -eq 1 ]
 grep -Eq '^[0-9]{4,} steps recorded in [0-9.]+ ms' <<<"$strip" || { echo "unexpected: $strip"; exit 1; }
 
+live=$("$folder/benchmark_live" "$scene" 3) || [ $? -eq 1 ]
+grep -Eq '^[0-9]{2,} items in a live frame: [0-9.]+ ms' <<<"$live" || { echo "unexpected: $live"; exit 1; }
+
 growth=$("$folder/benchmark_growth" 1000) || [ $? -eq 1 ]
 grep -Eq "clusters: kdtree costs more|trees grow no faster" <<<"$growth" || { echo "unexpected: $growth"; exit 1; }
 

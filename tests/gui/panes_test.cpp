@@ -177,6 +177,31 @@ TEST_CASE("the tree's nodes light their rays up and go to their steps") {
   CHECK(bench.state.plan.hovered_ray == -1);
 }
 
+TEST_CASE("the tree keeps its current node in sight, and below the picture where that is larger") {
+  for (const bool upright : {false, true}) {
+    Bench bench(deep());
+    if (upright) bench.resize(768, 1024);
+    update(bench.state, action::ShowTreeBeside{true});
+    const int steps = bench.state.walk.timeline->steps();
+    for (int position = steps / 8; position <= steps; position += steps / 8) {
+      update(bench.state, action::Jump{position});
+      bench.frames(4);
+      CAPTURE(upright, position);
+      const Rect image = bench.rect("image"), pane = bench.rect("tree-beside/pane");
+      if (upright)
+        CHECK(pane.y >= image.bottom());
+      else
+        CHECK(pane.x >= image.right());
+      for (const TreeNode& node : tree_panel(bench.state).nodes) {
+        if (!node.current) continue;
+        const Rect disc = bench.rect("node-" + std::to_string(node.ray));
+        CHECK((disc.x >= pane.x && disc.right() <= pane.right()));
+        CHECK((disc.y >= pane.y && disc.bottom() <= pane.bottom()));
+      }
+    }
+  }
+}
+
 TEST_CASE("a call of the stack lights its ray up") {
   Bench bench(deep());
   update(bench.state, action::SetTab{StackRoom::tab});

@@ -107,7 +107,7 @@ TEST_CASE("settings are kept; broken ones are as good as none") {
   CHECK(start(wanted)->appearance.theme == Theme::projector);
   CHECK_FALSE(start(wanted)->walk.tweens);
   CHECK(start(wanted)->appearance.english_code);
-  CHECK(start(wanted)->appearance.large());
+  CHECK(start(wanted)->appearance.exchanges());
   wanted.theme = "dark";
   CHECK(start(wanted)->appearance.theme == Theme::dark);
   for (const std::string text : {"", "{", "[1, 2]", R"({"theme": 7, "ui_scale": "large", "tab": "x"})", "\xff\xfe"}) {

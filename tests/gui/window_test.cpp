@@ -342,3 +342,14 @@ TEST_CASE("the program takes its own picture", "[window]") {
   REQUIRE(raywalk.wait(250) == 0);
   CHECK(fs::file_size(path) > 10000);
 }
+
+TEST_CASE("a program that is closed before its own picture says that there is none", "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(640, 480);
+  const fs::path path = desktop.folder() / "own.png", demo = desktop.folder() / "quits.demo";
+  std::ofstream(demo) << "quit\n";
+  Visualiser raywalk(desktop, {own_classic(desktop), "--screenshot", path.string(), "--demo", demo.string()});
+  CHECK(raywalk.wait(250) == 1);
+  CHECK_THAT(raywalk.said(), contains("own.png: not written"));
+  CHECK_FALSE(fs::exists(path));
+}

@@ -54,6 +54,7 @@ TEST_CASE("ink goes into the file on request alone, and only then is it missed")
   update(other, action::ClearInk{});
   update(other, action::Save{});
   CHECK(read_document(path).ink.empty());
+  CHECK(read_file(path, 1 << 20).value() == before);  // no empty line is left where the ink stood
 }
 
 TEST_CASE("kept ink is autosaved and recovered") {

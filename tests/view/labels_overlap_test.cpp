@@ -117,14 +117,14 @@ void check(const State& state, std::map<std::string, int>& crossed) {
 }
 
 /// What the layout leaves for the plan, in units at scale 1: of a window of 1280x720 in both themes, of 1920x1080, of
-/// that at scale 2, and of 2560x1440 at scale 3, where everything is drawn somewhat smaller.
+/// that at scale 2, of 2560x1440 at scale 3, where everything is drawn somewhat smaller, and of 768x1024 upright.
 struct Window {
   Viewport alone, beside_lesson;
   double scale;
 };
-constexpr std::array windows{Window{{857, 497}, {526, 497}, 1}, Window{{676, 330}, {345, 316}, 1},
+constexpr std::array windows{Window{{857, 497}, {526, 497}, 1},   Window{{676, 330}, {345, 316}, 1},
                              Window{{1359, 857}, {1028, 857}, 1}, Window{{537, 317}, {289, 317}, 2},
-                             Window{{460, 290}, {240, 290}, 2.8}};
+                             Window{{460, 290}, {240, 290}, 2.8}, Window{{768, 310}, {437, 300}, 1}};
 
 void show_in(State& state, const Viewport& units, double scale, Theme theme) {
   update(state, action::SetUiScale{scale});

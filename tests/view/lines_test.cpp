@@ -118,6 +118,24 @@ TEST_CASE("a scene of very many objects stands in the middle of the pane, as lar
   }
 }
 
+TEST_CASE("in a small pane the names of EYE and the lights are whole, or left out") {
+  for (const std::string& path : shipped_scenes()) {
+    State state = make_state(read_document(path));
+    for (const Viewport& pane : {Viewport{420, 210}, Viewport{300, 120}, Viewport{240, 290}}) {
+      update(state, action::ResizePlan{pane});
+      for (const Light& light : state.scene().lights) {
+        const TextItem* name = text_with(lines_view(state, pane), light.name);
+        if (name == nullptr) continue;
+        INFO(path << ", " << pane.width << " wide: " << light.name);
+        CHECK(name->at.y - 0.38 * name->size >= 0);
+        CHECK(name->at.y + 0.38 * name->size <= pane.height);
+      }
+      if (const TextItem* eye = text_with(lines_view(state, pane), "EYE"); eye != nullptr)
+        CHECK(eye->at.y + 0.38 * eye->size <= pane.height);
+    }
+  }
+}
+
 TEST_CASE("in space a wall's name does not stand on what lies before it") {
   for (const std::string& path : shipped_scenes()) {
     if (!path.ends_with("/cornell.toml")) continue;

@@ -1,7 +1,5 @@
 // Live rays: what follows a drag in Move, and what it costs.
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 
 #include "fixtures.h"
 #include "support/catch.h"
@@ -125,21 +123,4 @@ TEST_CASE("a drag traces the strip once for each place of the pointer, and nothi
   CHECK(state.document.revision == revision);
   update(state, action::PointerMoved{*state.plan.pointer + Vec2d(1, 0)});
   CHECK(state.document.revision == revision + 1);
-}
-
-// Hidden: prints the median of a frame of the state while EYE is dragged, without drawing.
-TEST_CASE("the time of a live frame", "[.]") {
-  State state = classic_state();
-  update(state, action::SetLiveRays{LiveRays::strip});
-  hold_eye(state, {20, 12});
-  std::vector<double> times;
-  for (int i = 0; i < 400; ++i) {
-    const auto begun = std::chrono::steady_clock::now();
-    update(state, action::PointerMoved{*state.plan.pointer + Vec2d(i % 80 < 40 ? 1 : -1, i % 30 < 15 ? 1 : -1)});
-    const auto items = plan_view(state).size();
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
-    REQUIRE(items > 0);
-  }
-  std::sort(times.begin(), times.end());
-  std::printf("a live frame: median %.2f ms, 95%% below %.2f ms\n", times[200], times[380]);
 }

@@ -177,6 +177,26 @@ TEST_CASE("naive and robust marks differ in shape, and what is out of sight is p
   CHECK(triangles == 1);
 }
 
+TEST_CASE("in a pane narrower than its words they stand in two lines, whole, in every language") {
+  constexpr Viewport narrow{208, 170};
+  State state = walking("classic", false);
+  for (const Language language : all_languages())
+    for (const double part : {0.2, 0.4, 1.0}) {
+      state.appearance.language = language;
+      update(state, action::Magnify{part});
+      const auto seen = find(state, [](const Specimen& s) { return s.robust && s.naive; });
+      REQUIRE(seen);
+      for (const DisplayItem& item : microscope_view(state, *seen, narrow)) {
+        const auto* words = std::get_if<TextItem>(&item.shape);
+        if (words == nullptr || words->anchor != TextAnchor::middle) continue;
+        INFO(language.code() << ", " << part << ": " << words->text);
+        const double half = 0.36 * text_width(words->text, words->size);  // text_width() is generous
+        CHECK(words->at.x - half >= 0);
+        CHECK(words->at.x + half <= narrow.width);
+      }
+    }
+}
+
 TEST_CASE("acne is called acne, and robust numerics are said to leave") {
   State state = walking("classic");
   update(state, action::SetNumerics{Numerics::robust, 0});

@@ -107,13 +107,11 @@ struct AppearanceRoom {
   double ui_scale = 1;        ///< min_ui_scale..max_ui_scale
   Tab tab = PictureRoom::tab;
   Front front = Front::code;
-  std::vector<Tab> exchanged{};  ///< those that are not where Tab::large says
+  std::vector<Tab> exchanged{};  ///< those that a person moved to the plan's place, or back from it
   bool embedded = false;         ///< in somebody's page: scene, code and transport alone, and an open lesson
 
-  /// Whether the open tab is in the plan's place, and the plan in the tabs'.
-  [[nodiscard]] bool large() const {
-    return tab.large != (std::find(exchanged.begin(), exchanged.end(), tab) != exchanged.end());
-  }
+  /// Whether the open tab is one of those.
+  [[nodiscard]] bool exchanges() const { return std::find(exchanged.begin(), exchanged.end(), tab) != exchanged.end(); }
   /// Of the pseudocode.
   [[nodiscard]] Language code_language() const { return english_code ? language.others().english() : language; }
 };

@@ -4,6 +4,7 @@
 #include "view/microscope/microscope.h"
 
 #include "view/microscope/room.h"
+#include "view/plan/labels_place.h"
 #include "view/plan/painter.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
@@ -318,10 +319,12 @@ void Drawing::draw_marks() {
   }
 }
 
-/// In the free place nearest to `at`, `clear` pixels away.
+/// In the free place nearest to `at`, `clear` pixels away; in two lines where the pane is narrower than one.
 void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
   const double size = painter_.sizes.text;
-  const Vec2d half(text_width(words, size) / 2 + 0.2 * size, 0.6 * size);
+  const std::vector<NameLines> ways = letterings(words, size);
+  const NameLines& letters = ways.front().half.x > middle_.x ? ways.back() : ways.front();
+  const Vec2d half(letters.half.x + 0.2 * size, letters.half.y);
   const PixelRect pane = painter_.pane();
   std::optional<Vec2d> best;
   double least = 0;
@@ -340,7 +343,12 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
       if (best && covered >= least) continue;
       best = middle, least = covered;
     }
-  painter_.note(*best, words);
+  const PixelRect box{*best - half, *best + half};
+  painter_.add(PolygonItem{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}},
+                           painter_.colours.plan.with_alpha(165),
+                           std::nullopt});
+  painter_.kept_free.push_back(box);
+  draw_letters(painter_, *best, letters, painter_.colours.text);
 }
 
 /// The scale bar, in the lower left corner.

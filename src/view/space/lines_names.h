@@ -8,8 +8,9 @@
 
 namespace raywalk {
 
-/// Draws a centred name, unless it would cover another one.
-void draw_name(Painter& painter, const std::string& what, const Vec2d& at);
+/// Draws the name of a point in view: `away` from it or, where that leaves the pane, on another side of it. None if it
+/// would cover another one everywhere.
+void draw_name(Painter& painter, const std::string& what, const Vec2d& of, const Vec2d& away);
 
 /// Draws the objects' names, each on its own body unless a smaller one is there, else beside it.
 void draw_object_names(Painter& painter, const Projection& seen);

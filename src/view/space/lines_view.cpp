@@ -163,8 +163,8 @@ class Lines {
     }
     if (const auto at = seen_.point(camera.eye)) {
       painter_.add(CircleItem{*at, 4 * painter_.sizes.unit, painter_.colours.ink, std::nullopt}, {TargetKind::eye});
-      draw_name(painter_, std::string(text("object.eye", painter_.state.appearance.language)),
-                *at + Vec2d(0, 16 * painter_.sizes.unit));
+      draw_name(painter_, std::string(text("object.eye", painter_.state.appearance.language)), *at,
+                Vec2d(0, 16 * painter_.sizes.unit));
     }
   }
 
@@ -190,7 +190,7 @@ class Lines {
         const Vec2d out(std::cos(angle), std::sin(angle));
         painter_.add_clipped({*at + 1.4 * least * out, *at + 2 * least * out, stroke}, target);
       }
-      draw_name(painter_, shown_name(painter_.state, light.name), *at - Vec2d(0, 3.4 * least));
+      draw_name(painter_, shown_name(painter_.state, light.name), *at, Vec2d(0, -3.4 * least));
     }
   }
 
