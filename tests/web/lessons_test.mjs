@@ -24,9 +24,18 @@ const means = {
       .filter((button) => button && button.getAttribute('aria-disabled') !== 'true' && button.getAttribute('aria-pressed') !== 'true')
       .map((button) => button.click()).length > 0);
   },
-  async mouse(visit, { items }) {
-    for (const item of ['guess/1', 'lesson-reveal']) if (item in items) await visit.click(item);
-    if (!('lesson-reveal' in items)) await visit.click('lesson-next');
+  async mouse(visit, { items, lesson: { revealed } }) {
+    const next = 'lesson-reveal' in items ? 'lesson-reveal' : 'lesson-next';
+    if ('guess/1' in items && !revealed) {
+      const bottom = ([, y, , height]) => y + height;
+      await visit.page.mouse.move(items.lesson[0] + items.lesson[2] / 2, items.lesson[1] + items.lesson[3] / 2);
+      for (let turns = 0; turns < 20 && bottom((await visit.report()).items['guess/1']) > items[next][1]; ++turns) {
+        await visit.page.mouse.wheel({ deltaY: 200 });
+        await new Promise((again) => setTimeout(again, 100));
+      }
+      await visit.click('guess/1');
+    }
+    await visit.click(next);
   },
   async keys(visit, { items }) {
     if ('guess/1' in items) await visit.page.keyboard.press('1');

@@ -15,7 +15,7 @@ if ! cmp -s "$here/package.json" "$tools/package.json" || [[ ! -d $tools/node_mo
   cp "$here/package.json" "$tools/"
   npm install --prefix "$tools" --no-package-lock --no-audit --no-fund --silent
 fi
-rm -f "$tools"/*.mjs
+rm -f "$tools"/*.mjs # of other versions
 cp "$here"/*.mjs "$tools/" # beside the modules that they import
 export RAYWALK_BUILD=$build RAYWALK_SOURCE_DIR=${here%/tests/web}
 
