@@ -69,12 +69,12 @@ bool answer_by_key(const KeyPress& press, const Ui& ui) {
 void notice_bar(const Ui& ui, const Rect& plan) {
   if (!ui.state.document.notice || ui.state.document.prompt != PathPrompt::none || plan.width < ui.px(80)) return;
   const bool error = ui.state.document.notice->kind == Notice::Kind::error;
-  const float margin = ui.px(12), edge = ui.px(24), most = std::min(plan.width - 2 * margin, ui.px(640));
+  const float inset = ui.px(12), edge = ui.px(24), most = std::min(plan.width - 2 * inset, ui.px(640));
   const float text_most = most - edge - ui.px(42);
   const std::string& words = ui.state.document.notice->text;
   const ImVec2 extent = ImGui::CalcTextSize(words.c_str(), nullptr, false, text_most);
   const float width = std::min(extent.x + 1, text_most) + edge + ui.px(42);
-  ImGui::SetNextWindowPos({plan.x + margin, plan.y + margin});
+  ImGui::SetNextWindowPos({plan.x + inset, plan.y + inset});
   ImGui::SetNextWindowSize({width, std::max(extent.y, edge) + ui.px(20)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(10)});
   ImGui::PushStyleColor(ImGuiCol_Border,

@@ -76,7 +76,7 @@ struct Wanted {
   std::array<const char*, 3> names;  // best first; packages name the same face differently
 };
 
-constexpr std::array<Wanted, 4> wanted{{
+constexpr std::array<Wanted, 4> wanted_faces{{
     {&FontFiles::text, {"Inter-Regular.otf", "Inter-Regular.ttf", "Inter.ttf"}},
     {&FontFiles::strong, {"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "Inter-Bold.otf"}},
     {&FontFiles::code, {"JetBrainsMono-Regular.ttf", "JetBrainsMono-Regular.otf", "JetBrainsMonoNL-Regular.ttf"}},
@@ -86,7 +86,7 @@ constexpr std::array<Wanted, 4> wanted{{
 // Notes `path` if its name is wanted and no better one was found.
 void note(FontFiles& found, const fs::path& path) {
   const std::string name = path.filename().string();
-  for (const Wanted& want : wanted) {
+  for (const Wanted& want : wanted_faces) {
     const auto rank = [&](const std::string& file) {
       return std::find(want.names.begin(), want.names.end(), file) - want.names.begin();
     };
@@ -96,7 +96,8 @@ void note(FontFiles& found, const fs::path& path) {
 }
 
 bool complete(const FontFiles& files) {
-  return std::all_of(wanted.begin(), wanted.end(), [&](const Wanted& want) { return !(files.*want.use).empty(); });
+  return std::all_of(wanted_faces.begin(), wanted_faces.end(),
+                     [&](const Wanted& want) { return !(files.*want.use).empty(); });
 }
 
 }  // namespace
@@ -129,7 +130,7 @@ FontFiles find_fonts(const std::vector<std::string>& folders) {
       if (entry->is_regular_file(no_file)) note(here, entry->path());
       entry.increment(error);
     }
-    for (const Wanted& want : wanted) {
+    for (const Wanted& want : wanted_faces) {
       if ((found.*want.use).empty()) found.*want.use = here.*want.use;
     }
     if (complete(found)) break;

@@ -47,7 +47,7 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   // In one column the lesson stands below the walk, and is not folded away.
   const bool folds = wishes.focus && !(one_column && wishes.front == Front::lesson);
   const float low = folds        ? take(below / 8, folded_width * unit)
-                    : one_column ? take(below, below * 0.42f)
+                    : one_column ? take(below, below * (wishes.front == Front::lesson ? 0.48f : 0.42f))
                                  : take(below * 0.5f, std::max(wishes.code, below * 0.4f));
   const float lesson = wishes.lesson > 0 && !one_column ? take(width * 0.5f - line, wishes.lesson) : 0.0f;
   lay_out_walk(wishes, lesson, top, std::max(height - low - line, top), width, layout);

@@ -252,7 +252,9 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   const bool alone = ui.state.focus.on && has_question(ui.state);  // the question without what leads to it
   if (!alone) head(ui, panel, where, open);
 
-  const float options_height = alone ? 0 : height + ui.px(8);
+  // A telephone has no room for what a teacher chooses once; the list of lessons has it, too.
+  const bool has_options = !alone && (!open || where.height > ui.px(360));
+  const float options_height = has_options ? height + ui.px(8) : 0;
   const float foot = (open ? height + ui.px(18) : ui.px(10)) + options_height;
   const float room = std::max(where.bottom() - ImGui::GetCursorScreenPos().y - foot, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
@@ -275,7 +277,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   ImGui::PopStyleColor();
 
   if (open) steps(ui, panel, {left, where.bottom() - foot + ui.px(8)}, width);
-  if (alone) return;
+  if (!has_options) return;
   ImGui::SetCursorScreenPos({left, where.bottom() - ui.px(10) - height});
   options(ui, width, open);
 }

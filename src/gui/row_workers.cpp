@@ -22,9 +22,7 @@ constexpr int most_rows = 64;
 
 std::string RowServer::answer(std::string_view message) {
   Unpacker told(message);
-  static_cast<void>(told.take<MessageKind>());
-  const auto what = told.take<RowMessage>();
-  const auto job = told.take<std::uint64_t>();
+  const auto [kind, what, job] = told.take<MessageHead<RowMessage>>();
   if (what == RowMessage::begin) {
     const auto settings = told.take<PreviewSettings>();
     const std::string path(told.take_text());
@@ -41,9 +39,7 @@ std::string RowServer::answer(std::string_view message) {
     return {};
   }
   Packer answer;
-  answer.put(MessageKind::rows);
-  answer.put(job);
-  answer.put(tracer_.has_value());
+  answer.put(MessageHead{MessageKind::rows, tracer_.has_value(), job});
   if (!tracer_ || job != job_) return answer.take();
   const auto begun = std::chrono::steady_clock::now();
   std::vector<TracedRow> rows;
@@ -65,9 +61,7 @@ bool RowWorkers::begin(const Scene& scene, const std::string& path, const Previe
   const Result<std::string> text = format_scene(scene);
   if (!text) return false;
   Packer message;
-  message.put(MessageKind::rows);
-  message.put(RowMessage::begin);
-  message.put(++job_);
+  message.put(MessageHead{MessageKind::rows, RowMessage::begin, ++job_});
   message.put(settings);
   message.put(path);
   // Not everything that is looked at is in a scene's file.
@@ -106,9 +100,7 @@ bool RowWorkers::serve(Preview& preview, bool more) {
       const std::vector<PreviewRow> next = preview.hand_out(static_cast<int>(wanted));
       if (next.empty()) return true;
       Packer message;
-      message.put(MessageKind::rows);
-      message.put(RowMessage::trace);
-      message.put(job_);
+      message.put(MessageHead{MessageKind::rows, RowMessage::trace, job_});
       message.put(next);
       channel_.tell(static_cast<int>(i), message.take());
       ++worker.messages;
@@ -126,11 +118,10 @@ std::optional<std::vector<TracedRow>> RowWorkers::take(int worker, std::string_v
   if (index >= workers_.size()) return std::nullopt;
   --workers_[index].messages;
   Unpacker told(answer);
-  static_cast<void>(told.take<MessageKind>());
-  const bool of_this = told.take<std::uint64_t>() == job_;
-  if (!told.take<bool>() && of_this) return std::nullopt;
+  const auto [kind, known, job] = told.take<MessageHead<bool>>();
+  if (!known && job == job_) return std::nullopt;
   std::vector<TracedRow> rows;
-  if (!of_this || told.at_end()) return rows;
+  if (job != job_ || told.at_end()) return rows;
   const auto seconds = told.take<double>();
   while (!told.at_end()) {
     TracedRow row;

@@ -17,9 +17,7 @@ constexpr double milliseconds_a_message = 30;  // an edit waits no longer
 
 std::string TryServer::answer(std::string_view message) {
   Unpacker told(message);
-  static_cast<void>(told.take<MessageKind>());
-  const auto what = told.take<TryMessage>();
-  const auto job = told.take<std::uint64_t>();
+  const auto [kind, what, job] = told.take<MessageHead<TryMessage>>();
   if (what == TryMessage::begin) {
     const auto size = told.take<ImageSize>();
     const auto setups = told.take_all<study::Setup>();
@@ -38,9 +36,7 @@ std::string TryServer::answer(std::string_view message) {
     return {};
   }
   Packer answer;
-  answer.put(MessageKind::tries);
-  answer.put(job);
-  answer.put(job == job_);
+  answer.put(MessageHead{MessageKind::tries, job == job_, job});
   if (job != job_) return answer.take();
   bench_.work(milliseconds_a_message);
   answer.put(bench_.floor());
@@ -69,9 +65,7 @@ bool TryWorkers::begin(const Scene& scene, const std::string& path, ImageSize si
   const Result<std::string> text = format_scene(scene);
   if (!text) return false;
   Packer message;
-  message.put(MessageKind::tries);
-  message.put(TryMessage::begin);
-  message.put(++job_);
+  message.put(MessageHead{MessageKind::tries, TryMessage::begin, ++job_});
   message.put(size);
   message.put(setups);
   message.put(path);
@@ -83,9 +77,7 @@ bool TryWorkers::begin(const Scene& scene, const std::string& path, ImageSize si
 void TryWorkers::try_out(const study::Setup& setup) {
   if (!at_work_) return;
   Packer message;
-  message.put(MessageKind::tries);
-  message.put(TryMessage::try_out);
-  message.put(job_);
+  message.put(MessageHead{MessageKind::tries, TryMessage::try_out, job_});
   message.put(setup);
   channel_.tell(0, message.take());
 }
@@ -99,9 +91,9 @@ bool TryWorkers::serve(study::Workbench& bench, bool more) {
   while (const auto heard = channel_.hear(MessageKind::tries)) {
     --asked_;
     Unpacker told(heard->message);
-    static_cast<void>(told.take<MessageKind>());
-    if (told.take<std::uint64_t>() != job_) continue;
-    if (!told.take<bool>()) return lost();
+    const auto [kind, known, job] = told.take<MessageHead<bool>>();
+    if (job != job_) continue;
+    if (!known) return lost();
     study::Findings found;
     found.floor = told.take<double>();
     found.reference_samples = told.take<int>();
@@ -117,9 +109,7 @@ bool TryWorkers::serve(study::Workbench& bench, bool more) {
   }
   if (!more || asked_ > 0 || bench.finished()) return true;
   Packer message;
-  message.put(MessageKind::tries);
-  message.put(TryMessage::go_on);
-  message.put(job_);
+  message.put(MessageHead{MessageKind::tries, TryMessage::go_on, job_});
   channel_.tell(0, message.take());
   ++asked_;
   return true;

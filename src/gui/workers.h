@@ -11,6 +11,15 @@ namespace raywalk {
 /// The first byte of every message and answer.
 enum class MessageKind : std::uint8_t { rows, tries };
 
+/// How every message and answer begins. `What`: an enumeration of what a worker is asked to do; in an answer, whether
+/// it knows the job.
+template <class What>
+struct MessageHead {
+  MessageKind kind;
+  What what;
+  std::uint64_t job;
+};
+
 class Workers {
  public:
   Workers() = default;

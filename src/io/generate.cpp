@@ -14,12 +14,12 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <numbers>
 
 namespace raywalk {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int max_in_toml = 20'000;
 
 /// Buffers text for writing; ignores further text after an error.
@@ -161,8 +161,8 @@ void write_flake(Sink& sink, SceneSink& scene, const Vec3d& centre, double radiu
     const Vec3d u = normalize(cross(axis, out)), v = cross(out, u);
     write_flake(sink, scene, centre + (radius * 4 / 3) * out, radius / 3, {u, v}, out, levels - 1);
   };
-  for (int i = 0; i < 6; ++i) grow(i * pi / 3, 0);
-  for (int i = 0; i < 3; ++i) grow(pi / 6 + i * 2 * pi / 3, std::sqrt(2.0 / 3));
+  for (int i = 0; i < 6; ++i) grow(i * std::numbers::pi / 3, 0);
+  for (int i = 0; i < 3; ++i) grow(std::numbers::pi / 6 + i * 2 * std::numbers::pi / 3, std::sqrt(2.0 / 3));
 }
 
 void write_flake(const GenerateOptions& options, Sink& sink, SceneSink& scene) {
@@ -185,7 +185,7 @@ class BumpyBall {
     rings_ = std::max(2, static_cast<int>(std::lround(std::sqrt(options.count / 4.0))));
     around_ = 2 * rings_;
     for (std::size_t i = 0; i < phases_.size(); ++i)
-      phases_[i] = 2 * pi * random_unit<double>({options.seed, static_cast<std::int32_t>(i)});
+      phases_[i] = 2 * std::numbers::pi * random_unit<double>({options.seed, static_cast<std::int32_t>(i)});
   }
   [[nodiscard]] std::int64_t vertices() const { return std::int64_t{rings_} * around_ + 2; }
   [[nodiscard]] std::int64_t triangles() const { return std::int64_t{2} * rings_ * around_; }
@@ -222,9 +222,10 @@ class BumpyBall {
   };
   [[nodiscard]] Angles angles(std::int64_t vertex) const {
     if (vertex == 0) return {0, 0};
-    if (vertex + 1 == vertices()) return {pi, 0};
+    if (vertex + 1 == vertices()) return {std::numbers::pi, 0};
     const std::int64_t ring = (vertex - 1) / around_, place = (vertex - 1) % around_;
-    return {pi * static_cast<double>(ring + 1) / (rings_ + 1), 2 * pi * static_cast<double>(place) / around_};
+    return {std::numbers::pi * static_cast<double>(ring + 1) / (rings_ + 1),
+            2 * std::numbers::pi * static_cast<double>(place) / around_};
   }
   [[nodiscard]] Vec3d at(double down, double turn) const {
     const double flat = portable::sin(down);  // no bumps at the poles

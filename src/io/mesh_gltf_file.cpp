@@ -240,14 +240,14 @@ Result<GltfFile> open_gltf(std::string bytes, const std::string& path) {
     if (bytes.size() < 20)
       return fail(fmt::format("the file ends in its header (expected 20 bytes or more) at byte {}", bytes.size()));
     if (number_at(bytes, 4) != 2) return fail(fmt::format("version {} (expected 2) at byte 4", number_at(bytes, 4)));
-    const std::uint64_t length = number_at(bytes, 12);
+    const std::size_t length = number_at(bytes, 12);
     if (bytes.substr(16, 4) != "JSON" || length > bytes.size() - 20)
       return fail("the JSON goes over the end of the file (expected a chunk of JSON that is whole) at byte 12");
     begin = 20;
     text = std::string_view(bytes).substr(begin, length);
     const std::size_t next = begin + length;
     if (bytes.size() - next >= 8) {
-      const std::uint64_t size = number_at(bytes, next);
+      const std::size_t size = number_at(bytes, next);
       if (size > bytes.size() - next - 8)
         return fail(fmt::format("a chunk goes over the end of the file (expected at most {} bytes) at byte {}",
                                 bytes.size() - next - 8, next));

@@ -145,7 +145,8 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   picture.film().set_begun(begun);
   Film<T> film = settings.sampling.corners ? mean_of_corners(picture.film()) : std::move(picture.film());
   const bool pixel_is_sample = settings.sampling.per_pixel == 1 && !settings.sampling.corners;
-  rendering.not_finite_pixels = pixel_is_sample ? rendering.statistics.not_finite : not_finite(film);
+  rendering.not_finite_pixels =
+      pixel_is_sample ? static_cast<std::size_t>(rendering.statistics.not_finite) : not_finite(film);
   rendering.film = std::move(film);
   return rendering;
 }

@@ -67,7 +67,6 @@ class RowTracer::TracingIn final : public RowTracer::Tracing {
   }
 
   [[nodiscard]] TracedRow trace(const PreviewRow& row, const Stop& stop) const override {
-    using Clock = std::chrono::steady_clock;
     TracedRow traced{row, {}, {}, {}};
     const auto [begin, step] = columns_of(row);
     const PixelBlock block{begin, settings_.size.width, row.row, row.row + 1, std::max(row.pass.sample, 0), step, 1,
@@ -79,10 +78,11 @@ class RowTracer::TracingIn final : public RowTracer::Tracing {
       return traced;
     }
     for (const Pixel& pixel : block) {
-      const auto begun = Clock::now();
+      const auto begun = std::chrono::steady_clock::now();
       const Statistics own =
           kernel_(camera, {pixel.column, pixel.column + 1, pixel.row, pixel.row + 1, 0, 1, 1, stop}, put);
-      const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - begun).count();
+      const double microseconds =
+          std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count();
       traced.costs.push_back(cost_of(settings_.heat, own, microseconds));
       traced.statistics += own;
     }

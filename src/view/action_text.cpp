@@ -242,14 +242,14 @@ constexpr ActionRow row_of{word_of<A>(),
                              A same = action != nullptr ? *action->as<A>() : A{};
                              each_field(to, same);
                            }};
-constexpr auto rows = []<class... As>(Types<As...>) {
+constexpr auto action_rows = []<class... As>(Types<As...>) {
   return std::array<ActionRow, sizeof...(As)>{row_of<As>...};
 }(AllActions());
 
 }  // namespace
 
 std::string write_action(const Action& action) {
-  const ActionRow& row = rows[action.kind()];
+  const ActionRow& row = action_rows[action.kind()];
   if (row.word.empty()) return {};
   ActionWriter writer(row.word);
   row.show(&action, writer);
@@ -259,8 +259,9 @@ std::string write_action(const Action& action) {
 Result<Action> parse_action(std::string_view line) {
   const std::string_view whole = trimmed(line);
   const std::string_view word = whole.substr(0, whole.find_first_of(" \t"));
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ActionRow& r) { return r.word == word; });
-  if (word.empty() || row == rows.end())
+  const auto row =
+      std::find_if(action_rows.begin(), action_rows.end(), [&](const ActionRow& r) { return r.word == word; });
+  if (word.empty() || row == action_rows.end())
     return wrong("'" + std::string(word) + "' is no action", "such as: step forward, press 120 80 left");
   ActionReader reader(whole.substr(word.size()));
   Action action = row->read(reader);
@@ -270,7 +271,7 @@ Result<Action> parse_action(std::string_view line) {
 
 std::string demo_help() {
   std::vector<std::string> lines;
-  for (const ActionRow& row : rows) {
+  for (const ActionRow& row : action_rows) {
     if (row.word.empty()) continue;
     ArgumentLister lister(row.word);
     row.show(nullptr, lister);

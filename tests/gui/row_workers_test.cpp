@@ -2,8 +2,10 @@
 #include "gui/row_workers.h"
 
 #include "gui/session.h"
+#include "render/film.h"
 #include "support/catch.h"
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <vector>
@@ -81,6 +83,35 @@ TEST_CASE("workers make the picture that threads make, in every shipped scene's 
       CHECK(image.preview().rgba() == by_threads(state));
     }
   }
+}
+
+// Switches and the depth that is looked at are in no scene's file: the workers have to be told of them.
+TEST_CASE("workers leave out what is switched off, as threads do") {
+  State state = scene_of("whitted");
+  update(state, action::ShowEffects{true});
+  const auto picture_by = [&](int count) {
+    PlayedWorkers workers(count);
+    LiveImage image(workers);
+    image.follow(state);
+    while (image.work(state, 14)) workers.patience = 3;
+    CHECK(image.preview().finished());
+    return image_of(image.preview().film<double>());
+  };
+  std::vector<Image> seen;
+  const auto look = [&] {
+    seen.push_back(picture_by(2));
+    CHECK(seen.back() == picture_by(0));
+    CHECK(std::find(seen.begin(), seen.end() - 1, seen.back()) == seen.end() - 1);
+  };
+  look();
+  for (const Effect effect : switched_effects) {
+    INFO(static_cast<int>(effect));
+    update(state, action::SwitchEffect{effect, false});
+    look();
+    update(state, action::SwitchEffect{effect, true});
+  }
+  update(state, action::LimitDepth{1});
+  look();
 }
 
 TEST_CASE("an edit makes what was handed out void, and few rows are out at any time") {

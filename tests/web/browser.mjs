@@ -1,4 +1,5 @@
-// A headless Chromium on the page, and the page's own report of what it shows.
+// A browser without a window on the page, and the page's own report of what it shows. Chromium, or Firefox where
+// RAYWALK_BROWSER says so; Firefox draws with WebGL only on a display (run.sh gives it one that nobody sees).
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +9,17 @@ export const build = process.env.RAYWALK_BUILD;
 export const site = join(build, 'web/site');
 export const pictures = join(build, 'web-tests/pictures');
 
-export const open_browser = () => puppeteer.launch({
+export const is_firefox = process.env.RAYWALK_BROWSER === 'firefox';
+// For what Firefox's protocol does not offer.
+export const only_in_chromium = { skip: is_firefox && 'in Chromium alone' };
+
+export const open_browser = (preferences = {}) => puppeteer.launch(is_firefox ? {
+  browser: 'firefox',
+  protocol: 'webDriverBiDi',
+  executablePath: '/usr/bin/firefox-esr',
+  headless: false,
+  extraPrefsFirefox: { 'webgl.force-enabled': true, 'dom.w3c_touch_events.enabled': 1, ...preferences },
+} : {
   browser: 'chrome',
   executablePath: ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync),
   args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
@@ -75,6 +86,24 @@ export class Visit {
   }
   settled() {
     return this.until(() => true);
+  }
+  // Touches with these fingers, each its [x, y]: touchstart, touchmove or touchend. A browser's own way where it has one.
+  async touch(type, ...points) {
+    if (!is_firefox) {
+      this.session ??= await this.page.createCDPSession();
+      return this.session.send('Input.dispatchTouchEvent',
+        { type: type.replace(/^touch./, (start) => start.slice(0, -1) + start.at(-1).toUpperCase()),
+          touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    }
+    return this.page.evaluate((type, points) => {
+      const target = document.getElementById('canvas');
+      const touches = points.map(([clientX, clientY], identifier) => new window.Touch({ identifier, target, clientX, clientY }));
+      target.dispatchEvent(new TouchEvent(type, { touches, targetTouches: touches, changedTouches: touches, bubbles: true, cancelable: true }));
+    }, type, points);
+  }
+  async tap(x, y) {
+    await this.touch('touchstart', [x, y]);
+    await this.touch('touchend');
   }
   async click(item) {
     const report = await this.until((now) => item in now.items, `there is an item ${item}`);

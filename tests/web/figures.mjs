@@ -39,13 +39,13 @@ for (const [slower, goal] of [[1, '2'], [4, '4']]) {
   print(`first STEP possible${slower > 1 ? `, slowed ${slower} times` : ''}`, `${(median(times) / 1000).toFixed(2)} s`, goal);
 }
 
-// Steps so many times; what each frame meanwhile took of the processor, in milliseconds, which other programs do not
+// Does something so many times; what each frame meanwhile took of the processor, in milliseconds, which other programs do not
 // change. What the graphics card draws, or what stands in for it, is not among it.
-async function frames_of_steps(page, count) {
+async function frames_of(page, count, act) {
   const path = join(tmpdir(), `raywalk-${process.pid}.json`);
   await page.tracing.start({ path, categories: ['devtools.timeline'] });
   for (let i = 0; i < count; ++i) {
-    await page.keyboard.press('Space');
+    await act(i);
     await new Promise((next) => setTimeout(next, 120));
   }
   await page.tracing.stop();
@@ -56,11 +56,50 @@ async function frames_of_steps(page, count) {
 for (const [scene, rests] of [['classic', true], ['classic', false], ['cornell', false], ['distributed', false]]) {
   const page = await open_page(1, `?scene=${scene}`);
   if (rests) await new Promise((again) => setTimeout(again, 15000)); // its picture is made
-  const frames = await frames_of_steps(page, 40);
+  const frames = await frames_of(page, 40, () => page.keyboard.press(' '));
   print(`${scene}: a frame of STEP${rests ? '' : ', a picture being made'}: median, longest`,
     `${median(frames).toFixed(1)} ${Math.max(...frames).toFixed(1)} ms`, rests ? '16' : '50');
   await page.close();
 }
+
+// What is cut into slices between frames, the searches of a structure and the tries: the longest frame meanwhile.
+const act = (page, line) => page.evaluate((line) => {
+  window.raywalk.ccall('page_act', null, ['string'], [line]);
+  window.dispatchEvent(new Event('focus'));
+}, line);
+for (const [what, lines] of [
+  ['sphereflake: structures searched', ['tab structure', 'structure bvh', ...Array(8).fill('structure-go 3'), 'structure octree', 'structure kdtree', 'structure grid']],
+  ['sphereflake: structures built', ['tab structure', 'structure-page build', 'structure bvh', 'structure octree', 'structure kdtree', 'structure grid']],
+  ['cornell: tries of Cost', ['tab cost', 'cost-try ladder', ...Array(12).fill('step forward')]]]) {
+  const page = await open_page(1, `?scene=${what.split(':')[0]}`);
+  const frames = await frames_of(page, lines.length, (i) => act(page, lines[i]));
+  print(`${what}: median, longest frame`, `${median(frames).toFixed(1)} ${Math.max(...frames).toFixed(1)} ms`, '50');
+  await page.close();
+}
+
+// Seconds on the clock: a STEP until its pixels can be read, and the classic strip walked anew, to another depth.
+const page = await open_page();
+await new Promise((again) => setTimeout(again, 15000));
+const [drawn, recorded, memory] = await page.evaluate(() => {
+  const program = window.raywalk, gl = document.getElementById('canvas').getContext('webgl2'), drawn = [], recorded = [];
+  const timed = (times, line, more = () => 0) => {
+    const begun = performance.now();
+    program.ccall('page_act', null, ['string'], [line]);
+    more();
+    times.push(performance.now() - begun);
+  };
+  for (let i = 0; i < 40; ++i)
+    timed(drawn, 'step forward', () => {
+      program._page_turn();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    });
+  for (let i = 0; i < 10; ++i) timed(recorded, `depth ${1 + i % 2}`);
+  return [drawn, recorded, program.HEAPU8.length + program.workers.memory()];
+});
+print('classic: STEP drawn by software: median', `${median(drawn).toFixed(1)} ms`, '50');
+print('classic: the strip recorded anew: median', `${median(recorded).toFixed(1)} ms`, '30');
+print('memory of page and workers', `${(memory / 2 ** 20).toFixed(0)} MiB`, '256');
+await page.close();
 await browser.close();
 server.end();
 
@@ -70,8 +109,8 @@ for (const scene of ['whitted', 'classic']) {
   const file = join(tmpdir(), `raywalk-${process.pid}.pfm`), own = [], native = [];
   for (let i = 0; i < 5; ++i) {
     const before = process.cpuUsage();
-    program.ccall('page_render', 'string', ['string', 'string', 'number', 'number', 'number'],
-      [`/raywalk/scenes/${scene}.toml`, '/own.pfm', 1323, 993, 0]);
+    program.ccall('page_render', 'string', ['string', 'string', 'number', 'number', 'string', 'string'],
+      [`/raywalk/scenes/${scene}.toml`, '/own.pfm', 1323, 993, 'double', '']);
     const { user, system } = process.cpuUsage(before);
     own.push((user + system) / 1e6);
     const { stderr } = spawnSync('bash', ['-c', 'TIMEFORMAT="%U %S"; time "$0" "$@"', join(build, 'release/raywalk'), 'render',

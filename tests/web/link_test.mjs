@@ -24,7 +24,7 @@ test('a scene that was changed is opened by its link in another browser, at the 
   await visit.page.keyboard.press('1');
   await visit.until((now) => now.dirty);
   await visit.page.keyboard.press('t');
-  for (let i = 0; i < 5; ++i) await visit.page.keyboard.press('Space');
+  for (let i = 0; i < 5; ++i) await visit.page.keyboard.press(' ');
   const before = await visit.until((now) => now.position >= 5);
   await visit.copy_link();
   const { link } = await visit.until((now) => now.link !== '');

@@ -5,7 +5,7 @@ import { cpSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, wri
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { open_browser, site } from './browser.mjs';
+import { only_in_chromium, open_browser, site } from './browser.mjs';
 
 let browser, server, address;
 const own = mkdtempSync(join(tmpdir(), 'raywalk-site-'));
@@ -88,7 +88,7 @@ test('a new version takes the place of the old one whole, once no page of the ol
   await context.close();
 });
 
-test('the page can be installed', async () => {
+test('the page can be installed', only_in_chromium, async () => {
   const page = await browser.newPage();
   await page.goto(address);
   const session = await page.createCDPSession();

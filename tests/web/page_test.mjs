@@ -1,18 +1,19 @@
-// The page in Chromium: it starts, walks, saves, survives a reload, takes and gives files, and rests when nothing moves.
+// The page: it starts, walks, saves, survives a reload, takes and gives files, and rests when nothing moves.
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { Visit, open_browser, pictures, serve, site } from './browser.mjs';
+import { Visit, is_firefox, open_browser, pictures, serve, site } from './browser.mjs';
 
 let browser, server;
 const downloads = mkdtempSync(join(tmpdir(), 'raywalk-downloads-'));
 mkdirSync(pictures, { recursive: true });
 
 before(async () => {
-  browser = await open_browser();
+  browser = await open_browser({ 'browser.download.dir': downloads, 'browser.download.folderList': 2,
+    'browser.download.useDownloadDir': true, 'browser.helperApps.neverAsk.saveToDisk': 'application/octet-stream' });
   server = await serve();
 });
 after(async () => {
@@ -28,7 +29,7 @@ for (const [name, size] of [['1280x720', {}], ['1280x720@2', { deviceScaleFactor
     const visit = await Visit.begin(browser, server.address, size);
     const report = await visit.report();
     assert.deepEqual([report.window.width, report.window.height], [size.width ?? 1280, size.height ?? 720]);
-    await visit.page.keyboard.press('Space');
+    await visit.page.keyboard.press(' ');
     await visit.until((now) => now.position === 1);
     await visit.until(image_done, 'the image is finished');
     await visit.page.screenshot({ path: join(pictures, `${name}.png`) });
@@ -144,9 +145,11 @@ test('an edit survives a reload, and belongs to its tab while that lives', async
 
 test('a file that is chosen is opened, and one that is saved is downloaded', async () => {
   const visit = await Visit.begin(browser, server.address);
-  const session = await browser.target().createCDPSession();
-  await session.send('Browser.setDownloadBehavior',
-    { behavior: 'allow', downloadPath: downloads, browserContextId: visit.context.id });
+  if (!is_firefox) {
+    const session = await browser.target().createCDPSession();
+    await session.send('Browser.setDownloadBehavior',
+      { behavior: 'allow', downloadPath: downloads, browserContextId: visit.context.id });
+  }
   const chooser = await visit.page.$('#chooser');
   const scenes = join(process.env.RAYWALK_SOURCE_DIR, 'scenes');
   await chooser.uploadFile(join(scenes, 'mesh.toml'), join(scenes, 'ball.ply'));

@@ -1,8 +1,10 @@
 // The short set: the page starts and steps, a lesson's step, a link, and the bits of five scenes.
-import './pictures_of_five.mjs';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Visit, open_browser, serve } from './browser.mjs';
+import { five_in } from './pictures.mjs';
+
+five_in('double');
 
 let browser, server;
 before(async () => {
@@ -16,7 +18,7 @@ after(async () => {
 
 test('the page starts, and STEP steps', async () => {
   const visit = await Visit.begin(browser, server.address);
-  await visit.page.keyboard.press('Space');
+  await visit.page.keyboard.press(' ');
   await visit.until((now) => now.position === 1);
   assert.deepEqual(visit.complaints, []);
   await visit.page.close();

@@ -6,6 +6,7 @@
 #include "image/image_file.h"
 #include "io/scene_file.h"
 #include "io/scene_patch.h"
+#include "math/words.h"
 #include "render/render.h"
 #include "text/languages.h"
 #include "text/text_file.h"
@@ -159,15 +160,19 @@ EMSCRIPTEN_KEEPALIVE bool page_uses_key(const char* written) {
   return is_key(press.key) && (commands_on(press, Mode::trace) > 0 || commands_on(press, Mode::move) > 0);
 }
 
-/// Renders a scene, as `raywalk render` does; null, or what is wrong.
-EMSCRIPTEN_KEEPALIVE const char* page_render(const char* scene, const char* image, int width, int height, bool single) {
+/// Renders a scene, as `raywalk render` does; null, or what is wrong. An empty `integrator` is the scene's.
+EMSCRIPTEN_KEEPALIVE const char* page_render(const char* scene, const char* image, int width, int height,
+                                             const char* precision, const char* integrator) {
   static std::string wrong;
-  const auto document = read_scene(scene);
+  auto document = read_scene(scene);
   if (!document) return (wrong = document.error().text()).c_str();
   RenderSettings settings;
   settings.size = ImageSize{width, height};
   settings.sampling.per_pixel = document->scene.render.samples;
-  settings.precision = single ? Precision::float_ : Precision::double_;
+  settings.precision = named<Precision>(precision).value_or(Precision::double_);
+  RenderChoices& choices = document->scene.render;
+  choices.integrator = named<Integrator>(integrator).value_or(choices.integrator);
+  settings.tolerance = choices.tolerance;
   const auto rendering = render(document->scene, settings);
   if (!rendering) return (wrong = rendering.error().text()).c_str();
   const auto written = write_image(image, rendering->image(), document->scene.encoding);

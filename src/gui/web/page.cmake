@@ -6,14 +6,20 @@ foreach(file IN ITEMS accel/watched.cpp accel/accelerator_naive.cpp trace/kernel
   set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${file}" PROPERTIES COMPILE_OPTIONS -Os SKIP_PRECOMPILE_HEADERS ON)
 endforeach()
 
-# Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what the page's languages and
-# formulas are written in: as blocks of Unicode, Latin, Greek, marks, arrows, mathematics and shapes. The hints of TrueType
-# fonts are left out, for nothing follows them.
+# Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what is drawn: the ranges of
+# `glyphs` in gui/fonts.cpp. The hints of TrueType fonts are left out, for nothing follows them.
 set(data "${CMAKE_BINARY_DIR}/data")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/gui/fonts.cpp")
+file(READ "${CMAKE_SOURCE_DIR}/src/gui/fonts.cpp" glyphs)
+string(REGEX MATCH "glyphs{[^}]*}" glyphs "${glyphs}")
+string(REGEX MATCHALL "0x[0-9A-F]+,[ \n]*0x[0-9A-F]+" glyphs "${glyphs}")
+string(REGEX REPLACE ",[ \n]*" "-" glyphs "${glyphs}")
+string(REGEX REPLACE "0x" "" glyphs "${glyphs}")
+string(REPLACE ";" "," glyphs "${glyphs}")
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(subset "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_SOURCE_DIR}/build/emscripten/root/usr/lib/python3/dist-packages"
     "${Python3_EXECUTABLE}" -m fontTools.subset
-    --unicodes=0020-017F,0370-03FF,2000-22FF,25A0-25FF,2700-27BF,FFFD --layout-features= --name-IDs=0,1,2,13,14)
+    --unicodes=${glyphs} --layout-features= --name-IDs=0,1,2,13,14)
 set(fonts)
 set(subset_fonts)
 foreach(font IN ITEMS opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf
@@ -75,9 +81,13 @@ target_link_options(raywalk PRIVATE
   -sMODULARIZE -sEXPORT_NAME=Raywalk -sENVIRONMENT=web,worker,node -sDYNAMIC_EXECUTION=0
   -Os # of what is linked only; each floor was compiled as it wants to be
   -sSTACK_SIZE=8MB -sINITIAL_MEMORY=32MB -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB
-  -sEXPORTED_RUNTIME_METHODS=FS,ccall -sFORCE_FILESYSTEM=1)
-
+  -sEXPORTED_RUNTIME_METHODS=FS,ccall -sFORCE_FILESYSTEM=1
+  --profiling-funcs) # order.mjs wants to see the names, and drops them
 find_program(RAYWALK_NODE node REQUIRED)
+add_custom_command(TARGET raywalk POST_BUILD COMMAND "${RAYWALK_NODE}" "${page}/order.mjs" "${CMAKE_BINARY_DIR}/raywalk.wasm"
+  "${CMAKE_SOURCE_DIR}/build/emscripten/binaryen/bin/wasm-opt" VERBATIM)
+set_property(TARGET raywalk APPEND PROPERTY LINK_DEPENDS "${page}/order.mjs")
+
 file(GLOB page_parts CONFIGURE_DEPENDS "${page}/*.html" "${page}/*.css" "${page}/*.js" "${page}/*.svg" "${page}/*.webmanifest")
 add_custom_command(
   OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"

@@ -247,6 +247,7 @@ const keyboard = new Keyboard(canvas, { type: (text) => { call('page_type', text
 new Touch(canvas, {
   first: () => running && call('page_act', 'touch on'),
   holds: (x, y) => running && program._page_holds(x, y),
+  scroll: (x, y, by) => running && program._page_scroll(x, y, by),
   wheel: (by) => running && program._page_wheel(by),
   // The program sees a press in one frame and what it has done in the next ones.
   settle: () => {

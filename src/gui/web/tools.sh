@@ -81,7 +81,8 @@ unpack_emscripten() {
 # --- Libraries -------------------------------------------------------------------------------------------------------
 
 # Small rather than fast: pictures and glyphs are read once. Like all of the page, they throw by WebAssembly's own means.
-flags="-Oz -msimd128 -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
+# What they warn of is their authors' business.
+flags="-w -Oz -msimd128 -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
 prefix=$libraries/prefix
 
 # by_cmake NAME ARGS...: configures, builds and installs it.
@@ -137,10 +138,13 @@ build_libraries() {
   by_hand giflib gif -DHAVE_REALLOCARRAY=1 -- dgif_lib.c egif_lib.c gif_err.c gif_hash.c gifalloc.c openbsd-reallocarray.c
   cp "$from"/giflib/gif_lib.h "$prefix/include"
   by_cmake libjpeg-turbo -DENABLE_SHARED=0 -DWITH_SIMD=0 -DWITH_JAVA=0
-  # What the page's four fonts need, and nothing packed, whose reader would be a second zlib.
+  # What the page's four fonts need: nothing packed, whose reader would be a second zlib, no names of glyphs in place of
+  # codes, no pictures, and none of TrueType's hints, which light hinting does not follow.
   sed -i -E '/FT_USE_MODULE/{/ (autofit|tt_driver|cff_driver|psaux|psnames|pshinter|sfnt|ft_smooth_renderer)_/!d}' \
     "$from"/freetype/include/freetype/config/ftmodule.h
-  sed -i -E 's/^#define (FT_CONFIG_OPTION_USE_(ZLIB|LZW))/#undef \1/' "$from"/freetype/include/freetype/config/ftoption.h
+  local unused='FT_CONFIG_OPTION_(USE_ZLIB|USE_LZW|ADOBE_GLYPH_LIST|MAC_FONTS|INCREMENTAL)'
+  unused+='|TT_CONFIG_OPTION_(BYTECODE_INTERPRETER|GX_VAR_SUPPORT|EMBEDDED_BITMAPS|COLOR_LAYERS|BDF)'
+  sed -i -E "s/^#define ($unused)/#undef \1/" "$from"/freetype/include/freetype/config/ftoption.h
   by_cmake freetype -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
     -DFT_DISABLE_BROTLI=ON
   by_cmake fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF

@@ -1,15 +1,16 @@
-// Fingers: one points, presses and drags as a mouse does; held still it tells what hovering would; two zoom and pan. A
-// field of the program's gets the system's keyboard, by a field of the page's that nobody sees.
+// Fingers: one points, presses and drags as a mouse does, or scrolls what scrolls; held still it tells what hovering would;
+// two zoom and pan. A field of the program's gets the system's keyboard, by a field of the page's that nobody sees.
 'use strict';
 
 class Touch {
   static still = 8;        // pixels that a finger at rest may move
   static long_press = 500; // milliseconds
 
-  // `holds`: whether what is there is held down to repeat; `wheel` turns the program's wheel; `first` is called once.
-  constructor(canvas, { holds, wheel, first, settle }) {
-    Object.assign(this, { canvas, holds, wheel, first, settle });
-    this.finger = null; // the one that points: where it went down, and whether it presses, told or moved
+  // `holds`: whether what is there is held down to repeat; `scroll` moves what is there with the finger, if it scrolls;
+  // `wheel` turns the program's wheel; `first` is called once.
+  constructor(canvas, { holds, scroll, wheel, first, settle }) {
+    Object.assign(this, { canvas, holds, scroll, wheel, first, settle });
+    this.finger = null; // the one that points: where it went down, and whether it presses or scrolls
     this.two = null;    // their middle and distance
     for (const type of ['touchstart', 'touchmove', 'touchend', 'touchcancel'])
       window.addEventListener(type, (event) => event.target === canvas && this.take(event), { capture: true, passive: false });
@@ -41,7 +42,7 @@ class Touch {
 
   begin(touch) {
     const at = { x: touch.clientX, y: touch.clientY };
-    this.finger = { at, now: at, since: performance.now(), presses: false };
+    this.finger = { at, now: at, since: performance.now(), presses: false, scrolls: false };
     this.mouse('mousemove', at);
     if (this.holds(at.x, at.y)) this.press_finger();
   }
@@ -50,18 +51,23 @@ class Touch {
     this.press(true, this.finger.at);
   }
   move(touch) {
-    const finger = this.finger;
+    const finger = this.finger, before = finger.now;
     finger.now = { x: touch.clientX, y: touch.clientY };
-    const moved = Math.hypot(finger.now.x - finger.at.x, finger.now.y - finger.at.y) > Touch.still;
-    if (!finger.presses && moved) this.press_finger();
+    const right = finger.now.x - finger.at.x, down = finger.now.y - finger.at.y;
+    if (!finger.presses && !finger.scrolls && Math.hypot(right, down) > Touch.still) {
+      finger.scrolls = Math.abs(down) > Math.abs(right) && this.scroll(finger.at.x, finger.at.y, down);
+      if (!finger.scrolls) this.press_finger();
+    } else if (finger.scrolls) {
+      this.scroll(finger.at.x, finger.at.y, finger.now.y - before.y);
+    }
     if (finger.presses) this.mouse('mousemove', finger.now);
   }
   end(lifted) {
     const finger = this.finger;
     this.finger = null;
-    const told = !finger.presses && performance.now() - finger.since > Touch.long_press;
-    if (!finger.presses && !told && lifted) this.press(true, finger.at);
-    if (!told) {
+    const told = !finger.presses && !finger.scrolls && performance.now() - finger.since > Touch.long_press;
+    if (!finger.presses && !finger.scrolls && !told && lifted) this.press(true, finger.at);
+    if (!told && !finger.scrolls) {
       this.press(false, finger.now);
       this.settle();
     }
