@@ -81,6 +81,14 @@ export class Visit {
       window.dispatchEvent(new Event('focus'));
     }, line);
   }
+  // Changes the scene.
+  async add_sphere() {
+    await this.page.keyboard.press('m');
+    await this.until((now) => now.mode === 'move');
+    await this.page.keyboard.down('Shift');
+    await this.page.keyboard.press('1');
+    await this.page.keyboard.up('Shift');
+  }
   copy_link() {
     return this.act('copy-link');
   }

@@ -20,8 +20,7 @@ const go_to = (visit, hash) => visit.page.evaluate((to) => { location.hash = to;
 
 test('a scene that was changed is opened by its link in another browser, at the same step', async () => {
   const visit = await Visit.begin(browser, server.address);
-  await visit.page.keyboard.press('m');
-  await visit.page.keyboard.press('1');
+  await visit.add_sphere();
   await visit.until((now) => now.dirty);
   await visit.page.keyboard.press('t');
   for (let i = 0; i < 5; ++i) await visit.page.keyboard.press(' ');
@@ -40,8 +39,7 @@ test('a scene that was changed is opened by its link in another browser, at the 
 
 test('a link over unsaved work asks, and a broken one says so and leaves all as it was', async () => {
   const visit = await Visit.begin(browser, server.address);
-  await visit.page.keyboard.press('m');
-  await visit.page.keyboard.press('1');
+  await visit.add_sphere();
   const mine = await visit.until((now) => now.dirty);
   await go_to(visit, '#v=1/scene=glass/step=3');
   await visit.until((now) => now.question === 'unsaved');
@@ -121,8 +119,7 @@ test('the licences of what is in the page stand in its help', async () => {
 
 test('without memory for a file the page says so, and lives on', async () => {
   const visit = await Visit.begin(browser, server.address);
-  await visit.page.keyboard.press('m');
-  await visit.page.keyboard.press('1');
+  await visit.add_sphere();
   await visit.until((now) => now.dirty);
   await visit.page.waitForFunction(() => window.raywalk.FS.analyzePath('/kept/autosave.toml').exists, { timeout: 60000 });
   const said = await visit.page.evaluate(async () => {
