@@ -66,7 +66,7 @@ export class Visit {
   }
   // Waits until what is reported is as `is` wants it.
   async until(is, what = String(is)) {
-    const last = Date.now() + 60000;
+    const last = Date.now() + 180000; // a machine may be busy
     for (;;) {
       const report = await this.report();
       if (report && is(report)) return report;
