@@ -66,7 +66,7 @@ export class Visit {
   }
   // Waits until what is reported is as `is` wants it.
   async until(is, what = String(is)) {
-    const last = Date.now() + 60000;
+    const last = Date.now() + 180000; // a machine may be busy
     for (;;) {
       const report = await this.report();
       if (report && is(report)) return report;
@@ -80,6 +80,14 @@ export class Visit {
       window.raywalk.ccall('page_act', null, ['string'], [line]);
       window.dispatchEvent(new Event('focus'));
     }, line);
+  }
+  // Changes the scene.
+  async add_sphere() {
+    await this.page.keyboard.press('m');
+    await this.until((now) => now.mode === 'move');
+    await this.page.keyboard.down('Shift');
+    await this.page.keyboard.press('1');
+    await this.page.keyboard.up('Shift');
   }
   copy_link() {
     return this.act('copy-link');

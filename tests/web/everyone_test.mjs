@@ -40,7 +40,7 @@ const says = (nodes, part) => nodes.some(({ name }) => name?.includes(part));
 
 // Presses what has this role and name, as a screen reader does: by its place in the tree, not on the screen.
 async function use(page, role, name, typed) {
-  const element = await page.waitForSelector(`aria/${name}[role="${role}"]`, { timeout: 10000 });
+  const element = await page.waitForSelector(`aria/${name.replace(/ +/g, ' ')}[role="${role}"]`, { timeout: 60000 });
   if (typed === undefined) return element.evaluate((it) => it.click());
   await element.focus();
   await page.keyboard.type(typed);
@@ -121,6 +121,8 @@ test('lesson 1 by keys alone, and Tab leads out of everything', async () => {
     await keyboard.press('Enter');
   };
   await press('Lessons');
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Lessons', 'the focus is where they are listed');
+  assert.equal(await page.evaluate(() => document.activeElement.tagName), 'H2');
   await press('Ray casting');
   await visit.until((now) => lesson_1(now).step === 1);
   await press('Next');

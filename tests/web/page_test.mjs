@@ -72,8 +72,7 @@ test('a scene that is dropped is opened with what it names, and asks before it d
   }, ['ball.ply', 'mesh.toml'].map((name) => [name, [...readFileSync(join(scenes, name))]]));
   await drop();
   await visit.until((now) => now.path === '/files/mesh.toml' && now.question === '');
-  await visit.page.keyboard.press('m');
-  await visit.page.keyboard.press('1');
+  await visit.add_sphere();
   await visit.until((now) => now.dirty);
   await drop();
   await visit.until((now) => now.question === 'unsaved');
@@ -127,9 +126,7 @@ test('the page fills a window that changes', async () => {
 
 test('an edit survives a reload, and belongs to its tab while that lives', async () => {
   const visit = await Visit.begin(browser, server.address);
-  await visit.page.keyboard.press('m');
-  await visit.until((now) => now.mode === 'move');
-  await visit.page.keyboard.press('1');
+  await visit.add_sphere();
   await visit.until((now) => now.dirty);
   await visit.page.waitForFunction(() => window.raywalk.FS.analyzePath('/kept/autosave.toml').exists, { timeout: 60000 });
   const other = await Visit.begin(browser, server.address, {}, '', visit);

@@ -75,8 +75,7 @@ test('the picture has the same bits by workers, without them, and when they are 
 test('an edit ends the picture under way', async () => {
   const visit = await Visit.begin(browser, server.address, {}, '&language=en&scene=cornell');
   await visit.until((now) => now.image.done > 0.02 && !now.image.finished);
-  await visit.page.keyboard.press('m');
-  await visit.page.keyboard.press('1');
+  await visit.add_sphere();
   await visit.until((now) => now.image.done < 0.02, 'it begins anew');
   await visit.until((now) => now.image.done > 0.02, 'and goes on');
   await visit.page.close();

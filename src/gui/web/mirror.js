@@ -55,6 +55,15 @@ class Mirror {
     }
   }
 
+  // What a command opens stands far from its button: the focus goes there.
+  press(button, does) {
+    const regions = () => [...this.place.querySelectorAll('.outline > section')];
+    const before = new Set(regions());
+    this.act(does, '');
+    const opened = button.dataset.key.startsWith('button command-') && regions().find((each) => !before.has(each));
+    if (opened) opened.querySelector('h2').focus();
+  }
+
   // The focus of what goes away goes to what stands before it, and not to the start of the page.
   keep_focus(gone) {
     const all = [...this.place.querySelectorAll('button:not([aria-disabled=true]), input, summary, h1, h2')];
@@ -174,7 +183,7 @@ class Mirror {
     button: (mirror) => {
       const element = Mirror.make('button', { type: 'button' });
       let does = '';
-      element.addEventListener('click', () => element.getAttribute('aria-disabled') !== 'true' && mirror.act(does, ''));
+      element.addEventListener('click', () => element.getAttribute('aria-disabled') !== 'true' && mirror.press(element, does));
       element.tell = (item) => {
         Mirror.say(element, item.name);
         does = item.does;

@@ -60,7 +60,7 @@ class Touch {
     } else if (finger.scrolls) {
       this.scroll(finger.at.x, finger.at.y, finger.now.y - before.y);
     }
-    if (finger.presses) this.mouse('mousemove', finger.now);
+    if (finger.presses || finger.scrolls) this.mouse('mousemove', finger.now);  // which has it drawn
   }
   end(lifted) {
     const finger = this.finger;

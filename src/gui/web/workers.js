@@ -27,6 +27,8 @@ class PageWorkers {
     if (letters) {
       const program = document.getElementById('program').textContent;
       address = URL.createObjectURL(new Blob([program, '\n', letters], { type: 'text/javascript' }));
+    } else if (self.origin === 'null') {
+      throw new Error('a frame without an origin may load none');
     }
     const worker = new Worker(address);
     worker.seen = 0;  // changes of the files
