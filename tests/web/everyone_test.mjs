@@ -144,7 +144,10 @@ test('lesson 1 by keys alone, and Tab leads out of everything', async () => {
   await press('Reveal');
   await press('Finish');
   await visit.until((now) => now.lesson.open === '');
-  await press('Hide the text');
+  await keyboard.down('Shift');
+  await tab_to(page, 'Hide the text');
+  await keyboard.up('Shift');
+  await keyboard.press('Enter');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'as-text');
   await tab_to(page, 'canvas');
   assert.deepEqual(visit.complaints, []);
