@@ -317,7 +317,7 @@ TEST_CASE("a finger draws as a mouse does: it presses where nothing pointed befo
   CHECK(ink_of(state).size() == 2);
   // The eraser reaches as far as a finger is wide, which is farther than a mouse's.
   update(state, action::ChooseInkTool{InkTool::eraser});
-  const Vec2d beside{110, 200 + 1.5 * Sizes(state).reach};
+  const Vec2d beside = nowhere - Vec2d(1.5 * Sizes(state).reach, 0);
   update(state, action::SetTouch{false});
   touch(state, {beside});
   CHECK(ink_of(state).size() == 2);
