@@ -9,7 +9,7 @@ trap 'rm -rf "$here"' EXIT
 calls=$here/calls
 failures=0
 
-mkdir -p "$here/house/src" "$here/house/tests" "$here/bin" "$here/elsewhere"
+mkdir -p "$here/house/src/gui/web" "$here/house/tests/web" "$here/bin" "$here/elsewhere"
 cp "$RAYWALK_SOURCE_DIR/run" "$here/house/run"
 touch "$here/house/CMakeLists.txt"
 
@@ -33,6 +33,9 @@ all_is_well() {
     if [[ $1 == --preset ]]; then mkdir -p "build/$2"; touch "build/$2/build.ninja" "build/$2/CMakeCache.txt"; fi
     if [[ $1 == --build ]]; then cp "'"$here"'/bin/the-program" "$2/raywalk"; fi'
   stand_in the-program ''
+  stand_in npm ''
+  cp "$here/bin/the-program" "$here/house/src/gui/web/tools.sh"
+  cp "$here/bin/the-program" "$here/house/tests/web/run.sh"
 }
 
 # go ARGS...: runs it in another folder, without a display unless `display` says one.
@@ -106,26 +109,36 @@ expect "and no picture is promised" [ -z "$(grep 'was rendered' "$here/err")" ]
 all_is_well
 go test
 expect "the tests pass" status_is 0
-expect "release and dev are tested, and the format" says '7 passed, 0 failed' out
+expect "release and dev are tested, the page and the format" says '8 passed, 0 failed' out
 expect "the tests are switched on" called '^cmake --preset release -DRAYWALK_TESTS=ON -DRAYWALK_TEST_FOLDERS=math;'
 expect "the window is left to release" called '^ctest --preset dev .*-E \^gui/window\$$'
 stand_in ctest '[[ $2 == dev ]] || exec echo "100% tests passed, 0 tests failed out of 3"
   echo "67% tests passed, 1 tests failed out of 3"; exit 8'
 go test
 expect "a failing test is a failure" status_is 1
-expect "and is counted" says '6 passed, 1 failed' out
+expect "and is counted" says '7 passed, 1 failed' out
 expect "and named" says 'failed: preset dev' err
 stand_in ctest 'exit 8'
 go test
-expect "tests that do not run are failures" says '1 passed, 2 failed' out
+expect "tests that do not run are failures" says '2 passed, 2 failed' out
 all_is_well
 stand_in ctest 'mkdir -p "build/$2/Testing/Temporary"
   printf "warning:\n  skipped: no display\n" >"build/$2/Testing/Temporary/LastTest.log"
   echo "100% tests passed, 0 tests failed out of 3"'
 go test
 expect "what is skipped is no failure" status_is 0
-expect "and is counted" says '7 passed, 0 failed, 2 cases skipped' out
+expect "and is counted" says '8 passed, 0 failed, 2 cases skipped' out
 expect "and says what it lacked" says 'skipped: no display' err
+
+all_is_well
+printf '#!/bin/bash\nexit 1\n' >"$here/house/src/gui/web/tools.sh"
+go test
+expect "where the page cannot be set up it is skipped" says '7 passed, 0 failed, 1 cases skipped' out
+expect "and said to be" says 'skipped: the page' err
+all_is_well
+printf '#!/bin/bash\nexit 1\n' >"$here/house/tests/web/run.sh"
+go test
+expect "a page that does not work is a failure" says '7 passed, 1 failed' out
 
 all_is_well
 go test --quick
@@ -138,15 +151,13 @@ all_is_well
 stand_in clang-format-19 'exit 1'
 echo 'int x ;' >"$here/house/src/x.cpp"
 go test
-expect "a wrong format is a failure" says '6 passed, 1 failed' out
+expect "a wrong format is a failure" says '7 passed, 1 failed' out
 expect "and fails the run" status_is 1
 go test --al
 expect "an unknown argument is refused" status_is 1
 expect "and nothing is done" [ ! -s "$calls" ]
 all_is_well
 stand_in node ''
-mkdir -p "$here/house/src/gui/web"
-cp "$here/bin/the-program" "$here/house/src/gui/web/tools.sh"
 stand_in cmake '[[ $1 != --build ]] || { mkdir -p "$2/site"; echo page >"$2/site/raywalk.html"; }'
 go web
 expect "the page is configured, built and served" called '^node .*/serve.mjs .*/house/build/web/site$'

@@ -296,6 +296,36 @@ TEST_CASE("the eraser removes the marks that it touches, and they come back at o
   CHECK(ink_of(state).size() == 2);
 }
 
+TEST_CASE("a finger draws as a mouse does: it presses where nothing pointed before, and is gone when it is lifted") {
+  const auto touch = [](State& state, std::initializer_list<Vec2d> way) {
+    update(state, action::PointerPressed{*way.begin()});
+    for (const Vec2d& at : way) update(state, action::PointerMoved{at});
+    update(state, action::PointerReleased{*(way.end() - 1)});
+    update(state, action::PointerLeft{});
+  };
+  State state = inking(InkTool::pen);
+  update(state, action::SetTouch{true});
+  touch(state, {nowhere, {90, 70}, {120, 65}, elsewhere});
+  REQUIRE(ink_of(state).size() == 1);
+  update(state, action::ChooseInkTool{InkTool::ruler});
+  touch(state, {{60, 200}, {100, 200}, {160, 200}});
+  CHECK(ink_of(state).size() == 2);
+  // A second finger takes the first one's stroke back before it moves the plan.
+  update(state, action::PointerPressed{{60, 260}});
+  update(state, action::PointerMoved{{90, 260}});
+  update(state, action::CancelDrag{});
+  CHECK(ink_of(state).size() == 2);
+  // The eraser reaches as far as a finger is wide, which is farther than a mouse's.
+  update(state, action::ChooseInkTool{InkTool::eraser});
+  const Vec2d beside = nowhere - Vec2d(1.5 * Sizes(state).reach, 0);
+  update(state, action::SetTouch{false});
+  touch(state, {beside});
+  CHECK(ink_of(state).size() == 2);
+  update(state, action::SetTouch{true});
+  touch(state, {beside});
+  CHECK(ink_of(state).size() == 1);
+}
+
 TEST_CASE("a stroke keeps its shape with few points, and is drawn round") {
   std::vector<Vec2d> circle;
   for (int i = 0; i <= 720; ++i) {

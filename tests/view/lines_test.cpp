@@ -123,14 +123,15 @@ TEST_CASE("in a small pane the names of EYE and the lights are whole, or left ou
     State state = make_state(read_document(path));
     for (const Viewport& pane : {Viewport{420, 210}, Viewport{300, 120}, Viewport{240, 290}}) {
       update(state, action::ResizePlan{pane});
+      const DisplayList list = lines_view(state, pane);
       for (const Light& light : state.scene().lights) {
-        const TextItem* name = text_with(lines_view(state, pane), light.name);
+        const TextItem* name = text_with(list, light.name);
         if (name == nullptr) continue;
         INFO(path << ", " << pane.width << " wide: " << light.name);
         CHECK(name->at.y - 0.38 * name->size >= 0);
         CHECK(name->at.y + 0.38 * name->size <= pane.height);
       }
-      if (const TextItem* eye = text_with(lines_view(state, pane), "EYE"); eye != nullptr)
+      if (const TextItem* eye = text_with(list, "EYE"); eye != nullptr)
         CHECK(eye->at.y + 0.38 * eye->size <= pane.height);
     }
   }

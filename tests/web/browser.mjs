@@ -110,8 +110,9 @@ export class Visit {
     }, type, points);
   }
   async tap(x, y) {
-    await this.touch('touchstart', [x, y]);
-    await this.touch('touchend');
+    // At once: a finger that rests is something else.
+    this.session ??= is_firefox ? null : await this.page.createCDPSession();
+    await Promise.all([this.touch('touchstart', [x, y]), this.touch('touchend')]);
   }
   async click(item) {
     const report = await this.until((now) => item in now.items, `there is an item ${item}`);

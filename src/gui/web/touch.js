@@ -27,10 +27,10 @@ class Touch {
       if (fingers.length === 0) this.end_pinch();
       return;
     }
-    if (event.type === 'touchstart') return this.begin(fingers[0]);
+    if (event.type === 'touchstart') return this.begin(fingers[0], event.timeStamp);
     if (!this.finger) return;
     if (event.type === 'touchmove') return this.move(fingers[0]);
-    this.end(event.type === 'touchend');
+    this.end(event.type === 'touchend', event.timeStamp);
   }
 
   mouse(type, { x, y }, button = 0) {
@@ -40,9 +40,10 @@ class Touch {
     this.mouse(down ? 'mousedown' : 'mouseup', at, button);
   }
 
-  begin(touch) {
+  // Times are the events' own: a busy page hears of them late.
+  begin(touch, time) {
     const at = { x: touch.clientX, y: touch.clientY };
-    this.finger = { at, now: at, since: performance.now(), presses: false, scrolls: false };
+    this.finger = { at, now: at, since: time, presses: false, scrolls: false };
     this.mouse('mousemove', at);
     if (this.holds(at.x, at.y)) this.press_finger();
   }
@@ -62,10 +63,10 @@ class Touch {
     }
     if (finger.presses || finger.scrolls) this.mouse('mousemove', finger.now);  // which has it drawn
   }
-  end(lifted) {
+  end(lifted, time) {
     const finger = this.finger;
     this.finger = null;
-    const told = !finger.presses && !finger.scrolls && performance.now() - finger.since > Touch.long_press;
+    const told = !finger.presses && !finger.scrolls && time - finger.since > Touch.long_press;
     if (!finger.presses && !finger.scrolls && !told && lifted) this.press(true, finger.at);
     if (!told && !finger.scrolls) {
       this.press(false, finger.now);
