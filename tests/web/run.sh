@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # run.sh BUILD: the tests of the page that stands in BUILD/web, against the program in BUILD/release, in Chromium and then
 # in Firefox. What they need of npm's is fetched into BUILD/web-tests, once.
-# run.sh BUILD figures: its figures instead; run.sh BUILD quick: a short set, of two minutes; run.sh BUILD NAME...: these
-# tests alone (NAME_test.mjs), RAYWALK_BROWSER=firefox in Firefox.
+# run.sh BUILD tools: only fetches that. run.sh BUILD figures: the page's figures instead; run.sh BUILD quick: a short set,
+# of two minutes; run.sh BUILD NAME...: these tests alone (NAME_test.mjs), RAYWALK_BROWSER=firefox in Firefox.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -15,6 +15,7 @@ if ! cmp -s "$here/package.json" "$tools/package.json" || [[ ! -d $tools/node_mo
   cp "$here/package.json" "$tools/"
   npm install --prefix "$tools" --no-package-lock --no-audit --no-fund --silent
 fi
+[[ ${1:-} != tools ]] || exit 0
 rm -f "$tools"/*.mjs # of other versions
 cp "$here"/*.mjs "$tools/" # beside the modules that they import
 export RAYWALK_BUILD=$build RAYWALK_SOURCE_DIR=${here%/tests/web}
