@@ -262,7 +262,7 @@ TEST_CASE("lesson 5 in the window, as a teacher presents it: hands, notes, scrip
   REQUIRE(raywalk.until("prompt", ""));
   const auto script = read_file(path, 1 << 20);
   REQUIRE(script);
-  CHECK(script->find("Slower, so steeper") != std::string::npos);
+  CHECK(script->find("Into the glass") != std::string::npos);
   raywalk.key("ctrl+l");
   REQUIRE(raywalk.until("language", "es"));
   raywalk.key("p");

@@ -151,7 +151,7 @@ TEST_CASE("a script has all that its presenter needs, with the answers of the tr
   CHECK(text.find("3. larger \u2713") != std::string::npos);
   CHECK(text.find("\n24.6\u00b0 \u2713") != std::string::npos);
   CHECK(text.find("\nForm refract ray \u2713") != std::string::npos);
-  CHECK(text.find("## 1. Slower, so steeper (0:00\u2013") != std::string::npos);
+  CHECK(text.find("## 1. Into the glass (0:00\u2013") != std::string::npos);
   CHECK(text.find("(if time allows)") != std::string::npos);
 }
 
