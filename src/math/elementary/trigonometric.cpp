@@ -14,8 +14,9 @@ namespace {
 
 constexpr int quarter = 512;  // steps of pi / 1024
 constexpr double steps_per_radian = 0x1.45f306dc9c883p+8;
-// pi / 1024 in parts of 29, 29 and 53 bits: up to 2^24 times the first two are exact.
-constexpr double step_1 = 0x1.921fb54p-9, step_2 = 0x1.10b4611p-39, step_3 = 0x1.4c4c6628b80dcp-68;
+// pi / 1024 in parts of 29, 29, 53 and 53 bits: up to 2^24 times the first two are exact.
+constexpr double step_1 = 0x1.921fb54p-9, step_2 = 0x1.10b4611p-39, step_3 = 0x1.4c4c6628b80dcp-68,
+                 step_4 = 0x1.cd129024e088ap-124;
 // pi / 2 in parts of 38 and 53 bits: up to 2^15 times the first is exact.
 constexpr double quarters_per_radian = 0x1.45f306dc9c883p-1;
 constexpr double quarter_1 = 0x1.921fb5444p+0, quarter_2 = 0x1.68c234c4c6629p-39;
@@ -47,15 +48,20 @@ template <class T>
   });
 }
 
-/// The step of the table that is nearest to an angle, and by how much the angle is ahead of it.
+/// The step of the table that is nearest to an angle, and by how much the angle is ahead of it, right up to `error`.
 struct Reduced {
   double steps;
   Parts rest;
+  double error;
 };
+/// So close to a step as only 90 degrees and their like are: there the sine or the cosine may be as small as the rest.
+constexpr double at_a_step = 0x1p-40;
 [[nodiscard]] inline Reduced reduce(double angle) {
   const double steps = nearest_whole(angle * steps_per_radian);
   const DoubleDouble rest = two_sum(angle - steps * step_1, -(steps * step_2));
-  return {steps, parts(rest.hi, rest.lo - steps * step_3)};
+  if (std::abs(rest.hi) < at_a_step) [[unlikely]]
+    return {steps, parts(rest - two_product(steps, step_3) - steps * step_4), std::abs(steps) * 0x1p-165};
+  return {steps, parts(rest.hi, rest.lo - steps * step_3), std::abs(steps) * 0x1p-114};
 }
 
 /// value cos r + slope sin r
@@ -74,7 +80,7 @@ struct Reduced {
   const Parts &sin = sines[entry], &cos = sines[quarter - entry];
   const DoubleDouble size = (step & quarter) != 0 ? turned(cos, -sin, at.rest) : turned(sin, cos, at.rest);
   const DoubleDouble sine = (step & 2 * quarter) != 0 ? -size : size;
-  const double error = std::abs(sine.hi) * 0x1p-68 + std::abs(at.steps) * 0x1p-114;
+  const double error = std::abs(sine.hi) * 0x1p-68 + at.error;
   return round_or(sine.hi, sine.lo, error, [=] { return slow_sine(angle, quarters); });
 }
 
