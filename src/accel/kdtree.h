@@ -14,8 +14,9 @@
 namespace raywalk {
 
 /// kd-tree: space split by axis-parallel planes, chosen by the surface area heuristic among the faces of the
-/// primitives' boxes (J. MacDonald and K. Booth 1990; V. Havran 2000). A primitive that touches a plane is listed on
-/// both sides; a ray in or near the plane, within rounding, visits both.
+/// primitives' boxes (J. MacDonald and K. Booth 1990; V. Havran 2000), sorted once for all nodes (I. Wald and V. Havran
+/// 2006). A primitive that touches a plane is listed on both sides; a ray in or near the plane, within rounding, visits
+/// both.
 template <class T>
 class KdTree {
  public:
@@ -25,7 +26,8 @@ class KdTree {
     const int count = static_cast<int>(boxes.bounded.size());
     limit_ = std::min(max_depth, 8 + std::ilogb(whole_power(static_cast<double>(count), 13)) / 10);
     nodes_.emplace_back();
-    split(0, boxes.bounded, box_, boxes, 0, 0, most_listed * boxes.bounded.size(), build);
+    split(0, boxes.bounded, sorted_edges(boxes, build.stop), box_, boxes, 0, 0, most_listed * boxes.bounded.size(),
+          build);
   }
 
   template <class AnyRay, class Query>
@@ -122,8 +124,27 @@ class KdTree {
   /// A face of a primitive's box: a candidate for the splitting plane.
   struct BoundEdge {
     T place;
+    int id;
     bool begins;
   };
+  /// Those of some primitives along each axis, by place; where boxes touch, the one that begins comes first.
+  using BoundEdges = std::array<std::vector<BoundEdge>, 3>;
+
+  static BoundEdges sorted_edges(const PrimitiveBounds<T>& boxes, const Stop& stop) {
+    BoundEdges edges;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<BoundEdge>& along = edges[static_cast<std::size_t>(axis)];
+      along.reserve(2 * boxes.bounded.size());
+      stop.each(boxes.bounded.begin(), boxes.bounded.end(), [&](int id) {
+        along.push_back({boxes.box(id).min[axis], id, true});
+        along.push_back({boxes.box(id).max[axis], id, false});
+      });
+      stop.sort(along.begin(), along.end(), [](const BoundEdge& a, const BoundEdge& b) {
+        return a.place < b.place || (a.place == b.place && a.begins && !b.begins);
+      });
+    }
+    return edges;
+  }
 
   static T half_area(const Bounds<T>& box) {
     const Vec3<T> size = box.max - box.min;
@@ -142,27 +163,19 @@ class KdTree {
     list_nodes(nodes, most, node.first + 1, high, depth + 1);
   }
 
-  /// `room`: how many primitives the leaves below may list together.
-  void split(std::size_t index, const std::vector<int>& ids, const Bounds<T>& box, const PrimitiveBounds<T>& boxes,
-             int depth, int bad_cuts, std::size_t room, const BuildOptions& build) {
+  /// `edges`: of these `ids`. `room`: how many primitives the leaves below may list together.
+  void split(std::size_t index, const std::vector<int>& ids, BoundEdges edges, const Bounds<T>& box,
+             const PrimitiveBounds<T>& boxes, int depth, int bad_cuts, std::size_t room, const BuildOptions& build) {
     depth_ = std::max(depth_, depth);
     constexpr T cost_of_node = T(0.8), bonus_for_empty = T(0.2);
     const T count = static_cast<T>(ids.size()), area = half_area(box);
     T best_cost = infinity<T>, plane = 0;
     int best_axis = leaf;
-    std::vector<BoundEdge> edges;
     if (ids.size() > 1 && depth < limit_ && area > 0) {
       for (int axis = 0; axis < 3; ++axis) {
-        edges.clear();
-        build.stop.each(ids.begin(), ids.end(), [&](int id) {
-          edges.push_back({boxes.box(id).min[axis], true});
-          edges.push_back({boxes.box(id).max[axis], false});
-        });
-        build.stop.sort(edges.begin(), edges.end(), [](const BoundEdge& a, const BoundEdge& b) {
-          return a.place < b.place || (a.place == b.place && a.begins && !b.begins);
-        });
+        const std::vector<BoundEdge>& along = edges[static_cast<std::size_t>(axis)];
         T below = 0, above = count;
-        build.stop.each(edges.begin(), edges.end(), [&](const BoundEdge& edge) {
+        build.stop.each(along.begin(), along.end(), [&](const BoundEdge& edge) {
           if (!edge.begins) above -= 1;
           if (edge.place > box.min[axis] && edge.place < box.max[axis]) {
             Bounds<T> low = box, high = box;
@@ -183,11 +196,13 @@ class KdTree {
       if (best_axis != leaf)
         told->split_cost = static_cast<double>(best_cost), told->leaf_cost = static_cast<double>(count);
     }
+    const auto is_low = [&](int id) { return boxes.box(id).min[best_axis] <= plane; };
+    const auto is_high = [&](int id) { return boxes.box(id).max[best_axis] >= plane; };
     std::vector<int> low_ids, high_ids;
     if (best_axis != leaf)
       build.stop.each(ids.begin(), ids.end(), [&](int id) {
-        if (boxes.box(id).min[best_axis] <= plane) low_ids.push_back(id);
-        if (boxes.box(id).max[best_axis] >= plane) high_ids.push_back(id);
+        if (is_low(id)) low_ids.push_back(id);
+        if (is_high(id)) high_ids.push_back(id);
       });
     const bool dear = bad_cuts > 2 || (best_cost > 4 * count && count < 16);
     if (best_axis == leaf || dear || low_ids.size() + high_ids.size() > room) {
@@ -212,13 +227,23 @@ class KdTree {
       told->parts = {{wide(low), static_cast<int>(low_ids.size())}, {wide(high), static_cast<int>(high_ids.size())}};
       build.watcher->add(std::move(*told));
     }
+    BoundEdges low_edges, high_edges;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low_edges[axis].reserve(2 * low_ids.size());
+      high_edges[axis].reserve(2 * high_ids.size());
+      build.stop.each(edges[axis].begin(), edges[axis].end(), [&](const BoundEdge& edge) {
+        if (is_low(edge.id)) low_edges[axis].push_back(edge);
+        if (is_high(edge.id)) high_edges[axis].push_back(edge);
+      });
+      edges[axis] = {};
+    }
     const std::size_t first = nodes_.size();
     nodes_.resize(first + 2);
     nodes_[index] = {plane, best_axis, static_cast<std::uint32_t>(first), 0};
     // Each side takes its share of the room, which is at least what it lists.
     const std::size_t low_room = room * low_ids.size() / (low_ids.size() + high_ids.size());
-    split(first, low_ids, low, boxes, depth + 1, bad_cuts, low_room, build);
-    split(first + 1, high_ids, high, boxes, depth + 1, bad_cuts, room - low_room, build);
+    split(first, low_ids, std::move(low_edges), low, boxes, depth + 1, bad_cuts, low_room, build);
+    split(first + 1, high_ids, std::move(high_edges), high, boxes, depth + 1, bad_cuts, room - low_room, build);
   }
 
   Bounds<T> box_;
