@@ -110,7 +110,7 @@ Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std
 
 }  // namespace
 
-std::vector<Family> accelerator_families() {
+Family accelerator_family() {
   Family family{"accelerators", "", {}};
   for (const AcceleratorKind kind : {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
                                      AcceleratorKind::kdtree, AcceleratorKind::none}) {
@@ -126,7 +126,7 @@ std::vector<Family> accelerator_families() {
     add("float", compare<float>);
     add("double", compare<double>);
   }
-  return {family};
+  return family;
 }
 
 }  // namespace raywalk::check

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include <utility>
 
 namespace raywalk::check {
 
@@ -27,12 +27,12 @@ std::string broken_goal(const Goals& goals, const Tally& tally) {
 }
 
 std::vector<Family> all_families() {
-  std::vector<Family> all;
-  for (auto* make : {round_families, flat_families, quadric_families, mesh_families, spawn_families,
-                     accelerator_families, invariance_families, symmetry_families, normal_families}) {
-    std::vector<Family> some = make();
-    all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
-  }
+  ShapeFamilies of_shapes;
+  for (auto* add : {add_round_shapes, add_flat_shapes, add_quadrics}) add(of_shapes);
+  std::vector<Family> all = std::move(of_shapes.own);
+  for (const Family& family : {mesh_family(), of_shapes.spawned, of_shapes.spawned_polygon, accelerator_family(),
+                               of_shapes.laws, of_shapes.permuted, of_shapes.reversed, of_shapes.normals})
+    all.push_back(family);
   return all;
 }
 

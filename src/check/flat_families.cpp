@@ -2,9 +2,9 @@
 
 namespace raywalk::check {
 
-std::vector<Family> flat_families() {
-  return {shape_family<Plane>(), shape_family<Box>(), shape_family<Triangle>(), shape_family<Polygon>(),
-          shape_family<Prism>()};
+void add_flat_shapes(ShapeFamilies& all) {
+  add_shapes<Plane, Box, Triangle, Polygon, Prism>(all);
+  add_invariances<Plane, Box>(all);
 }
 
 }  // namespace raywalk::check

@@ -84,7 +84,7 @@ Tally leaks(bool at_vertex, std::uint64_t seed, std::uint64_t first, std::uint64
 
 }  // namespace
 
-std::vector<Family> mesh_families() {
+Family mesh_family() {
   Family family{"mesh", "", {}};
   const auto add = [&](const char* name, const char* scalar, auto run, bool at_vertex) {
     family.lines.push_back({name,
@@ -98,7 +98,7 @@ std::vector<Family> mesh_families() {
   add("aimed at edges", "float", leaks<float>, false);
   add("aimed at vertices", "double", leaks<double>, true);
   add("aimed at edges", "double", leaks<double>, false);
-  return {family};
+  return family;
 }
 
 }  // namespace raywalk::check

@@ -2,6 +2,9 @@
 
 namespace raywalk::check {
 
-std::vector<Family> round_families() { return {shape_family<Sphere>(), shape_family<Disk>()}; }
+void add_round_shapes(ShapeFamilies& all) {
+  add_shapes<Sphere, Disk>(all);
+  add_invariances<Sphere, Disk>(all);
+}
 
 }  // namespace raywalk::check

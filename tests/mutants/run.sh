@@ -41,7 +41,7 @@ verdict() {
   [[ $2 == stack ]] && program=("-I$root/tests" "$root/tests/trace/body_stack_test.cpp") libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
-    "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then
+    "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp "$work"/elementary_*.o -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then
     printf 'broken'
   elif (ulimit -t 60; exec "$work/$1.bin") >>"$log" 2>&1; then  # of the processor's time: other processes cannot kill it
     printf 'survived'
@@ -99,7 +99,15 @@ innocent() {
   done
 }
 
-((only_check)) || innocent
+# No mutant is of the elementary functions.
+elementary() {
+  local file
+  for file in "$root"/src/math/elementary/*.cpp; do
+    "$cxx" -std=c++20 -O1 -ffp-contract=off -I"$root/src" -c "$file" -o "$work/elementary_$(basename "$file" .cpp).o" || exit 1
+  done
+}
+
+((only_check)) || { elementary && innocent; }
 source "$root/tests/mutants/mutants.sh"
 ((only_check)) && { printf '%s apply, %s do not\n' "$killed" "$survived"; exit $((survived > 0)); }
 printf '%s killed, %s survived\n' "$killed" "$survived"
