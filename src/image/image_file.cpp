@@ -188,9 +188,10 @@ Result<Image> read_image(const std::string& path) {
   const std::string_view content = *bytes;
   if (content.starts_with("PF")) return decode_pfm(content, path);
   if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(content, path);
+  if (content.starts_with("#?RADIANCE") || content.starts_with("#?RGBE")) return decode_hdr(content, path);
   if (!content.starts_with("\x89PNG\r\n\x1a\n"))
-    return tl::unexpected(Error{path, 0, 0, "this is no picture that can be read (expected a PNG, PFM or EXR)",
-                                "raywalk render writes all three"});
+    return tl::unexpected(Error{path, 0, 0, "this is no picture that can be read (expected a PNG, PFM, EXR or HDR)",
+                                "raywalk render writes the first three"});
   auto image = decode_png_or_jpeg(content, path);
   if (!image) image.error().hint = "is the file whole?";
   return image;

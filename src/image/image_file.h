@@ -48,10 +48,14 @@ enum class ImageFormat { png, pfm, exr };
 /// Reads the red, green and blue of an OpenEXR file; a missing channel is black.
 [[nodiscard]] Result<Image> decode_exr(std::string_view bytes, const std::string& file_name);
 
+/// Reads a Radiance picture (.hdr), as radiance up to a factor: what its head says of exposure is left to the reader.
+[[nodiscard]] Result<Image> decode_hdr(std::string_view bytes, const std::string& file_name);
+
 /// Reads an 8-bit PNG or JPEG, from sRGB to linear light. `file_name` is for messages only.
 [[nodiscard]] Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file_name);
 
-/// Reads a PNG (8 bits a channel, from sRGB to linear light), a PFM or an OpenEXR picture, detected by its first bytes.
+/// Reads a PNG (8 bits a channel, from sRGB to linear light), a PFM, an OpenEXR or a Radiance picture, detected by its
+/// first bytes.
 [[nodiscard]] Result<Image> read_image(const std::string& path);
 
 }  // namespace raywalk

@@ -72,7 +72,7 @@ TEST_CASE("compare says what it cannot compare") {
   CHECK_THAT(outcome.err, contains("1 of 48 pixels of the second picture") && !contains("--size"));
   outcome = folder.run({"compare", "a.pfm", "text.png"});
   CHECK(outcome.exit_code == 1);
-  CHECK_THAT(outcome.err, contains("text.png") && contains("expected a PNG, PFM or EXR"));
+  CHECK_THAT(outcome.err, contains("text.png") && contains("expected a PNG, PFM, EXR or HDR"));
   CHECK(folder.run({"compare", "half.png", "a.pfm"}).exit_code == 1);
   CHECK(folder.run({"compare", "a.pfm", "nowhere.pfm"}).exit_code == 1);
   CHECK(folder.run({"compare", "a.pfm"}).exit_code == 2);

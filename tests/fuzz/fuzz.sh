@@ -10,7 +10,7 @@ set -euo pipefail
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 seconds=${1:-10}
 shift || true
-all=(toml picture nff test obj mtl ply gltf texture pfm exr lesson words demo link patch packed state)
+all=(toml picture nff test obj mtl ply gltf texture pfm hdr exr lesson words demo link patch packed state)
 names=("$@")
 ((${#names[@]})) || names=("${all[@]}")
 build=$source_dir/build/fuzz

@@ -116,6 +116,8 @@ auto parse(const std::string& bytes) {
   return decode_png_or_jpeg(bytes, "fuzzed.png");
 #elif defined(FUZZ_pfm)
   return decode_pfm(bytes, "fuzzed.pfm");
+#elif defined(FUZZ_hdr)
+  return decode_hdr(bytes, "fuzzed.hdr");
 #elif defined(FUZZ_exr)
   return decode_exr(bytes, "fuzzed.exr");
 #elif defined(FUZZ_lesson)
