@@ -102,9 +102,9 @@ class Documenter {
   static std::vector<KeyTable> tables_of(std::string name, std::string heading, std::string path) {
     T value{};
     Documenter documenter(std::move(path));
-    schema::describe(documenter, value);
     documenter.own_.name = std::move(name);
     documenter.own_.heading = std::move(heading);
+    schema::describe(documenter, value);
     std::vector<KeyTable> all{std::move(documenter.own_)};
     for (auto* more : {&documenter.types_, &documenter.inner_}) all.insert(all.end(), more->begin(), more->end());
     return all;
@@ -125,7 +125,7 @@ class Documenter {
   template <class T>
   void add_type() {
     const std::string name(schema::type_name(T{}));
-    const auto tables = tables_of<T>(name, fmt::format("[[{}]] of type \"{}\"", path_, name), path_);
+    const auto tables = tables_of<T>(name, fmt::format("{} of type \"{}\"", own_.heading, name), path_);
     types_.insert(types_.end(), tables.begin(), tables.end());
   }
   template <class... Kinds>

@@ -223,6 +223,7 @@ PovText format_pov(const Scene& scene) {
         comment(light.name) + "light_source { " + std::visit(LightText(scene, light, losses), light.kind) + " }\n";
   }
   pov.text += ObjectText(scene, losses)();
+  if (scene.sky) losses.insert("the sky: only the background below it");
   if (scene.encoding == Encoding::truncated) losses.insert("8-bit pictures without the sRGB curve");
   if (scene.render.integrator == Integrator::path) losses.insert("light from everywhere (path tracing)");
   pov.left_out.assign(losses.begin(), losses.end());

@@ -30,6 +30,10 @@ class PathRewriter {
   PathRewriter(const std::string& from, const std::string& to) : from_(real_folder(from)), to_(real_folder(to)) {}
 
   [[nodiscard]] bool is_needed() const { return from_ != to_; }
+  void retell(std::optional<Sky>& sky) {
+    if (!sky) return;
+    if (auto* image = std::get_if<ImageSky>(&sky->kind)) retell(image->file);
+  }
   void retell(std::vector<Object>& objects) {
     for (Object& object : objects) {
       if (auto* mesh = std::get_if<MeshShape>(&object.shape)) retell(mesh->file);
@@ -60,6 +64,7 @@ class PathRewriter {
 Result<Scene> with_names_from(Scene scene, const std::string& from, const std::string& to) {
   PathRewriter retelling(from, to);
   if (from.empty() || !retelling.is_needed()) return scene;
+  retelling.retell(scene.sky);
   retelling.retell(scene.objects);
   for (Group& group : scene.groups) retelling.retell(group.objects);
   if (retelling.error()) return tl::unexpected(*retelling.error());

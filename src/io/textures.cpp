@@ -77,9 +77,26 @@ class Loader {
   std::map<Content, Content> contents_;
 };
 
+Result<void> load_sky(Sky& sky, const std::string& folder) {
+  auto* image = std::get_if<ImageSky>(&sky.kind);
+  if (image == nullptr) return {};
+  const std::string path = (std::filesystem::path(folder) / image->file).string();
+  auto picture = read_image(path);
+  if (!picture) {
+    Error error = picture.error();
+    error.hint = fmt::format("it is the picture of the sky, looked for from the scene's folder; {}", error.hint);
+    return tl::unexpected(error);
+  }
+  if (const auto why = why_no_sky(*picture)) return tl::unexpected(Error{path, 0, 0, why->first, why->second});
+  image->pixels = std::make_shared<const Image>(std::move(*picture));
+  return {};
+}
+
 }  // namespace
 
 Result<void> load_textures(Scene& scene, const std::string& folder) {
+  if (scene.sky)
+    if (const auto loaded = load_sky(*scene.sky, folder); !loaded) return loaded;
   Loader loader(folder);
   for (Group& group : scene.groups)
     if (const auto loaded = loader.load(group.objects); !loaded) return loaded;

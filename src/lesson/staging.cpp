@@ -50,8 +50,8 @@ void merge(toml::table& into, const toml::table& from) {
 }
 
 bool is_of_scene(std::string_view key) {
-  constexpr std::array<std::string_view, 7> keys{"camera",     "screen",  "image", "limits",
-                                                 "background", "ambient", "render"};
+  constexpr std::array<std::string_view, 8> keys{"camera",     "screen", "image",   "limits",
+                                                 "background", "sky",    "ambient", "render"};
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 

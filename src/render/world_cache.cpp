@@ -22,6 +22,7 @@ Scene shell_of(const Scene& scene) {
   shell.limits = scene.limits;
   shell.render = scene.render;
   shell.background = scene.background;
+  shell.sky = scene.sky;
   shell.ambient = scene.ambient;
   return shell;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <type_traits>
 
 namespace raywalk {
 
@@ -112,10 +113,19 @@ EffectUse indirect_light(const Scene& scene, Integrator integrator) {
       "sends on the light that comes from other surfaces", "every surface is black");
 }
 
+EffectUse sky(const Scene& scene) {
+  if (!scene.sky) return {false, "none: the background is the same everywhere"};
+  const std::string_view kind =
+      std::visit([](const auto& of) { return std::decay_t<decltype(of)>::name; }, scene.sky->kind);
+  return {true, "rays that leave the scene meet the sky, of type " + std::string(kind)};
+}
+
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
-  if (light == nullptr && indirect_light(scene, integrator).used)
+  if (light == nullptr && indirect_light(scene, integrator).used) {
+    if (scene.sky) return {true, "the sky shines, and paths look for it from all surfaces"};
     return use_if(scene, &Material::emits, "emits, and paths look for it from all surfaces", "no light shines");
+  }
   if (light == nullptr) return {false, "none: no light shines"};
   if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
   return {true, light->name + " shines on objects"};
@@ -150,6 +160,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::motion_blur] = motion_blur(scene, integrator);
   effects[Effect::antialiasing] = antialiasing(samples_per_pixel);
   effects[Effect::indirect_light] = indirect_light(scene, integrator);
+  effects[Effect::sky] = sky(scene);
   effects[Effect::textures] =
       use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "");
   EffectUse& textures = effects[Effect::textures];

@@ -23,6 +23,7 @@ enum class Effect {
   antialiasing,
   indirect_light,
   textures,
+  sky,
 };
 template <>
 inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"},
@@ -35,7 +36,8 @@ inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"}
                                                     {Effect::motion_blur, "motion_blur"},
                                                     {Effect::antialiasing, "antialiasing"},
                                                     {Effect::indirect_light, "indirect_light"},
-                                                    {Effect::textures, "textures"}};
+                                                    {Effect::textures, "textures"},
+                                                    {Effect::sky, "sky"}};
 inline constexpr int effect_count = static_cast<int>(std::size(words_of<Effect>));
 
 struct EffectUse {

@@ -8,8 +8,10 @@
 #include "scene/material.h"
 #include "scene/object_shape.h"
 #include "scene/render_choices.h"
+#include "scene/sky.h"
 #include "scene/transform_step.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,7 +68,8 @@ struct Scene {
   Encoding encoding = Encoding::srgb;
   TraceLimits limits;
   RenderChoices render{};
-  Rgbd background{0.0};
+  Rgbd background{0.0};  ///< radiance of what a ray meets that hits nothing; under a sky, below its horizon
+  std::optional<Sky> sky{};
   Rgbd ambient{1.0};  ///< ambient light, multiplied by each material's ka
   std::vector<Group> groups;
   std::vector<Light> lights;

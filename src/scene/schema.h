@@ -341,6 +341,57 @@ void describe(Fields& f, Material& material) {
   f.key("texture", material.texture, table);
 }
 
+// --- The sky
+
+template <class Fields>
+void describe(Fields& f, GradientSky& sky) {
+  f.about("A sky that fades from the horizon to the zenith.");
+  f.key("horizon", sky.horizon, light_colour, "Its colour and brightness at the horizon.");
+  f.key("zenith", sky.zenith, light_colour, "Its colour and brightness straight up.");
+  f.check("zenith", !is_black(sky.horizon) || !is_black(sky.zenith), "the sky is wholly black (expected some light)",
+          "for a scene without a sky, leave [sky] out");
+}
+
+template <class Fields>
+void describe(Fields& f, OvercastSky& sky) {
+  f.about("A sky covered with clouds, three times as bright overhead as at the horizon (CIE).");
+  f.key("zenith", sky.zenith, light_colour, "Its colour and brightness straight up.");
+  f.check("zenith", !is_black(sky.zenith), "the sky is wholly black (expected some light)",
+          "for a scene without a sky, leave [sky] out");
+}
+
+template <class Fields>
+void describe(Fields& f, ClearSky& sky) {
+  f.about("A sky without clouds (Hosek and Wilkie 2012). The sun itself is a light: a directional one, say.");
+  f.key("elevation", sky.elevation, sun_elevation, "How high the sun stands; it is in the middle of the sky.");
+  f.key("turbidity", sky.turbidity, turbidity, "How hazy the air is: 2 is very clear, 6 hazy.");
+  f.key("albedo", sky.albedo, albedo, "The share of light that the ground sends back into the air.");
+  f.key("strength", sky.strength, light_colour, "Multiplies all of it; 1 is in units of 683 candela a square metre.");
+  f.check("strength", !is_black(sky.strength), "the sky is wholly black (expected some light)",
+          "for a scene without a sky, leave [sky] out");
+}
+
+template <class Fields>
+void describe(Fields& f, ImageSky& sky) {
+  f.about("A picture of all directions: its columns are longitudes, its rows latitudes, the zenith at the top.");
+  f.required("file", sky.file, sky_file_name,
+             "A .hdr, .exr, .pfm or .png, twice as wide as high, looked for from the folder of the scene.");
+  f.key("strength", sky.strength, light_colour, "Multiplies all of it.");
+  f.check("strength", !is_black(sky.strength), "the sky is wholly black (expected some light)",
+          "for a scene without a sky, leave [sky] out");
+}
+
+template <class Fields>
+void describe(Fields& f, Sky& sky) {
+  f.about(
+      "What rays meet that leave the scene, by their direction; paths are lit by it. Below its horizon they meet the "
+      "background, unless it is an image.");
+  f.type(sky.kind, "What kind of sky it is, which says what further keys it has.");
+  f.key("up", sky.up, direction, "Towards the zenith; [0, 1] stands the sky up in the plan.");
+  f.key("rotation", sky.rotation, azimuth,
+        "Where the middle of the sky is (of an image its middle, else the sun): 0 is along x, 90 to the left of it.");
+}
+
 // --- The scene
 
 template <class Fields>
@@ -374,6 +425,7 @@ void describe(Fields& f, Scene& scene) {
   f.key("translated", scene.translated, names,
         "Names that are shown in the language of the window, by [name] of its texts; others are shown as they are.");
   f.key("background", scene.background, light_colour, "What a ray brings back that hits nothing.");
+  f.key("sky", scene.sky, table);
   f.key("ambient", scene.ambient, light_colour, "Light from everywhere, multiplied by each material's ambient.");
   f.required("camera", scene.camera, table);
   f.key("screen", scene.camera.screen, table);

@@ -92,6 +92,30 @@ inline constexpr Number lobe_angle{
     .hint = "0 is sharp, 5 a brushed metal, 20 very rough",
     .unit = degrees,
 };
+inline constexpr Number sun_elevation{
+    .words = "an angle in degrees from 0 to 90",
+    .high = 90,
+    .hint = "0 is sunset, 90 straight up",
+    .unit = degrees,
+};
+inline constexpr Number azimuth{
+    .words = "an angle in degrees from -360 to 360",
+    .low = -360,
+    .high = 360,
+    .hint = "90 is to the left of 0",
+    .unit = degrees,
+};
+inline constexpr Number turbidity{
+    .words = "a number from 1 to 10",
+    .low = 1,
+    .high = 10,
+    .hint = "2 is very clear air, 3 clear, 6 hazy",
+};
+inline constexpr Number albedo{
+    .words = "a number from 0 to 1",
+    .high = 1,
+    .hint = "0.2 is grass, 0.8 snow",
+};
 
 struct Whole {
   int low = 1, high = 1;
@@ -158,7 +182,8 @@ struct FileName {
 inline constexpr Name own_name{100};
 inline constexpr OneLine ink_text{longest_ink_text};
 inline constexpr FileName file_name{"the name of a file in quotes", "it is looked for from the scene's own folder"},
-    mesh_file_name{"the name of a mesh file in quotes", "such as file = \"bunny.ply\""};
+    mesh_file_name{"the name of a mesh file in quotes", "such as file = \"bunny.ply\""},
+    sky_file_name{"the name of a picture's file in quotes", "such as file = \"evening.hdr\""};
 
 /// How a list of numbers may be abbreviated.
 enum class Shorthand {
@@ -349,6 +374,11 @@ constexpr auto type_name(const S& shape) -> decltype(shape_name(shape)) {
 template <LightKind L>
 constexpr auto type_name(const L& /*light*/) {
   return L::name;
+}
+template <class S>
+  requires std::is_constructible_v<AnySky, S>
+constexpr auto type_name(const S& /*sky*/) {
+  return S::name;
 }
 
 }  // namespace raywalk::schema

@@ -98,6 +98,9 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
     case Effect::textures:
       change_materials(changed, [](Material& m) { m.checker.reset(), m.texture.reset(); });
       return changed;
+    case Effect::sky:
+      changed.sky.reset();
+      return changed;
   }
   return std::nullopt;
 }

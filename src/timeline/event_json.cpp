@@ -96,6 +96,8 @@ class EventWriter {
   void operator()(const BackgroundAdded& background) const {
     to_["what"] = "background_added";
     to_["ray"] = background.ray;
+    if (background.light_pdf > 0) to_["background"] = triple(background.background);
+    if (background.light_pdf > 0) return weighted(background);
     to_["added"] = triple(background.added);
   }
 
@@ -166,6 +168,10 @@ class EventWriter {
   void add(const QuadraticNumbers& q) const {
     to_["quadratic"] = {{"a", q.a},   {"b", q.b},  {"c", q.c}, {"discriminant", q.discriminant},
                         {"t0", q.t0}, {"t1", q.t1}};
+  }
+  void add(const SkyNumbers& s) const {
+    to_["sky"] = {{"elevation", s.elevation}, {"azimuth", s.azimuth}, {"density", s.pdf}};
+    to_["sky"]["radiance"] = triple(s.radiance);
   }
   void add(const PlaneNumbers& p) const { to_["plane"] = {{"numerator", p.numerator}, {"denominator", p.denominator}}; }
 

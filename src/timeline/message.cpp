@@ -69,6 +69,7 @@ class Describer {
         return {"walk.primary_formed", {{"cell", pixel.column}}};
       }
       case RayKind::shadow:
+        if (formed.light == light_of_sky) return {"walk.sky_aimed_at", {{"object", shaded()}}};
         if (formed.light < 0) return {"walk.object_aimed_at", {{"object", shaded()}}};
         return {"walk.shadow_formed", {{"object", shaded()}, {"light", light(formed.light)}}};
       case RayKind::reflect:
@@ -95,6 +96,7 @@ class Describer {
     const bool reflect = stub.kind == RayKind::reflect;
     switch (stub.why) {
       case Ending::facing_away:
+        if (stub.light == light_of_sky) return {"walk.sky_not_aimed_at", {{"object", shaded()}}};
         if (stub.light < 0) return {"walk.object_not_aimed_at", {{"object", shaded()}}};
         return {"walk.shadow_facing_away", {{"object", shaded()}, {"light", light(stub.light)}}};
       case Ending::outside_cone:
@@ -131,14 +133,24 @@ class Describer {
                 {{"ray", record.kind}, {"object", met}, {"distance", length(found.point - record.origin)}}};
       }
       case Ending::missed:
+        if (const auto* sky = std::get_if<SkyNumbers>(&found.numbers))
+          return {sky->elevation < 0 ? "walk.found_sky_below" : "walk.found_sky",
+                  {{"ray", record.kind},
+                   {"elevation", std::abs(sky->elevation)},
+                   {"azimuth", sky->azimuth},
+                   {"colour", sky->radiance}}};
         return {"walk.found_missed", {{"ray", record.kind}}};
       case Ending::blocked: {
+        if (record.light == light_of_sky) return {"walk.sky_hidden", {{"object", met}}};
         if (record.light < 0) return {"walk.object_hidden", {{"object", met}}};
         const bool by_itself = ray(record.parent).object == found.object;
         return {by_itself ? "walk.light_blocked_by_itself" : "walk.light_blocked",
                 {{"light", light(record.light)}, {"object", met}}};
       }
       case Ending::reached_light:
+        if (const auto* sky = std::get_if<SkyNumbers>(&found.numbers))
+          return {sky->elevation < 0 ? "walk.sky_seen_below" : "walk.sky_seen",
+                  {{"elevation", std::abs(sky->elevation)}, {"azimuth", sky->azimuth}, {"colour", sky->radiance}}};
         if (record.light < 0) return {"walk.object_seen", {{"object", met}}};
         if (found.transmittance == Rgbd(1.0)) return {"walk.light_reached", {{"light", light(record.light)}}};
         return {"walk.light_filtered",
@@ -218,7 +230,8 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const BackgroundAdded& background) const {
-    return {"walk.background_added", {{"colour", background.added}}};
+    if (background.weight > nearly_all) return {"walk.background_added", {{"colour", background.added}}};
+    return {"walk.background_weighted", {{"weight", Fraction{background.weight}}, {"colour", background.added}}};
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const EmissionAdded& emission) const {
@@ -232,6 +245,9 @@ class Describer {
   [[nodiscard]] Message describe(const Event& /*event*/, const LightAdded& added) const {
     const std::string name = added.light >= 0 ? light(added.light) : object(added.object);
     if (is_black(added.added)) return {"walk.light_adds_nothing", {}};
+    if (added.light == light_of_sky && added.weight > nearly_all) return {"walk.sky_added", {{"colour", added.added}}};
+    if (added.light == light_of_sky)
+      return {"walk.sky_added_weighted", {{"weight", Fraction{added.weight}}, {"colour", added.added}}};
     if (added.weight > nearly_all) return {"walk.light_added", {{"light", name}, {"colour", added.added}}};
     return {"walk.light_added_weighted",
             {{"light", name}, {"weight", Fraction{added.weight}}, {"colour", added.added}}};

@@ -57,7 +57,13 @@ struct QuadraticNumbers {
 struct PlaneNumbers {
   double numerator, denominator;
 };
-using IntersectionNumbers = std::variant<std::monostate, QuadraticNumbers, PlaneNumbers>;
+/// Where in the sky a ray went that hit nothing.
+struct SkyNumbers {
+  double elevation, azimuth;  ///< in degrees: above the horizon; from the sky's middle, counter-clockwise from above
+  double pdf;                 ///< per steradian, with which paths that sample the sky aim there
+  Rgbd radiance;
+};
+using IntersectionNumbers = std::variant<std::monostate, QuadraticNumbers, PlaneNumbers, SkyNumbers>;
 
 /// Snell's law at a surface: n1 sin(in) = n2 sin(out).
 struct SnellNumbers {
@@ -71,6 +77,9 @@ template <class T>
           static_cast<double>(at.cos_out), static_cast<double>(at.fresnel())};
 }
 
+/// In place of the index of a light.
+inline constexpr int light_of_sky = -2;
+
 /// for_each_pixel: a sample of a pixel begins.
 struct PixelBegun {
   int column, row, sample;
@@ -83,7 +92,7 @@ struct RayFormed {
   RayKind kind;
   Vec3d origin, direction;  ///< a shadow ray's direction to a point light reaches it at t = 1; else unit length
   Rgbd throughput;
-  int light = -1;                       ///< shadow rays: index of the light
+  int light = -1;                       ///< shadow rays: index of the light; -1 an emitting object, or light_of_sky
   bool light_at_end = false;            ///< shadow rays: origin + direction is the light itself
   std::optional<SnellNumbers> snell{};  ///< refract rays
   int light_sample = 0;                 ///< shadow rays: which of the points of a light with an extent
@@ -163,10 +172,12 @@ inline constexpr Word<Lobe> words_of<Lobe>[] = {{Lobe::diffuse, "diffuse"},
                                                 {Lobe::transparent, "transparent"}};
 inline constexpr int lobe_count = 4;
 
-/// add_background: the path has left the scene.
+/// add_background: the path has left the scene. Pdfs as of EmissionAdded.
 struct BackgroundAdded {
   int ray;
-  Rgbd added;
+  Rgbd background;
+  double direction_pdf, light_pdf, weight;
+  Rgbd added;  ///< to the pixel
 };
 
 /// add_emission: the emission of the surface hit. The pdfs are those with which this direction was sampled at the
@@ -181,7 +192,7 @@ struct EmissionAdded {
 
 /// add_light: the contribution of a light. Pdfs as above; both 0 for a light that no ray can hit.
 struct LightAdded {
-  int light;   ///< index in Scene::lights; -1 for an object that emits
+  int light;   ///< index in Scene::lights; -1 for an object that emits, or light_of_sky
   int object;  ///< index in Scene::objects of that; else -1
   double direction_pdf, light_pdf, weight;
   Rgbd added;

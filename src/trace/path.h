@@ -23,10 +23,10 @@
 
 namespace raywalk {
 
-/// How the light of emitters is sampled. All but `both` are for studies.
+/// How the light of emitters and of the sky is sampled. All but `both` are for studies.
 enum class PathStrategy {
   both,        ///< combined by multiple importance sampling
-  lights,      ///< light sampling only, wherever emitters can be sampled
+  lights,      ///< light sampling only, wherever these can be sampled
   directions,  ///< BSDF sampling only
 };
 
@@ -35,10 +35,11 @@ struct PathSettings {
                           ///< limit
   int roulette_from = 4;  ///< number of rays before Russian roulette begins; >= 1
   PathStrategy strategy = PathStrategy::both;
+  SkySampling sky = SkySampling::by_brightness;
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Of the policy's effects (trace/policy.h), only nesting matters.
+/// Of the policy's effects (trace/policy.h), only nesting and the sky matter.
 template <class Policy>
 class PathTracer {
  public:
@@ -137,12 +138,18 @@ class PathTracer {
   Nearest find_closest(const PathRay& ray);
   bool decide_missed(const PathRay& ray, const Nearest& nearest);
   Rgb<T> add_background(const Rgb<T>& shade, const PathRay& ray);
+  Rgb<T> add_sky(const Rgb<T>& shade, const PathRay& ray);
   Vertex prepare(const PathRay& ray, const Hit<T>& hit);
   void add_emission(Rgb<T>& shade, const PathRay& ray, const Vertex& at);
   [[nodiscard]] int light_count_at(const Vertex& at) const;
   std::optional<LightSample> form_shadow_ray(const PathRay& ray, const Vertex& at, int light);
   std::optional<Ending> aim_at_light(LightSample& light_sample, const Vertex& at);
   std::optional<Ending> aim_at_emitter(LightSample& light_sample, const Vertex& at);
+  std::optional<Ending> aim_at_sky(LightSample& light_sample, const Vertex& at);
+  [[nodiscard]] bool samples_sky(const Vertex& at) const;
+  [[nodiscard]] static bool is_sky(const LightSample& light_sample) {
+    return light_sample.light == nullptr && light_sample.target.primitive < 0;
+  }
   [[nodiscard]] Rgb<T> emitter_transmittance(const LightSample& light_sample, const Hit<T>& hit) const;
   Rgb<T> find_intersection(const PathRay& ray, const LightSample& light_sample);
   void add_light(Rgb<T>& shade, const PathRay& ray, const LightSample& light_sample, const Rgb<T>& visible);

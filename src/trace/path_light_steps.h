@@ -6,11 +6,18 @@
 
 namespace raywalk {
 
-/// All lights of the scene, and one sample of all emitters together.
+/// All lights of the scene, one sample of all emitters together, and one of the sky, the last.
 template <class Policy>
 int PathTracer<Policy>::light_count_at(const Vertex& at) const {
   const bool objects = !emitters_.empty() && settings_.strategy != PathStrategy::directions && !at.bsdf.all_sharp();
-  return static_cast<int>(world_.lights.size()) + (objects ? 1 : 0);
+  return static_cast<int>(world_.lights.size()) + (objects ? 1 : 0) + (samples_sky(at) ? 1 : 0);
+}
+
+template <class Policy>
+bool PathTracer<Policy>::samples_sky(const Vertex& at) const {
+  if constexpr (Policy::effects.sky)
+    return world_.sky && settings_.strategy != PathStrategy::directions && !at.bsdf.all_sharp();
+  return false;
 }
 
 template <class Policy>
@@ -18,20 +25,29 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
     -> std::optional<LightSample> {
   constexpr unsigned unasked = 64;  // lamps
   if (static_cast<unsigned>(index) % unasked == unasked - 1) stop_.check();
-  const bool object = index == static_cast<int>(world_.lights.size());
-  const typename World<T>::Light* light = object ? nullptr : &world_.lights[static_cast<std::size_t>(index)];
+  const bool lamp = index < static_cast<int>(world_.lights.size());
+  const bool sky = samples_sky(at) && index == light_count_at(at) - 1;
+  const typename World<T>::Light* light = lamp ? &world_.lights[static_cast<std::size_t>(index)] : nullptr;
   LightSample light_sample{Ray{raywalk::Ray<T>{}}, 0, light, {}, Rgb<T>(0), 0, 0, 1};
   const auto not_formed = [&](Ending why) {
     ++statistics_.ends(why);
     note(Line::path_form_shadow_ray, ray.length, [&] {
-      return RayNotFormed{
-          ray.number,          RayKind::shadow,          why, Vec3d(at.position), Vec3d(light_sample.ray.direction),
-          Rgbd(at.throughput), light ? light->index : -1};
+      return RayNotFormed{ray.number,
+                          RayKind::shadow,
+                          why,
+                          Vec3d(at.position),
+                          Vec3d(light_sample.ray.direction),
+                          Rgbd(at.throughput),
+                          light ? light->index
+                          : sky ? light_of_sky
+                                : -1};
     });
     return std::nullopt;
   };
   if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length) return not_formed(Ending::path_length);
-  const std::optional<Ending> why_not = light ? aim_at_light(light_sample, at) : aim_at_emitter(light_sample, at);
+  const std::optional<Ending> why_not = light ? aim_at_light(light_sample, at)
+                                        : sky ? aim_at_sky(light_sample, at)
+                                              : aim_at_emitter(light_sample, at);
   if (why_not) return not_formed(*why_not);
   light_sample.ray =
       spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, light_sample.ray.direction, at.time);
@@ -44,8 +60,10 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
                      Vec3d(light_sample.ray.origin),
                      Vec3d(light_sample.ray.direction),
                      Rgbd(at.throughput),
-                     light ? light->index : -1,
-                     !light || !light->is_distant};
+                     light ? light->index
+                     : sky ? light_of_sky
+                           : -1,
+                     light ? !light->is_distant : !sky};
   });
   return light_sample;
 }
@@ -107,6 +125,26 @@ std::optional<Ending> PathTracer<Policy>::aim_at_emitter(LightSample& light_samp
   return std::nullopt;
 }
 
+template <class Policy>
+std::optional<Ending> PathTracer<Policy>::aim_at_sky(LightSample& light_sample, const Vertex& at) {
+  const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key_at(at.length, 0, Effect::sky), camera_.strata());
+  statistics_.drew(Effect::sky, 2);
+  const auto drawn = world_.sky->sample(Vec2d(unit), settings_.sky);
+  if (!drawn) return Ending::facing_away;
+  const Vec3<T> direction(drawn->direction);
+  light_sample.ray.direction = direction;
+  light_sample.medium = dot(direction, at.bsdf.geometric_normal) < 0 ? at.behind : at.medium;
+  const auto answers = at.bsdf.evaluate(renormalize(direction));
+  if (!(answers.pdf > 0)) return Ending::facing_away;
+  light_sample.direction_pdf = answers.pdf;
+  light_sample.light_pdf = static_cast<T>(drawn->pdf);
+  if (settings_.strategy == PathStrategy::both)
+    light_sample.weight = power_heuristic(light_sample.light_pdf, answers.pdf);
+  const Rgb<T> radiance(world_.sky->radiance(drawn->direction));
+  light_sample.contribution = (light_sample.weight / light_sample.light_pdf) * at.throughput * answers.value * radiance;
+  return std::nullopt;
+}
+
 /// The transmittance between the vertex and a sampled emitter.
 template <class Policy>
 auto PathTracer<Policy>::emitter_transmittance(const LightSample& light_sample, const Hit<T>& hit) const -> Rgb<T> {
@@ -121,7 +159,7 @@ auto PathTracer<Policy>::emitter_transmittance(const LightSample& light_sample, 
 }
 
 /// The visibility of the light sample. A light is attenuated as in the tracer. An emitter is visible where it is the
-/// first thing that the ray hits: exactly where BSDF sampling would find it.
+/// first thing that the ray hits, the sky where the ray hits nothing: exactly where BSDF sampling would find them.
 template <class Policy>
 auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample& light_sample) -> Rgb<T> {
   Rgb<T> visible{0};
@@ -135,6 +173,8 @@ auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample
     blocker = world_.accelerator.closest(light_sample.ray, infinity<T>, statistics_.tests);
     if (blocker && Departure{blocker->primitive, blocker->part} == light_sample.target)
       visible = emitter_transmittance(light_sample, *blocker);
+    if constexpr (Policy::effects.sky)
+      if (!blocker && is_sky(light_sample)) visible = Rgb<T>(1);
   }
   const Ending ending = is_black(visible) ? Ending::blocked : Ending::reached_light;
   ++statistics_.ends(ending);
@@ -142,7 +182,8 @@ auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample
     if (light_sample.light && ending == Ending::blocked)
       blocker = first_blocker(world_, light_sample.ray, light_sample.light->t_far());
     Found found = blocker ? detail::describe(light_sample.number, ending, world_, light_sample.ray, *blocker)
-                          : Found{light_sample.number, ending};
+                  : light_sample.light ? Found{light_sample.number, ending}
+                                       : detail::describe_missed(light_sample.number, ending, world_, light_sample.ray);
     found.transmittance = Rgbd(visible);
     return found;
   });
@@ -155,8 +196,10 @@ void PathTracer<Policy>::add_light(Rgb<T>& shade, const PathRay& ray, const Ligh
   const Rgb<T> added = light_sample.contribution * visible;
   shade += added;
   note(Line::add_light, ray.length, [&] {
-    return LightAdded{light_sample.light ? light_sample.light->index : -1,
-                      light_sample.light ? -1 : world_.object(light_sample.target.primitive),
+    return LightAdded{light_sample.light     ? light_sample.light->index
+                      : is_sky(light_sample) ? light_of_sky
+                                             : -1,
+                      light_sample.light || is_sky(light_sample) ? -1 : world_.object(light_sample.target.primitive),
                       static_cast<double>(light_sample.direction_pdf),
                       static_cast<double>(light_sample.light_pdf),
                       static_cast<double>(light_sample.weight),

@@ -56,8 +56,8 @@ template <class Policy>
 struct PathTracer<Policy>::LightSample {
   Ray ray;
   int number;
-  const typename World<T>::Light* light;  ///< null: an emitter
-  Departure target;                       ///< the part of the emitter that should be hit
+  const typename World<T>::Light* light;  ///< null: an emitter, or the sky
+  Departure target;                       ///< the part of the emitter that should be hit; none of the sky
   Rgb<T> contribution;                    ///< to the pixel, if unoccluded
   T direction_pdf, light_pdf, weight;
   const Medium* medium = nullptr;  ///< that it starts in, if known
@@ -103,7 +103,7 @@ auto PathTracer<Policy>::find_closest(const PathRay& ray) -> Nearest {
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(Line::path_find_closest_intersection, ray.length, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
-                   : Found{ray.number, Ending::missed};
+                   : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
   });
   return nearest;
 }
@@ -116,8 +116,33 @@ bool PathTracer<Policy>::decide_missed(const PathRay& ray, const Nearest& neares
 
 template <class Policy>
 auto PathTracer<Policy>::add_background(const Rgb<T>& shade, const PathRay& ray) -> Rgb<T> {
+  if constexpr (Policy::effects.sky)
+    if (world_.sky) return add_sky(shade, ray);
   const Rgb<T> added = ray.throughput * world_.background;
-  note(Line::add_background, ray.length, [&] { return BackgroundAdded{ray.number, Rgbd(added)}; });
+  note(Line::add_background, ray.length,
+       [&] { return BackgroundAdded{ray.number, Rgbd(world_.background), 0, 0, 1, Rgbd(added)}; });
+  return shade + added;
+}
+
+/// A sky that light sampling at the previous vertex could have found is weighted against it.
+template <class Policy>
+auto PathTracer<Policy>::add_sky(const Rgb<T>& shade, const PathRay& ray) -> Rgb<T> {
+  const Vec3d direction(ray.ray.direction);
+  const Rgb<T> radiance(world_.sky->radiance(direction));
+  T light_pdf = 0;
+  if (ray.pdf > 0 && settings_.strategy != PathStrategy::directions)
+    light_pdf = static_cast<T>(world_.sky->pdf(direction, settings_.sky));
+  T weight = 1;
+  if (light_pdf > 0) weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.pdf, light_pdf);
+  const Rgb<T> added = weight * ray.throughput * radiance;
+  note(Line::add_background, ray.length, [&] {
+    return BackgroundAdded{ray.number,
+                           Rgbd(radiance),
+                           static_cast<double>(ray.pdf),
+                           static_cast<double>(light_pdf),
+                           static_cast<double>(weight),
+                           Rgbd(added)};
+  });
   return shade + added;
 }
 

@@ -31,6 +31,7 @@ struct HitEffects {
   bool shadows = true;    ///< lights at all, occluded or not
   bool nesting = true;    ///< transmitting bodies may overlap, or contain the eye
   bool occlusion = true;  ///< shadow rays are traced; else every light in front of a surface reaches it
+  bool sky = true;        ///< what rays bring back that leave the scene depends on their direction
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
@@ -47,7 +48,9 @@ inline constexpr std::size_t few_lights = 64;
           effects.used(Effect::penumbra) || lights > few_lights,
           effects.used(Effect::gloss) || effects.used(Effect::translucency),
           effects.used(Effect::shadows),
-          nesting};
+          nesting,
+          true,
+          effects.used(Effect::sky)};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.

@@ -13,10 +13,13 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     procedure.main_algorithm(block, put);
     return procedure.statistics();
   };
-  constexpr HitEffects no_nesting{.nesting = false};
+  constexpr HitEffects no_sky{.sky = false}, neither{.nesting = false, .sky = false};
   if (world.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
-  if (world.bodies.empty()) return run_with.template operator()<Policy<T, Watcher, no_nesting>>();
+  if constexpr (!Watcher::watches) {
+    if (!world.sky && world.bodies.empty()) return run_with.template operator()<Policy<T, Watcher, neither>>();
+    if (!world.sky) return run_with.template operator()<Policy<T, Watcher, no_sky>>();
+  }
   return run_with.template operator()<Policy<T, Watcher>>();
 }
 

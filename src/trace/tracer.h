@@ -48,7 +48,7 @@ class Tracer {
       const TreeRay primary = form_primary_ray(pixel);
       // Find closest intersection
       const Nearest nearest = find_closest(Line::find_closest_intersection, 0, primary);
-      Rgb<T> final = world_.background;
+      Rgb<T> final = background_of(primary, nearest);
       // If intersect something
       if (decide_intersected(nearest)) {
         // Shade (DEPTH+1, final)
@@ -138,7 +138,8 @@ class Tracer {
           const Nearest nearest = find_closest(Line::find_reflect_intersect, depth, *reflect_ray);
           // Shade (DEPTH+1, REFLSHADE)
           const int deeper = call_shade(Line::shade_reflect, depth, *reflect_ray, nearest);
-          reflected = at.reflection() * (nearest ? shade(deeper, *reflect_ray, *nearest) : world_.background);
+          reflected =
+              at.reflection() * (nearest ? shade(deeper, *reflect_ray, *nearest) : background_along(*reflect_ray));
         }
       }
     }
@@ -151,7 +152,8 @@ class Tracer {
           const Nearest nearest = find_closest(Line::find_refract_intersect, depth, *refract_ray);
           // Shade (DEPTH+1, REFRSHADE)
           const int deeper = call_shade(Line::shade_refract, depth, *refract_ray, nearest);
-          refracted = at.transmission() * (nearest ? shade(deeper, *refract_ray, *nearest) : world_.background);
+          refracted =
+              at.transmission() * (nearest ? shade(deeper, *refract_ray, *nearest) : background_along(*refract_ray));
         }
       }
     }
@@ -173,6 +175,18 @@ class Tracer {
                                             RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
                                             Draw draw_direction);
   Nearest find_closest(Line line, int depth, const TreeRay& ray);
+  /// What a ray brings back that leaves the scene; without a sky in the kernel, the same for every ray.
+  [[nodiscard]] Rgb<T> background_along(const TreeRay& ray) const {
+    if constexpr (Policy::effects.sky)
+      if (world_.sky) return Rgb<T>(world_.sky->radiance(Vec3d(ray.ray.direction)));
+    return world_.background;
+  }
+  /// The same, which a kernel with a sky looks up only where nothing was met.
+  [[nodiscard]] Rgb<T> background_of(const TreeRay& ray, const Nearest& nearest) const {
+    if constexpr (Policy::effects.sky)
+      if (nearest) return Rgb<T>(0);
+    return background_along(ray);
+  }
   Rgb<T> find_intersection(int depth, const Shadow& shadow, const Light& light);
   [[nodiscard]] static const Medium* medium_on_side(const ShadingPoint& at, const TreeRay& ray, bool refracted);
   void set_shadow_hints(const ShadingPoint& at, const Light& light);

@@ -49,6 +49,17 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRa
           piece.member};
 }
 
+/// Describes that nothing was hit.
+template <class T, class AnyRay>
+Found describe_missed(int ray_number, Ending ending, const World<T>& world, const AnyRay& ray) {
+  Found found{ray_number, ending};
+  if (!world.sky) return found;
+  const Vec3d direction(ray.direction);
+  const SkyLight::Place place = world.sky->place(direction);
+  found.numbers = SkyNumbers{place.elevation, place.azimuth, world.sky->pdf(direction), world.sky->radiance(direction)};
+  return found;
+}
+
 }  // namespace detail
 
 template <class Policy>
@@ -82,7 +93,7 @@ auto Tracer<Policy>::find_closest(Line line, int depth, const TreeRay& ray) -> N
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(line, depth, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
-                   : Found{ray.number, Ending::missed};
+                   : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
   });
   return nearest;
 }
@@ -101,7 +112,7 @@ int Tracer<Policy>::call_shade(Line line, int depth, const TreeRay& ray, const N
   inject(Fault::depth_not_counted, [&] {
     if (line == Line::shade_reflect) called = depth;
   });
-  note(line, depth, [&] { return ShadeCalled{ray.number, !nearest, called, Rgbd(world_.background)}; });
+  note(line, depth, [&] { return ShadeCalled{ray.number, !nearest, called, Rgbd(background_of(ray, nearest))}; });
   return called;
 }
 

@@ -199,6 +199,7 @@ template <class T>
 World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault, const Stop& stop)
     : background(scene.background),
       ambient(scene.ambient),
+      sky(scene.sky ? std::make_shared<const SkyLight>(*scene.sky, scene.background) : nullptr),
       depth(scene.limits.depth),
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)),

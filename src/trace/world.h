@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "trace/bodies.h"
 #include "trace/fault.h"
+#include "trace/sky_light.h"
 #include "trace/texture.h"
 
 #include <cstddef>
@@ -136,6 +137,7 @@ struct World {
   std::vector<Surface> surfaces;
   std::vector<Light> lights;
   Rgb<T> background, ambient;
+  std::shared_ptr<const SkyLight> sky;  ///< null: the background is the same everywhere
   int depth;
   T threshold;
   Effects effects;

@@ -200,6 +200,28 @@ Object random_object(Random& random, const std::string& name) {
   return object;
 }
 
+Sky random_sky(Random& random) {
+  Sky sky;
+  // Not black.
+  const Rgbd some = random_colour(random) + Rgbd(0.25);
+  switch (random.below(4)) {
+    case 0:
+      sky.kind = GradientSky{random_colour(random), some};
+      break;
+    case 1:
+      sky.kind = OvercastSky{some};
+      break;
+    case 2:
+      sky.kind = ClearSky{90 * random.unit(), 1 + 9 * random.unit(), random.unit(), some};
+      break;
+    default:
+      sky.kind = ImageSky{"sky.hdr", some};
+  }
+  if (random.chance(0.3)) sky.up = random_direction(random);
+  if (random.chance(0.3)) sky.rotation = 720 * random.unit() - 360;
+  return sky;
+}
+
 Light random_light(Random& random, const std::string& name) {
   Light light{name, Rgbd(1.0), {}};
   if (random.chance(0.5)) light.strength = random_colour(random);
@@ -251,6 +273,7 @@ Scene random_scene(Random& random) {
   if (random.chance(0.3)) scene.render = random_choices(random);
   if (random.chance(0.3)) scene.background = random_colour(random);
   if (random.chance(0.3)) scene.ambient = random_colour(random);
+  if (random.chance(0.4)) scene.sky = random_sky(random);
   for (std::size_t i = random.below(4); i > 0; --i)
     scene.lights.push_back(random_light(random, "light " + std::to_string(i) + random_text(random)));
   for (std::size_t i = random.below(6); i > 0; --i)

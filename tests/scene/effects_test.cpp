@@ -11,7 +11,7 @@ namespace {
 constexpr Effect all_effects[] = {Effect::shadows,        Effect::reflection,   Effect::refraction,
                                   Effect::gloss,          Effect::translucency, Effect::penumbra,
                                   Effect::depth_of_field, Effect::motion_blur,  Effect::antialiasing,
-                                  Effect::indirect_light, Effect::textures};
+                                  Effect::indirect_light, Effect::textures,     Effect::sky};
 
 Scene scene_of(const Material& material) {
   Scene scene;

@@ -106,6 +106,7 @@ std::vector<Switch> switches() {
        {textures},
        [](Scene& s) { s.objects[2].material.checker = Checker{Rgbd(0.9), Rgbd(0.3), 0.2}; },
        dull},
+      {sky, {sky}, [](Scene& s) { s.sky = Sky{GradientSky{}}; }, dull},
   };
 }
 
@@ -200,12 +201,14 @@ TEMPLATE_TEST_CASE("so does each pair of effects by paths, beside indirect light
       std::set<Effect> expected = a.calls_for;
       expected.insert(b.calls_for.begin(), b.calls_for.end());
       expected.insert(Effect::indirect_light);
+      if (expected.count(Effect::sky) > 0) expected.insert(Effect::shadows);  // paths aim at it
       CHECK(used_by(scene, sampling.per_pixel) == expected);
       const auto traced = by_paths(scene, sampling);
       for (int each = 0; each < effect_count; ++each) {
         const auto effect = static_cast<Effect>(each);
         INFO(name_of(effect));
-        CHECK((traced.statistics.drawn(effect) > 0) == (expected.count(effect) > 0 && draws_numbers(effect)));
+        const bool draws = draws_numbers(effect) || effect == Effect::sky;
+        CHECK((traced.statistics.drawn(effect) > 0) == (expected.count(effect) > 0 && draws));
       }
       CHECK((traced.statistics.formed(RayKind::shadow) > 0) == (expected.count(Effect::shadows) > 0));
       CHECK((traced.statistics.formed(RayKind::refract) > 0) == (expected.count(Effect::refraction) > 0));
@@ -255,7 +258,8 @@ TEST_CASE("an effect that is switched on leaves alone what holds nothing of it")
                     (decided && (decided->holds || decided->why) && event.line == Line::if_transparent &&
                      (effect == Effect::refraction || effect == Effect::translucency)) ||
                     (decided && decided->holds && effect == Effect::gloss && event.line == Line::if_reflective) ||
-                    (found && found->object == 2 && (effect == Effect::textures || effect == Effect::motion_blur));
+                    (found && found->object == 2 && (effect == Effect::textures || effect == Effect::motion_blur)) ||
+                    (found && found->ending == Ending::missed && effect == Effect::sky);
           }
           if (!meets) ++spared, wrong += old != now;
           changed += old != now;
@@ -280,7 +284,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   };
   const auto whole = traced(Integrator::distributed, 3);
   CHECK(used_by(scene, 3) == std::set{shadows, reflection, refraction, gloss, translucency, penumbra, depth_of_field,
-                                      motion_blur, antialiasing, textures});
+                                      motion_blur, antialiasing, textures, sky});
   CHECK(whole.statistics.random_draws() > 0);
   scene.render.integrator = Integrator::automatic;
   CHECK(integrator_of(scene) == Integrator::distributed);
@@ -288,7 +292,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   CHECK(integrator_of(plain_scene(), 2) == Integrator::distributed);
 
   scene.render.integrator = Integrator::whitted;
-  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures};
+  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures, sky};
   CHECK(used_by(scene, 1) == fixed);
   const auto sharp = picture<double>(scene, width, height, {3, 5});
   CHECK(sharp.statistics.random_draws() == 0);
@@ -297,10 +301,10 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   scene.render.sampler = Sampler::sobol;
   CHECK(same(sharp, picture<double>(scene, width, height, {3, 99})));
   scene.render.light_grid = 1;  // the middle of each light
-  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures});
+  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures, sky});
 
   scene.render.integrator = Integrator::cast;
-  CHECK(used_by(scene, 1) == std::set{shadows, textures});
+  CHECK(used_by(scene, 1) == std::set{shadows, textures, sky});
   const auto cast = picture<double>(scene, width, height);
   CHECK(cast.statistics.formed(RayKind::reflect) == 0);
   CHECK(cast.statistics.formed(RayKind::refract) == 0);

@@ -29,6 +29,7 @@ Scene scene_for(const HitEffects& set) {
     std::get<Sphere<double>>(bubble.shape).radius = 0.5;
     scene.objects.push_back(bubble);
   }
+  if (set.sky) scene.sky = Sky{GradientSky{}};
   if (set.penumbra) {
     scene.lights[0].kind = SphereLight{{-3, 3, 2}, 0.7, 2, {0.5, 0.1, 0.05}};
     scene.lights.push_back({"Panel", Rgbd(0.5), RectangleLight{{-2, -3, 1}, {1, 0, 0}, {0, 0, 1}, 1, {}}});
@@ -36,12 +37,17 @@ Scene scene_for(const HitEffects& set) {
   return scene;
 }
 
+constexpr HitEffects with(bool reflection, bool refraction, bool textures, bool penumbra, bool lobes, bool nesting,
+                          bool sky = false) {
+  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, sky};
+}
 constexpr HitEffects sets[] = {
-    {false, false, false, false, false, true, false}, {false, false, true, true, false, true, false},
-    {true, false, false, true, true, true, false},    {true, false, true, false, false, true, false},
-    {true, true, false, false, true, true, false},    {true, true, false, true, false, true, false},
-    {true, true, true, false, false, true, false},    {true, true, false, false, false, true, true},
-    {true, true, true, true, true, true, true}};
+    with(false, false, false, false, false, false), with(false, false, true, true, false, false),
+    with(true, false, false, true, true, false),    with(true, false, true, false, false, false),
+    with(true, true, false, false, true, false),    with(true, true, false, true, false, false),
+    with(true, true, true, false, false, false),    with(true, true, false, false, false, true),
+    with(true, true, true, true, true, true),       with(false, false, false, false, false, false, true),
+    with(true, true, true, true, true, true, true)};
 
 struct Counter final : Observer {
   std::uint64_t events = 0;
@@ -68,7 +74,7 @@ TEMPLATE_TEST_CASE("watched and unwatched give the same bits and the same counts
 TEMPLATE_TEST_CASE("each kernel gives the bits of the kernel with every effect", "", float, double) {
   using T = TestType;
   for (const HitEffects& set : sets) {
-    CAPTURE(set.reflection, set.refraction, set.textures, set.penumbra, set.lobes, set.nesting);
+    CAPTURE(set.reflection, set.refraction, set.textures, set.penumbra, set.lobes, set.nesting, set.sky);
     const Scene scene = scene_for(set);
     REQUIRE(hit_effects(effects_of(scene), scene.lights.size(), !World<double>(scene).bodies.empty()) == set);
     const auto fitting = picture<T>(scene, 63, 45);
@@ -106,6 +112,8 @@ TEST_CASE("the kernels are different ones") {
                           return detail::run_kernel<double, HitEffects{true, true, true, true, true, true, false}>(
                               a...);
                         })));
+  CHECK_FALSE(
+      same_bits(full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{.sky = false}>(a...); })));
 }
 
 TEST_CASE("effects that are not called for fire no ray and draw no number") {

@@ -71,6 +71,7 @@ const std::vector<Section>& sections() {
         {"property.strength", "explanation.strength"},
         {"property.attenuation", "explanation.attenuation"},
         {"property.background", "explanation.background"},
+        {"property.sky", "explanation.sky"},
         {"property.scene_ambient", "explanation.scene_ambient"},
         {"property.limits_depth", "explanation.limits_depth"},
         {"property.threshold", "explanation.threshold"}}},

@@ -207,9 +207,9 @@ class EquationWriter {
 
   void write(const Found& found) {
     const bool shadow = current().kind == RayKind::shadow;
-    if (found.object < 0)
-      return row(Kind::note, shadow ? Word{"equation.nothing_between"} : Word{"equation.nothing_ahead"});
+    if (found.object < 0) row(Kind::note, shadow ? Word{"equation.nothing_between"} : Word{"equation.nothing_ahead"});
     std::visit([&](const auto& numbers) { solve(numbers, found.t); }, found.numbers);
+    if (found.object < 0) return;
     const std::string_view between = state_.appearance.language.separator();
     row(Kind::formula, shadow ? "P = P₀ + t L" : "P = O + t D");
     row(Kind::numbers, "P = ", found.point, between, "t = ", found.t);
@@ -236,6 +236,11 @@ class EquationWriter {
     if (!std::isfinite(p.numerator)) return;
     row(Kind::formula, "t = N·(A − O) / N·D");
     row(Kind::numbers, "t = ", p.numerator, " / ", p.denominator);
+  }
+
+  void solve(const SkyNumbers& sky, double /*t*/) {
+    light(Kind::term, sky.radiance, Word{"equation.sky"}, " =");
+    row(Kind::numbers, "p(", Word{"equation.sky"}, ") = ", sky.pdf);
   }
 
   void write(const Decided& decided) {
@@ -278,7 +283,10 @@ class EquationWriter {
 
   // ---- Path tracing
 
-  void write(const BackgroundAdded& added) { light(Kind::total, added.added, "+ ", Word{"equation.background"}); }
+  void write(const BackgroundAdded& background) {
+    if (background.light_pdf > 0) weighted(background.direction_pdf, background.light_pdf, background.weight);
+    light(Kind::total, background.added, "+ ", Word{"equation.background"});
+  }
   void write(const EmissionAdded& emission) {
     light(Kind::term, emission.emission, Word{"equation.emission"});
     if (emission.emission == Rgbd(0.0)) return;

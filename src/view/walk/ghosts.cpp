@@ -16,10 +16,13 @@ bool forbidden_by_limit(const RayRecord& ray) {
   return !ray.formed && (ray.ending == Ending::depth || ray.ending == Ending::threshold);
 }
 
-/// A ray's contribution to the pixel: its throughput times what its SHADE returned, or the background.
+/// A ray's contribution to the pixel: its throughput times what its SHADE returned, or the background or the sky.
 Rgbd brought_by(const Timeline& timeline, const RayRecord& ray, const Rgbd& background) {
-  return ray.throughput *
-         (ray.shade >= 0 ? timeline.frames()[static_cast<std::size_t>(ray.shade)].returned : background);
+  if (ray.shade >= 0) return ray.throughput * timeline.frames()[static_cast<std::size_t>(ray.shade)].returned;
+  const Event* event = timeline.just_run(ray.found_at);
+  const auto* found = event != nullptr ? std::get_if<Found>(&event->detail) : nullptr;
+  const auto* sky = found != nullptr ? std::get_if<SkyNumbers>(&found->numbers) : nullptr;
+  return ray.throughput * (sky != nullptr ? sky->radiance : background);
 }
 
 }  // namespace
