@@ -57,8 +57,9 @@ void scene_rows(const Ui& ui, Form& form) {
   Scene scene;  // of its own keys those that have fields; the rest may be large
   scene.background = ui.state.scene().background;
   scene.ambient = ui.state.scene().ambient;
+  scene.sky = ui.state.scene().sky;
   if (SchemaForm::draw(form, "scene", scene))
-    ui.act(action::SetSurroundings{scene.background, scene.ambient, form.continues()});
+    ui.act(action::SetSurroundings{scene.background, scene.ambient, scene.sky, form.continues()});
   TraceLimits limits = ui.state.scene().limits;
   if (SchemaForm::draw(form, "limits", limits)) ui.act(action::SetLimits{limits, form.continues()});
 }

@@ -55,7 +55,8 @@ class SchemaForm {
     key(name, value, kind, sentence...);
   }
   template <class... Kinds>
-  void type(std::variant<Kinds...>& value, std::string_view /*sentence*/) {
+  void type(std::variant<Kinds...>& value, std::string_view sentence) {
+    if constexpr (std::is_same_v<std::variant<Kinds...>, AnySky>) pick_kind(value, sentence);
     std::visit([&](auto& kind) { schema::describe(*this, kind); }, value);
   }
   template <class T>
@@ -118,6 +119,25 @@ class SchemaForm {
   template <class Kind, class T>
   bool row(const FormLabel& /*label*/, const Kind& /*kind*/, T& /*value*/) {
     return false;
+  }
+
+  /// One of the kinds that need no file, or the one that it is.
+  void pick_kind(AnySky& value, std::string_view sentence) {
+    std::vector<std::string> words;
+    std::vector<AnySky> kinds;
+    int chosen = 0;
+    const auto offer = [&]<class Kind>(const Kind& kind) {
+      const bool own = std::holds_alternative<Kind>(value);
+      if constexpr (requires { kind.file; })
+        if (!own) return;
+      if (own) chosen = static_cast<int>(kinds.size());
+      words.emplace_back(schema::type_name(kind));
+      kinds.emplace_back(kind);
+    };
+    [&]<class... Kinds>(const std::variant<Kinds...>* /*all*/) { (offer(Kinds{}), ...); }(&value);
+    if (!form_.pick({table_, "type", sentence}, words, chosen)) return;
+    is_changed_ = true;
+    value = kinds[static_cast<std::size_t>(chosen)];
   }
 
   /// A flag: whether there is a value.

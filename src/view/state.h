@@ -21,6 +21,7 @@
 #include "view/picture/room.h"
 #include "view/plan/room.h"
 #include "view/predict/room.h"
+#include "view/sky/room.h"
 #include "view/space/room.h"
 #include "view/stack/room.h"
 #include "view/structure/room.h"
@@ -54,6 +55,7 @@ struct State {
   EffectsRoom effects;
   LinkRoom link;
   InkRoom ink;
+  SkyRoom sky;
 
   [[nodiscard]] const Scene& scene() const { return document.contents.scene; }
 };
@@ -61,7 +63,7 @@ struct State {
 /// All rooms, in the order of their tabs and of their commands in menus.
 using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
                     LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
-                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, InkRoom, AppearanceRoom>;
+                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, InkRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>

@@ -280,6 +280,7 @@ void action::SetSurroundings::apply(State& state) const {
   Scene next = state.scene();
   next.background = background;
   next.ambient = ambient;
+  next.sky = sky;
   commit_edit(state, *this, std::move(next));
 }
 

@@ -170,9 +170,10 @@ struct SetNumerics {
 };
 struct SetSurroundings {
   Rgbd background, ambient;
+  std::optional<Sky> sky;
   bool continues = false;
   static void fields(auto& f, auto& a) {
-    f(a.background, Unwritten{}), f(a.ambient, Unwritten{}), f(a.continues, Unwritten{});
+    f(a.background, Unwritten{}), f(a.ambient, Unwritten{}), f(a.sky, Unwritten{}), f(a.continues, Unwritten{});
   }
   void apply(State& state) const;
 };

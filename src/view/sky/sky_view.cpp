@@ -1,0 +1,114 @@
+#include "trace/sky_light.h"
+#include "view/plan/painter.h"
+#include "view/state.h"
+#include "view/text/text.h"
+#include "view/walk/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace raywalk {
+
+void SkyRoom::follow(State& state, const Before& /*before*/) {
+  SkyRoom& room = state.sky;
+  const Scene& scene = state.scene();
+  if (room.of == scene.sky && room.below == scene.background) return;
+  room.of = scene.sky;
+  room.below = scene.background;
+  room.light = scene.sky ? std::make_shared<const SkyLight>(*scene.sky, scene.background) : nullptr;
+}
+
+namespace {
+
+std::shared_ptr<const SkyLight> light_of(const State& state) {
+  const Scene& scene = state.scene();
+  if (state.sky.of == scene.sky && state.sky.below == scene.background) return state.sky.light;
+  return std::make_shared<const SkyLight>(*scene.sky, scene.background);
+}
+
+/// A rounded frame about the middle of the pane, (x / a)^4 + (y / b)^4 = 1, as large as fits. Seen from there, each of
+/// its points lies in the direction that it stands for.
+struct Ring {
+  Vec2d middle;
+  double a, b;  ///< half axes in pixels
+
+  /// A point, from the middle and with y up: also the direction in the plan that leads there. `turn`: 0..1.
+  [[nodiscard]] Vec2d along(double turn) const {
+    const double angle = 2 * std::numbers::pi * turn;
+    return towards({a * std::cos(angle), b * std::sin(angle)});
+  }
+  /// `inwards`: pixels from the ring.
+  [[nodiscard]] Vec2d at(const Vec2d& along, double inwards) const {
+    const Vec2d point = along * (1 - inwards / length(along));
+    return {middle.x + point.x, middle.y - point.y};
+  }
+  /// In a direction of the plan, not 0.
+  [[nodiscard]] Vec2d towards(const Vec2d& direction) const {
+    const double x = direction.x * direction.x / (a * a), y = direction.y * direction.y / (b * b);
+    return direction * (1 / std::sqrt(std::sqrt(x * x + y * y)));
+  }
+};
+
+/// Where the current ray met the sky, if it did, as seen in the plan.
+void draw_met(Painter& painter, const Ring& ring, double width) {
+  const Timeline& timeline = *painter.state.walk.timeline;
+  const int current = timeline.current_ray(painter.state.walk.position);
+  if (painter.state.walk.mode == Mode::move || current < 0) return;
+  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(current)];
+  const bool leaves = ray.formed && ray.endless && ray.object < 0 && ray.found_at <= painter.state.walk.position;
+  const Vec2d flat(ray.direction.x, ray.direction.y);
+  if (!leaves || !(length(flat) > 1e-9 * length(ray.direction))) return;
+  const Vec2d at = ring.at(ring.towards(flat), width / 2);
+  painter.add(CircleItem{at, 1.1 * width, std::nullopt, painter.stroke(painter.colours.ink, 2)});
+  painter.keep_free(at, 1.1 * width);
+}
+
+}  // namespace
+
+void SkyRoom::draw_in_plan(Painter& painter) {
+  if (!painter.scene().sky) return;
+  const std::shared_ptr<const SkyLight> light = light_of(painter.state);
+  const double unit = painter.sizes.unit, margin = 4 * unit, width = 9 * unit, tallest = 26 * unit;
+  const Ring ring{{painter.viewport.width / 2, painter.viewport.height / 2},
+                  painter.viewport.width / 2 - margin,
+                  painter.viewport.height / 2 - margin};
+  if (!(ring.a > 4 * tallest && ring.b > 4 * tallest)) return;
+  constexpr int count = 180;
+  struct Seen {
+    Vec2d along;
+    double pdf;
+  };
+  std::vector<Seen> seen;
+  double most = 0;
+  for (int i = 0; i < count; ++i) {
+    const Vec2d along = ring.along((i + 0.5) / count);
+    const double pdf = light->pdf(Vec3d(along, 0));
+    most = std::max(most, pdf);
+    seen.push_back({along, pdf});
+    const Vec2d from = ring.along(static_cast<double>(i) / count), to = ring.along((i + 1.0) / count);
+    painter.add(PolygonItem{{ring.at(from, 0), ring.at(to, 0), ring.at(to, width), ring.at(from, width)},
+                            display_colour(light->radiance(Vec3d(along, 0)), painter.scene().encoding),
+                            std::nullopt});
+  }
+  for (const double inwards : {0.0, width}) {
+    PolylineItem border{{}, painter.stroke(painter.colours.grid)};
+    for (int i = 0; i <= count; ++i)
+      border.points.push_back(ring.at(ring.along(static_cast<double>(i) / count), inwards));
+    painter.add(border);
+  }
+  const bool sampled = integrator_of(*walked_scene(painter.state)) == Integrator::path;
+  if (sampled && most > 0) {
+    PolylineItem chance{{}, painter.stroke(painter.colours.dim_text, 1.3)};
+    for (const Seen& one : seen) chance.points.push_back(ring.at(one.along, width + one.pdf / most * tallest));
+    chance.points.push_back(chance.points.front());
+    painter.add(chance);
+  }
+  draw_met(painter, ring, width);
+  painter.note({ring.at(ring.towards({0, 1}), width + tallest + 12 * unit), ring.at(ring.towards({-1, 1}), 60 * unit),
+                ring.at(ring.towards({-1, -1}), 60 * unit)},
+               std::string(text(sampled ? "plan.sky_sampled" : "plan.sky", painter.state.appearance.language)));
+}
+
+}  // namespace raywalk

@@ -1,0 +1,118 @@
+// The sky in the plan: a ring whose colours are those of the sky, the curve of the pdf, the place that a ray met.
+
+#include <algorithm>
+#include <cmath>
+
+#include "fixtures.h"
+#include "support/catch.h"
+#include "trace/sky_light.h"
+#include "view/plan/plan_geometry.h"
+#include "view/text/text.h"
+#include "view/walk/walk.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+Scene under_sky(Integrator integrator) {
+  Scene scene = classic_state().scene();
+  // Upright in the plan, so that its directions differ.
+  scene.sky = Sky{GradientSky{{0.1, 0.2, 0.3}, {0.9, 0.6, 0.2}}, {0, 1, 0}, 0};
+  scene.render.integrator = integrator;
+  return scene;
+}
+
+/// The middle of the pane, from where the ring is seen.
+Vec2d middle_of(const State& state) { return {state.plan.viewport.width / 2, state.plan.viewport.height / 2}; }
+
+/// Pieces of the ring, by the direction of the plan that they stand for.
+std::vector<std::pair<Vec2d, Colour>> pieces_of(const State& state) {
+  const Vec2d middle = middle_of(state);
+  std::vector<std::pair<Vec2d, Colour>> pieces;
+  for (const DisplayItem& item : plan_view(state)) {
+    const auto* piece = std::get_if<PolygonItem>(&item.shape);
+    if (piece == nullptr || item.target || piece->points.size() != 4 || !piece->fill || piece->stroke) continue;
+    const Vec2d at = (piece->points[0] + piece->points[1]) / 2.0 - middle;
+    if (length(at) > 0.4 * std::min(state.plan.viewport.width, state.plan.viewport.height))
+      pieces.emplace_back(Vec2d(at.x, -at.y), *piece->fill);
+  }
+  return pieces;
+}
+
+Vec2d unit(const Vec2d& v) { return v / length(v); }
+
+bool says(const State& state, std::string_view id) {
+  const std::string_view words = text(id, state.appearance.language);
+  const DisplayList list = plan_view(state);
+  return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+    const auto* said = std::get_if<TextItem>(&item.shape);
+    return said != nullptr && said->text == words;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the ring has the sky's colour in every direction of the plan") {
+  for (const Mode mode : {Mode::trace, Mode::move}) {
+    State state = state_of(under_sky(Integrator::whitted));
+    update(state, action::SetMode{mode});
+    const SkyLight light(*state.scene().sky, state.scene().background);
+    const auto pieces = pieces_of(state);
+    CHECK(pieces.size() >= 100);
+    int bright = 0;
+    for (const auto& [direction, colour] : pieces) {
+      const Colour expected = display_colour(light.radiance(Vec3d(direction, 0)), state.scene().encoding);
+      CHECK(std::abs(colour.r - expected.r) + std::abs(colour.g - expected.g) + std::abs(colour.b - expected.b) <= 6);
+      bright += direction.y > 0;
+    }
+    CHECK(bright * 2 > static_cast<int>(pieces.size()) - 4);
+    CHECK(is_finite(plan_view(state)));
+  }
+  CHECK(pieces_of(classic_state()).empty());
+}
+
+TEST_CASE("paths are told how often they aim there; who samples no sky is not") {
+  CHECK(says(state_of(under_sky(Integrator::path)), "plan.sky_sampled"));
+  CHECK(says(state_of(under_sky(Integrator::whitted)), "plan.sky"));
+  CHECK_FALSE(says(state_of(under_sky(Integrator::whitted)), "plan.sky_sampled"));
+  CHECK_FALSE(says(classic_state(), "plan.sky"));
+}
+
+TEST_CASE("where the current ray meets the sky, the ring is marked, and the sentence says where and what") {
+  State state = state_of(under_sky(Integrator::whitted));
+  const Timeline& timeline = *state.walk.timeline;
+  int met = 0;
+  for (int i = 0; i < timeline.steps() && met < 5; ++i) {
+    const auto* found = std::get_if<Found>(&timeline.event(i).detail);
+    if (found == nullptr || !std::holds_alternative<SkyNumbers>(found->numbers)) continue;
+    ++met;
+    update(state, action::Jump{i + 1});
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(i + 1))];
+    const Vec2d flat = unit(Vec2d(ray.direction.x, ray.direction.y));
+    const Vec2d middle = middle_of(state);
+    int marks = 0;
+    for (const DisplayItem& item : plan_view(state)) {
+      const auto* circle = std::get_if<CircleItem>(&item.shape);
+      if (circle == nullptr || circle->fill || item.target) continue;
+      const Vec2d at = unit(Vec2d(circle->centre.x - middle.x, middle.y - circle->centre.y));
+      marks += dot(at, flat) > 1 - 1e-9;
+    }
+    CHECK(marks == 1);
+    const Message said = describe(state.scene(), timeline, i + 1);
+    CHECK((said.id == "walk.found_sky" || said.id == "walk.found_sky_below"));
+  }
+  CHECK(met == 5);
+}
+
+TEST_CASE("the sky is changed and the change undone, with the background") {
+  State state = classic_state();
+  const Scene before = state.scene();
+  update(state, action::SetSurroundings{before.background, before.ambient, Sky{OvercastSky{}}});
+  REQUIRE(state.scene().sky.has_value());
+  CHECK(state.sky.light != nullptr);
+  CHECK(says(state, "plan.sky"));
+  update(state, action::Undo{});
+  CHECK(state.scene() == before);
+  CHECK(state.sky.light == nullptr);
+}
