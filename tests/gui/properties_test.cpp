@@ -369,12 +369,12 @@ TEST_CASE("lights, the camera and the scene have properties") {
   CHECK(bench.state.scene().camera.screen.distance == 1.75);
   type_into(bench, field("property.background", "/0"), "0.5");
   CHECK(bench.state.scene().background.x == 0.5);
-  type_into(bench, field("property.threshold"), "0.01");
-  CHECK(bench.state.scene().limits.threshold == 0.01);
   // What is further down is scrolled to.
   bench.point_at(field("property.background", "/0"));
   bench.wheel(-30);
   bench.frames(10);
+  type_into(bench, field("property.threshold"), "0.02");
+  CHECK(bench.state.scene().limits.threshold == 0.02);
   // Whole numbers have buttons beside them, and what is typed takes the place of what stood there.
   type_into(bench, field("property.limits_depth"), "12");
   CHECK(bench.state.scene().limits.depth == 12);

@@ -1,6 +1,7 @@
 // Invariants 2 and 3 of CONTRIBUTING.md: neither an observer nor threads, tile order or accelerator change a bit.
 #include "render/render.h"
 #include "render/scenes.h"
+#include "trace/scene_kernel.h"
 
 #include <algorithm>
 #include <limits>
@@ -35,14 +36,14 @@ struct Watched {
 template <class T>
 Watched<T> render_watched(const Scene& scene, ImageSize size, const Sampling& sampling) {
   const World<T> world(scene);
+  const SceneKernel<T> kernel(scene, world);
   const RayGenerator<T> camera(scene, size, size, sampling);
   Watched<T> result{Film<T>(size), {}, {}};
   PixelBlock block{0, size.width, 0, size.height};
   for (block.sample = 0; block.sample < sampling.per_pixel; ++block.sample)
-    result.statistics += trace_watched(
-        world, camera, block,
-        [&](const Pixel& p, const Rgb<T>& shade) { result.film.add(p.column, p.row, p.sample, shade); },
-        result.observer);
+    result.statistics += kernel.watched(camera, block, result.observer, [&](const Pixel& p, const Rgb<T>& shade) {
+      result.film.add(p.column, p.row, p.sample, shade);
+    });
   return result;
 }
 
