@@ -7,8 +7,10 @@
 #include "gui/live_costs.h"
 #include "gui/loading.h"
 #include "gui/notes.h"
+#include "gui/platform.h"
 #include "gui/report.h"
 #include "gui/shown_picture.h"
+#include "gui/structure_workers.h"
 #include "gui/style.h"
 #include "text/file.h"
 #include "view/outline.h"
@@ -82,7 +84,8 @@ class Loop::Parts {
     if (window_.take_key_release()) let_go();
     if (window_.take_close_request()) act(action::Quit{});
     if (!window_.minimised()) {
-      if (frames_due_ > 0) frame(nullptr);
+      work_on_structures();
+      if (frames_due_ > 0 && structures_.patience() == 0) frame(nullptr);
       work_on_image();
       work_on_costs();
       work_on_export();
@@ -105,7 +108,8 @@ class Loop::Parts {
   // Seconds until something must be done; negative: indefinitely.
   [[nodiscard]] double patience() const {
     const bool works = !image_.rests(state_) ? !image_.waits() : !costs_.rests(state_) && !costs_.waits(state_);
-    if (frames_due_ > 0 || works || state_.exports.window) return 0;
+    if (works || state_.exports.window) return 0;
+    if (frames_due_ > 0) return structures_.patience();
     return until_due();
   }
 
@@ -204,7 +208,10 @@ class Loop::Parts {
   [[nodiscard]] bool wants_picture() const { return !options_.screenshot_path.empty(); }
   [[nodiscard]] bool settled() const {
     return frames_due_ == 0 && image_.rests(state_) && costs_.rests(state_) && demo_.over() && !state_.walk.playing &&
-           !state_.walk.hold && !state_.walk.tween && !state_.exports.window;
+           !state_.walk.hold && !state_.walk.tween && !state_.exports.window && !waits_for_structures();
+  }
+  [[nodiscard]] bool waits_for_structures() const {
+    return state_.structure.walks && (state_.structure.walks->waits() || state_.structure.awaited);
   }
 
   // `patience` for timed work.
@@ -328,6 +335,11 @@ class Loop::Parts {
       frames_due_ = std::max(frames_due_, 1);
   }
 
+  void work_on_structures() {
+    // Workers are begun after the first frame, which waits for nothing.
+    if (frames_drawn_ > 0 && structures_.serve(state_)) frames_due_ = frames_to_settle;
+  }
+
   // After each turn, and once a second for its clock.
   void show_notes() {
     if (!state_.lessons.notes_window) return notes_.reset();
@@ -338,7 +350,7 @@ class Loop::Parts {
   // A picture is taken once all its contents are complete; a film advances by one frame between polls of events.
   void work_on_export() {
     if (!state_.exports.window || frames_due_ > 0) return;
-    if (!film_ && !(image_.rests(state_) && costs_.rests(state_))) return;
+    if (!film_ && !(image_.rests(state_) && costs_.rests(state_) && !waits_for_structures())) return;
     Image picture;
     if (state_.exports.window->kind == ExportKind::picture) {
       frame(&picture);
@@ -347,6 +359,8 @@ class Loop::Parts {
     }
     if (!film_) film_.emplace(state_);
     act(action::Jump{film_->position()});
+    work_on_structures();
+    if (waits_for_structures()) return;
     frame(nullptr, false);
     frame(&picture);
     if (!film_->take(picture)) finish_film();
@@ -449,6 +463,7 @@ class Loop::Parts {
   std::optional<WalkFilm> film_;  ///< in progress
   LiveImage image_;
   LiveCosts costs_;
+  StructureWorkers structures_{platform::workers()};
   ShownPicture shown_image_, shown_costs_;
   GalleryPictures gallery_;
   Clock::time_point begun_, last_ = Clock::now();

@@ -9,7 +9,7 @@
 namespace raywalk {
 
 /// The first byte of every message and answer.
-enum class MessageKind : std::uint8_t { rows, tries };
+enum class MessageKind : std::uint8_t { rows, tries, structures };
 
 /// How every message and answer begins. `What`: an enumeration of what a worker is asked to do; in an answer, whether
 /// it knows the job.

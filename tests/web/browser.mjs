@@ -1,7 +1,8 @@
 // A browser without a window on the page, and the page's own report of what it shows. Chromium, or Firefox where
 // RAYWALK_BROWSER says so; Firefox draws with WebGL only on a display (run.sh gives it one that nobody sees).
 import { spawn } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import puppeteer from 'puppeteer-core';
 
@@ -34,6 +35,29 @@ export function serve() {
     server.on('exit', reject);
   });
 }
+
+// What a page's own thread did while `act` ran: how long each frame took, and the longest of all that kept it from
+// answering. Milliseconds of the processor, which other programs do not change. What the graphics card draws, or what
+// stands in for it, is not among it. In Chromium alone.
+export async function work_of(page, act) {
+  const path = join(tmpdir(), `raywalk-${process.pid}.json`);
+  await page.tracing.start({ path, categories: ['devtools.timeline'] });
+  await act();
+  await page.tracing.stop();
+  const { traceEvents } = JSON.parse(readFileSync(path, 'utf8'));
+  rmSync(path);
+  const { pid, tid } = traceEvents.find(({ name }) => name === 'FireAnimationFrame');
+  const taken = (...names) => traceEvents.filter((event) => event.pid === pid && event.tid === tid && names.includes(event.name) &&
+    event.tdur !== undefined).map(({ tdur }) => tdur / 1000);
+  const frames = taken('FireAnimationFrame');
+  return { frames, longest: Math.max(...taken('FireAnimationFrame', 'FunctionCall', 'EventDispatch', 'TimerFire')) };
+}
+
+// Does an action, as a demo file has it, in a task of the page's own.
+export const act_in = (page, line) => page.evaluate((line) => setTimeout(() => {
+  window.raywalk.ccall('page_act', null, ['string'], [line]);
+  window.dispatchEvent(new Event('focus'));
+}), line);
 
 // A page of the program, 1280 x 720 unless `size` says otherwise.
 export class Visit {
@@ -76,10 +100,7 @@ export class Visit {
   }
   // Does an action, as a demo file has it.
   act(line) {
-    return this.page.evaluate((line) => {
-      window.raywalk.ccall('page_act', null, ['string'], [line]);
-      window.dispatchEvent(new Event('focus'));
-    }, line);
+    return act_in(this.page, line);
   }
   // Changes the scene.
   async add_sphere() {
@@ -110,7 +131,7 @@ export class Visit {
     }, type, points);
   }
   async tap(x, y) {
-    // At once: a finger that rests is something else.
+    // At once: a finger that rests is something else, and a busy browser passes two requests on slowly.
     this.session ??= is_firefox ? null : await this.page.createCDPSession();
     await Promise.all([this.touch('touchstart', [x, y]), this.touch('touchend')]);
   }

@@ -83,7 +83,7 @@ test('a scene that is dropped is opened with what it names, and asks before it d
 test('a touch presses where it is', async () => {
   const visit = await Visit.begin(browser, server.address, { hasTouch: true });
   const [x, y, width, height] = (await visit.report()).items.step;
-  await visit.page.touchscreen.tap(x + width / 2, y + height / 2);
+  await visit.tap(x + width / 2, y + height / 2);
   await visit.until((now) => now.position >= 1);  // a slow machine takes a click for holding the button down
   await visit.page.close();
 });

@@ -1,6 +1,7 @@
 // The same program in a worker: it has no window, and answers messages (worker.js).
 
 #include "gui/row_workers.h"
+#include "gui/structure_workers.h"
 #include "gui/try_workers.h"
 
 #include <emscripten/emscripten.h>
@@ -13,7 +14,21 @@ namespace raywalk {
 namespace {
 RowServer rows;
 TryServer tries;
+StructureServer structures;
 std::string message, answer;
+
+std::string answer_to(const std::string& told) {
+  if (told.empty()) return {};
+  switch (static_cast<MessageKind>(told[0])) {
+    case MessageKind::rows:
+      return rows.answer(told);
+    case MessageKind::tries:
+      return tries.answer(told);
+    case MessageKind::structures:
+      return structures.answer(told);
+  }
+  return {};
+}
 }  // namespace
 
 }  // namespace raywalk
@@ -28,9 +43,7 @@ EMSCRIPTEN_KEEPALIVE char* worker_room(int size) {
 
 /// Answers it: the answer's size, 0 if there is none.
 EMSCRIPTEN_KEEPALIVE int worker_work() {
-  const bool of_rows =
-      !raywalk::message.empty() && raywalk::message[0] == static_cast<char>(raywalk::MessageKind::rows);
-  raywalk::answer = of_rows ? raywalk::rows.answer(raywalk::message) : raywalk::tries.answer(raywalk::message);
+  raywalk::answer = raywalk::answer_to(raywalk::message);
   return static_cast<int>(raywalk::answer.size());
 }
 

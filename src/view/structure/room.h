@@ -5,7 +5,9 @@
 #include "view/fields.h"
 #include "view/room.h"
 
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace raywalk {
 
@@ -62,6 +64,14 @@ struct StructureRoom {
   // For the timeline and its current ray, while the tab is shown; else null.
   std::shared_ptr<const SearchWalks> walks;
   std::shared_ptr<const RaySearches> searches;  ///< also null without a formed current ray
+  /// Of more primitives than these, structures are built and searched elsewhere (SearchWalks::elsewhere), and shown
+  /// once they are there: show_walks and show_searches.
+  int most_here = std::numeric_limits<int>::max();
+  struct AwaitedSearches {
+    int ray;      ///< the current one
+    bool to_end;  ///< they will be shown to their end
+  };
+  std::optional<AwaitedSearches> awaited;  ///< `searches` are then null
 };
 
 }  // namespace raywalk

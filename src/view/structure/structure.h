@@ -26,6 +26,11 @@ inline constexpr std::size_t max_boxes_drawn = 600;
 /// Its current step.
 [[nodiscard]] int structure_step(const State& state);
 
+/// What was built and found elsewhere takes its place. `walks`: the room's, with builds; `searches`: of the awaited
+/// ray, or null if it cannot be searched for.
+void show_walks(State& state, std::shared_ptr<const SearchWalks> walks);
+void show_searches(State& state, std::shared_ptr<const RaySearches> searches);
+
 /// Whether a box is above or below the plan of a planar scene, where no ray of its walk goes.
 [[nodiscard]] bool is_off_plan(const State& state, const Bounds<double>& box);
 

@@ -64,6 +64,10 @@ class PanelWords {
           say("structure.too_large", {{"shapes", sitting_.walks->primitives()}, {"most", SearchWalks::max_primitives}});
       return std::move(panel_);
     }
+    if (sitting_.walks->waits()) {
+      panel_.sentence = say("structure.being_built", {{"shapes", sitting_.walks->primitives()}});
+      return std::move(panel_);
+    }
     const int steps = structure_steps(state_);
     if (steps > 0) panel_.counter = say("structure.counter", {{"step", structure_step(state_)}, {"steps", steps}});
     if (searching)
@@ -89,6 +93,10 @@ class PanelWords {
 
   void search() {
     if (!sitting_.searches) {
+      if (sitting_.awaited) {
+        panel_.sentence = say("structure.being_searched");
+        return;
+      }
       if (question_waits(state_)) {
         panel_.sentence = say("lesson.predict_first");
         return;

@@ -48,21 +48,44 @@ void StructureRoom::follow(State& state, const Before&) {
   if (!shows_structure(state)) {
     sitting.walks.reset();
     sitting.searches.reset();
+    sitting.awaited.reset();
     sitting.step = sitting.build_step = 0;
     return;
   }
   const bool anew = !sitting.walks || sitting.walks->timeline() != state.walk.timeline;
   const int ray = ray_in_hand(state);
-  if (!anew && (sitting.searches ? sitting.searches->ray : -1) == ray) return;
+  const int before = sitting.awaited ? sitting.awaited->ray : sitting.searches ? sitting.searches->ray : -1;
+  if (!anew && before == ray) return;
   // If a search was shown to its end, so is the next one.
-  const bool to_end = sitting.searches && sitting.step > 0 && sitting.step == structure_steps(state);
+  const bool to_end = sitting.awaited ? sitting.awaited->to_end
+                                      : sitting.searches && sitting.step > 0 && sitting.step == structure_steps(state);
+  sitting.awaited.reset();
+  sitting.searches.reset();
+  sitting.step = 0;
   if (anew) {
     const Precision precision = state.picture.settings.single_precision ? Precision::float_ : Precision::double_;
-    sitting.walks = std::make_shared<const SearchWalks>(*walked_scene(state), state.walk.timeline, precision);
-    sitting.build_step =
-        std::min(sitting.build_step, static_cast<int>(sitting.walks->build(sitting.kind).steps.size()));
+    const SceneSeen scene = walked_scene(state);
+    show_walks(state, std::make_shared<const SearchWalks>(*scene, state.walk.timeline, precision,
+                                                          state.document.worlds.get(), sitting.most_here));
   }
-  sitting.searches = ray >= 0 ? sitting.walks->search(ray) : nullptr;
+  if (ray < 0) return;
+  sitting.awaited = AwaitedSearches{ray, to_end};
+  if (!sitting.walks->elsewhere()) show_searches(state, sitting.walks->search(ray));
+}
+
+void show_walks(State& state, std::shared_ptr<const SearchWalks> walks) {
+  StructureRoom& sitting = state.structure;
+  sitting.walks = std::move(walks);
+  if (sitting.walks->waits()) return;
+  const auto last = static_cast<int>(sitting.walks->build(sitting.kind).steps.size());
+  sitting.build_step = std::min(sitting.build_step, last);
+}
+
+void show_searches(State& state, std::shared_ptr<const RaySearches> searches) {
+  StructureRoom& sitting = state.structure;
+  const bool to_end = sitting.awaited && sitting.awaited->to_end;
+  sitting.awaited.reset();
+  sitting.searches = std::move(searches);
   sitting.step = to_end && sitting.page == StructurePage::search ? structure_steps(state) : 0;
 }
 

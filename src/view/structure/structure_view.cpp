@@ -42,13 +42,18 @@ std::string label_of(const State& state, const SearchEvent& event) {
   return {};
 }
 
+/// How deep it is drawn: cells are fine.
+int drawn_depth(const StructureNode& node) { return node.leaf ? std::max(node.depth, 2) : node.depth; }
+
 /// The finished structure, upper boxes first.
 std::vector<BoxMark> standing(const State& state) {
+  std::vector<const StructureNode*> nodes;
+  for (const StructureNode& node : state.structure.walks->build(state.structure.kind).nodes) nodes.push_back(&node);
+  std::stable_sort(nodes.begin(), nodes.end(),
+                   [](const StructureNode* a, const StructureNode* b) { return drawn_depth(*a) < drawn_depth(*b); });
+  if (nodes.size() > max_boxes_drawn) nodes.resize(max_boxes_drawn);
   std::vector<BoxMark> marks;
-  for (const StructureNode& node : state.structure.walks->build(state.structure.kind).nodes)
-    marks.push_back({node.box, Manner::there, node.leaf ? std::max(node.depth, 2) : node.depth});  // cells are fine
-  std::stable_sort(marks.begin(), marks.end(), [](const BoxMark& a, const BoxMark& b) { return a.depth < b.depth; });
-  if (marks.size() > max_boxes_drawn) marks.resize(max_boxes_drawn);
+  for (const StructureNode* node : nodes) marks.push_back({node->box, Manner::there, drawn_depth(*node)});
   return marks;
 }
 
