@@ -155,7 +155,7 @@ const GalleryCard* draw_cards(const Ui& ui, const std::vector<GalleryCard>& card
   const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
   ImGui::SetCursorScreenPos({origin.x, origin.y + static_cast<float>(rows) * (tall + gap) - gap - 1});
   ImGui::Dummy({1, 1});
-  fade_edges(ui, ui.colours.window);
+  close_edges(ui, ui.colours.window);
   return chosen;
 }
 

@@ -271,7 +271,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     } else {
       list(ui, panel);
     }
-    fade_edges(ui, ui.colours.panel);
+    ui.publish("lesson-lines", close_edges(ui, ui.colours.panel));
   }
   ImGui::EndChild();
   ImGui::PopStyleColor();

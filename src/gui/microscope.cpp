@@ -166,7 +166,7 @@ void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
     Form form(ui, kept.epsilon, inside.width);
     epsilon_row(ui, form);
     ImGui::PopStyleVar();
-    fade_edges(ui, ui.colours.panel);
+    close_edges(ui, ui.colours.panel);
   }
   ImGui::EndChild();
   pop_font();
