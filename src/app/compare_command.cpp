@@ -62,8 +62,8 @@ void declare_compare(CLI::App& program, Run& run) {
   command.add_option("A", to.test, "The picture in question: .png, .pfm or .exr")->required()->type_name("");
   command.add_option("B", to.reference, "The picture that it should be, of the same size")->required()->type_name("");
   const auto ending = [](const std::string& path) {
-    const auto format = image_format_of(path);
-    return format ? std::string() : format.error().text();
+    if (const auto format = image_format_of(path); !format) throw RefusedValue("--output", format.error());
+    return std::string();
   };
   add_file(command, "-o,--output", to.difference, "IMAGE",
            "Write the difference: as .png what an eye sees of it (FLIP), from dark blue (0) to yellow (1);\n"

@@ -4,6 +4,7 @@
 #include "app/arguments.h"
 #include "app/console.h"
 #include "math/words.h"
+#include "text/error.h"
 #include "text/spelling.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -23,6 +25,17 @@ using Run = std::function<ExitCode()>;
 inline constexpr const char* scene_help =
     "A scene file (.toml, .nff, or .test of ray tracing courses), a mesh (.ply, .obj, .gltf, .glb), or the name of a "
     "scene that comes with Raywalk";
+
+/// A value that an option's own check refuses, and what to do about it.
+class RefusedValue : public CLI::ParseError {
+ public:
+  RefusedValue(const std::string& option, raywalk::Error why)
+      : CLI::ParseError(option + ": " + raywalk::Error{why.file, why.line, why.column, why.message, ""}.text(),
+                        CLI::ExitCodes::ValidationError),
+        hint(std::move(why.hint)) {}
+
+  std::string hint;
+};
 
 namespace detail {
 template <class Value>

@@ -86,8 +86,8 @@ void declare_render(CLI::App& program, Run& run) {
   RenderOptions& to = *options;
   command.add_option("SCENE", to.scene, scene_help)->required()->type_name("");
   const auto ending = [](const std::string& path) {
-    const auto format = image_format_of(path);
-    return format ? std::string() : format.error().text();
+    if (const auto format = image_format_of(path); !format) throw RefusedValue("--output", format.error());
+    return std::string();
   };
   add_file(command, "-o,--output", to.image, "IMAGE", "The picture: .png (8-bit), or .pfm and .exr (linear float)")
       ->required()
@@ -353,12 +353,12 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     return printed(program.help());
   } catch (const CLI::CallForVersion& version) {
     return printed(version.what() + std::string("\n"));
+  } catch (const RefusedValue& refused) {
+    return refuse({"", 0, 0, command_name(program) + ": " + refused.what(), refused.hint});
   } catch (const CLI::ParseError& error) {
     if (const auto misplaced = why_misplaced(program, argc, argv)) return refuse(*misplaced);
-    const std::string wrong = what_is_wrong(program, error);
-    const bool advised = wrong.find("\n  hint: ") != std::string::npos;  // an option's own check says what to do
-    return refuse({"", 0, 0, command_name(program) + ": " + wrong,
-                   advised ? std::string() : hint_for(program, error, argc, argv)});
+    return refuse(
+        {"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error, argc, argv)});
   }
   const ExitCode code = run();
   // A command that was refused because it would overwrite its own input was used wrongly.

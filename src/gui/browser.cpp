@@ -252,8 +252,10 @@ void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictu
   const bool saves = !opens(asking_);
   const std::string title = title_of(asking_, ui);
   const ImVec2 whole = ImGui::GetMainViewport()->Size;
-  // The gallery needs room for pictures.
-  const ImVec2 extent{std::min(ui.px(saves ? 640 : 900), whole.x), std::min(ui.px(saves ? 470 : 620), whole.y)};
+  // The gallery needs room for pictures, and takes more of a large window.
+  const float wide = saves ? ui.px(640) : std::max(ui.px(900), 0.7f * whole.x);
+  const float high = saves ? ui.px(470) : std::max(ui.px(620), 0.8f * whole.y);
+  const ImVec2 extent{std::min(wide, whole.x), std::min(high, whole.y)};
   ImGui::SetNextWindowSize(extent);
   ImGui::SetNextWindowPos({whole.x / 2, whole.y / 2}, 0, {0.5f, 0.5f});
   const std::string id = title + "###browser";

@@ -72,7 +72,7 @@ void bug_pane(const Ui& ui, const Rect& where) {
       passages(ui, panel.said);
       list(ui, panel);
     }
-    fade_edges(ui, ui.colours.panel);
+    close_edges(ui, ui.colours.panel);
   }
   ImGui::EndChild();
   ImGui::PopStyleColor();

@@ -98,6 +98,20 @@ std::vector<GalleryCard> lesson_cards(const State& state) {
   return cards;
 }
 
+namespace {
+
+// In at most two lines.
+std::string title_in_lines(const std::string& title, float width) {
+  std::string lines = broken_lines(title, width);
+  const std::size_t end = std::min(lines.find('\n'), lines.size());
+  std::string rest = lines.substr(std::min(end + 1, lines.size()));
+  std::replace(rest.begin(), rest.end(), '\n', ' ');
+  const std::string first = shortened(lines.substr(0, end), width);
+  return rest.empty() ? first : first + "\n" + shortened(rest, width);
+}
+
+}  // namespace
+
 const GalleryCard* draw_cards(const Ui& ui, const std::vector<GalleryCard>& cards, float height,
                               GalleryPictures* pictures) {
   const Shades shades(ui.state.appearance.theme);
@@ -108,7 +122,7 @@ const GalleryCard* draw_cards(const Ui& ui, const std::vector<GalleryCard>& card
   const int columns = std::max(static_cast<int>((room + gap) / (ui.px(190) + gap)), 1);
   const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
   const float picture = std::floor((width - 2 * pad) * 0.6f), text = line_height(ui.fonts, *ui.fonts.small);
-  constexpr float lines = 5;
+  constexpr float lines = 5.5f;  // four of a sentence below a title of two
   const float tall = picture + line_height(ui.fonts, *ui.fonts.strong) + lines * text + 3 * pad;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -141,8 +155,9 @@ const GalleryCard* draw_cards(const Ui& ui, const std::vector<GalleryCard>& card
     const Colour ink = card.locked ? ui.colours.dim_text : ui.colours.text;
     float y = frame.bottom() + pad / 2;
     push_font(ui.fonts.strong);
-    draw.AddText({frame.x, y}, to_imgui(ink), shortened(card.title, frame.width).c_str());
-    y += ImGui::GetFontSize() + ui.px(2);
+    const std::string title = title_in_lines(card.title, frame.width);
+    draw.AddText({frame.x, y}, to_imgui(ink), title.c_str());
+    y += ImGui::CalcTextSize(title.c_str()).y + ui.px(2);
     pop_font();
     push_font(ui.fonts.small);
     draw.PushClipRect({frame.x, y}, {frame.right(), at.y + tall - pad / 2}, true);
@@ -155,7 +170,7 @@ const GalleryCard* draw_cards(const Ui& ui, const std::vector<GalleryCard>& card
   const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
   ImGui::SetCursorScreenPos({origin.x, origin.y + static_cast<float>(rows) * (tall + gap) - gap - 1});
   ImGui::Dummy({1, 1});
-  fade_edges(ui, ui.colours.window);
+  close_edges(ui, ui.colours.window);
   return chosen;
 }
 

@@ -89,7 +89,7 @@ void help_pane(const Ui& ui, const Rect& where, float scroll_by) {
     ImGui::Dummy({1, ui.px(14)});
   }
   licences_section(ui, width);
-  fade_edges(ui, ui.colours.panel);
+  close_edges(ui, ui.colours.panel);
 }
 
 }  // namespace raywalk

@@ -139,7 +139,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   const bool folds = wishes.focus;
   // An upright window has less room in the plan's place than beside or below the code.
   const bool upright = is_upright(io.DisplaySize.x, io.DisplaySize.y);
-  const bool in_plans_place = state.appearance.exchanges() != (state.appearance.tab.large && !upright);
+  const bool in_plans_place = state.appearance.exchanges() != (has_plans_place(state) && !upright);
   if (in_plans_place && !helps && !folds && !layout_.tabs.empty()) std::swap(layout_.plan, layout_.tabs);
 
   if (folds && !asks && state.lessons.shown)

@@ -40,6 +40,7 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float line = hairline(wishes);
   constexpr float least_tabs = 220, least_two = 540;  // widths, in units at scale 1
+  constexpr float tight_code = 0.88f;                 // its lines can stand closer, for the plan's sake
   const bool one_column = width < std::max(wishes.code_width + line + least_tabs * unit, least_two * unit);
   Layout layout;
   if (!wishes.bare) layout.bar = {0, 0, width, take(height, (one_column ? 76 : 44) * unit)};
@@ -48,7 +49,7 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   const bool folds = wishes.focus && !(one_column && wishes.front == Front::lesson);
   const float low = folds        ? take(below / 8, folded_width * unit)
                     : one_column ? take(below, below * (wishes.front == Front::lesson ? 0.48f : 0.42f))
-                                 : take(below * 0.5f, std::max(wishes.code, below * 0.4f));
+                                 : take(below * 0.5f, std::max(tight_code * wishes.code, below * 0.4f));
   const float lesson = wishes.lesson > 0 && !one_column ? take(width * 0.5f - line, wishes.lesson) : 0.0f;
   lay_out_walk(wishes, lesson, top, std::max(height - low - line, top), width, layout);
   const Rect lower{0, height - low, width, low};

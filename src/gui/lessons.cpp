@@ -271,7 +271,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     } else {
       list(ui, panel);
     }
-    fade_edges(ui, ui.colours.panel);
+    ui.publish("lesson-lines", close_edges(ui, ui.colours.panel));
   }
   ImGui::EndChild();
   ImGui::PopStyleColor();
@@ -298,6 +298,8 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
     ui.act(action::GuessChoice{digit});
     return true;
   }
+  // A digit too many is a slip of the hand, and must not change what a step is.
+  if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray && digit >= 0 && digit < 9) return true;
   if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray &&
       (press.key == "Up" || press.key == "Down")) {
     const int last = static_cast<int>(panel.choices.size()) - 1, by = press.key == "Up" ? -1 : 1;

@@ -93,7 +93,8 @@ float draw_heads(const Ui& ui, float robust, float naive, float y) {
   return y;
 }
 
-void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
+// Returns where it ends.
+float draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
   const float first = where.width * 0.24f, second = (where.width - first) / 2;
   const float gap = ui.px(6), robust = where.x + first, naive = robust + second;
   const ImU32 line = to_imgui(Shades(ui.state.appearance.theme).line);
@@ -123,6 +124,7 @@ void draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
   }
   draw.AddLine({where.x, y}, {where.right(), y}, line);
   pop_font();
+  return y;
 }
 
 // What the tab keeps between frames.
@@ -146,7 +148,8 @@ void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
     table.x = slide.right() + ui.px(14);
     table.width = where.right() - table.x;
   } else {
-    slide.height = std::floor(slide.height * 0.5f);
+    // A low drawing needs its share more than the table does, which scrolls.
+    slide.height = std::floor(slide.height * (slide.height < ui.px(260) ? 0.62f : 0.5f));
     table.y = slide.bottom() + gap;
     table.height = where.bottom() - table.y;
   }
@@ -160,13 +163,13 @@ void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
   if (ImGui::BeginChild("microscope-table", size(table))) {
     const Rect inside{table.x, ImGui::GetCursorScreenPos().y, ImGui::GetContentRegionAvail().x - ui.px(4),
                       table.height};
-    draw_table(ui, inside, microscope_table(ui.state, *specimen));
-    ImGui::SetCursorScreenPos({inside.x, ImGui::GetItemRectMax().y + 2 * gap});
+    const float bottom = draw_table(ui, inside, microscope_table(ui.state, *specimen));
+    ImGui::SetCursorScreenPos({inside.x, bottom + 1.5f * gap});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
     Form form(ui, kept.epsilon, inside.width);
     epsilon_row(ui, form);
     ImGui::PopStyleVar();
-    fade_edges(ui, ui.colours.panel);
+    close_edges(ui, ui.colours.panel);
   }
   ImGui::EndChild();
   pop_font();

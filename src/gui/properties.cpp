@@ -146,7 +146,7 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   ImGui::PopID();
   ImGui::PopStyleVar(2);
   pop_font();
-  fade_edges(ui, ui.colours.panel);
+  close_edges(ui, ui.colours.panel);
 }
 
 }  // namespace raywalk

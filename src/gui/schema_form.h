@@ -146,7 +146,8 @@ class SchemaForm {
     bool is_there = value.has_value();
     if (!form_.flag(label, is_there)) return;
     is_changed_ = true;
-    value = is_there ? std::optional<T>(T{}) : std::nullopt;
+    value.reset();
+    if (is_there) value.emplace();
   }
 
   /// Of dragging by a pixel.

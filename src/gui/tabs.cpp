@@ -55,7 +55,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
           if (Room::tab == ui.state.appearance.tab) Room::draw_tab(ui, inside, context);
       });
       pointed_at = context.pointed_at;
-      if (!own) fade_edges(ui, ui.colours.panel);
+      if (!own) close_edges(ui, ui.colours.panel);
     }
     ImGui::EndChild();
   }

@@ -1,6 +1,8 @@
+#include "gui/broken_lines.h"
 #include "gui/command.h"
 #include "gui/painter.h"
 #include "gui/panes.h"
+#include "gui/tree_labels.h"
 #include "gui/widgets.h"
 #include "view/text/text.h"
 #include "view/tree/tree_panel.h"
@@ -38,19 +40,13 @@ void draw_link(const Ui& ui, const TreeNode& node, ImVec2 from, ImVec2 to) {
   paint_line(*ImGui::GetWindowDrawList(), line);
 }
 
-void draw_text(const Ui& ui, ImFont* font, ImVec2 middle, Colour colour, const std::string& text, float max_width,
-               Colour ground = {0, 0, 0, 0}) {
+void draw_text(ImFont* font, ImVec2 middle, Colour colour, const std::string& text, float max_width) {
   if (text.empty()) return;
   push_font(font);
   const std::string what = shortened(text, max_width);
   const ImVec2 extent = ImGui::CalcTextSize(what.c_str());
-  const float width = extent.x, left = middle.x - width / 2;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  if (ground.a > 0) {
-    draw.AddRectFilled({left - ui.px(3), middle.y - extent.y / 2}, {left + width + ui.px(3), middle.y + extent.y / 2},
-                       to_imgui(ground), ui.px(3));
-  }
-  draw.AddText({std::round(left), std::round(middle.y - extent.y / 2)}, to_imgui(colour), what.c_str());
+  ImGui::GetWindowDrawList()->AddText({std::round(middle.x - extent.x / 2), std::round(middle.y - extent.y / 2)},
+                                      to_imgui(colour), what.c_str());
   pop_font();
 }
 
@@ -77,49 +73,94 @@ void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spa
     draw.AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, ring, ui.px(2), 0,
                  ui.px(node.future ? 1.2f : 2.4f));
   }
-  draw_text(ui, r < ui.px(12) ? ui.fonts.small : ui.fonts.strong, at,
-            node.returned ? contrasting(ground) : ui.colours.text, node.symbol, 2 * r);
+  draw_text(r < ui.px(12) ? ui.fonts.small : ui.fonts.strong, at, node.returned ? contrasting(ground) : ui.colours.text,
+            node.symbol, 2 * r);
 }
 
-// The middle of a label of this size by the node at `at`: below it, unless that covers more nodes, or more of the
-// pane's border, than a place on another side. `seen`: the visible part of the tree.
-ImVec2 label_place(const Ui& ui, ImVec2 at, ImVec2 half, float r, const Rect& seen, const std::vector<ImVec2>& nodes) {
-  const float beside = r + ui.px(8) + half.x, below = r + ui.px(12);
-  ImVec2 best = at;
-  float least = -1;
-  for (const ImVec2 way : {ImVec2{0, below}, {beside, 0}, {-beside, 0}, {0, -below}}) {
-    ImVec2 middle{at.x + way.x, at.y + way.y};
-    if (way.x == 0) middle.x = std::clamp(middle.x, seen.x + half.x, std::max(seen.x + half.x, seen.right() - half.x));
-    const float beyond = std::max({seen.x - middle.x + half.x, middle.x + half.x - seen.right(), 0.0f}) +
-                         std::max({seen.y - middle.y + half.y, middle.y + half.y - seen.bottom(), 0.0f});
-    float covered = 2 * beyond;
-    for (const ImVec2& node : nodes)
-      covered += std::max(half.x + r - std::abs(node.x - middle.x), 0.0f) > 0
-                     ? std::max(half.y + r - std::abs(node.y - middle.y), 0.0f)
-                     : 0;
-    if (least >= 0 && covered >= least) continue;
-    best = middle;
-    least = covered;
+// A label, in lines of its own, and where it stands.
+struct TreeLabel {
+  std::string text;
+  Rect where;
+};
+
+// What nodes hit: below them, in at most two lines, where the tree has room for that; always of the current one and of
+// one pointed at, which no other then covers.
+std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std::vector<ImVec2>& places,
+                                 const Spacing& spacing, const Rect& seen) {
+  push_font(ui.fonts.small);
+  const float line = ImGui::GetFontSize(), column = spacing.column - ui.px(6);
+  const TreeLabelRoom room{seen, places, spacing.radius, ui.px(4)};
+  const auto extent_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()); };
+  // Each line as wide as a column.
+  const auto in_lines = [&](const std::string& text, int most) {
+    std::string lines, rest = broken_lines(text, column);
+    for (int i = 1; !rest.empty(); ++i) {
+      const std::size_t end = rest.find('\n');
+      if (end == std::string::npos || i == most) {
+        std::replace(rest.begin(), rest.end(), '\n', ' ');
+        return lines + shortened(rest, column);
+      }
+      lines += shortened(rest.substr(0, end), column) + "\n";
+      rest.erase(0, end + 1);
+    }
+    return lines;
+  };
+  std::vector<TreeLabel> labels;
+  const auto has_label = [](const TreeNode& node) { return !node.future && !node.label.empty(); };
+  const auto is_whole = [](const TreeNode& node) { return node.current || node.hovered; };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const TreeNode& node = tree.nodes[i];
+    if (!has_label(node) || !is_whole(node)) continue;
+    // In one line, or beside others in the two that a column has room for.
+    const std::string one = shortened(node.label, std::min(ui.px(320), seen.width - ui.px(8)));
+    const std::string two = broken_lines(node.label, std::max(column, ui.px(60)));
+    const Rect in_one = label_place(places[i], extent_of(one), room),
+               in_two = label_place(places[i], extent_of(two), room);
+    const auto beside = [&](std::size_t other) {
+      const ImVec2 a = places[i], b = places[other];
+      return other != i && has_label(tree.nodes[other]) && std::abs(a.y - b.y) < 1 &&
+             std::abs(a.x - b.x) < (column + in_one.width) / 2;
+    };
+    std::size_t other = 0;
+    while (other < places.size() && !beside(other)) ++other;
+    const bool breaks = other < places.size() && std::count(two.begin(), two.end(), '\n') == 1 &&
+                        covered_by_label(in_two, room) <= covered_by_label(in_one, room);
+    labels.push_back(breaks ? TreeLabel{two, in_two} : TreeLabel{one, in_one});
   }
-  return best;
+  const std::size_t whole = labels.size();
+  const float space = spacing.level - 2 * spacing.radius - 2 * room.gap;
+  for (std::size_t i = 0; i < places.size() && spacing.column >= ui.px(64) && spacing.level >= ui.px(58); ++i) {
+    const TreeNode& node = tree.nodes[i];
+    if (!has_label(node) || is_whole(node)) continue;
+    const float below = seen.bottom() - places[i].y - spacing.radius - room.gap;
+    const std::string text = in_lines(node.label, std::min(space, below) >= 2 * line ? 2 : 1);
+    const ImVec2 extent = extent_of(text);
+    const Rect where{places[i].x - extent.x / 2, places[i].y + spacing.radius + room.gap, extent.x, extent.y};
+    const auto end = labels.begin() + static_cast<std::ptrdiff_t>(whole);
+    if (std::none_of(labels.begin(), end, [&](const TreeLabel& each) { return labels_cross(each.where, where); }))
+      labels.push_back({text, where});
+  }
+  pop_font();
+  return labels;
 }
 
-// What it hit, below it, if there is room; always for the current one.
-void draw_label(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spacing, const Rect& seen,
-                const std::vector<ImVec2>& nodes) {
-  const float r = spacing.radius, column = spacing.column;
-  if (node.future || node.label.empty()) return;
-  const bool whole = node.current || node.hovered;
-  if (!whole && (column < ui.px(64) || spacing.level < ui.px(58))) return;
-  const float room = whole ? std::min(ui.px(320), seen.width - ui.px(8)) : column - ui.px(6);
-  ImVec2 middle{at.x, at.y + r + ui.px(12)};
-  if (whole) {
-    push_font(ui.fonts.small);
-    const ImVec2 extent = ImGui::CalcTextSize(node.label.c_str());
-    pop_font();
-    middle = label_place(ui, at, {std::min(extent.x, room) / 2 + ui.px(4), extent.y / 2}, r, seen, nodes);
+// Each line in the middle of the label's place.
+void draw_label(const Ui& ui, const TreeLabel& label) {
+  push_font(ui.fonts.small);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float pad = ui.px(3), middle = label.where.x + label.where.width / 2;
+  draw.AddRectFilled({label.where.x - pad, label.where.y}, {label.where.right() + pad, label.where.bottom()},
+                     to_imgui(ui.colours.panel.with_alpha(200)), pad);
+  float y = label.where.y;
+  for (std::size_t at = 0; at <= label.text.size();) {
+    const std::size_t end = std::min(label.text.find('\n', at), label.text.size());
+    const std::string text = label.text.substr(at, end - at);
+    draw.AddText({std::round(middle - ImGui::CalcTextSize(text.c_str()).x / 2), std::round(y)},
+                 to_imgui(ui.colours.dim_text), text.c_str());
+    y += ImGui::GetFontSize();
+    at = end + 1;
   }
-  draw_text(ui, ui.fonts.small, middle, ui.colours.dim_text, node.label, room, ui.colours.panel.with_alpha(200));
+  pop_font();
 }
 
 }  // namespace
@@ -185,8 +226,7 @@ int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
     }
     std::vector<ImVec2> places;
     for (const TreeNode& node : tree.nodes) places.push_back(place(node));
-    for (std::size_t i = 0; i < places.size(); ++i)
-      draw_label(ui, tree.nodes[i], places[i], {column, level, radius}, seen, places);
+    for (const TreeLabel& label : labels_of(ui, tree, places, {column, level, radius}, seen)) draw_label(ui, label);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({width, height});
   }

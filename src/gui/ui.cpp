@@ -3,6 +3,7 @@
 #include "gui/style.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raywalk {
 
@@ -65,19 +66,58 @@ void mark_more(const Ui& ui, const Rect& where, bool above, bool below) {
   if (below) head(where.bottom() - edge, where.bottom() - edge - high);
 }
 
-void fade_edges(const Ui& ui, Colour ground) {
+std::optional<float> uncut_edge(const ImDrawList& drawn, const Rect& where, float edge, float way, float most) {
+  constexpr float rounding = 0.5f;
+  const float begun = edge;
+  // A letter may be cut only because another of its line made the edge move, so until none is.
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const ImDrawCmd& command : drawn.CmdBuffer) {
+      for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
+        const auto corner_of = [&](unsigned n) {
+          const auto index = static_cast<int>(command.IdxOffset + i + n);
+          return drawn.VtxBuffer[static_cast<int>(command.VtxOffset) + drawn.IdxBuffer[index]].pos;
+        };
+        const ImVec2 a = corner_of(0), b = corner_of(1), c = corner_of(2);
+        const float top = std::min({a.y, b.y, c.y}), bottom = std::max({a.y, b.y, c.y});
+        if (top >= edge - rounding || bottom <= edge + rounding) continue;
+        const bool is_ground = top <= where.y && bottom >= where.bottom();
+        if (is_ground || std::min({a.x, b.x, c.x}) >= where.right()) continue;
+        edge = way < 0 ? top : bottom;
+        if (std::abs(edge - begun) > most) return std::nullopt;
+        moved = true;
+      }
+    }
+  }
+  return edge;
+}
+
+Rect close_edges(const Ui& ui, Colour ground) {
   const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
   const float bar = ImGui::GetScrollMaxY() > 0 ? ImGui::GetStyle().ScrollbarSize : 0;
-  const float right = at.x + extent.x - bar, bottom = at.y + extent.y, most = std::min(ui.px(22), extent.y / 4);
-  const float above = std::min(ImGui::GetScrollY(), most),
-              below = std::min(ImGui::GetScrollMaxY() - ImGui::GetScrollY(), most);
+  const Rect where{at.x, at.y, extent.x - bar, extent.y};
+  const float above = ImGui::GetScrollY(), below = ImGui::GetScrollMaxY() - above;
+  const float mark = ui.px(10), most = std::min(ui.px(70), extent.y / 3), fade = std::min(ui.px(22), extent.y / 4);
   const ImU32 solid = to_imgui(ground), clear = to_imgui(ground.with_alpha(0));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.PushClipRect(at, {right, bottom});
-  if (above > 0) draw.AddRectFilledMultiColor(at, {right, at.y + above}, solid, solid, clear, clear);
-  if (below > 0) draw.AddRectFilledMultiColor({at.x, bottom - below}, {right, bottom}, clear, clear, solid, solid);
-  mark_more(ui, {at.x, at.y, right - at.x, bottom - at.y}, above > 0, below > 0);
+  const auto uncut = [&](float edge, float inwards) {
+    return uncut_edge(draw, where, edge + inwards * mark, inwards, most).value_or(edge);
+  };
+  const float upper = above > 0 ? uncut(at.y, 1) : at.y, lower = below > 0 ? uncut(where.bottom(), -1) : where.bottom();
+  draw.PushClipRect(at, opposite(where));
+  if (upper > at.y) {
+    draw.AddRectFilled(at, {where.right(), upper}, solid);
+  } else if (above > 0) {
+    draw.AddRectFilledMultiColor(at, {where.right(), at.y + std::min(above, fade)}, solid, solid, clear, clear);
+  }
+  if (lower < where.bottom()) {
+    draw.AddRectFilled({at.x, lower}, opposite(where), solid);
+  } else if (below > 0) {
+    draw.AddRectFilledMultiColor({at.x, lower - std::min(below, fade)}, opposite(where), clear, clear, solid, solid);
+  }
+  mark_more(ui, where, above > 0, below > 0);
   draw.PopClipRect();
+  return {where.x, upper, where.width, lower - upper};
 }
 
 }  // namespace raywalk

@@ -149,8 +149,13 @@ class FormPopup {
 
 /// Small arrowheads in the middle of the upper and lower edge of `where`: that there is more above or below.
 void mark_more(const Ui& ui, const Rect& where, bool above, bool below);
-/// At the end of a scrolling region: fades into the background where more is above or below, so that clipped lines read
-/// as continued, and marks it.
-void fade_edges(const Ui& ui, Colour ground);
+/// In a window over `where`, the height nearest to `edge`, upwards (way -1) or downwards (way 1), that cuts nothing of
+/// what was drawn: between two lines of text, or above a button. Nothing if that is farther than `most`. What fills the
+/// whole height of the window, its ground, is always cut.
+[[nodiscard]] std::optional<float> uncut_edge(const ImDrawList& drawn, const Rect& where, float edge, float way,
+                                              float most);
+/// At the end of a scrolling region, where more is above or below: shows whole lines only, and marks that there are
+/// more. Large pictures fade into the background instead. Returns where whole lines are seen.
+Rect close_edges(const Ui& ui, Colour ground);
 
 }  // namespace raywalk

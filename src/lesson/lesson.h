@@ -96,9 +96,11 @@ struct LessonStep {
   std::vector<Saying> says;     ///< what the words of this step state
   std::vector<PictureRequest> pictures;
   LessonBeside pane = LessonBeside::unchanged;
-  bool breakpoints = true;  ///< whether the student's breakpoints stop the walk here
-  bool extra = false;       ///< not part of a presenter's five minutes
-  bool zoom = false;        ///< while the plan is in focus, it shows the ray in question large
+  LessonBeside then = LessonBeside::unchanged;  ///< once the answer stands there
+  bool large = false;                           ///< `then`, or `pane` without it, has the plan's place
+  bool breakpoints = true;                      ///< whether the student's breakpoints stop the walk here
+  bool extra = false;                           ///< not part of a presenter's five minutes
+  bool zoom = false;                            ///< while the plan is in focus, it shows the ray in question large
   int line = 0;
 };
 

@@ -254,19 +254,19 @@ class LessonReader {
     return request;
   }
 
-  LessonBeside pane(const toml::table& table) {
-    const auto word = text(table, "show");
+  LessonBeside pane(const toml::table& table, std::string_view key) {
+    const auto word = text(table, key);
     if (!word) return LessonBeside::unchanged;
     if (const auto known = named<LessonBeside>(*word)) return *known;
-    fail(line_of(*table.get("show")),
-         fmt::format("show: \"{}\" is not known (expected {})", *word, one_of(all_words<LessonBeside>())), "");
+    fail(line_of(*table.get(key)),
+         fmt::format("{}: \"{}\" is not known (expected {})", key, *word, one_of(all_words<LessonBeside>())), "");
     return LessonBeside::unchanged;
   }
 
   LessonStep read_step(const toml::table& table) {
     known(table, "[[step]]",
           {"id", "scene", "set", "remove", "pixel", "fault", "run", "reveal", "predict", "check", "says", "picture",
-           "show", "breakpoints", "extra", "zoom"});
+           "show", "then", "large", "breakpoints", "extra", "zoom"});
     LessonStep step;
     step.line = line_of(table);
     step.id = text(table, "id").value_or("");
@@ -299,7 +299,11 @@ class LessonReader {
         for (const toml::node& each : *array) step.pictures.push_back(picture(*each.as_table()));
       }
     }
-    step.pane = pane(table);
+    step.pane = pane(table, "show");
+    step.then = pane(table, "then");
+    if (step.then != LessonBeside::unchanged && !step.question)
+      fail(line_of(*table.get("then")), "then stands without predict (expected both, or show)", "");
+    step.large = yes_or_no(table, "large", "true: what is shown at last has the plan's place").value_or(false);
     return step;
   }
 

@@ -116,7 +116,7 @@ TEST_CASE("in an upright window the columns are below each other") {
   CHECK(layout.plan.height > 300);
   CHECK(layout.side.y > layout.transport.bottom());
   CHECK(layout.side.width >= 310);
-  CHECK(layout.side.height == 413);
+  CHECK(layout.side.height >= 0.85f * 413);  // its lines stand closer before any is out of sight
   CHECK(layout.tabs.y == layout.side.y);
   CHECK(layout.tabs.width > 400);
   CHECK(layout.fronts.empty());

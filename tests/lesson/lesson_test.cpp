@@ -245,7 +245,13 @@ TEST_CASE("the minutes of a step are those of its words and its question") {
 TEST_CASE("a lesson's file is refused with line and hint") {
   CHECK(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
         "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, fault, run, reveal, "
-        "predict, check, says, picture, show, breakpoints, extra or zoom)\n");
+        "predict, check, says, picture, show, then, large, breakpoints, extra or zoom)\n");
+  CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nthen = \"picture\"\n"),
+             raywalk::test::contains("lesson.toml:4: then stands without predict (expected both, or show)"));
+  CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nthen = \"pictures\"\n"),
+             raywalk::test::contains("lesson.toml:4: then: \"pictures\" is not known (expected picture, "));
+  CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nlarge = 1\n"),
+             raywalk::test::contains("large: expected true or false"));
   CHECK(faults("[[step]]\nid = \"a\"\n") ==
         "lesson.toml:1: the first step has no scene (expected scene = \"classic\" or another)\n");
   CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrun = '1 +'\n"),

@@ -57,7 +57,7 @@ std::vector<Edit> all_edits() {
                      update(s, action::SetCamera{camera});
                    }});
   edits.push_back({"limits", [](State& s) { update(s, action::SetLimits{{2, 0.1}}); }});
-  edits.push_back({"surroundings", [](State& s) { update(s, action::SetSurroundings{Rgbd(0.5), Rgbd(0.1)}); }});
+  edits.push_back({"surroundings", [](State& s) { update(s, action::SetSurroundings{Rgbd(0.5), Rgbd(0.1), {}}); }});
   for (const Target& target :
        {Target{TargetKind::object, 0}, Target{TargetKind::object, 2}, Target{TargetKind::object, 3},
         Target{TargetKind::light, 0}, Target{TargetKind::light, 1}, Target{TargetKind::eye},
@@ -200,7 +200,7 @@ TEST_CASE("an edit that would break the scene is refused and says why") {
     update(s, action::SetLight{0, light});
   });
   refused("depth 0", [](State& s) { update(s, action::SetLimits{{0, 0}}); });
-  refused("background nan", [](State& s) { update(s, action::SetSurroundings{Rgbd(not_a_number), Rgbd(0.0)}); });
+  refused("background nan", [](State& s) { update(s, action::SetSurroundings{Rgbd(not_a_number), Rgbd(0.0), {}}); });
   refused("empty name", [](State& s) { update(s, action::Rename{{TargetKind::object, 0}, ""}); });
   refused("taken name", [](State& s) { update(s, action::Rename{{TargetKind::object, 0}, "Lamp"}); });
   refused("nudge across an edge", [](State& s) {

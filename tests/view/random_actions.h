@@ -99,6 +99,12 @@ class RandomActions {
     if (flip()) value = whole(-1, 12);
   }
   void operator()(Rgbd& colour, Unwritten) { colour = Rgbd(real(-0.1, 1)); }
+  void operator()(std::optional<Sky>& sky, Unwritten) {
+    sky.reset();
+    if (flip()) return;
+    sky = Sky{GradientSky{Rgbd(real(-0.1, 1)), Rgbd(real(0, 2))}, point(), real(-90, 400)};
+    if (flip()) sky->kind = OvercastSky{Rgbd(real(-0.1, 2))};
+  }
   void operator()(TraceLimits& limits, Unwritten) { limits = {whole(-1, 6), real(-0.1, 0.2)}; }
   void operator()(Material& material, Unwritten) {
     material.diffuse = Rgbd(real(-0.05, 1));

@@ -8,6 +8,7 @@
 #include "trace/sky_light.h"
 #include "view/plan/plan_geometry.h"
 #include "view/text/text.h"
+#include "view/tree/tree_panel.h"
 #include "view/walk/walk.h"
 
 using namespace raywalk;
@@ -33,6 +34,7 @@ std::vector<std::pair<Vec2d, Colour>> pieces_of(const State& state) {
   for (const DisplayItem& item : plan_view(state)) {
     const auto* piece = std::get_if<PolygonItem>(&item.shape);
     if (piece == nullptr || item.target || piece->points.size() != 4 || !piece->fill || piece->stroke) continue;
+    if (piece->fill->a < 255) continue;  // the ground of words
     const Vec2d at = (piece->points[0] + piece->points[1]) / 2.0 - middle;
     if (length(at) > 0.4 * std::min(state.plan.viewport.width, state.plan.viewport.height))
       pieces.emplace_back(Vec2d(at.x, -at.y), *piece->fill);
@@ -115,4 +117,43 @@ TEST_CASE("the sky is changed and the change undone, with the background") {
   update(state, action::Undo{});
   CHECK(state.scene() == before);
   CHECK(state.sky.light == nullptr);
+}
+
+TEST_CASE("the words about the sky stand inside of its ring, whatever rays there are") {
+  State state = state_of(under_sky(Integrator::path));
+  state.plan.viewport = {1360, 880};
+  update(state, action::FitView{});
+  for (const Mode mode : {Mode::move, Mode::trace}) {
+    update(state, action::SetMode{mode});
+    for (int position = 0; position < state.walk.timeline->steps(); position += 37) {
+      INFO("step " << position);
+      update(state, action::Jump{position});
+      const DisplayList list = plan_view(state);
+      const auto words = std::find_if(list.begin(), list.end(), [&](const DisplayItem& item) {
+        const auto* said = std::get_if<TextItem>(&item.shape);
+        return said != nullptr && said->text == text("plan.sky_sampled", state.appearance.language);
+      });
+      REQUIRE(words != list.end());
+      const auto& said = std::get<TextItem>(words->shape);
+      const double half = text_width(said.text, said.size) / 2;
+      // The ring's equation, four pixels inside of the pane; it is nine pixels wide.
+      const Vec2d middle = middle_of(state);
+      for (const double side : {-1.0, 1.0}) {
+        const double x = (said.at.x + side * half - middle.x) / (middle.x - 13);
+        const double y = (said.at.y - middle.y) / (middle.y - 13);
+        CHECK(x * x * x * x + y * y * y * y < 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("a shadow ray to the sky is labelled in the ray tree") {
+  State state = state_of(under_sky(Integrator::path));
+  int labelled = 0;
+  for (int position = 1; position <= state.walk.timeline->steps() && labelled == 0; ++position) {
+    update(state, action::Jump{position});
+    for (const TreeNode& node : tree_panel(state).nodes)
+      labelled += node.kind == RayKind::shadow && node.ending == Ending::reached_light && node.label == "sky";
+  }
+  CHECK(labelled > 0);
 }

@@ -2,13 +2,12 @@
 
 #include "gui/mirror.h"
 
+#include "gui/scroll.h"
 #include "gui/web/program.h"
 
 #include <emscripten/emscripten.h>
 #include <imgui.h>
-#include <imgui_internal.h>
 
-#include <algorithm>
 #include <string>
 
 using namespace raywalk;
@@ -42,19 +41,9 @@ EMSCRIPTEN_KEEPALIVE void page_type(const char* text) { ImGui::GetIO().AddInputC
 /// Turns the wheel, also by parts of a step.
 EMSCRIPTEN_KEEPALIVE void page_wheel(double by) { ImGui::GetIO().MouseWheel += static_cast<float>(by); }
 
-/// Moves what is there, in CSS pixels, by so many down, as a finger does that drags paper; false if it does not scroll.
+/// Scrolls what is there, in CSS pixels, by so many down; false if it does not scroll.
 EMSCRIPTEN_KEEPALIVE bool page_scroll(double x, double y, double by) {
-  const ImVec2 at{static_cast<float>(x), static_cast<float>(y)};
-  const auto& windows = ImGui::GetCurrentContext()->Windows;  // the last in front
-  for (int i = windows.Size - 1; i >= 0; --i) {
-    ImGuiWindow* const window = windows[i];
-    if (!window->WasActive || window->Hidden || !window->OuterRectClipped.Contains(at)) continue;
-    if ((window->Flags & ImGuiWindowFlags_NoInputs) == ImGuiWindowFlags_NoInputs) continue;  // a tooltip
-    if (window->ScrollMax.y <= 0) return false;
-    ImGui::SetScrollY(window, std::clamp(window->Scroll.y - static_cast<float>(by), 0.0f, window->ScrollMax.y));
-    return true;
-  }
-  return false;
+  return scroll_at({static_cast<float>(x), static_cast<float>(y)}, static_cast<float>(by));
 }
 
 /// Whether what is there, in CSS pixels, does more while it is held down.

@@ -107,6 +107,16 @@ std::optional<LessonVerdict> judge(const LessonRoom& sitting) {
   return LessonVerdict{degrees <= std::get<ArrowQuestion>(question).tolerance, degrees};
 }
 
+bool has_plans_place(const State& state) {
+  const Tab& tab = state.appearance.tab;
+  const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
+  if (step == nullptr) return tab.large;
+  if (step->step->pane == LessonBeside::microscope && tab == MicroscopeRoom::tab) return !question_waits(state);
+  const LessonBeside last = step->step->then == LessonBeside::unchanged ? step->step->pane : step->step->then;
+  const bool shown = last == LessonBeside::picture ? tab == PictureRoom::tab : tab.word == name_of(last);
+  return tab.large || (step->step->large && shown);
+}
+
 LessonPanel lesson_panel(const State& state) {
   const LessonRoom& sitting = state.lessons;
   const Language language = state.appearance.language;

@@ -78,6 +78,14 @@ int first_pixel(const LessonRoom& sitting) {
   return 0;
 }
 
+/// Opens the tab that a lesson names: of the same word, or the picture.
+void show_beside(State& state, LessonBeside pane) {
+  if (pane == LessonBeside::picture)
+    state.appearance.tab = PictureRoom::tab;
+  else
+    state.appearance.tab = named<Tab>(name_of(pane)).value_or(state.appearance.tab);
+}
+
 /// Shows the step's walk, at the position of the question.
 void stage(State& state) {
   const PlayedStep& step = *state.lessons.at();
@@ -103,11 +111,7 @@ void stage(State& state) {
   state.lessons.guess = {};
   state.lessons.hands.clear();
   state.lessons.revealed = false;
-  // What a lesson shows is a tab of the same word, or the picture.
-  if (step.step->pane == LessonBeside::picture)
-    state.appearance.tab = PictureRoom::tab;
-  else
-    state.appearance.tab = named<Tab>(name_of(step.step->pane)).value_or(state.appearance.tab);
+  show_beside(state, step.step->pane);
   if (step.step->pane == LessonBeside::microscope)
     state.microscope.magnified = 0.42;  // in double, where a millionth of a scene unit is seen
   go_to(state, step.asked);
@@ -253,6 +257,7 @@ void action::RevealLesson::apply(State& state) const {
   const PlayedStep& step = *sitting.at();
   if (state.walk.timeline->current_pixel(step.shown) != state.walk.timeline->current_pixel(step.asked))
     sitting.first_pixel = 0;
+  show_beside(state, step.step->then);
   go_to(state, step.shown);
 }
 

@@ -106,9 +106,14 @@ void SkyRoom::draw_in_plan(Painter& painter) {
     painter.add(chance);
   }
   draw_met(painter, ring, width);
-  painter.note({ring.at(ring.towards({0, 1}), width + tallest + 12 * unit), ring.at(ring.towards({-1, 1}), 60 * unit),
-                ring.at(ring.towards({-1, -1}), 60 * unit)},
-               std::string(text(sampled ? "plan.sky_sampled" : "plan.sky", painter.state.appearance.language)));
+  // Inside of the ring and of the curve: in the middle of an edge, else nearer to a corner.
+  std::vector<Vec2d> places;
+  const double inwards = ring.b - width - tallest - 12 * unit;
+  for (const double part : {0.0, 0.2, 0.35})
+    for (const double side : {-1.0, 1.0})
+      for (const double across : {-part, part})
+        places.push_back(ring.middle + Vec2d(across * ring.a, side * (inwards - 60 * unit * part)));
+  painter.note(places, std::string(text(sampled ? "plan.sky_sampled" : "plan.sky", painter.state.appearance.language)));
 }
 
 }  // namespace raywalk

@@ -13,6 +13,7 @@ namespace {
 std::string name_of(const State& state, const RayRecord& ray) {
   if (ray.object >= 0) return object_name(state, ray.object);
   if (ray.light >= 0) return light_name(state, ray.light);
+  if (ray.light == light_of_sky) return std::string(text("equation.sky", state.appearance.language));
   return {};
 }
 

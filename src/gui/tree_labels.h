@@ -1,0 +1,28 @@
+#pragma once
+// Where the labels of the ray tree stand.
+
+#include "gui/layout.h"
+
+#include <imgui.h>
+
+#include <span>
+
+namespace raywalk {
+
+/// What a label of the tree keeps off, in ImGui's units.
+struct TreeLabelRoom {
+  Rect seen;                      ///< the visible part of the tree
+  std::span<const ImVec2> nodes;  ///< the middles of all nodes
+  float radius = 0;               ///< of a node
+  float gap = 0;                  ///< between a node and its label
+};
+
+/// What of a label of this size stands over nodes or beyond the border, as heights added up; 0: nothing.
+[[nodiscard]] float covered_by_label(const Rect& label, const TreeLabelRoom& room);
+
+/// The label's place by the node at `at`: below it, unless that covers more than a place beside or above it.
+[[nodiscard]] Rect label_place(ImVec2 at, ImVec2 extent, const TreeLabelRoom& room);
+
+[[nodiscard]] bool labels_cross(const Rect& a, const Rect& b);
+
+}  // namespace raywalk
