@@ -140,3 +140,17 @@ mutant stack_lowest_on_top stack trace/media.h 'bodies[each].priority > bodies[b
 mutant stack_never_left stack trace/media.h 'std::remove(stack.begin(), stack.end(), body)' 'stack.end()'
 mutant stack_top_is_left stack trace/media.h 'std::remove(stack.begin(), stack.end(), body)' \
   'stack.empty() ? stack.end() : stack.end() - 1'
+
+# --- Photons ----------------------------------------------------------------------------------------------------------
+mutant photons_count_the_edge photons trace/photon_map.cpp \
+  'if (heap.full() && entry.photon == heap.farthest().photon) continue;' 'if (false) continue;'
+mutant photons_stored_from_behind photons trace/photon_map.cpp 'dot(Vec3d(photon.normal), normal) > half' 'true'
+mutant photons_around_the_corner photons trace/photon_map.cpp 'constexpr double half = 0.5;' 'constexpr double half = -0.5;'
+mutant photons_one_side_of_the_split photons trace/photon_map.cpp 'waiting[count++] = far;' ''
+mutant photons_far_side_too_far photons trace/photon_map.cpp 'far.squared = beyond * beyond;' 'far.squared = 2 * beyond * beyond;'
+mutant photons_splitter_forgotten photons trace/photon_map.cpp 'take(middle, squared_distance(photons_[middle], point));' ''
+mutant photons_by_the_sphere photons trace/photon_map.cpp 'std::numbers::pi * squared_radius' '4 * std::numbers::pi * squared_radius'
+mutant photons_by_half_the_line photons trace/photon_map.cpp '2 * std::sqrt(squared_radius)' 'std::sqrt(squared_radius)'
+mutant photons_heap_upside_down photons trace/photon_map.cpp 'else if (entry < entries_.front())' 'else if (entries_.front() < entry)'
+mutant photons_beyond_the_radius photons trace/photon_map.cpp \
+  'if (!(apart <= found.squared_radius) ||' 'if (!(apart <= 2 * found.squared_radius) ||'

@@ -39,6 +39,8 @@ verdict() {
   # Whatever concerns no crossing has to get past a test of its own.
   [[ $2 == uv ]] && program=("-I$root/tests" "$root/tests/shape/uv_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == stack ]] && program=("-I$root/tests" "$root/tests/trace/body_stack_test.cpp") libraries=("${catch2[@]}")
+  [[ $2 == photons ]] && program=("-I$root/tests" "$root/tests/trace/photon_map_test.cpp" "$4/src/trace/photon_map.cpp") \
+    libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
     "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp "$work"/elementary_*.o -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then
