@@ -44,14 +44,15 @@ std::vector<std::string> idle_options(const RenderOptions& given, const Scene& s
   }
   if (given.light_grid && std::none_of(scene.lights.begin(), scene.lights.end(), is_area))
     idle("--light-grid", "no light has an extent");
-  const bool path = integrator == Integrator::path;
-  if (path || !traits_of(integrator).is_recursive) {
-    const std::string why = path ? "paths end by chance, or as --path-length says"
-                                 : fmt::format("the integrator {} follows no ray beyond a hit", name);
+  const bool is_global = traits_of(integrator).is_global;
+  if (is_global || !traits_of(integrator).is_recursive) {
+    const std::string why = integrator == Integrator::path ? "paths end by chance, or as --path-length says"
+                            : is_global                    ? "photons and rays end by chance"
+                                        : fmt::format("the integrator {} follows no ray beyond a hit", name);
     if (given.depth) idle("--depth", why);
     if (given.threshold) idle("--threshold", why);
   }
-  if (given.path_length && !path)
+  if (given.path_length && integrator != Integrator::path)
     idle("--path-length", fmt::format("the integrator is {} (expected --integrator path)", name));
   if (given.epsilon && choices.numerics != Numerics::naive)
     idle("--epsilon", fmt::format("numerics are {} (expected --numerics naive)", name_of(choices.numerics)));

@@ -81,6 +81,11 @@ std::string render_text(const Scene& scene) {
   if (choices.samples > 1) text += fmt::format(", {} samples a pixel, {}", choices.samples, name_of(choices.sampler));
   if (choices.integrator == Integrator::path && choices.path_length)
     text += fmt::format(", at most {} a path", count_of(static_cast<std::size_t>(*choices.path_length), "ray"));
+  if (choices.integrator == Integrator::photons) {
+    const PhotonChoices& photons = choices.photons;
+    text += fmt::format(", {} photons{}, {} nearest{}", photons.count, photons.progressive ? " a sample" : "",
+                        photons.nearest, photons.gather ? ", final gathering" : "");
+  }
   if (choices.tolerance > 0) text += fmt::format(", fewer where known to {:g}", choices.tolerance);
   if (choices.numerics == Numerics::naive) text += fmt::format(", naive numerics with epsilon {:g}", choices.epsilon);
   return text;

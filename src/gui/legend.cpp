@@ -183,6 +183,8 @@ Commands LegendRoom::commands() {
        .chosen = shows_rays<RayKind::reflect>, .run = toggle_rays<RayKind::reflect>},
       {.name = "rays-refract", .keys = {"Alt+4"}, .section = Section::rays, .line = "keys.rays_shown",
        .chosen = shows_rays<RayKind::refract>, .run = toggle_rays<RayKind::refract>},
+      {.name = "rays-photon", .keys = {"Alt+8"}, .section = Section::rays, .line = "keys.rays_shown",
+       .chosen = shows_rays<RayKind::photon>, .run = toggle_rays<RayKind::photon>},
       {.name = "only-pixel", .keys = {"Shift+L"}, .section = Section::rays, .chosen = shows_earlier<Earlier::hidden>,
        .run = [](const Ui& ui) {
          ui.act(action::ShowEarlier{shows_earlier<Earlier::hidden>(ui.state) ? Earlier::faded : Earlier::hidden});

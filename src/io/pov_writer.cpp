@@ -225,7 +225,7 @@ PovText format_pov(const Scene& scene) {
   pov.text += ObjectText(scene, losses)();
   if (scene.sky) losses.insert("the sky: only the background below it");
   if (scene.encoding == Encoding::truncated) losses.insert("8-bit pictures without the sRGB curve");
-  if (scene.render.integrator == Integrator::path) losses.insert("light from everywhere (path tracing)");
+  if (traits_of(scene.render.integrator).is_global) losses.insert("light from everywhere (path tracing, photons)");
   pov.left_out.assign(losses.begin(), losses.end());
   std::string said;
   for (const std::string& loss : losses) said += "// POV-Ray renders without: " + loss + "\n";

@@ -99,6 +99,12 @@ Value light_of(const Moment& at) {
   return at.ray()->light >= 0 ? Value(light_name(at.scene, at.ray()->light)) : Value(Nothing{});
 }
 
+template <class Of>
+Value photons(const Moment& at, Of of) {
+  const auto* found = at.is<PhotonsFound>();
+  return found != nullptr ? Value(of(*found)) : Value(Nothing{});
+}
+
 Value pixel_of(const Moment& at, int PixelRecord::* member) {
   const int pixel = at.timeline.current_pixel(at.position);
   return pixel >= 0 ? Value(static_cast<double>(at.timeline.pixels()[static_cast<std::size_t>(pixel)].*member))
@@ -198,6 +204,33 @@ constexpr std::array facts{
            const auto* put = at.is<PixelPut>();
            return put != nullptr ? Value(put->shade) : Value(Nothing{});
          }},
+    Fact{"history",
+         [](const Moment& at) -> Value {
+           const auto* stored = at.is<PhotonStored>();
+           return stored != nullptr ? Value(std::string(name_of(stored->history))) : Value(Nothing{});
+         }},
+    Fact{"power",
+         [](const Moment& at) -> Value {
+           const auto* stored = at.is<PhotonStored>();
+           return stored != nullptr ? Value(stored->power) : Value(Nothing{});
+         }},
+    Fact{"survival",
+         [](const Moment& at) -> Value {
+           const auto* decided = at.is<SurvivalDecided>();
+           return decided != nullptr ? Value(decided->survival) : Value(Nothing{});
+         }},
+    Fact{"caustic_inside",
+         [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return 1.0 * f.caustic.count; }); }},
+    Fact{"caustic_radius",
+         [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return f.caustic.radius; }); }},
+    Fact{"other_inside",
+         [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return 1.0 * f.other.count; }); }},
+    Fact{"other_radius",
+         [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return f.other.radius; }); }},
+    Fact{"caustic_light",
+         [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return f.caustic.irradiance; }); }},
+    Fact{"other_light",
+         [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return f.other.irradiance; }); }},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "render/memory_need.h"
 
 #include "accel/primitives.h"
+#include "trace/photon_map.h"
 #include "trace/world.h"
 
 #include <fmt/format.h>
@@ -100,13 +101,20 @@ MemoryNeed needed(const Scene& scene, const RenderSettings& settings) {
   // The mean of each pixel, and the floats of its file.
   const double pixels = static_cast<double>(size.width) * size.height,
                picture = pixels * (sizeof(Rgb<T>) + sizeof(Rgb<float>));
-  const double most = std::max({shapes, triangles, picture});
+  // Each is stored three times on average, and twice while the tree is built.
+  const double photons = scene.render.integrator == Integrator::photons
+                             ? static_cast<double>(scene.render.photons.count) * (6 * sizeof(Photon) + 16)
+                             : 0;
+  const double most = std::max({shapes, triangles, picture, photons});
   const auto with_structure = [&](double count, const char* what) {
     return fmt::format(
         "a scene of {:.0f} {}, with its {}", count, what,
         settings.accelerator == AcceleratorKind::automatic ? "structure" : name_of(settings.accelerator));
   };
-  const double all = shapes + triangles + picture;
+  const double all = shapes + triangles + picture + photons;
+  if (most == photons && photons > 0)
+    return {fmt::format("a map of {} photons", scene.render.photons.count), all,
+            "send fewer photons, or let every sample send its own: photons = { progressive = true }"};
   if (most == picture)
     return {fmt::format("a picture of {} x {} pixels", size.width, size.height), all, "choose a smaller --size"};
   return {most == shapes ? with_structure(census.shapes, "shapes") : with_structure(census.triangles, "triangles"), all,

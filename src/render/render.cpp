@@ -75,7 +75,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   rendering.structure = world.accelerator.statistics();
   rendering.build_seconds = seconds_since(build_start);
 
-  if (settings.endless && scene.render.integrator != Integrator::path)  // paths do not branch
+  if (settings.endless && !traits_of(scene.render.integrator).is_global)  // paths do not branch
     if (const auto tree =
             endless_tree(world, picture.kernel(), picture.camera(), size, settings.sampling.per_pixel, settings.stop))
       settings.endless(*tree);
@@ -87,6 +87,16 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   if (settings.reorder_tiles) settings.reorder_tiles(order);
 
   std::atomic<std::uint64_t> taken{0};
+  // Photons are sent before the samples that look for them: all at once or, where each sample has its own, in between.
+  const PhotonKernel<T>* photons = picture.kernel().photons();
+  const bool in_between = photons && photons->settings().progressive;
+  const double all_photons =
+      photons ? static_cast<double>(photons->settings().count) * (in_between ? settings.sampling.per_pixel : 1) : 0;
+  std::atomic<std::uint64_t> sent{0};
+  const auto done_of = [&](double all_samples) {
+    constexpr double photon = 0.25;  // of a sample's time, roughly
+    return (static_cast<double>(taken) + photon * static_cast<double>(sent)) / (all_samples + photon * all_photons);
+  };
   std::mutex results_mutex;
   std::map<std::thread::id, double> busy;
   int begun = 0;  // rows
@@ -95,6 +105,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   // A ray through a long list takes long, and the tracer asks whether it is cancelled only where a pixel has many rays.
   constexpr int long_list = 1000;
   const bool slow = rendering.accelerator == AcceleratorKind::none && world.accelerator.primitives().size() > long_list;
+  int from = 0, to = 0;  // samples
   // Each tile's pixels are written by one thread only, and statistics are integers: neither the order of the tiles nor
   // their threads can change the result.
   const auto trace_tile = [&](int position) {
@@ -108,7 +119,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     run.stop = settings.stop;
     const int max_samples = slow ? 1 : 16, max_columns = slow ? 1 : tile.column_end;
     const auto trace_rows = [&] {
-      run.samples = std::min(max_samples, picture.to() - run.sample);
+      run.samples = std::min(max_samples, to - run.sample);
       for (run.row_begin = tile.row_begin; run.row_begin < tile.row_end; ++run.row_begin) {
         run.row_end = run.row_begin + 1;
         for (run.column_begin = tile.column_begin; run.column_begin < tile.column_end;
@@ -119,11 +130,12 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
           statistics += picture.trace(run, count);
         }
         const double all = static_cast<double>(picture.expected());
-        reporter.report(std::min(almost, static_cast<double>(taken += std::exchange(put_here, 0)) / all));
+        taken += std::exchange(put_here, 0);
+        reporter.report(std::min(almost, done_of(all)));
       }
     };
     try {
-      for (run.sample = picture.from(); run.sample < picture.to(); run.sample += run.samples) trace_rows();
+      for (run.sample = from; run.sample < to; run.sample += run.samples) trace_rows();
     } catch (const Stopped&) {
       taken += put_here;
     }
@@ -133,8 +145,27 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     busy[std::this_thread::get_id()] += seconds_since(tile_start);
   };
   const std::size_t stack = std::max(default_stack, stack_for(scene.limits.depth));
-  do {
+  const RunAll in_threads = [&](int count, const std::function<void(int)>& body) {
+    parallel_for(count, settings.threads, body, stack, [&] { static_cast<void>(settings.stop.asked()); });
+  };
+  const auto count_sent = [&](int more) {
+    sent += static_cast<std::uint64_t>(more);
+    reporter.report(std::min(almost, done_of(static_cast<double>(picture.expected()))));
+  };
+  const auto trace_samples = [&] {
+    try {
+      rendering.statistics +=
+          picture.kernel().send_photons(settings.sampling.seed, from, to, settings.stop, in_threads, count_sent);
+    } catch (const Stopped&) {
+      return;
+    }
     rendering.threads = std::max(rendering.threads, parallel_for(tiles.count(), settings.threads, trace_tile, stack));
+  };
+  do {
+    for (from = picture.from(); from < picture.to() && !settings.stop.asked(); from = to) {
+      to = in_between ? from + 1 : picture.to();
+      trace_samples();
+    }
   } while (!settings.stop.asked() && picture.next());
 
   rendering.finished = taken == picture.expected();

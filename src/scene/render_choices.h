@@ -18,6 +18,7 @@ enum class Integrator {
   whitted,      ///< also mirrors and glass, all sharp; draws no random numbers (Whitted 1980)
   distributed,  ///< also gloss, translucency, penumbras, depth of field and motion blur (Cook, Porter, Carpenter 1984)
   path,         ///< global illumination: path tracing (Kajiya 1986)
+  photons,      ///< the same by photon mapping (Jensen 1996)
 };
 /// What is to be known of an integrator before it runs. Its procedure is in trace.
 struct IntegratorTraits {
@@ -43,6 +44,11 @@ inline constexpr std::array integrators{
                      .name = "path",
                      .follows = "light from everywhere",
                      .draws_random = true,
+                     .is_global = true},
+    IntegratorTraits{.integrator = Integrator::photons,
+                     .name = "photons",
+                     .follows = "light from everywhere, sent from the lights: caustics too",
+                     .draws_random = true,
                      .is_global = true}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
@@ -62,6 +68,16 @@ struct EffectSwitches {
   friend bool operator==(const EffectSwitches&, const EffectSwitches&) = default;
 };
 
+/// Of photon mapping.
+struct PhotonChoices {
+  int count = 100000;              ///< photons that are sent, >= 1
+  int nearest = 60;                ///< the circle of an estimate reaches to this one, >= 2
+  std::optional<double> radius{};  ///< largest of a circle, in scene units, > 0; absent: a twentieth of the scene
+  bool gather = false;             ///< indirect light by one more ray from what is seen, and photons where that ends
+  bool progressive = false;        ///< each sample has a map of its own, with smaller circles than the one before
+  friend bool operator==(const PhotonChoices&, const PhotonChoices&) = default;
+};
+
 /// How a scene is rendered, unless the command line says otherwise. None of it changes what the scene is.
 struct RenderChoices {
   Integrator integrator = Integrator::automatic;
@@ -71,6 +87,7 @@ struct RenderChoices {
   double tolerance = 0;                 ///< of adaptive sampling (render/adaptive.h); 0: every pixel takes all samples
   std::optional<int> path_length{};     ///< maximum number of rays of a path from the eye to a light, first and last
                                         ///< included; absent: no limit
+  PhotonChoices photons{};
   Numerics numerics = Numerics::robust;
   EffectSwitches switches{};
   double epsilon = default_epsilon;  ///< of naive numerics: the offset of ray origins from a surface, in scene units

@@ -84,6 +84,19 @@ void describe(Fields& f, TraceLimits& limits) {
 }
 
 template <class Fields>
+void describe(Fields& f, PhotonChoices& photons) {
+  f.about("Of the photons integrator: light is sent from the lights, and found where it arrived.");
+  f.key("count", photons.count, photon_count, "Photons that are sent.");
+  f.key("nearest", photons.nearest, nearest_count,
+        "k: the light at a point is that of the photons in the circle that reaches to the k-th nearest.");
+  f.key("radius", photons.radius, extent, "Of the largest circle; left out, a twentieth of the scene.");
+  f.key("gather", photons.gather, yes_or_no,
+        "Indirect light is looked for by one more ray, and taken from the photons only where that ends.");
+  f.key("progressive", photons.progressive, yes_or_no,
+        "Every sample sends photons of its own, and has smaller circles than the sample before it.");
+}
+
+template <class Fields>
 void describe(Fields& f, RenderChoices& render) {
   f.about("How the picture is made; what `raywalk render` is told comes before it.");
   f.key("integrator", render.integrator, integrators, integrator_sentence());
@@ -95,6 +108,7 @@ void describe(Fields& f, RenderChoices& render) {
         "A pixel that is known this well takes no more samples; 0: all samples.");
   f.key("path_length", render.path_length, path_length_count,
         "Of the path integrator: most rays between the eye and a light; left out, no limit.");
+  f.key("photons", render.photons, table);
   f.key("numerics", render.numerics, numerics,
         "How crossings are computed: with error bounds, or as books print them, to see where they fail.");
   f.key("epsilon", render.epsilon, extent_or_zero, "Of naive numerics: how far from a surface rays start.");

@@ -132,7 +132,46 @@ class EventWriter {
     if (decided.why) to_["why"] = name_of(*decided.why);
   }
 
+  void operator()(const PhotonBegun& begun) const {
+    to_["what"] = "photon_begun";
+    to_["photon"] = begun.photon;
+    to_["count"] = begun.count;
+    if (begun.others > 0) to_["others"] = begun.others;
+  }
+
+  void operator()(const PhotonStored& stored) const {
+    to_["what"] = "photon_stored";
+    to_["ray"] = stored.ray;
+    to_["position"] = triple(stored.position);
+    to_["normal"] = triple(stored.normal);
+    to_["power"] = triple(stored.power);
+    to_["history"] = name_of(stored.history);
+    to_["kept"] = stored.kept;
+  }
+
+  void operator()(const PhotonsFound& found) const {
+    to_["what"] = "photons_found";
+    to_["ray"] = found.ray;
+    to_["position"] = triple(found.position);
+    to_["normal"] = triple(found.normal);
+    to_["flat"] = found.flat;
+    circle("caustic", found.caustic);
+    circle("other", found.other);
+  }
+
+  void operator()(const PhotonsAdded& photons) const {
+    to_["what"] = "photons_added";
+    to_["ray"] = photons.ray;
+    to_["irradiance"] = triple(photons.irradiance);
+    to_["albedo"] = triple(photons.albedo);
+    to_["added"] = triple(photons.added);
+  }
+
  private:
+  void circle(std::string_view name, const PhotonCircle& of) const {
+    to_[std::string(name)] = {
+        {"radius", of.radius}, {"count", of.count}, {"power", triple(of.power)}, {"irradiance", triple(of.irradiance)}};
+  }
   template <class Added>
   void weighted(const Added& added) const {
     to_["direction_density"] = added.direction_pdf;

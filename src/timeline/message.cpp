@@ -59,7 +59,7 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& event, const RayFormed& formed) const {
-    if (event.line == Line::form_next_ray)
+    if (event.line == Line::form_next_ray || event.line == Line::gather_form_next_ray)
       return {"walk.next_formed",
               {{"object", shaded()}, {"ray", formed.kind}, {"share", Fraction{max_component(formed.throughput)}}}};
     switch (formed.kind) {
@@ -88,6 +88,12 @@ class Describer {
         return {goes_in ? "walk.refract_formed_in" : "walk.refract_formed_out",
                 {{"object", shaded()}, {"angle_in", in}, {"angle_out", out}}};
       }
+      case RayKind::photon:
+        if (event.line == Line::photon_form_next_ray)
+          return {"walk.photon_next", {{"object", shaded()}, {"power", formed.throughput}}};
+        if (formed.light == light_of_sky) return {"walk.photon_from_sky", {{"power", formed.throughput}}};
+        if (formed.light < 0) return {"walk.photon_from_object", {{"power", formed.throughput}}};
+        return {"walk.photon_emitted", {{"light", light(formed.light)}, {"power", formed.throughput}}};
     }
     return {};
   }
@@ -139,6 +145,7 @@ class Describer {
                    {"elevation", std::abs(sky->elevation)},
                    {"azimuth", sky->azimuth},
                    {"colour", sky->radiance}}};
+        if (record.kind == RayKind::photon) return {"walk.photon_left", {}};
         return {"walk.found_missed", {{"ray", record.kind}}};
       case Ending::blocked: {
         if (record.light == light_of_sky) return {"walk.sky_hidden", {{"object", met}}};
@@ -190,11 +197,23 @@ class Describer {
       return {"walk.transparent", {{"object", shaded()}, {"weight", decided.weight}}};
     }
     if (event.line == Line::follow_path) return {"walk.path_called", {}};
+    if (event.line == Line::follow_photon) return {"walk.photon_called", {}};
+    if (event.line == Line::gather_light) return {"walk.gather_called", {}};
+    if (event.line == Line::while_photon)
+      return decided.holds ? Message{"walk.photon_goes_on", {{"power", decided.weight}}}
+                           : Message{"walk.photon_over", {}};
+    if (event.line == Line::if_diffuse)
+      return {decided.holds ? "walk.photon_diffuse" : "walk.photon_not_diffuse",
+              {{"object", object(current().object)}}};
+    if (event.line == Line::gather_while_ray) {
+      if (decided.holds) return {"walk.gather_goes_on", {{"ray", current().kind}}};
+      return {"walk.gather_over", {{"colour", frame(timeline_.current_frame(position_)).returned}}};
+    }
     if (event.line == Line::while_ray) {
       if (decided.holds) return {"walk.path_goes_on", {{"ray", current().kind}}};
       return {"walk.path_over", {{"colour", frame(timeline_.current_frame(position_)).returned}}};
     }
-    if (event.line == Line::if_intersect_nothing) {
+    if (event.line == Line::if_intersect_nothing || event.line == Line::gather_if_intersect_nothing) {
       if (decided.holds) return {"walk.path_met_nothing", {}};
       return {"walk.path_met", {{"object", object(current().object)}}};
     }
@@ -229,13 +248,16 @@ class Describer {
     return {"walk.pixel_put", {{"cell", put.column}, {"colour", put.shade}}};
   }
 
-  [[nodiscard]] Message describe(const Event& /*event*/, const BackgroundAdded& background) const {
+  [[nodiscard]] Message describe(const Event& event, const BackgroundAdded& background) const {
+    if (event.line == Line::gather_add_background && background.weight == 0) return {"walk.background_counted", {}};
     if (background.weight > nearly_all) return {"walk.background_added", {{"colour", background.added}}};
     return {"walk.background_weighted", {{"weight", Fraction{background.weight}}, {"colour", background.added}}};
   }
 
-  [[nodiscard]] Message describe(const Event& /*event*/, const EmissionAdded& emission) const {
+  [[nodiscard]] Message describe(const Event& event, const EmissionAdded& emission) const {
     if (is_black(emission.emission)) return {"walk.emits_nothing", {{"object", shaded()}}};
+    if (event.line == Line::gather_add_emission && emission.weight == 0)
+      return {"walk.emission_counted", {{"object", shaded()}}};
     if (emission.weight > nearly_all)
       return {"walk.emission_added", {{"object", shaded()}, {"colour", emission.added}}};
     return {"walk.emission_weighted",
@@ -253,9 +275,28 @@ class Describer {
             {{"light", name}, {"weight", Fraction{added.weight}}, {"colour", added.added}}};
   }
 
-  [[nodiscard]] Message describe(const Event& /*event*/, const DirectionChosen& chosen) const {
+  [[nodiscard]] Message describe(const Event& event, const DirectionChosen& chosen) const {
+    if (event.line == Line::photon_choose_direction) {
+      if (chosen.absorbed) return {"walk.photon_no_direction", {{"object", shaded()}}};
+      return {photon_by_lobe(chosen.lobe), {{"object", shaded()}}};
+    }
+    if (event.line == Line::gather_choose_direction && chosen.absorbed)
+      return {"walk.gather_no_direction", {{"object", shaded()}}};
     if (chosen.absorbed) return {"walk.direction_none", {{"object", shaded()}}};
     return {by_lobe(chosen.lobe), {{"object", shaded()}, {"share", Fraction{max_component(chosen.throughput)}}}};
+  }
+  static std::string_view photon_by_lobe(Lobe lobe) {
+    switch (lobe) {
+      case Lobe::diffuse:
+        return "walk.photon_diffused";
+      case Lobe::highlight:
+        return "walk.photon_in_highlight";
+      case Lobe::mirror:
+        return "walk.photon_mirrored";
+      case Lobe::transparent:
+        return "walk.photon_passed";
+    }
+    return {};
   }
   static std::string_view by_lobe(Lobe lobe) {
     switch (lobe) {
@@ -271,7 +312,13 @@ class Describer {
     return {};
   }
 
-  [[nodiscard]] Message describe(const Event& /*event*/, const SurvivalDecided& decided) const {
+  [[nodiscard]] Message describe(const Event& event, const SurvivalDecided& decided) const {
+    if (event.line == Line::if_photon_survives) {
+      if (decided.survives) return {"walk.photon_survives", {{"probability", Fraction{decided.survival}}}};
+      return {decided.why ? "walk.photon_lost_roulette" : "walk.photon_absorbed", {{"object", shaded()}}};
+    }
+    if (event.line == Line::gather_if_path_survives && !decided.survives && !decided.why)
+      return {"walk.gather_ends", {}};
     if (decided.why == Ending::path_length)
       return {"walk.path_too_long", {{"count", scene_.render.path_length.value_or(0)}}};
     if (decided.why == Ending::threshold)
@@ -279,6 +326,40 @@ class Describer {
     if (!decided.survives) return {"walk.path_absorbed", {{"object", shaded()}}};
     if (decided.survival == 1) return {"walk.path_survives", {}};
     return {"walk.path_survives_roulette", {{"probability", Fraction{decided.survival}}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PhotonBegun& begun) const {
+    if (begun.others > 0) return {"walk.photons_others", {{"count", begun.others}}};
+    return {"walk.photon_begun", {{"number", begun.photon + 1}, {"count", begun.count}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PhotonStored& stored) const {
+    switch (stored.history) {
+      case PhotonHistory::direct:
+        return {stored.kept ? "walk.photon_stored_direct" : "walk.photon_not_kept", {{"object", shaded()}}};
+      case PhotonHistory::caustic:
+        return {"walk.photon_stored_caustic", {{"object", shaded()}, {"power", stored.power}}};
+      case PhotonHistory::indirect:
+        return {"walk.photon_stored", {{"object", shaded()}, {"power", stored.power}}};
+    }
+    return {};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PhotonsFound& found) const {
+    const bool caustic = found.caustic.count > 0, other = found.other.count > 0;
+    if (!caustic && !other) return {"walk.no_photons", {{"object", shaded()}}};
+    if (!caustic) return {"walk.photons_found", {{"count", found.other.count}, {"radius", found.other.radius}}};
+    if (!other) return {"walk.caustic_found", {{"count", found.caustic.count}, {"radius", found.caustic.radius}}};
+    return {"walk.both_found",
+            {{"count", found.other.count},
+             {"radius", found.other.radius},
+             {"caustic", found.caustic.count},
+             {"caustic_radius", found.caustic.radius}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PhotonsAdded& photons) const {
+    if (is_black(photons.added)) return {"walk.photons_add_nothing", {}};
+    return {"walk.photons_added", {{"colour", photons.added}, {"object", shaded()}}};
   }
 
   static constexpr double nearly_all = 0.995;  ///< a weight that reads as 100%

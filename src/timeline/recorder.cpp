@@ -8,18 +8,25 @@ namespace {
 
 template <class T>
 Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
+  const bool flat = size.height == 1 && is_planar(scene);
   WorldCache own;
   const auto world =
       (how.worlds != nullptr ? *how.worlds : own).of<T>(scene, AcceleratorKind::automatic, how.fault, how.stop);
   const RayGenerator<T> camera(scene, size, whole, how.sampling);
   Recorder recorder;
-  const SceneKernel<T> kernel(scene, *world);
+  const SceneKernel<T> kernel(scene, *world, std::nullopt, flat);
+  if (kernel.photons()) {
+    static_cast<void>(kernel.send_photons(how.sampling.seed, 0, how.sampling.per_pixel, how.stop));
+    kernel.photons()->watch_photons(how.photons, recorder, how.stop);
+  }
   // Pixel by pixel, each with all its samples, so that one can watch them accumulate.
   for (int row = block.row_begin; row < block.row_end; ++row)
     for (int column = block.column_begin; column < block.column_end; ++column)
       for (int sample = 0; sample < how.sampling.per_pixel; ++sample)
         kernel.watched(camera, {column, column + 1, row, row + 1, sample, 1, 1, how.stop}, recorder);
-  return recorder.take(size);
+  Timeline timeline = recorder.take(size);
+  if (kernel.photons()) timeline.set_photons(kernel.photons()->shared_maps(), flat);
+  return timeline;
 }
 
 Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {

@@ -23,6 +23,7 @@ struct Recording {
   Sampling sampling{};
   std::optional<Fault> fault{};  ///< injected into the tracer
   WorldCache* worlds = nullptr;  ///< of the scene; null: a world is built for this recording alone
+  int photons = 100;             ///< so many are followed line by line, the others in one step
   Stop stop{};                   ///< cancels it: the record functions then throw Stopped
 };
 

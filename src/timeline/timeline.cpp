@@ -1,6 +1,7 @@
 #include "timeline/timeline.h"
 
 #include "math/overloaded.h"
+#include "trace/photon_pass.h"
 
 #include <algorithm>
 
@@ -24,7 +25,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
     if (on_path >= 0) ray = on_path;
 
     const auto add_ray = [&](RayRecord record) {
-      record.pixel = pixel;
+      record.pixel = std::max(pixel, 0);  // photons, which no pixel has sent, count as the first one's
       record.depth = event.depth;
       record.frame = executing;
       record.formed_at = after;
@@ -60,7 +61,9 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               add_ray(record);
               record_of_ray.resize(std::max(record_of_ray.size(), static_cast<std::size_t>(formed.ray) + 1), -1);
               record_of_ray[static_cast<std::size_t>(formed.ray)] = ray;
-              if (event.line == Line::form_next_ray) on_path = ray;
+              if (event.line == Line::form_next_ray || event.line == Line::photon_form_next_ray ||
+                  event.line == Line::gather_form_next_ray)
+                on_path = ray;
             },
             [&](const RayNotFormed& stub) {
               RayRecord record;
@@ -92,14 +95,17 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               }
             },
             [&](const Decided& decided) {
-              if (event.line == Line::follow_path) {
+              if (event.line == Line::follow_path || event.line == Line::follow_photon ||
+                  event.line == Line::gather_light) {
                 on_path = moments_.back().ray;
                 ray = on_path;
                 innermost = static_cast<int>(frames_.size());
                 frames_.push_back({-1, 1, ray, after, after, Rgbd(0.0)});
                 rays_[static_cast<std::size_t>(ray)].shade = innermost;
               }
-              if (event.line == Line::while_ray && !decided.holds) end_path();
+              const bool loops = event.line == Line::while_ray || event.line == Line::while_photon ||
+                                 event.line == Line::gather_while_ray;
+              if (loops && !decided.holds) end_path();
               if (decided.why != Ending::total_internal_reflection) return;
               // The nonexistent refract ray would at best graze the surface: shown as a stub along it.
               const RayRecord shaded = rays_[static_cast<std::size_t>(ray)];
@@ -148,7 +154,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               // Where Russian roulette ended the path: a stub of the ray that would have followed.
               RayRecord record;
               record.formed = false;
-              record.kind = RayKind::reflect;
+              record.kind = event.line == Line::if_photon_survives ? RayKind::photon : RayKind::reflect;
               record.ending = Ending::threshold;
               record.parent = on_path;
               record.origin = rays_[static_cast<std::size_t>(on_path)].end;
@@ -157,6 +163,18 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               record.throughput = next_throughput;
               record.found_at = after;
               add_ray(record);
+            },
+            [&](const PhotonBegun&) {
+              ray = -1;
+              all_photons_at_ = after;
+            },
+            [&](const PhotonStored& stored) {
+              stored_photons_.push_back(
+                  {stored.position, stored.normal, stored.power, stored.history, stored.kept, after});
+            },
+            [&](const PhotonsFound&) {},
+            [&](const PhotonsAdded& photons) {
+              frames_[static_cast<std::size_t>(innermost)].returned += photons.added;
             },
             [&](const PixelPut& put) {
               pixels_.back().shade = put.shade;
@@ -173,6 +191,10 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
         event.detail);
     moments_.push_back({static_cast<int>(rays_.size()), ray, executing, innermost, pixel});
   }
+}
+
+const PhotonMaps* Timeline::photons() const {
+  return photon_maps_ && !photon_maps_->empty() ? photon_maps_->data() : nullptr;
 }
 
 const Event* Timeline::just_run(int position) const { return position > 0 ? &event(position - 1) : nullptr; }

@@ -8,10 +8,14 @@
 #include "scene/scene.h"
 #include "trace/event.h"
 
+#include <memory>
+
 #include <span>
 #include <vector>
 
 namespace raywalk {
+
+struct PhotonMaps;
 
 /// A ray of the recording, or the stub of one that a limit prevented. Positions are those after the event: a ray formed
 /// by event i exists from position i + 1 on.
@@ -30,14 +34,14 @@ struct RayRecord {
   Vec3d normal{0.0};     ///< outward normal where it hit something
   int object = -1;       ///< index in Scene::objects of what it hit, or of its blocker
   int part = 0;
-  int light = -1;           ///< shadow rays: index in Scene::lights
+  int light = -1;           ///< shadow rays, photons: index in Scene::lights
   Rgbd throughput{1.0};     ///< at most this fraction of its radiance reaches the pixel
   Rgbd transmittance{1.0};  ///< shadow rays: of filtering objects
   int formed_at = 0;        ///< position from which it is drawn
   int found_at = 0;         ///< position from which its end is known
 };
 
-/// One execution of SHADE, or of FOLLOW PATH.
+/// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON or GATHER LIGHT.
 struct FrameRecord {
   int parent = -1;  ///< index in frames() of the suspended caller; -1 when MAIN ALGORITHM or PATH TRACING called
   int depth = 1;
@@ -63,11 +67,33 @@ class Timeline {
 
   [[nodiscard]] ImageSize image() const { return image_; }
   [[nodiscard]] bool of_strip() const { return image_.height == 1; }
-  /// Whether it is a recording of PATH TRACING.
-  [[nodiscard]] bool of_paths() const { return pseudocode().lines.front().line == Line::path_for_each_pixel; }
+  /// Whether it follows paths, one ray after the other, and no tree: PATH TRACING or PHOTON MAPPING.
+  [[nodiscard]] bool of_paths() const { return !pseudocode().recursive; }
+  /// Whether it is a recording of PHOTON MAPPING.
+  [[nodiscard]] bool of_photons() const { return pseudocode().lines.front().line == Line::for_each_photon; }
   /// The pseudocode whose lines it walks.
   [[nodiscard]] const Pseudocode& pseudocode() const {
     return events_.empty() ? pseudocodes.front() : pseudocode_with(events_.front().line);
+  }
+
+  /// A photon that was stored while it was watched.
+  struct StoredPhoton {
+    Vec3d position, normal;
+    Rgbd power;
+    PhotonHistory history;
+    bool kept;
+    int stored_at;  ///< position from which it is drawn
+  };
+  [[nodiscard]] const std::vector<StoredPhoton>& stored_photons() const { return stored_photons_; }
+  /// What all photons have left, if it is a recording of PHOTON MAPPING.
+  [[nodiscard]] const PhotonMaps* photons() const;
+  /// The position from which all of them are there.
+  [[nodiscard]] int all_photons_at() const { return all_photons_at_; }
+  /// Whether it runs in a flat world.
+  [[nodiscard]] bool is_flat() const { return flat_; }
+  void set_photons(std::shared_ptr<const std::vector<PhotonMaps>> maps, bool flat) {
+    photon_maps_ = std::move(maps);
+    flat_ = flat;
   }
 
   /// Number of events; positions run from 0 to this.
@@ -122,6 +148,10 @@ class Timeline {
   std::vector<FrameRecord> frames_;
   std::vector<PixelRecord> pixels_;
   std::vector<Moment> moments_{1};  ///< steps() + 1
+  std::vector<StoredPhoton> stored_photons_;
+  std::shared_ptr<const std::vector<PhotonMaps>> photon_maps_;
+  int all_photons_at_ = 0;
+  bool flat_ = false;
 };
 
 }  // namespace raywalk

@@ -60,6 +60,10 @@ struct Bsdf {
   /// all members are set.
   void prepare(const Rgb<T>& throughput);
   [[nodiscard]] bool absorbs() const { return lobes_ == 0; }
+  /// With which `sample_lobe` returns this one.
+  [[nodiscard]] T probability(Lobe lobe) const { return probabilities_[static_cast<std::size_t>(lobe)]; }
+  /// With this lobe alone.
+  [[nodiscard]] Bsdf only(Lobe lobe) const;
   /// Whether there are several lobes to choose from.
   [[nodiscard]] bool several() const { return lobes_ > 1; }
   /// Whether the lobe's direction has to be drawn.
@@ -79,7 +83,6 @@ struct Bsdf {
   [[nodiscard]] bool sharp(Lobe lobe) const {
     return (lobe == Lobe::mirror && mirror_width == 0) || (lobe == Lobe::transparent && transparent_width == 0);
   }
-  [[nodiscard]] T probability(Lobe lobe) const { return probabilities_[static_cast<std::size_t>(lobe)]; }
   [[nodiscard]] bool has(Lobe lobe) const { return probability(lobe) > 0; }
   /// `direction` mirrored in the surface.
   [[nodiscard]] Vec3<T> folded(const Vec3<T>& direction) const {
@@ -109,6 +112,17 @@ void Bsdf<T>::prepare(const Rgb<T>& throughput) {
   lobes_ = 0;
   for (const T probability : probabilities_) sum += probability, lobes_ += probability > 0;
   for (T& probability : probabilities_) probability = sum > 0 ? probability / sum : 0;
+}
+
+template <class T>
+Bsdf<T> Bsdf<T>::only(Lobe lobe) const {
+  Bsdf alone = *this;
+  if (lobe != Lobe::diffuse) alone.diffuse = Rgb<T>(0);
+  if (lobe != Lobe::highlight) alone.highlight = Rgb<T>(0);
+  if (lobe != Lobe::mirror) alone.mirror = Rgb<T>(0);
+  if (lobe != Lobe::transparent) alone.transparent = Rgb<T>(0);
+  alone.prepare(Rgb<T>(1));
+  return alone;
 }
 
 template <class T>

@@ -134,9 +134,29 @@ void Emitters<T>::add(const World<T>& world, int primitive) {
 }
 
 template <class T>
+auto Emitters<T>::picked(double pick) const -> const Emitter& {
+  const auto at = std::upper_bound(cdf_.begin(), cdf_.end(), pick);
+  return emitters_[std::min(static_cast<std::size_t>(at - cdf_.begin()), emitters_.size() - 1)];
+}
+
+template <class T>
+auto Emitters<T>::sample_origin(double pick, const Vec2d& unit) const -> Origin {
+  const Emitter& emitter = picked(pick);
+  const double pdf = emitter.probability / emitter.area;
+  if (emitter.kind == Kind::sphere) {
+    const Vec3d normal = sample_uniform_sphere(unit);
+    return {emitter.primitive, emitter.part, emitter.corner + emitter.u.x * normal, normal, pdf};
+  }
+  Vec2d place = unit;
+  if (emitter.kind == Kind::disk) place = sample_concentric_disk(unit);
+  if (emitter.kind == Kind::triangle) place = sample_uniform_triangle(unit);
+  return {emitter.primitive, emitter.part, emitter.corner + place.x * emitter.u + place.y * emitter.v,
+          normalize(cross(emitter.u, emitter.v)), pdf};
+}
+
+template <class T>
 auto Emitters<T>::sample(const Vec3<T>& from, T pick, const Vec2<T>& u) const -> std::optional<Sample> {
-  const auto at = std::upper_bound(cdf_.begin(), cdf_.end(), static_cast<double>(pick));
-  const Emitter& emitter = emitters_[std::min(static_cast<std::size_t>(at - cdf_.begin()), emitters_.size() - 1)];
+  const Emitter& emitter = picked(static_cast<double>(pick));
   const Vec3d point(from);
   const Vec2d unit(u);
   Vec3d to_light(0.0);

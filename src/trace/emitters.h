@@ -35,6 +35,8 @@ class Emitters {
 
  private:
   enum class Kind { sphere, disk, triangle, parallelogram, rectangle };
+
+ public:
   /// corner + x u + y v: for a disk the centre and two half axes; for a sphere the centre, u.x the radius.
   struct Emitter {
     Kind kind;
@@ -42,12 +44,27 @@ class Emitters {
     Vec3d corner, u, v;
     double area;
     double probability;  ///< of being chosen
+
+    [[nodiscard]] bool is_sphere() const { return kind == Kind::sphere; }
+    [[nodiscard]] bool is_parallelogram() const { return kind == Kind::parallelogram || kind == Kind::rectangle; }
   };
+  [[nodiscard]] const std::vector<Emitter>& all() const { return emitters_; }
+
+  /// Light leaves here: a point on an emitter, uniform in area.
+  struct Origin {
+    int primitive, part;
+    Vec3d point, normal;  ///< normal: unit length, outward or, of what has no inside, to one of its sides
+    double pdf;           ///< per area, of this point among those of all emitters; > 0
+  };
+  [[nodiscard]] Origin sample_origin(double pick, const Vec2d& unit) const;
+
+ private:
   void add(const World<T>& world, int primitive);
   void add_flat(int primitive, int part, Kind kind, const Vec3d& corner, const Vec3d& u, const Vec3d& v);
   /// A convex polygon in one plane.
   void add_polygon(int primitive, int part, const std::vector<Vec3d>& corners);
   [[nodiscard]] const Emitter* emitter_of(int primitive, int part) const;
+  [[nodiscard]] const Emitter& picked(double pick) const;
 
   std::vector<Emitter> emitters_;  ///< ascending by primitive
   std::vector<double> cdf_;        ///< cumulative probabilities, up to and including each emitter

@@ -15,13 +15,15 @@
 
 namespace raywalk {
 
-enum class RayKind { primary, shadow, reflect, refract };
+/// `photon`: what leaves a light, or a surface where a photon was.
+enum class RayKind { primary, shadow, reflect, refract, photon };
 template <>
 inline constexpr Word<RayKind> words_of<RayKind>[] = {{RayKind::primary, "primary"},
                                                       {RayKind::shadow, "shadow"},
                                                       {RayKind::reflect, "reflect"},
-                                                      {RayKind::refract, "refract"}};
-inline constexpr int ray_kind_count = 4;
+                                                      {RayKind::refract, "refract"},
+                                                      {RayKind::photon, "photon"}};
+inline constexpr int ray_kind_count = 5;
 
 /// Why a ray ended, or why it was not formed. A formed ray ends in one of the first four.
 enum class Ending {
@@ -92,7 +94,8 @@ struct RayFormed {
   RayKind kind;
   Vec3d origin, direction;  ///< a shadow ray's direction to a point light reaches it at t = 1; else unit length
   Rgbd throughput;
-  int light = -1;                       ///< shadow rays: index of the light; -1 an emitting object, or light_of_sky
+  int light = -1;                       ///< shadow rays, photons: index of the light; -1 an emitting object, or
+                                        ///< light_of_sky
   bool light_at_end = false;            ///< shadow rays: origin + direction is the light itself
   std::optional<SnellNumbers> snell{};  ///< refract rays
   int light_sample = 0;                 ///< shadow rays: which of the points of a light with an extent
@@ -160,7 +163,7 @@ struct PixelPut {
   Rgbd shade;
 };
 
-// Path tracing only, from here on.
+// Path tracing and photon mapping only, from here on.
 
 /// How a surface scatters. Mirror and transparent lobes are sharp, or cones where the material is glossy or
 /// translucent.
@@ -214,14 +217,65 @@ struct SurvivalDecided {
   std::optional<Ending> why{};  ///< why not: path_length or threshold (roulette); none when absorbed
 };
 
-using EventDetail =
-    std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed, PixelPut,
-                 BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided>;
+// Photon mapping only, from here on.
+
+/// for_each_photon: a photon begins, or all others that are not recorded.
+struct PhotonBegun {
+  int photon, count;  ///< number, from 0, of as many
+  int others = 0;     ///< not 0: as many photons, from this one on, went their ways together
+};
+
+/// The way of a photon up to where it is.
+enum class PhotonHistory {
+  direct,    ///< from the light: what shadow rays find
+  caustic,   ///< from the light by mirrors, glass or highlights only
+  indirect,  ///< a diffuse surface scattered it
+};
+template <>
+inline constexpr Word<PhotonHistory> words_of<PhotonHistory>[] = {
+    {PhotonHistory::direct, "direct"}, {PhotonHistory::caustic, "caustic"}, {PhotonHistory::indirect, "indirect"}};
+
+/// store_photon.
+struct PhotonStored {
+  int ray;
+  Vec3d position, normal;  ///< normal: of the side that it arrived at
+  Rgbd power;
+  PhotonHistory history;
+  bool kept;  ///< false: shadow rays bring this light, so that it is not used
+};
+
+/// What a search in a photon map found. Radius 0: the map is empty.
+struct PhotonCircle {
+  double radius = 0;
+  int count = 0;  ///< of the photons inside
+  Rgbd power{0.0};
+  Rgbd irradiance{0.0};  ///< power over the circle's area; in a flat world over its diameter
+};
+/// find_nearest_photons.
+struct PhotonsFound {
+  int ray;
+  Vec3d position, normal;
+  PhotonCircle caustic, other;
+  bool flat;
+};
+
+/// add_light_of_photons.
+struct PhotonsAdded {
+  int ray;
+  Rgbd irradiance;  ///< of both searches
+  Rgbd albedo;      ///< kd
+  bool flat;
+  Rgbd added;  ///< to the pixel
+};
+
+using EventDetail = std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed,
+                                 PixelPut, BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided,
+                                 PhotonBegun, PhotonStored, PhotonsFound, PhotonsAdded>;
 
 struct Event {
   Line line;
-  /// DEPTH of the SHADE that executes the line; in FOLLOW PATH the number of rays of the path so far, the current one
-  /// included; 0 in MAIN ALGORITHM and PATH TRACING.
+  /// DEPTH of the SHADE that executes the line; in FOLLOW PATH, FOLLOW PHOTON and GATHER LIGHT the number of rays so
+  /// far, the current one included; 0 in the procedure that calls these.
   int depth;
   EventDetail detail;
 };

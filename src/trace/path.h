@@ -17,6 +17,7 @@
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
+#include "trace/surface_vertex.h"
 
 #include <optional>
 #include <vector>
@@ -89,7 +90,7 @@ class PathTracer {
   };
   using Nearest = std::optional<Hit<T>>;
   /// A vertex of the path: the hit, prepared with its BSDF.
-  struct Vertex;
+  using Vertex = SurfaceVertex<T>;
   /// A light sample as seen from a vertex.
   struct LightSample;
   using BsdfSample = typename Bsdf<T>::BsdfSample;

@@ -8,16 +8,18 @@
 
 namespace raywalk {
 
-/// The procedures of the tracer, and those of path tracing.
-enum class Procedure { main_algorithm, shade, path_tracing, follow_path };
+/// The procedures of the tracer, those of path tracing, and those of photon mapping.
+enum class Procedure { main_algorithm, shade, path_tracing, follow_path, photon_mapping, follow_photon, gather_light };
 template <>
-inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algorithm, "MAIN ALGORITHM"},
-                                                          {Procedure::shade, "SHADE (DEPTH, RTNSHADE)"},
-                                                          {Procedure::path_tracing, "PATH TRACING"},
-                                                          {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"}};
+inline constexpr Word<Procedure> words_of<Procedure>[] = {
+    {Procedure::main_algorithm, "MAIN ALGORITHM"},       {Procedure::shade, "SHADE (DEPTH, RTNSHADE)"},
+    {Procedure::path_tracing, "PATH TRACING"},           {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"},
+    {Procedure::photon_mapping, "PHOTON MAPPING"},       {Procedure::follow_photon, "FOLLOW PHOTON (POWER)"},
+    {Procedure::gather_light, "GATHER LIGHT (RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h or trace/path.h; a test holds the two together, and another each to its translations.
+/// statement in trace/tracer.h, trace/path.h or trace/photons.h; a test holds the two together, and another each to its
+/// translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,
@@ -52,6 +54,34 @@ enum class Line {
   choose_direction,
   if_path_survives,
   form_next_ray,
+  // Photon mapping's.
+  for_each_photon,
+  emit_photon,
+  follow_photon,
+  photon_for_each_pixel,
+  photon_form_primary_ray,
+  gather_light,
+  photon_put_final_shade,
+  while_photon,
+  photon_find_closest_intersection,
+  if_diffuse,
+  store_photon,
+  photon_choose_direction,
+  if_photon_survives,
+  photon_form_next_ray,
+  gather_while_ray,
+  gather_find_closest_intersection,
+  gather_if_intersect_nothing,
+  gather_add_background,
+  gather_add_emission,
+  gather_form_shadow_ray,
+  gather_find_intersection,
+  gather_add_light,
+  find_nearest_photons,
+  add_light_of_photons,
+  gather_choose_direction,
+  gather_if_path_survives,
+  gather_form_next_ray,
 };
 
 struct PseudocodeLine {
@@ -104,13 +134,47 @@ inline constexpr std::array<PseudocodeLine, path_line_count> path_pseudocode{{
     {Line::form_next_ray, "form_next_ray", Procedure::follow_path, 2, "Form next ray"},
 }};
 
-/// The lines of two procedures: of the one that runs once for each pixel, and of the one that it calls.
+inline constexpr int photon_line_count = 27;
+inline constexpr std::array<PseudocodeLine, photon_line_count> photon_pseudocode{{
+    {Line::for_each_photon, "for_each_photon", Procedure::photon_mapping, 0, "For each photon"},
+    {Line::emit_photon, "emit_photon", Procedure::photon_mapping, 1, "Emit photon"},
+    {Line::follow_photon, "follow_photon", Procedure::photon_mapping, 1, "Follow photon (POWER)"},
+    {Line::photon_for_each_pixel, "for_each_pixel", Procedure::photon_mapping, 0, "For each pixel"},
+    {Line::photon_form_primary_ray, "form_primary_ray", Procedure::photon_mapping, 1, "Form primary ray"},
+    {Line::gather_light, "gather_light", Procedure::photon_mapping, 1, "Gather light (final)"},
+    {Line::photon_put_final_shade, "put_final_shade", Procedure::photon_mapping, 1, "Put final shade in pixel"},
+    {Line::while_photon, "while_photon", Procedure::follow_photon, 0, "While there is a photon"},
+    {Line::photon_find_closest_intersection, "find_closest_intersection", Procedure::follow_photon, 1,
+     "Find closest intersection"},
+    {Line::if_diffuse, "if_diffuse", Procedure::follow_photon, 1, "If diffuse"},
+    {Line::store_photon, "store_photon", Procedure::follow_photon, 2, "Store photon"},
+    {Line::photon_choose_direction, "choose_direction", Procedure::follow_photon, 1, "Choose direction"},
+    {Line::if_photon_survives, "if_photon_survives", Procedure::follow_photon, 1, "If photon survives"},
+    {Line::photon_form_next_ray, "form_next_ray", Procedure::follow_photon, 2, "Form next ray"},
+    {Line::gather_while_ray, "while_ray", Procedure::gather_light, 0, "While there is a ray"},
+    {Line::gather_find_closest_intersection, "find_closest_intersection", Procedure::gather_light, 1,
+     "Find closest intersection"},
+    {Line::gather_if_intersect_nothing, "if_intersect_nothing", Procedure::gather_light, 1, "If intersect nothing"},
+    {Line::gather_add_background, "add_background", Procedure::gather_light, 2, "Add background and end"},
+    {Line::gather_add_emission, "add_whole_emission", Procedure::gather_light, 1, "Add emission"},
+    {Line::gather_form_shadow_ray, "form_shadow_ray", Procedure::gather_light, 1, "Form shadow ray"},
+    {Line::gather_find_intersection, "find_intersection", Procedure::gather_light, 1, "Find intersection"},
+    {Line::gather_add_light, "add_whole_light", Procedure::gather_light, 1, "Add light"},
+    {Line::find_nearest_photons, "find_nearest_photons", Procedure::gather_light, 1, "Find nearest photons"},
+    {Line::add_light_of_photons, "add_light_of_photons", Procedure::gather_light, 1, "Add light of photons"},
+    {Line::gather_choose_direction, "choose_direction", Procedure::gather_light, 1, "Choose direction"},
+    {Line::gather_if_path_survives, "if_path_survives", Procedure::gather_light, 1, "If path survives"},
+    {Line::gather_form_next_ray, "form_next_ray", Procedure::gather_light, 2, "Form next ray"},
+}};
+
+/// The lines of several procedures: of the one that runs once for each pixel, and of those that it calls.
 struct Pseudocode {
   std::span<const PseudocodeLine> lines;
   bool recursive;  ///< the second one calls itself, DEPTH deep
 };
 /// All pseudocodes, in the order of their lines.
-inline constexpr std::array<Pseudocode, 2> pseudocodes{{{pseudocode, true}, {path_pseudocode, false}}};
+inline constexpr std::array<Pseudocode, 3> pseudocodes{
+    {{pseudocode, true}, {path_pseudocode, false}, {photon_pseudocode, false}}};
 inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
 /// The one that a line belongs to.
@@ -135,6 +199,12 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
       return "path_tracing";
     case Procedure::follow_path:
       return "follow_path";
+    case Procedure::photon_mapping:
+      return "photon_mapping";
+    case Procedure::follow_photon:
+      return "follow_photon";
+    case Procedure::gather_light:
+      return "gather_light";
   }
   return "";
 }

@@ -102,6 +102,7 @@ class RayGenerator {
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] const Sampling& sampling() const { return sampling_; }
   [[nodiscard]] Sampler sampler() const { return sampler_; }
+  [[nodiscard]] T shutter_open() const { return shutter_open_; }
   /// The stratification of the samples of a pixel.
   [[nodiscard]] const Strata& strata() const { return strata_; }
   [[nodiscard]] std::uint32_t count() const { return strata_.count(); }

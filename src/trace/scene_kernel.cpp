@@ -32,14 +32,25 @@ PathSettings path_settings_of(const Scene& scene) {
 }
 
 template <class T>
-SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths)
+SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths,
+                            bool flat)
     : world_(world),
       integrator_(paths         ? Integrator::path
                   : world.fault ? Integrator::automatic
                                 : scene.render.integrator),
       kernel_(kernel_for(world)),
       settings_(paths.value_or(path_settings_of(scene))) {
-  if (integrator_ == Integrator::path) emitters_.emplace(world);
+  if (traits_of(integrator_).is_global) emitters_ = std::make_unique<const Emitters<T>>(world);
+  if (integrator_ == Integrator::photons) photons_ = std::make_unique<Photons>(scene, world, *emitters_, flat);
+}
+
+template <class T>
+Statistics SceneKernel<T>::send_photons(std::uint64_t seed, int first, int last, const Stop& stop,
+                                        const RunAll& run_all, const std::function<void(int)>& sent) const {
+  if (!photons_) return {};
+  const std::lock_guard lock(photons_->sending);
+  if (photons_->kernel.ready_for(seed, first, last)) return {};
+  return photons_->kernel.send(seed, first, last, stop, run_all, sent);
 }
 
 template <class T>
@@ -48,6 +59,15 @@ Statistics SceneKernel<T>::run(const RayGenerator<T>& camera, const PixelBlock& 
                                Watcher& observer) const {
   if (integrator_ == Integrator::path)
     return run_procedure<PathTracer>(world_, camera, block, put, observer, *emitters_, settings_);
+  if (photons_) {
+    Statistics statistics =
+        send_photons(camera.sampling().seed, block.sample, block.sample + block.samples, block.stop);
+    if constexpr (Watcher::watches)
+      statistics += photons_->kernel.watched(camera, block, observer, put);
+    else
+      statistics += photons_->kernel(camera, block, put);
+    return statistics;
+  }
   if constexpr (Watcher::watches)
     return trace_watched(world_, camera, block, put, observer);
   else

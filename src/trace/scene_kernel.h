@@ -4,6 +4,10 @@
 
 #include "trace/kernel.h"
 #include "trace/path.h"
+#include "trace/photon_kernel.h"
+
+#include <memory>
+#include <mutex>
 
 namespace raywalk {
 
@@ -14,10 +18,19 @@ namespace raywalk {
 template <class T>
 class SceneKernel {
  public:
-  /// `world` is the scene's, and outlives this. `paths`: traces paths so, whatever the scene's integrator.
-  SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths = std::nullopt);
+  /// `world` is the scene's, and outlives this. `paths`: traces paths so, whatever the scene's integrator. `flat`:
+  /// photons stay in the plane.
+  SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths = std::nullopt,
+              bool flat = false);
 
   Statistics operator()(const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put) const;
+  /// Sends the photons that samples `first` to before `last` of the pixels need, if the scene is traced by photons.
+  /// Else, or without this, whichever block comes first sends what it needs; blocks that are traced at the same time
+  /// then have to be of the same samples.
+  Statistics send_photons(std::uint64_t seed, int first, int last, const Stop& stop = {}, const RunAll& run_all = {},
+                          const std::function<void(int photons)>& sent = {}) const;
+  /// Null: the scene is traced in another way.
+  [[nodiscard]] const PhotonKernel<T>* photons() const { return photons_ ? &photons_->kernel : nullptr; }
   /// The same observed by `observer`: same bits, same statistics.
   Statistics watched(
       const RayGenerator<T>& camera, const PixelBlock& block, Observer& observer,
@@ -30,8 +43,15 @@ class SceneKernel {
 
   const World<T>& world_;
   Integrator integrator_;
-  Kernel<T> kernel_;                     ///< of the tracer
-  std::optional<Emitters<T>> emitters_;  ///< for path tracing
+  Kernel<T> kernel_;                             ///< of the tracer
+  std::unique_ptr<const Emitters<T>> emitters_;  ///< for path tracing and photon mapping
+  struct Photons {
+    Photons(const Scene& scene, const World<T>& world, const Emitters<T>& emitters, bool flat)
+        : kernel(scene, world, emitters, photon_settings_of(scene, flat)) {}
+    PhotonKernel<T> kernel;
+    std::mutex sending;
+  };
+  std::unique_ptr<Photons> photons_;
   PathSettings settings_;
 };
 

@@ -21,7 +21,7 @@ T lobe(double degrees) {
 
 template <class T>
 typename World<T>::Surface surface_of(const Material& m, Integrator integrator, const EffectSwitches& on) {
-  const bool fixed = m.normal == ShadingNormal::fixed && integrator != Integrator::path;  // trace/path.h
+  const bool fixed = m.normal == ShadingNormal::fixed && !traits_of(integrator).is_global;  // trace/path.h
   const bool absorbs = m.transmits() && !is_black(m.absorption);
   typename World<T>::Surface surface{{Rgb<T>(m.absorption), static_cast<T>(m.ior), absorbs},
                                      Rgb<T>(m.ambient),

@@ -38,7 +38,7 @@ const Camera& image_camera(const State& state) {
 
 void choose(const State& state, RenderChoices& choices) {
   if (state.walk.bug) {
-    if (choices.integrator == Integrator::path) choices.integrator = Integrator::automatic;
+    if (traits_of(choices.integrator).is_global) choices.integrator = Integrator::automatic;
     choices.numerics = Numerics::naive;
     return;
   }

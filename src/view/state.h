@@ -18,6 +18,7 @@
 #include "view/link/room.h"
 #include "view/live/room.h"
 #include "view/microscope/room.h"
+#include "view/photons/room.h"
 #include "view/picture/room.h"
 #include "view/plan/room.h"
 #include "view/predict/room.h"
@@ -56,6 +57,7 @@ struct State {
   LinkRoom link;
   InkRoom ink;
   SkyRoom sky;
+  PhotonRoom photons;
 
   [[nodiscard]] const Scene& scene() const { return document.contents.scene; }
 };
@@ -63,7 +65,7 @@ struct State {
 /// All rooms, in the order of their tabs and of their commands in menus.
 using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
                     LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
-                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, InkRoom, AppearanceRoom>;
+                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, PhotonRoom, InkRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>

@@ -140,6 +140,11 @@ RenderChoices random_choices(Random& random) {
   if (random.chance(0.5)) choices.light_grid = 1 + static_cast<int>(random.below(8));
   if (random.chance(0.5)) choices.tolerance = random.unit();
   if (random.chance(0.5)) choices.path_length = 1 + static_cast<int>(random.below(20));
+  if (random.chance(0.5)) choices.photons.count = 1 + static_cast<int>(random.below(1000));
+  if (random.chance(0.5)) choices.photons.nearest = 2 + static_cast<int>(random.below(100));
+  if (random.chance(0.5)) choices.photons.radius = 0.01 + random.unit();
+  choices.photons.gather = random.chance(0.5);
+  choices.photons.progressive = random.chance(0.5);
   if (random.chance(0.5)) choices.numerics = Numerics::naive;
   if (random.chance(0.5)) choices.epsilon = random.unit();
   return choices;

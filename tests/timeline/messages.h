@@ -40,6 +40,18 @@ inline constexpr std::array<std::string_view, 27> path_messages{"walk.path_calle
                                                                 "walk.path_absorbed",
                                                                 "walk.next_formed"};
 
+/// Of PHOTON MAPPING alone.
+inline constexpr std::array<std::string_view, 36> photon_messages{
+    "walk.photon_begun",         "walk.photon_emitted",     "walk.photon_from_object",  "walk.photon_from_sky",
+    "walk.photon_called",        "walk.photon_goes_on",     "walk.photon_over",         "walk.photon_left",
+    "walk.photon_diffuse",       "walk.photon_not_diffuse", "walk.photon_stored",       "walk.photon_stored_caustic",
+    "walk.photon_stored_direct", "walk.photon_not_kept",    "walk.photon_no_direction", "walk.photon_diffused",
+    "walk.photon_in_highlight",  "walk.photon_mirrored",    "walk.photon_passed",       "walk.photon_survives",
+    "walk.photon_lost_roulette", "walk.photon_absorbed",    "walk.photon_next",         "walk.gather_called",
+    "walk.gather_goes_on",       "walk.gather_over",        "walk.gather_no_direction", "walk.gather_ends",
+    "walk.background_counted",   "walk.emission_counted",   "walk.no_photons",          "walk.photons_found",
+    "walk.caustic_found",        "walk.both_found",         "walk.photons_add_nothing", "walk.photons_added"};
+
 /// Of a pixel of the 3-D image.
 inline constexpr std::array<std::string_view, 3> image_messages{"walk.image_pixel_begun", "walk.image_primary_formed",
                                                                 "walk.image_pixel_put"};
@@ -50,6 +62,7 @@ inline std::set<std::string> strip_messages() {
   for (const std::string_view id : Catalogue::embedded().ids())
     if (id.starts_with("walk.") && std::count(id.begin(), id.end(), '.') == 1 &&
         std::find(path_messages.begin(), path_messages.end(), id) == path_messages.end() &&
+        std::find(photon_messages.begin(), photon_messages.end(), id) == photon_messages.end() &&
         std::find(image_messages.begin(), image_messages.end(), id) == image_messages.end())
       ids.emplace(id);
   return ids;

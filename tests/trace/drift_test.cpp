@@ -58,9 +58,31 @@ TEST_CASE("the table of the path tracer's pseudocode is the enumeration, in orde
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK_FALSE(line.text.empty());
   }
-  CHECK(number == all_lines_count);
   CHECK(static_cast<int>(Line::form_next_ray) == number - 1);
   CHECK(name_of(Procedure::path_tracing) == "PATH TRACING");
+}
+
+TEST_CASE("every line of pseudocode heads its statement in the photon tracer") {
+  const std::string source = test::source_of(RAYWALK_SOURCE_DIR "/src/trace/photons.h");
+  const auto photon_drift = [](const std::string& text) {
+    return test::drift(text, photon_pseudocode,
+                       {std::pair{Procedure::photon_mapping, "void main_algorithm("},
+                        std::pair{Procedure::follow_photon, "void follow_photon("},
+                        std::pair{Procedure::gather_light, "Rgb<T> gather_light("}});
+  };
+  REQUIRE_FALSE(source.empty());
+  CHECK(photon_drift(source) == "");
+  CHECK_THAT(photon_drift(replaced(source, "// Store photon", "// Keep photon")),
+             contains("FOLLOW PHOTON (POWER): expected `// Store photon`, found `// Keep photon`"));
+  CHECK_THAT(photon_drift(replaced(source, "// Find nearest photons\n", "\n")),
+             contains("expected `// Find nearest photons`"));
+  int number = line_count + path_line_count;
+  for (const PseudocodeLine& line : photon_pseudocode) {
+    CHECK(static_cast<int>(line.line) == number++);
+    CHECK(pseudocode_of(line.line).text == line.text);
+    CHECK(&pseudocode_with(line.line) == &pseudocodes[2]);
+  }
+  CHECK(number == all_lines_count);
 }
 
 TEST_CASE("every line of pseudocode heads its statement in the tracer") {

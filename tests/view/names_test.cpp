@@ -29,8 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<PseudocodeLine> all_lines() {
-  std::vector<PseudocodeLine> lines(pseudocode.begin(), pseudocode.end());
-  lines.insert(lines.end(), path_pseudocode.begin(), path_pseudocode.end());
+  std::vector<PseudocodeLine> lines;
+  for (const Pseudocode& each : pseudocodes) lines.insert(lines.end(), each.lines.begin(), each.lines.end());
   return lines;
 }
 
@@ -88,8 +88,7 @@ TEST_CASE(
       CHECK((*said == line.text) == (is_call || language == in_english));
     }
   }
-  for (const Procedure procedure :
-       {Procedure::main_algorithm, Procedure::shade, Procedure::path_tracing, Procedure::follow_path}) {
+  for (const Procedure procedure : values_of<Procedure>) {
     CHECK(text(procedure, in_english) == name_of(procedure));
     for (const Language language : all_languages())
       CHECK(language.catalogue().find("procedure." + std::string(procedure_id(procedure))) != nullptr);

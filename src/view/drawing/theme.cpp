@@ -63,13 +63,14 @@ constexpr DashPattern solid{};
 constexpr DashPattern short_dash{{4, 4}, 2};
 constexpr DashPattern long_dash{{14, 5}, 2};
 constexpr DashPattern dash_dot{{11, 4, 2, 4}, 4};
+constexpr DashPattern dots{{2, 4}, 2};
 
 // Okabe and Ito's yellow, reddish purple, orange and sky blue on dark; on white their bluish green instead of the
 // yellow, and the darker of each pair: a darker purple, vermillion and blue.
 constexpr RayStyle dark_primary{{240, 228, 66}, solid}, dark_shadow{{204, 121, 167}, short_dash},
-    dark_reflect{{230, 159, 0}, long_dash}, dark_refract{{86, 180, 233}, dash_dot};
+    dark_reflect{{230, 159, 0}, long_dash}, dark_refract{{86, 180, 233}, dash_dot}, dark_photon{{255, 231, 150}, dots};
 constexpr RayStyle light_primary{{0, 128, 92}, solid}, light_shadow{{150, 60, 120}, short_dash},
-    light_reflect{{213, 94, 0}, long_dash}, light_refract{{0, 114, 178}, dash_dot};
+    light_reflect{{213, 94, 0}, long_dash}, light_refract{{0, 114, 178}, dash_dot}, light_photon{{196, 116, 0}, dots};
 
 }  // namespace
 
@@ -94,6 +95,8 @@ const RayStyle& ray_style(Theme theme, RayKind kind) {
       return dark ? dark_reflect : light_reflect;
     case RayKind::refract:
       return dark ? dark_refract : light_refract;
+    case RayKind::photon:
+      return dark ? dark_photon : light_photon;
   }
   return dark_primary;
 }

@@ -44,7 +44,7 @@ EffectRays counted(const State& state) {
 bool can_switch(const State& state, Effect effect) {
   if (state.walk.bug) return false;
   const RenderChoices now = walked_scene(state)->render;
-  return effect != Effect::shadows || (now.numerics == Numerics::robust && now.integrator != Integrator::path);
+  return effect != Effect::shadows || (now.numerics == Numerics::robust && !traits_of(now.integrator).is_global);
 }
 
 bool& switch_of(EffectSwitches& switches, Effect effect) {

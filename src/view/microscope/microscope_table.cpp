@@ -63,6 +63,8 @@ std::string_view short_name(RayKind kind, Language language) {
       return text("ray.short_reflect", language);
     case RayKind::refract:
       return text("ray.short_refract", language);
+    case RayKind::photon:
+      return text("ray.short_photon", language);
   }
   return {};
 }

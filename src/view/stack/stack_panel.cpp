@@ -25,6 +25,7 @@ ReturnName returns(RayKind kind) {
   switch (kind) {
     case RayKind::primary:
     case RayKind::shadow:
+    case RayKind::photon:
       return {"stack.name_final", "stack.waits_final"};
     case RayKind::reflect:
       return {"stack.name_refl", "stack.waits_refl"};
@@ -108,8 +109,7 @@ StackPanel stack_panel(const State& state) {
     panel.rows.push_back(std::move(row));
   }
   StackRow main;
-  main.title =
-      text(timeline.of_paths() ? Procedure::path_tracing : Procedure::main_algorithm, state.appearance.code_language());
+  main.title = text(timeline.pseudocode().lines.front().procedure, state.appearance.code_language());
   main.waiting = waiting();
   if (range.first < formed && range.first < range.last) add_returned(state, range.first, main.returned);
   panel.rows.push_back(std::move(main));

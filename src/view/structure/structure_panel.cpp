@@ -40,6 +40,8 @@ std::string_view ray_id(RayKind kind) {
       return "structure.ray_reflect";
     case RayKind::refract:
       return "structure.ray_refract";
+    case RayKind::photon:
+      return "structure.ray_photon";
   }
   return "structure.ray_primary";
 }

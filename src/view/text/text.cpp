@@ -125,7 +125,8 @@ std::string step_text(const Scene& scene, const Timeline& timeline, int position
   if (event == nullptr) return said;
   const PseudocodeLine& line = pseudocode_of(event->line);
   // Nested calls are indented; a path continues within the same call.
-  const int level = line.procedure == Procedure::follow_path ? 1 : std::min(event->depth, 20);
+  const bool called = line.procedure != timeline.pseudocode().lines.front().procedure;
+  const int level = timeline.of_paths() ? static_cast<int>(called) : std::min(event->depth, 20);
   const std::string indented(static_cast<std::size_t>(2 * level + 2 * line.indent), ' ');
   const std::string depth = event->depth > 0 ? fmt::format("[{}]", event->depth) : "";
   return fmt::format("{:>5} {:>4}  {:<38}  {}", position, depth, indented + std::string(text(event->line, language)),

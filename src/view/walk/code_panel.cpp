@@ -13,6 +13,18 @@ Blame blame_of(const State& state, Line line) {
   return marked_line(state) == line ? Blame::marked : Blame::none;
 }
 
+/// The procedure that is shown below the one that runs first: the one under way, or the one that is called next.
+Procedure called_procedure(const Timeline& timeline, int position) {
+  const Procedure first = timeline.pseudocode().lines.front().procedure;
+  const Event* ran = timeline.just_run(position);
+  if (ran != nullptr && pseudocode_of(ran->line).procedure != first) return pseudocode_of(ran->line).procedure;
+  for (int at = position; at < timeline.steps() && at < position + 8; ++at) {
+    const Procedure next = pseudocode_of(timeline.event(at).line).procedure;
+    if (next != first) return next;
+  }
+  return timeline.pseudocode().lines.back().procedure;
+}
+
 CodeRow row_of(const State& state, const PseudocodeLine& line) {
   CodeRow row{line.line, line.indent, std::string(text(line.line, state.appearance.code_language()))};
   const Event* just_run = state.walk.timeline->just_run(state.walk.position);
@@ -36,7 +48,7 @@ CodePanel code_panel(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   const Event* just_run = timeline.just_run(state.walk.position);
   const Pseudocode& code = timeline.pseudocode();
-  const Procedure procedures[] = {code.lines.front().procedure, code.lines.back().procedure};
+  const Procedure procedures[] = {code.lines.front().procedure, called_procedure(timeline, state.walk.position)};
   for (std::size_t i = 0; i < panel.boxes.size(); ++i) {
     CodeBox& box = panel.boxes[i];
     box.procedure = procedures[i];

@@ -135,6 +135,9 @@ class EquationWriter {
       case RayKind::refract:
         if (event_->line == Line::form_next_ray) return line("P", formed.origin, "D", formed.direction);
         return refract(formed);
+      case RayKind::photon:
+        line("P", formed.origin, "D", formed.direction);
+        return light(Kind::numbers, formed.throughput, "Φ = ");
     }
   }
 
@@ -312,6 +315,37 @@ class EquationWriter {
   void write(const SurvivalDecided& decided) {
     if (decided.survival < 1) row(Kind::numbers, Word{"equation.survival"}, " ", decided.survival);
     row(Kind::note, decided.survives ? Word{"equation.yes"} : Word{"equation.no"});
+  }
+
+  // ---- Photon mapping
+
+  void write(const PhotonBegun& begun) {
+    row(Kind::numbers, static_cast<double>(begun.photon + 1), " ", Word{"equation.of"}, " ",
+        static_cast<double>(begun.count));
+  }
+  void write(const PhotonStored& stored) {
+    row(Kind::numbers, "P = ", stored.position);
+    row(Kind::numbers, "N = ", stored.normal);
+    light(Kind::term, stored.power, "Φ =");
+  }
+  void write(const PhotonsFound& found) {
+    if (found.caustic.radius > 0) circle(found.caustic, Word{"equation.caustic"}, found.flat);
+    if (found.other.radius > 0) circle(found.other, Word{"equation.indirect"}, found.flat);
+  }
+  /// The photon that marks the circle is not among those whose power is added up.
+  void circle(const PhotonCircle& of, const Word& name, bool flat) {
+    row(Kind::note, name);
+    row(Kind::numbers, "n = ", static_cast<double>(of.count), state_.appearance.language.separator(),
+        "r = ", of.radius);
+    row(Kind::formula, flat ? "E = ΣΦ / 2 r" : "E = ΣΦ / π r²");
+    light(Kind::term, of.power, "ΣΦ =");
+    light(Kind::term, of.irradiance, "E =");
+  }
+  void write(const PhotonsAdded& photons) {
+    row(Kind::formula, photons.flat ? "kd / 2 · E" : "kd / π · E");
+    light(Kind::term, photons.albedo, "kd =");
+    light(Kind::term, photons.irradiance, "E =");
+    light(Kind::total, photons.added, "+");
   }
 
   const State& state_;

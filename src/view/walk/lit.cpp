@@ -7,16 +7,23 @@ bool concerns(Line line, RayKind kind) {
     case RayKind::primary:
       return line == Line::form_primary_ray || line == Line::find_closest_intersection || line == Line::shade_final ||
              line == Line::path_form_primary_ray || line == Line::path_find_closest_intersection ||
-             line == Line::follow_path;
+             line == Line::follow_path || line == Line::photon_form_primary_ray || line == Line::gather_light ||
+             line == Line::gather_find_closest_intersection;
     case RayKind::shadow:
       return line == Line::form_shadow_ray || line == Line::find_intersection || line == Line::path_form_shadow_ray ||
-             line == Line::path_find_intersection;
+             line == Line::path_find_intersection || line == Line::gather_form_shadow_ray ||
+             line == Line::gather_find_intersection;
     case RayKind::reflect:
       return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect ||
-             line == Line::form_next_ray || line == Line::path_find_closest_intersection;
+             line == Line::form_next_ray || line == Line::path_find_closest_intersection ||
+             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection;
     case RayKind::refract:
       return line == Line::form_refract_ray || line == Line::find_refract_intersect || line == Line::shade_refract ||
-             line == Line::form_next_ray || line == Line::path_find_closest_intersection;
+             line == Line::form_next_ray || line == Line::path_find_closest_intersection ||
+             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection;
+    case RayKind::photon:
+      return line == Line::emit_photon || line == Line::photon_find_closest_intersection ||
+             line == Line::follow_photon || line == Line::photon_form_next_ray;
   }
   return false;
 }

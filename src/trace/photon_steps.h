@@ -1,0 +1,231 @@
+#pragma once
+// What the statements of trace/photons.h about photons do; those about what the eye sees stand in trace/gather_steps.h.
+// Included by it alone.
+
+#include "trace/photons.h"
+#include "trace/representable.h"
+#include "trace/spawn_ray.h"
+#include "trace/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raywalk {
+
+namespace detail {
+
+/// The random dimensions where a ray of photon mapping ends. Pairs use two.
+struct PhotonDimension {
+  static constexpr std::uint32_t direction = 0, lobe = 2, roulette = 3, pick = 4, light = 5, environment = 7;
+};
+/// Where no pixel is: the keys of photons.
+inline constexpr std::int32_t pixel_of_photons = std::numeric_limits<std::int32_t>::min();
+/// No photon and no ray goes on for sure, so that each ends some time.
+inline constexpr double surest = 0.95;
+
+}  // namespace detail
+
+template <class Policy>
+void PhotonTracer<Policy>::begin(int photon, int pass) {
+  stop_.check();
+  key_ = {settings_.seed, detail::pixel_of_photons, pass, static_cast<std::uint32_t>(photon)};
+  note(Line::for_each_photon, 0, [&] { return PhotonBegun{photon, settings_.count}; });
+}
+
+template <class Policy>
+auto PhotonTracer<Policy>::emit_photon() -> PhotonRay {
+  T u[PhotonLights<T>::draws];
+  for (std::uint32_t i = 0; i < PhotonLights<T>::draws; ++i) u[i] = random_unit<T>(key_at(0, i));
+  statistics_.drew(Effect::indirect_light, PhotonLights<T>::draws);
+  const EmittedPhoton<T> emitted = lights_.emit(u);
+  const raywalk::Ray<T> ray{emitted.origin, emitted.direction, emitted.departure, camera_.shutter_open()};
+  PhotonRay photon{
+      Ray{ray},    emitted.power * (1 / static_cast<T>(settings_.count)), 1, rays_formed_++, PhotonHistory::direct,
+      emitted.lamp};
+  if constexpr (std::is_same_v<Ray, NaiveRay<T>>) {
+    // Off the emitter, as all naive rays start.
+    if (emitted.departure.primitive >= 0) photon.ray.origin += world_.epsilon * emitted.direction;
+  }
+  ++statistics_.formed(RayKind::photon);
+  note(Line::emit_photon, 0, [&] {
+    RayFormed formed{photon.number,          -1, RayKind::photon, Vec3d(photon.ray.origin), Vec3d(photon.ray.direction),
+                     Rgbd(photon.throughput)};
+    formed.light = emitted.light;
+    return formed;
+  });
+  return photon;
+}
+
+template <class Policy>
+auto PhotonTracer<Policy>::call(const PhotonRay& emitted) -> std::optional<PhotonRay> {
+  note(Line::follow_photon, 0, [&] { return Decided{true, Rgbd(emitted.throughput)}; });
+  if (is_black(emitted.throughput)) return std::nullopt;
+  return emitted;
+}
+
+template <class Policy>
+bool PhotonTracer<Policy>::there_is(const std::optional<PhotonRay>& photon) {
+  note(Line::while_photon, photon ? photon->length : 0,
+       [&] { return Decided{photon.has_value(), photon ? Rgbd(photon->throughput) : Rgbd(0.0)}; });
+  return photon.has_value();
+}
+
+template <class Policy>
+auto PhotonTracer<Policy>::find_closest(const PhotonRay& photon) -> Nearest {
+  const Nearest nearest = world_.accelerator.closest(photon.ray, infinity<T>, statistics_.tests);
+  ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
+  note(Line::photon_find_closest_intersection, photon.length, [&] {
+    return nearest ? detail::describe(photon.number, Ending::hit, world_, photon.ray, *nearest)
+                   : detail::describe_missed(photon.number, Ending::missed, world_, photon.ray);
+  });
+  return nearest;
+}
+
+/// The hit, ready to scatter the photon; its throughput is the power that arrives. The first surface applies the law of
+/// the lamp.
+template <class Policy>
+auto PhotonTracer<Policy>::arrive(const PhotonRay& photon, const Hit<T>& hit) -> Vertex {
+  Vertex at = prepare_vertex<Policy>(world_, nested_, photon, hit, statistics_);
+  if (photon.lamp) at.throughput *= lights_.weight_at(*photon.lamp, hit.t);
+  return at;
+}
+
+template <class Policy>
+bool PhotonTracer<Policy>::decide_diffuse(const PhotonRay& photon, const Vertex& at) {
+  const bool diffuse = !is_black(at.bsdf.diffuse);
+  note(Line::if_diffuse, photon.length, [&] { return Decided{diffuse, Rgbd(at.bsdf.diffuse)}; });
+  return diffuse;
+}
+
+/// On the side that it came from. Straight from a source it is kept only where final gathering asks for all light.
+template <class Policy>
+void PhotonTracer<Policy>::store_photon(const PhotonRay& photon, const Vertex& at) {
+  const Photon stored{Vec3<float>(at.position), Vec3<float>(at.bsdf.geometric_normal), Rgb<float>(at.throughput)};
+  const bool of_caustic = photon.history == PhotonHistory::caustic;
+  const bool of_other = photon.history == PhotonHistory::indirect || settings_.gather;
+  if (of_caustic) caustic_photons_.push_back(stored);
+  if (of_other) other_photons_.push_back(stored);
+  note(Line::store_photon, photon.length, [&] {
+    return PhotonStored{photon.number,       Vec3d(at.position), Vec3d(at.bsdf.geometric_normal),
+                        Rgbd(at.throughput), photon.history,     of_caustic || of_other};
+  });
+}
+
+/// What light loses or wins as power when it goes from the photon's way on along `direction`, where the lobe is sampled
+/// as if it were followed from the eye (E. Veach, thesis, 1997, chapter 5).
+template <class Policy>
+auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& direction) const -> T {
+  const Vec3<T>&geometric = at.bsdf.geometric_normal, &shading = at.bsdf.shading_normal;
+  const T in = std::abs(dot(at.bsdf.incident, geometric)), out = std::abs(dot(direction, geometric));
+  switch (lobe) {
+    case Lobe::diffuse: {
+      const bool smooth = shading != geometric;
+      if (!smooth) return 1;
+      return std::abs(dot(at.bsdf.incident, shading)) * out / (in * std::abs(dot(direction, shading)));
+    }
+    case Lobe::highlight:
+      return out / in;
+    case Lobe::mirror:
+      return at.bsdf.mirror_width > 0 ? out / in : T(1);
+    case Lobe::transparent: {
+      const T ratio = at.refraction.n1 / at.refraction.n2;
+      return settings_.flat ? ratio : ratio * ratio;
+    }
+  }
+  return 1;
+}
+
+template <class Policy>
+auto PhotonTracer<Policy>::choose_photon_direction(const PhotonRay& photon, const Vertex& at)
+    -> std::optional<BsdfSample> {
+  std::optional<BsdfSample> choice;
+  if (!at.bsdf.absorbs()) {
+    T u = 0;
+    if (at.bsdf.several()) {
+      u = random_unit<T>(key_at(at.length, detail::PhotonDimension::lobe));
+      statistics_.drew(Effect::indirect_light, 1);
+    }
+    const Lobe lobe = at.bsdf.sample_lobe(u);
+    Vec2<T> unit(0);
+    if (at.bsdf.needs_direction(lobe)) {
+      unit.x = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction));
+      unit.y = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction + 1));
+      statistics_.drew(detail::effect_of(lobe), 2);
+    }
+    choice = sample_alone(at.bsdf, lobe, unit);
+    choice->weight *= adjoint(at, lobe, choice->direction) / at.bsdf.probability(lobe);
+    if (!(max_component(choice->weight) > 0)) choice.reset();
+  }
+  note(Line::photon_choose_direction, photon.length, [&] {
+    if (!choice) return DirectionChosen{true};
+    return DirectionChosen{false, choice->lobe, Vec3d(choice->direction), static_cast<double>(choice->pdf),
+                           Rgbd(at.throughput * choice->weight)};
+  });
+  return choice;
+}
+
+/// Russian roulette: the photon survives as often as the surface reflects, so that its power stays as it is.
+template <class Policy>
+auto PhotonTracer<Policy>::decide_photon_survival(const PhotonRay& photon, const Vertex& at,
+                                                  const std::optional<BsdfSample>& choice) -> T {
+  T survival = 0;
+  std::optional<Ending> why;
+  if (choice) {
+    survival = std::min(max_component(at.throughput * choice->weight) / max_component(at.throughput),
+                        static_cast<T>(detail::surest));
+    const T u = random_unit<T>(key_at(at.length, detail::PhotonDimension::roulette));
+    statistics_.drew(Effect::indirect_light, 1);
+    if (!(u < survival)) survival = 0, why = Ending::threshold;
+  }
+  if (why) ++statistics_.ends(*why);
+  note(Line::if_photon_survives, photon.length,
+       [&] { return SurvivalDecided{survival > 0, static_cast<double>(survival), why}; });
+  return survival;
+}
+
+template <class Policy>
+auto PhotonTracer<Policy>::form_next_photon(const PhotonRay& photon, const Vertex& at, const BsdfSample& choice,
+                                            T survival) -> PhotonRay {
+  stop_.check();
+  const bool through = choice.lobe == Lobe::transparent;
+  PhotonHistory history = PhotonHistory::indirect;
+  if (choice.lobe != Lobe::diffuse && photon.history != PhotonHistory::indirect) history = PhotonHistory::caustic;
+  const PhotonRay next{spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, choice.direction, at.time),
+                       at.throughput * choice.weight * (1 / survival),
+                       at.length + 1,
+                       rays_formed_++,
+                       history,
+                       nullptr,
+                       through ? at.behind : at.medium};
+  ++statistics_.formed(RayKind::photon);
+  note(Line::photon_form_next_ray, at.length, [&] {
+    RayFormed event{next.number,          at.number, RayKind::photon, Vec3d(next.ray.origin), Vec3d(choice.direction),
+                    Rgbd(next.throughput)};
+    if (through) event.snell = snell_numbers(at.refraction);
+    return event;
+  });
+  return next;
+}
+
+template <class Policy>
+auto PhotonTracer<Policy>::sample_alone(const Bsdf<T>& bsdf, Lobe lobe, const Vec2<T>& unit) const -> BsdfSample {
+  const Bsdf<T> alone = bsdf.only(lobe);
+  if (!settings_.flat || !alone.needs_direction(lobe)) return alone.sample(lobe, unit);
+  if (lobe == Lobe::diffuse) {
+    // Lambert's cosine in the plane: the sine is uniform.
+    const Vec3<T>& normal = bsdf.shading_normal;
+    const T sin = 2 * unit.x - 1, cos = std::sqrt(std::max(1 - sin * sin, T(0)));
+    BsdfSample choice{lobe, cos * normal + sin * Vec3<T>(-normal.y, normal.x, 0), bsdf.diffuse, cos / 2};
+    if (!(dot(choice.direction, bsdf.geometric_normal) > 0)) choice.weight = Rgb<T>(0);
+    return choice;
+  }
+  BsdfSample choice = alone.sample(lobe, unit);
+  choice.direction.z = 0;
+  const T size = length(choice.direction);
+  if (!(size > 0)) choice.weight = Rgb<T>(0);
+  if (size > 0) choice.direction /= size;
+  return choice;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,130 @@
+#pragma once
+// A surface that light arrives at, made ready: where it is, how it scatters, what is on both of its sides.
+
+#include "trace/bsdf.h"
+#include "trace/media.h"
+#include "trace/policy.h"
+#include "trace/statistics.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace raywalk {
+
+namespace detail {
+
+/// The effect that a lobe's direction is drawn for.
+[[nodiscard]] constexpr Effect effect_of(Lobe lobe) {
+  switch (lobe) {
+    case Lobe::diffuse:
+    case Lobe::highlight:
+      break;
+    case Lobe::mirror:
+      return Effect::gloss;
+    case Lobe::transparent:
+      return Effect::translucency;
+  }
+  return Effect::indirect_light;
+}
+
+}  // namespace detail
+
+/// A vertex of a path from the eye or of a photon's way from a light.
+template <class T>
+struct SurfaceVertex {
+  using Surface = typename World<T>::Surface;
+  using Medium = typename World<T>::Medium;
+  Departure departure;  ///< of the rays spawned here
+  Vec3<T> position;
+  Vec3<T> outward_normal;  ///< unit normal
+  bool entering;
+  T time;
+  const Surface* surface;
+  int number;                ///< of the ray that led here
+  int length;                ///< number of rays of the path up to here
+  const Medium* medium;      ///< on the side the ray came from, if known
+  const Medium* behind;      ///< behind it
+  Rgb<T> throughput;         ///< the factor with which light that leaves here against the ray contributes to the pixel
+  Rgb<T> specular;           ///< ks, for the lights' highlights
+  Refraction<T> refraction;  ///< only set where the surface transmits
+  Bsdf<T> bsdf;
+};
+
+/// `AnyRay`: a ray with its number, length, throughput and medium. `nested`: the media where bodies nest.
+template <class Policy, class T, class AnyRay, class Nested>
+SurfaceVertex<T> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested, const AnyRay& ray,
+                                const Hit<T>& hit, [[maybe_unused]] Statistics& statistics) {
+  using Surface = typename World<T>::Surface;
+  using Medium = typename World<T>::Medium;
+  const Primitives<T>& primitives = world.accelerator.primitives();
+  const Surface& surface = world.surface(hit.primitive);
+  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Intersection<T>{hit.t, hit.part});
+  SurfaceVertex<T> at;
+  at.departure = {hit.primitive, hit.part};
+  at.position = point.position;
+  at.outward_normal = point.normal;
+  at.entering = dot(point.normal, ray.ray.direction) <= 0;
+  at.time = ray.ray.time;
+  at.surface = &surface;
+  at.number = ray.number;
+  at.length = ray.length;
+  at.throughput = ray.throughput;
+  const Medium* through = ray.medium;
+  at.medium = medium_after(surface, at.entering, false, ray.medium);
+  at.behind = medium_after(surface, at.entering, true, ray.medium);
+  if constexpr (Policy::effects.nesting) {
+    if (surface.nests) at.medium = at.behind = ray.medium;
+    if (surface.nests && surface.transmits) {
+      const auto sides = nested.across(ray.ray, hit, at.position, at.entering, ray.medium, statistics.tests);
+      through = sides.before;
+      at.behind = sides.beyond;
+    }
+  }
+  if (const auto left = transmittance_to_hit(through, surface, at.entering, hit.t)) at.throughput *= *left;
+  Bsdf<T>& bsdf = at.bsdf;
+  bsdf.incident = ray.ray.direction;
+  bsdf.shading_normal = bsdf.geometric_normal = at.entering ? point.normal : -point.normal;
+  if (const auto smooth = primitives.smooth_normal(hit.primitive, point, at.time))
+    bsdf.shading_normal =
+        consistent_shading_normal(ray.ray.direction, bsdf.geometric_normal, at.entering ? *smooth : -*smooth);
+  bsdf.diffuse = surface.diffuse;
+  if (surface.checker) {
+    const bool even = even_square(primitives.uv_at(hit.primitive, point, hit.part, at.time), surface.checker->size);
+    bsdf.diffuse *= even ? surface.checker->even : surface.checker->odd;
+  }
+  if (surface.texture) bsdf.diffuse *= surface.texture->at(primitives.uv_at(hit.primitive, point, hit.part, at.time));
+  at.specular = surface.specular;
+  if (!is_black(surface.specular)) {
+    bsdf.shininess = surface.shininess;
+    bsdf.highlight = highlight_scale(surface.shininess) * surface.specular;
+  }
+  bsdf.mirror = surface.reflection;
+  if (surface.transmits) {
+    T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
+    if constexpr (Policy::effects.nesting) {
+      if (surface.nests) n1 = nested.index(through), n2 = nested.index(at.behind);
+    }
+    at.refraction = refraction_at(ray.ray.direction, bsdf.shading_normal, n1, n2);
+    const Rgb<T> both = surface.reflection + surface.transmission;
+    if (at.refraction.total()) {
+      bsdf.mirror = both;
+    } else {
+      bsdf.transparent = surface.transmission;
+      if (surface.dielectric) {
+        const T reflected = at.refraction.fresnel();
+        bsdf.transparent = (1 - reflected) * both;
+        bsdf.mirror = reflected * both;
+      }
+      bsdf.transparent_axis = renormalize(*refract(ray.ray.direction, bsdf.shading_normal, at.refraction));
+      bsdf.transparent_width = surface.translucency;
+    }
+  }
+  if (!is_black(bsdf.mirror)) {
+    bsdf.mirror_axis = renormalize(reflect(ray.ray.direction, bsdf.shading_normal));
+    bsdf.mirror_width = surface.gloss;
+  }
+  bsdf.prepare(at.throughput);
+  return at;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,65 @@
+// Photon mapping for its tests: small scenes, and what comes along single rays.
+#pragma once
+
+#include "trace/pictures.h"
+#include "trace/sampled.h"
+#include "trace/scene_kernel.h"
+
+#include <cmath>
+#include <vector>
+
+namespace raywalk::test {
+
+inline Scene by_photons(Scene scene, int count, int nearest) {
+  scene.render.integrator = Integrator::photons;
+  scene.render.photons.count = count;
+  scene.render.photons.nearest = nearest;
+  scene.background = Rgbd(0.0);
+  scene.ambient = Rgbd(0.0);
+  return scene;
+}
+
+inline Material matt(double albedo, double emission = 0) {
+  Material material;
+  material.diffuse = Rgbd(albedo);
+  material.emission = Rgbd(emission);
+  return material;
+}
+
+/// A ball seen from inside, with a lamp that weakens by this law.
+inline Scene hollow_ball(double radius, double albedo, const Vec3d& lamp, const Attenuation& law) {
+  Scene scene;
+  scene.objects = {{"Ball", Sphere<double>{{0, 0, 0}, radius}, matt(albedo)}};
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{lamp, law}}};
+  scene.camera.eye = {0.1, 0.2, 0};
+  scene.camera.look_at = {1, 0.2, 0};
+  scene.camera.up = {0, 0, 1};
+  scene.camera.screen = {1, 3, 8};
+  return scene;
+}
+
+struct Means {
+  double mean = 0, error = 0;  ///< of the red channel: over all pixels and seeds, each seed one value
+};
+/// The mean of a picture over seeds. `of`: 3-D or flat.
+inline Means mean_of_pictures(const Scene& scene, int width, int height, int samples, int seeds, bool flat = false) {
+  const World<double> world(scene);
+  const SceneKernel<double> kernel(scene, world, std::nullopt, flat);
+  std::vector<double> values;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const RayGenerator<double> camera(scene, {width, height}, {width, height},
+                                      {samples, static_cast<std::uint64_t>(seed)});
+    double sum = 0;
+    const PutPixel<double> put = [&](const Pixel&, const Rgbd& shade) { sum += shade.x; };
+    static_cast<void>(kernel(camera, PixelBlock{0, width, 0, height, 0, 1, samples}, put));
+    values.push_back(sum / (width * height * samples));
+  }
+  Means means;
+  for (const double value : values) means.mean += value / seeds;
+  double squares = 0;
+  for (const double value : values) squares += (value - means.mean) * (value - means.mean);
+  means.error = std::sqrt(squares / (seeds - 1) / seeds);
+  return means;
+}
+
+}  // namespace raywalk::test
