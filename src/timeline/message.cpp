@@ -90,10 +90,11 @@ class Describer {
       }
       case RayKind::photon:
         if (event.line == Line::photon_form_next_ray)
-          return {"walk.photon_next", {{"object", shaded()}, {"power", formed.throughput}}};
-        if (formed.light == light_of_sky) return {"walk.photon_from_sky", {{"power", formed.throughput}}};
-        if (formed.light < 0) return {"walk.photon_from_object", {{"power", formed.throughput}}};
-        return {"walk.photon_emitted", {{"light", light(formed.light)}, {"power", formed.throughput}}};
+          return {"walk.photon_next", {{"object", shaded()}, {"power", max_component(formed.throughput)}}};
+        if (formed.light == light_of_sky)
+          return {"walk.photon_from_sky", {{"power", max_component(formed.throughput)}}};
+        if (formed.light < 0) return {"walk.photon_from_object", {{"power", max_component(formed.throughput)}}};
+        return {"walk.photon_emitted", {{"light", light(formed.light)}, {"power", max_component(formed.throughput)}}};
     }
     return {};
   }
@@ -200,7 +201,7 @@ class Describer {
     if (event.line == Line::follow_photon) return {"walk.photon_called", {}};
     if (event.line == Line::gather_light) return {"walk.gather_called", {}};
     if (event.line == Line::while_photon)
-      return decided.holds ? Message{"walk.photon_goes_on", {{"power", decided.weight}}}
+      return decided.holds ? Message{"walk.photon_goes_on", {{"power", max_component(decided.weight)}}}
                            : Message{"walk.photon_over", {}};
     if (event.line == Line::if_diffuse)
       return {decided.holds ? "walk.photon_diffuse" : "walk.photon_not_diffuse",
@@ -338,9 +339,9 @@ class Describer {
       case PhotonHistory::direct:
         return {stored.kept ? "walk.photon_stored_direct" : "walk.photon_not_kept", {{"object", shaded()}}};
       case PhotonHistory::caustic:
-        return {"walk.photon_stored_caustic", {{"object", shaded()}, {"power", stored.power}}};
+        return {"walk.photon_stored_caustic", {{"object", shaded()}, {"power", max_component(stored.power)}}};
       case PhotonHistory::indirect:
-        return {"walk.photon_stored", {{"object", shaded()}, {"power", stored.power}}};
+        return {"walk.photon_stored", {{"object", shaded()}, {"power", max_component(stored.power)}}};
     }
     return {};
   }

@@ -172,7 +172,9 @@ auto PhotonTracer<Policy>::decide_photon_survival(const PhotonRay& photon, const
   T survival = 0;
   std::optional<Ending> why;
   if (choice) {
-    survival = std::min(max_component(at.throughput * choice->weight) / max_component(at.throughput),
+    // What refraction takes it gives back on the way out: no reason to end.
+    const T bent = choice->lobe == Lobe::transparent ? adjoint(at, choice->lobe, choice->direction) : T(1);
+    survival = std::min(max_component(at.throughput * choice->weight) / (bent * max_component(at.throughput)),
                         static_cast<T>(detail::surest));
     const T u = random_unit<T>(key_at(at.length, detail::PhotonDimension::roulette));
     statistics_.drew(Effect::indirect_light, 1);
