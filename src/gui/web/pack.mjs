@@ -12,7 +12,11 @@ import { gzipSync } from 'node:zlib';
 const [build, site] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const texts = join(here, '../../text');
-const read = (folder, name) => readFileSync(join(folder, name), 'utf8');
+// What is said to readers of our scripts, in lines of its own, stays here.
+const read = (folder, name) => {
+  const text = readFileSync(join(folder, name), 'utf8');
+  return folder === here && name.endsWith('.js') ? text.replace(/^ *\/\/.*\n/gm, '') : text;
+};
 
 // What the page runs, in this order, behind the program.
 const scripts = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js', 'page.js'];
@@ -44,11 +48,12 @@ rmSync(site, { recursive: true, force: true });
 
 const parts = [[build, 'raywalk.js'], [build, 'raywalk.wasm'], [here, 'page.css'], [here, 'worker.js'],
   ...scripts.map((name) => [here, name])];
-const version = sha256(...parts.map(([folder, name]) => readFileSync(join(folder, name))), JSON.stringify(words))
+const content = ([folder, name]) => name.endsWith('.js') ? read(folder, name) : readFileSync(join(folder, name));
+const version = sha256(...parts.map(content), JSON.stringify(words))
   .digest('hex').slice(0, 16);
 const own = join(site, version);
 mkdirSync(own, { recursive: true });
-for (const [folder, name] of parts) copyFileSync(join(folder, name), join(own, name));
+for (const part of parts) writeFileSync(join(own, part[1]), content(part));
 // For where a page may run scripts but fetch nothing: a frame without an origin, or a folder of a disk.
 writeFileSync(join(own, 'code.js'), `self.raywalk_code = '${packed}';\n`);
 writeFileSync(join(site, 'index.html'), page(

@@ -1,13 +1,17 @@
 # The page: raywalk.js and raywalk.wasm, which holds all data too, and what pack.mjs makes of them.
 set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 
-# Searches that a person watches, and tracers that are wrong on purpose, need not be fast either.
-foreach(file IN ITEMS accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp)
-  set_source_files_properties("${CMAKE_SOURCE_DIR}/src/${file}" PROPERTIES COMPILE_OPTIONS -Os SKIP_PRECOMPILE_HEADERS ON)
-endforeach()
+# Searches that a person watches and tracers that are wrong on purpose need not be fast either. The path tracer and the
+# tracer in single precision are small rather than fast, too: they take about half and two thirds as long again, and
+# raywalk.html would be above its 2 MB otherwise.
+set(smallest accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp
+  trace/kernel_float.cpp trace/scene_kernel.cpp trace/clear_sky.cpp)
+list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")
+set_source_files_properties(${smallest} PROPERTIES COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON)
 
 # Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what is drawn: the ranges of
 # `glyphs` in gui/fonts.cpp. The hints of TrueType fonts are left out, for nothing follows them.
+# Outlines are written out, for what packs the page shares their parts better than a font does.
 set(data "${CMAKE_BINARY_DIR}/data")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/gui/fonts.cpp")
 file(READ "${CMAKE_SOURCE_DIR}/src/gui/fonts.cpp" glyphs)
@@ -19,7 +23,7 @@ string(REPLACE ";" "," glyphs "${glyphs}")
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(subset "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_SOURCE_DIR}/build/emscripten/root/usr/lib/python3/dist-packages"
     "${Python3_EXECUTABLE}" -m fontTools.subset
-    --unicodes=${glyphs} --layout-features= --name-IDs=0,1,2,13,14)
+    --unicodes=${glyphs} --layout-features= --name-IDs=0,1,2,13,14 --desubroutinize)
 set(fonts)
 set(subset_fonts)
 foreach(font IN ITEMS opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf
