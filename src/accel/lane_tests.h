@@ -1,3 +1,4 @@
+#pragma once
 // A node's boxes and a pack's triangles against a ray, a group of lanes at a time. Included once for each width, inside
 // of a namespace that says what a Group is, how many lanes it has, the functions of math/lanes.h for it, and
 // RAYWALK_LANE_TARGET, which is what its functions are compiled for. No other file includes it.
