@@ -68,39 +68,24 @@ struct OfBodies {
 template <class T, class Accept, class AnyRay>
 class Query {
  public:
-  Query(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
-      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
-  /// Counts nodes that were entered, and tests that ruled out a primitive before its own test was needed.
-  void count(std::uint64_t nodes, std::uint64_t ruled_out) {
-    counts_.nodes += nodes;
-    counts_.primitives += ruled_out;
+  Query(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
+      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {
+    if constexpr (std::is_same_v<AnyRay, Ray<T>>)
+      if (primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
   }
+  void enter_node() { ++counts_.nodes; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< previous searches included
-  /// The ray as triangle tests need it; computed when it is first asked for.
-  [[nodiscard]] const ShearedRay<T>& sheared() {
-    if (!sheared_) sheared_.emplace(ray_);
-    return *sheared_;
-  }
 
  protected:
   std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
-    if constexpr (std::is_same_v<AnyRay, Ray<T>>)
-      if (primitives.still_triangle(id)) return primitives.intersect_triangle(id, sheared(), ray_, t_max_, counts_);
     // The full t_max, not the nearest t so far: a tie must be seen to be decided.
-    return primitives.intersect(id, ray_, t_max_, counts_);
-  }
-  /// The same for a triangle that does not move and is not degenerate, given its coordinates (intersect_corners).
-  template <class Coordinate>
-  std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id, const Coordinate& coordinate) {
-    if (!accept_(id)) return std::nullopt;
-    ++counts_.primitives;
-    return primitives.intersect_triangle(id, coordinate, sheared(), ray_, t_max_, counts_);
+    return primitives.intersect(id, ray_, t_max_, counts_, sheared_);
   }
 
   const AnyRay& ray_;
-  std::optional<ShearedRay<T>> sheared_;  ///< computed once for many triangles
+  std::optional<ShearedRay<T>> sheared_;
   T t_max_;
   TestCounts& counts_;
   Accept accept_;
@@ -111,13 +96,12 @@ template <class T, class Accept, class AnyRay>
 class ClosestQuery : public Query<T, Accept, AnyRay> {
  public:
   static constexpr bool shortens = true;  ///< each hit shortens t_far
-  ClosestQuery(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
-      : Query<T, Accept, AnyRay>(ray, t_max, counts, accept), t_far_(t_max) {}
+  ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
+      : Query<T, Accept, AnyRay>(primitives, ray, t_max, counts, accept), t_far_(t_max) {}
 
-  /// Tests one primitive; true when the search is over. `triangle`: nothing, or what `cross` takes of a triangle.
-  template <class... KnownTriangle>
-  bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
-    const auto intersection = this->cross(primitives, id, triangle...);
+  /// Tests one primitive; true when the search is over.
+  bool test(const Primitives<T>& primitives, int id) {
+    const auto intersection = this->cross(primitives, id);
     if (!intersection || !(intersection->t < hit_.t || (intersection->t == hit_.t && id < hit_.primitive)))
       return false;
     constexpr T margin = 1 + 4096 * std::numeric_limits<T>::epsilon();
@@ -144,12 +128,11 @@ template <class T, class AnyRay>
 class OcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  OcclusionQuery(const AnyRay& ray, T t_max, TestCounts& counts)
-      : Query<T, AnyPrimitive, AnyRay>(ray, t_max, counts, {}) {}
+  OcclusionQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts)
+      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}) {}
 
-  template <class... KnownTriangle>
-  bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
-    if (this->cross(primitives, id, triangle...)) found_ = id;
+  bool test(const Primitives<T>& primitives, int id) {
+    if (this->cross(primitives, id)) found_ = id;
     return found();
   }
   [[nodiscard]] T t_far() const { return this->t_max_; }
@@ -166,14 +149,13 @@ template <class T, class AnyRay>
 class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  FilteredOcclusionQuery(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
-                         std::vector<int>& filters)
-      : Query<T, AnyPrimitive, AnyRay>(ray, t_max, counts, {}), roles_(roles), filters_(filters) {}
+  FilteredOcclusionQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts,
+                         const std::vector<ShadowRole>& roles, std::vector<int>& filters)
+      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}), roles_(roles), filters_(filters) {}
 
-  template <class... KnownTriangle>
-  bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
+  bool test(const Primitives<T>& primitives, int id) {
     const ShadowRole role = roles_[static_cast<std::size_t>(id)];
-    if (role == ShadowRole::ignored || !this->cross(primitives, id, triangle...)) return false;
+    if (role == ShadowRole::ignored || !this->cross(primitives, id)) return false;
     if (role == ShadowRole::filters) {
       filters_.push_back(id);
       return false;
@@ -189,42 +171,6 @@ class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
   const std::vector<ShadowRole>& roles_;
   std::vector<int>& filters_;
   int stopped_by_ = -1;
-};
-
-/// Any query, for structures that are compiled once for all of them: which primitives are tested, and in which order,
-/// is not the query's. Counts its nodes when it ends.
-template <class T>
-class AnyQuery {
- public:
-  template <class Query>
-  explicit AnyQuery(Query& query)
-      : query_(&query), test_(&test_of<Query>), count_(&count_of<Query>), t_far_(query.t_far()) {}
-  ~AnyQuery() { count_(query_, nodes_); }
-  AnyQuery(const AnyQuery&) = delete;
-  AnyQuery& operator=(const AnyQuery&) = delete;
-
-  void enter_node() { ++nodes_; }
-  /// Tests one primitive; true when the search is over.
-  bool test(const Primitives<T>& primitives, int id) { return test_(query_, primitives, id, t_far_); }
-  [[nodiscard]] T t_far() const { return t_far_; }
-
- private:
-  template <class Query>
-  static bool test_of(void* query, const Primitives<T>& primitives, int id, T& t_far) {
-    const bool over = static_cast<Query*>(query)->test(primitives, id);
-    t_far = static_cast<Query*>(query)->t_far();
-    return over;
-  }
-  template <class Query>
-  static void count_of(void* query, std::uint64_t nodes) {
-    static_cast<Query*>(query)->count(nodes, 0);
-  }
-
-  void* query_;
-  bool (*test_)(void*, const Primitives<T>&, int, T&);
-  void (*count_)(void*, std::uint64_t);
-  T t_far_;
-  std::uint64_t nodes_ = 0;
 };
 
 /// The terms of a ray that all slab tests share, computed once per ray.

@@ -11,7 +11,6 @@
 #include "accel/octree.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <variant>
 
 namespace raywalk {
@@ -19,33 +18,29 @@ namespace raywalk {
 template <class T>
 using AnyStructure = std::variant<List<T>, BoundingVolumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
 
-/// Compiled in structures.cpp.
 template <class T>
 AnyStructure<T> build_structure(AcceleratorKind kind, const PrimitiveBounds<T>& boxes, const Primitives<T>& primitives,
-                                const BuildOptions& build = {});
-extern template AnyStructure<float> build_structure(AcceleratorKind, const PrimitiveBounds<float>&,
-                                                    const Primitives<float>&, const BuildOptions&);
-extern template AnyStructure<double> build_structure(AcceleratorKind, const PrimitiveBounds<double>&,
-                                                     const Primitives<double>&, const BuildOptions&);
-
-/// Searches a structure. Those that scenes are rendered with, when nothing else is asked for, are compiled for each
-/// query; the others once for all queries.
-template <class T, class AnyRay, class Query>
-void search_any(const AnyStructure<T>& any, const AnyRay& ray, const Primitives<T>& primitives, Query& query) {
-  if (const auto* list = std::get_if<List<T>>(&any)) return list->search(ray, primitives, query);
-  if (const auto* tree = std::get_if<Bvh<T>>(&any)) return tree->search(ray, primitives, query);
-  const auto search = [&](auto&& all) {
-    std::visit(
-        [&]<class S>(const S& structure) {
-          if constexpr (!std::is_same_v<S, List<T>> && !std::is_same_v<S, Bvh<T>>)
-            structure.search(ray, primitives, all);
-        },
-        any);
-  };
-  if constexpr (Watching<Query>)
-    search(WatchedAnyQuery<T>(query));
-  else
-    search(AnyQuery<T>(query));
+                                const BuildOptions& build = {}) {
+  switch (kind) {
+    case AcceleratorKind::automatic:
+    case AcceleratorKind::none:
+      break;
+    case AcceleratorKind::spheres:
+      return BoundingVolumes<T>(boxes, primitives, VolumeKind::sphere, build.stop);
+    case AcceleratorKind::ellipsoids:
+      return BoundingVolumes<T>(boxes, primitives, VolumeKind::ellipsoid, build.stop);
+    case AcceleratorKind::boxes:
+      return BoundingVolumes<T>(boxes, primitives, VolumeKind::box, build.stop);
+    case AcceleratorKind::bvh:
+      return Bvh<T>(boxes, build);
+    case AcceleratorKind::grid:
+      return Grid<T>(boxes, build);
+    case AcceleratorKind::octree:
+      return Octree<T>(boxes, build);
+    case AcceleratorKind::kdtree:
+      return KdTree<T>(boxes, build);
+  }
+  return List<T>(primitives.size());
 }
 
 template <class T>
@@ -66,13 +61,13 @@ template <class AnyRay, class Query>
 [[gnu::noinline]] void Accelerator<T>::search_structure(const AnyRay& ray, Query& query) const {
   for (const int id : unbounded_)
     if (query.test(primitives_, id)) return;
-  search_any(structure_->any, ray, primitives_, query);
+  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_->any);
 }
 
 template <class T>
 template <class AnyRay, class Accept>
 std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept) const {
-  ClosestQuery<T, Accept, AnyRay> query(ray, t_max, counts, accept);
+  ClosestQuery<T, Accept, AnyRay> query(primitives_, ray, t_max, counts, accept);
   search(ray, query);
   return query.nearest();
 }
@@ -93,7 +88,7 @@ inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, const ShadowH
 template <class T>
 template <class AnyRay>
 bool Accelerator<T>::occluded(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints) const {
-  OcclusionQuery<T, AnyRay> query(ray, t_max, counts);
+  OcclusionQuery<T, AnyRay> query(primitives_, ray, t_max, counts);
   return found(query, ray, hints);
 }
 
@@ -103,7 +98,7 @@ bool Accelerator<T>::occluded_or_filtered(const AnyRay& ray, T t_max, TestCounts
                                           const std::vector<ShadowRole>& roles, std::vector<int>& filters,
                                           const ShadowHints& hints) const {
   filters.clear();
-  FilteredOcclusionQuery<T, AnyRay> query(ray, t_max, counts, roles, filters);
+  FilteredOcclusionQuery<T, AnyRay> query(primitives_, ray, t_max, counts, roles, filters);
   const bool stopped = found(query, ray, hints);
   if (filters.size() > 1) {
     std::sort(filters.begin(), filters.end());

@@ -1,7 +1,6 @@
 #pragma once
 // What a watched search through an accelerator records.
 
-#include "accel/query.h"
 #include "math/bounds.h"
 
 #include <array>
@@ -36,7 +35,7 @@ enum class SearchEnd {
 struct SearchEvent {
   enum class Kind {
     entered,  ///< a node or cell, which is counted
-    opened,   ///< a leaf of a BVH, which is not counted: its box was tested together with the others of its node
+    opened,   ///< a leaf of a BVH, which is not counted: its box was tested together with the other three of its node
     skipped,  ///< a node or cell
     tested,   ///< a primitive
     passed,   ///< a primitive already tested for this ray
@@ -120,18 +119,6 @@ class SearchRecord {
 /// A query that records nodes. The renderer's queries do not, so no hook is compiled for them.
 template <class Query>
 concept Watching = requires(const Query& query) { query.record(); };
-
-/// AnyQuery, of a query that records.
-template <class T>
-class WatchedAnyQuery : public AnyQuery<T> {
- public:
-  template <Watching Query>
-  explicit WatchedAnyQuery(Query& query) : AnyQuery<T>(query), record_(query.record()) {}
-  [[nodiscard]] SearchRecord& record() const { return record_; }
-
- private:
-  SearchRecord& record_;
-};
 
 /// What only a watched search stores: a T, or nothing.
 template <class Query, class T>

@@ -19,24 +19,16 @@ class WatchedQuery : public Base {
   bool test(const Primitives<T>& primitives, int id) {
     const std::uint64_t before = this->counts().primitives;
     const bool over = Base::test(primitives, id);
-    if (this->counts().primitives != before) tell(primitives, id);
+    if (this->counts().primitives == before) return over;
+    // The result of the test, repeated without counting: the query keeps only the nearest.
+    const auto intersection = primitives.intersect(id, this->ray_, this->t_max_);
+    const bool filters = roles_ != nullptr && (*roles_)[static_cast<std::size_t>(id)] == ShadowRole::filters;
+    record_.tested(id, intersection ? std::optional(static_cast<double>(intersection->t)) : std::nullopt, filters);
     return over;
-  }
-  /// A primitive that was ruled out together with others.
-  void rule_out(const Primitives<T>& primitives, int id) {
-    this->count(0, 1);
-    tell(primitives, id);
   }
   [[nodiscard]] SearchRecord& record() const { return record_; }
 
  private:
-  /// The result of the test, repeated without counting: the query keeps only the nearest.
-  void tell(const Primitives<T>& primitives, int id) {
-    const auto intersection = primitives.intersect(id, this->ray_, this->t_max_);
-    const bool filters = roles_ != nullptr && (*roles_)[static_cast<std::size_t>(id)] == ShadowRole::filters;
-    record_.tested(id, intersection ? std::optional(static_cast<double>(intersection->t)) : std::nullopt, filters);
-  }
-
   SearchRecord& record_;
   const std::vector<ShadowRole>* roles_ = nullptr;
 };
@@ -62,7 +54,7 @@ template <class AnyRay, class Query>
 void WatchedAccelerator<T>::search(const AnyRay& ray, Query& query) const {
   for (const int id : unbounded_)
     if (query.test(primitives_, id)) return;
-  search_any(structure_->any, ray, primitives_, query);
+  std::visit([&](const auto& structure) { structure.search(ray, primitives_, query); }, structure_->any);
 }
 
 template <class T>
@@ -70,7 +62,7 @@ template <class AnyRay>
 std::optional<Hit<T>> WatchedAccelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts,
                                                      SearchRecord& record) const {
   using Query = ClosestQuery<T, AnyPrimitive, AnyRay>;
-  WatchedQuery<T, Query> query(record, ray, t_max, counts, AnyPrimitive{});
+  WatchedQuery<T, Query> query(record, primitives_, ray, t_max, counts, AnyPrimitive{});
   search(ray, query);
   record.ended(SearchEnd::all_seen);
   return query.nearest();
@@ -86,11 +78,11 @@ bool WatchedAccelerator<T>::occluded(const AnyRay& ray, T t_max, TestCounts& cou
     return query.found();
   };
   if (roles.empty()) {
-    WatchedQuery<T, OcclusionQuery<T, AnyRay>> query(record, ray, t_max, counts);
+    WatchedQuery<T, OcclusionQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts);
     return watch(query);
   }
   std::vector<int> filters;
-  WatchedQuery<T, FilteredOcclusionQuery<T, AnyRay>> query(record, ray, t_max, counts, roles, filters);
+  WatchedQuery<T, FilteredOcclusionQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts, roles, filters);
   query.set_roles(roles);
   return watch(query);
 }
