@@ -74,14 +74,17 @@ class Merger {
                               std::any_of(old.children.begin(), old.children.end(), is_gone);
     if (node.is_inline && changes_keys) return edits_.replace(node.value, inline_text(now));
 
-    for (const Value& child : now.children) {
-      const LayoutNode* stated = node.find(child.key);
-      const Value* before = old.find(child.key);
-      if (stated != nullptr && before != nullptr)
-        merge(*stated, *before, child, path.empty() ? child.key : path + "." + child.key);
-      else if (is_new(child))
-        add(node, now, child, path);
-    }
+    // Keys before tables: a line that is added after a header belongs to that header's table.
+    for (const bool tables : {false, true})
+      for (const Value& child : now.children) {
+        if ((child.kind == Kind::table) != tables) continue;
+        const LayoutNode* stated = node.find(child.key);
+        const Value* before = old.find(child.key);
+        if (stated != nullptr && before != nullptr)
+          merge(*stated, *before, child, path.empty() ? child.key : path + "." + child.key);
+        else if (is_new(child))
+          add(node, now, child, path);
+      }
     for (const Value& child : old.children)
       if (is_gone(child)) remove(*node.find(child.key));
   }

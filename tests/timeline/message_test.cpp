@@ -54,7 +54,7 @@ TEST_CASE("position 0 is the start") {
   CHECK(describe(scene, record_strip(scene), 0).id == "walk.start");
 }
 
-TEST_CASE("one scene, lit and unlit, reaches every message but that of the path tracer") {
+TEST_CASE("one scene, lit and unlit, reaches every message but those of the path tracer and of skies") {
   std::set<std::string_view> found;
   const auto gather = [&found](const Scene& scene) {
     const Timeline timeline = record_strip(scene, {Precision::double_, {2}});

@@ -52,6 +52,12 @@ inline constexpr std::array<std::string_view, 36> photon_messages{
     "walk.background_counted",   "walk.emission_counted",   "walk.no_photons",          "walk.photons_found",
     "walk.caustic_found",        "walk.both_found",         "walk.photons_add_nothing", "walk.photons_added"};
 
+/// Of scenes under a sky.
+inline constexpr std::array<std::string_view, 10> sky_messages{
+    "walk.found_sky",          "walk.found_sky_below",    "walk.sky_aimed_at",   "walk.sky_not_aimed_at",
+    "walk.sky_seen",           "walk.sky_hidden",         "walk.sky_seen_below", "walk.sky_added",
+    "walk.sky_added_weighted", "walk.background_weighted"};
+
 /// Of a pixel of the 3-D image.
 inline constexpr std::array<std::string_view, 3> image_messages{"walk.image_pixel_begun", "walk.image_primary_formed",
                                                                 "walk.image_pixel_put"};
@@ -63,6 +69,7 @@ inline std::set<std::string> strip_messages() {
     if (id.starts_with("walk.") && std::count(id.begin(), id.end(), '.') == 1 &&
         std::find(path_messages.begin(), path_messages.end(), id) == path_messages.end() &&
         std::find(photon_messages.begin(), photon_messages.end(), id) == photon_messages.end() &&
+        std::find(sky_messages.begin(), sky_messages.end(), id) == sky_messages.end() &&
         std::find(image_messages.begin(), image_messages.end(), id) == image_messages.end())
       ids.emplace(id);
   return ids;

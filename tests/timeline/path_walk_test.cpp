@@ -1,5 +1,6 @@
 // The walk through PATH TRACING: what the timeline and the messages make of its events.
 
+#include "io/scene_file.h"
 #include "timeline/message.h"
 #include "timeline/recorder.h"
 
@@ -113,6 +114,23 @@ TEST_CASE("every message of a path is reached, and names what the event says") {
     CHECK(found.count(id) == 1);
   }
   CHECK(found.count("walk.path_length") == 1);
+}
+
+TEST_CASE("every message about a sky is reached") {
+  const auto document = read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/gold.toml");
+  REQUIRE(document.has_value());
+  std::set<std::string_view> found;
+  for (const Vec3d& up : {Vec3d(0, 0, 1), Vec3d(0, 1, 0)}) {
+    Scene scene = document->scene;
+    scene.sky->up = up;
+    const Timeline timeline = record_strip(scene, {Precision::double_, {8}});
+    for (int position = 1; position <= timeline.steps(); ++position)
+      found.insert(describe(scene, timeline, position).id);
+  }
+  for (const std::string_view id : test::sky_messages) {
+    INFO(id);
+    CHECK(found.count(id) == 1);
+  }
 }
 
 TEST_CASE("a hit is named to the triangle of a mesh and the member of a group") {
