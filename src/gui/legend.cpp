@@ -119,11 +119,12 @@ void legend_pane(const Ui& ui, const Rect& where) {
   // Spread, but not too far; in a narrow window tight, or in two lines.
   const auto count = content.rays.size();
   const std::size_t lines = width_of(name) + least_between > most ? 2 : 1, in_line = (count + lines - 1) / lines;
-  // In two lines the names are aligned, with shorter samples where the widest would not fit otherwise.
+  // In two lines the names are aligned if there is room, with shorter samples where the widest would not fit otherwise.
   float widest = 0;
   for (const LegendRow& row : content.rays) widest = std::max(widest, ImGui::CalcTextSize((row.*name).c_str()).x);
   const auto each = static_cast<float>(in_line);
   if (lines > 1) length = std::clamp(most / each - ui.px(4) - gap - widest, ui.px(8), length);
+  const bool aligned = lines > 1 && each * (length + gap + widest + ui.px(4)) <= most;
   const float needed = lines > 1 ? each * (length + gap + widest) : width_of(name);
   const float between = std::clamp((most - needed) / each, ui.px(4), ui.px(22));
   const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
@@ -145,7 +146,7 @@ void legend_pane(const Ui& ui, const Rect& where) {
     // Struck through, so that a kind that is hidden is not only fainter.
     if (!shown) draw.AddLine({left, y + height / 2}, {x + words, y + height / 2}, ink, ui.px(1.5f));
     row_button(ui, row, {left, y, x + words - left, line});
-    x += (lines > 1 ? widest : words) + between;
+    x += (aligned ? widest : words) + between;
   }
   const float button_height = std::min(ui.px(30), where.height);
   ImGui::SetCursorScreenPos({where.right() - button - ui.px(4), where.y + (where.height - button_height) / 2});

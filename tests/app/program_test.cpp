@@ -141,7 +141,7 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
 
 TEST_CASE("choices that do not exist are not taken silently") {
   const Folder folder;
-  for (const std::string option : {"--numerics=careful", "--integrator=photons", "--sampler=halton"}) {
+  for (const std::string option : {"--numerics=careful", "--integrator=mirrors", "--sampler=halton"}) {
     INFO(option);
     CHECK(folder.run({"render", classic, "-o", "x.png", option}).exit_code == 2);
   }

@@ -83,6 +83,10 @@ constexpr std::array theory{
     Theory{"13-whitted-to-path-tracing", "paths", "2"},
     Theory{"13-whitted-to-path-tracing", "one-or-two", "6"},  // in, out, and once round inside, with their mirrors
     Theory{"13-whitted-to-path-tracing", "price", "2"},       // the root of four
+    Theory{"15-photons", "spot", "2"},
+    Theory{"15-photons", "glass", "2"},
+    Theory{"15-photons", "circle", "59"},  // 60, without the one on the edge
+    Theory{"15-photons", "caustic", "1"},
 };
 
 /// Numbers that students answer who have not understood: none may pass for right.
@@ -102,6 +106,7 @@ constexpr std::array usual_mistakes{
     Theory{"12-what-accuracy-costs", "one-digit", "4"},       // price for quality
     Theory{"13-whitted-to-path-tracing", "price", "4"},       // one to one
     Theory{"13-whitted-to-path-tracing", "one-or-two", "2"},  // a pair
+    Theory{"15-photons", "circle", "60"},                     // with the one on the edge
 };
 
 void give_answer(State& state, const char* said) {
