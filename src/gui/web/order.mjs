@@ -13,6 +13,7 @@ let at = 8;
 function number() {
   let value = 0;
   for (let shift = 0; ; shift += 7) {
+    if (at >= bytes.length) throw new Error(`${file} ends within a number`);
     const byte = bytes[at++];
     value += (byte & 127) * 2 ** shift;
     if (byte < 128) return value;
@@ -32,7 +33,13 @@ const names = new Map, sizes = [], kept = [bytes.subarray(0, 8)];
 while (at < bytes.length) {
   const from = at, kind = bytes[at++], size = number(), end = at + size;
   const named = kind === 0 && text() === 'name';
-  if (kind === 10) for (let left = number(); left > 0; --left) at += sizes[sizes.push(number()) - 1];
+  if (kind === 10) {
+    for (let left = number(); left > 0; --left) {
+      const body = number(); // of its own, for `at += number()` would add to where the number began
+      sizes.push(body);
+      at += body;
+    }
+  }
   if (named) {
     while (at < end) {
       const part = bytes[at++], part_end = number() + at;
