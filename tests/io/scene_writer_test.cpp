@@ -307,18 +307,19 @@ TEST_CASE("a scene that is too large for our format is said to be, not the file 
 TEST_CASE("of a scene that is too large, no more is listed than fits") {
   const TemporaryFolder folder;
   SceneDocument document;
-  for (int i = 0; i < 400'000; ++i)
-    document.scene.objects.push_back({std::to_string(i), Sphere<double>{{0, 0, 0}, 1}, {}});
+  const std::string long_name(960, 'n');
+  for (int i = 0; i < 20'000; ++i)
+    document.scene.objects.push_back({long_name + std::to_string(i), Sphere<double>{{0, 0, 0}, 1}, {}});
   const auto written = write_scene(document, folder.file("scene.toml"));
   REQUIRE(!written);
-  CHECK_THAT(written.error().message, contains("of its 400000 objects would take more than 16 MiB"));
+  CHECK_THAT(written.error().message, contains("of its 20000 objects would take more than 16 MiB"));
   CHECK(folder.entries() == 0);
 
-  constexpr std::size_t most = 10'000, longest_object = 100;
+  constexpr std::size_t most = 150'000, longest_object = 1100;
   const detail::SceneText listed = detail::scene_text({document.scene, {}}, most);
   CHECK(listed.text.size() > most);
   CHECK(listed.text.size() < most + longest_object);
-  CHECK(listed.objects < most / 60);
+  CHECK(listed.objects < most / 960);
   document.scene.objects.resize(100);
   const detail::SceneText whole = detail::scene_text({document.scene, {}}, most);
   CHECK(whole.objects == 100);

@@ -1,5 +1,6 @@
 #pragma once
 // How much a test tries.
+#include <cstddef>
 
 namespace raywalk::test {
 
@@ -24,5 +25,11 @@ inline constexpr bool optimized = false;
 /// `count` rounds of the same with other numbers; an eighth of them under sanitizers, which make each ten times slower
 /// and watch the memory, not the odds, and without optimisation.
 [[nodiscard]] constexpr int rounds(int count) { return sanitized || !optimized ? count / 8 : count; }
+
+/// Whether the case `number` of many that are asked the same is left out: under sanitizers all but every `every`-th
+/// are.
+[[nodiscard]] constexpr bool left_out(std::size_t number, std::size_t every) {
+  return sanitized && number % every != 0;
+}
 
 }  // namespace raywalk::test

@@ -3,6 +3,7 @@
 
 #include "lesson_state.h"
 #include "support/catch.h"
+#include "support/effort.h"
 #include "view/action_text.h"
 #include "view/document/document.h"
 #include "view/lesson/typed_number.h"
@@ -96,8 +97,10 @@ TEST_CASE("every lesson can be walked to its end by its outline alone") {
   update(state, action::SetLessonOptions{});
   const auto rows = lesson_panel(state).rows;
   REQUIRE(!rows.empty());
+  std::size_t number = 0;
   for (const LessonRow& row : rows) {
     INFO(row.name);
+    if (left_out(number++, 4)) continue;
     const auto lesson = items_with(state, [&](const OutlineItem& item) { return item.key == row.name; });
     REQUIRE(lesson.size() == 1);
     use(state, Role::button, lesson.front().name);
