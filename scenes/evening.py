@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes evening.hdr, the sky of gold.toml: a low sun between clouds, over hills. Nothing of it was photographed.
 
-    scenes/evening.py [WIDTH]      writes evening.hdr beside itself; WIDTH / 2 rows, 384 x 192 when left out
+    scenes/evening.py [WIDTH]      writes evening.hdr beside itself; WIDTH / 2 rows, 256 x 128 when left out
 
 The picture has all longitudes from left to right and all latitudes from top to bottom. Change it, run it, and render.
 """
@@ -77,7 +77,7 @@ def coded(values):
 
 
 def main():
-    width = int(sys.argv[1]) if len(sys.argv) > 1 else 384
+    width = int(sys.argv[1]) if len(sys.argv) > 1 else 256
     height = width // 2
     picture = bytearray(b"#?RADIANCE\n# made by scenes/evening.py\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (height, width))
     for row in range(height):
