@@ -1,7 +1,7 @@
 #pragma once
-// Four boxes at a time, in float for rays of either precision: the boxes are widened by the rounding error, so that no
-// hit is lost and a few misses pass.
+// Four boxes at a time, in float for rays of either precision (accel/float_slabs.h).
 
+#include "accel/float_slabs.h"
 #include "accel/query.h"
 #include "math/lanes.h"
 
@@ -14,7 +14,7 @@
 
 namespace raywalk {
 
-/// Four boxes; missing ones are empty. Each plane is moved outward by a millionth of its coordinate, see LaneRay.
+/// Four boxes, rounded out; missing ones are empty.
 struct BoxLanes {
   /// The least x, y and z of all four, then the greatest.
   std::array<Lanes, 6> planes{all_lanes(infinity<float>),  all_lanes(infinity<float>),  all_lanes(infinity<float>),
@@ -22,10 +22,11 @@ struct BoxLanes {
 
   template <class T>
   void set(std::size_t lane, const Bounds<T>& box) {
+    const Bounds<float> out = rounded_out(box);
     for (int axis = 0; axis < 3; ++axis) {
       const auto plane = static_cast<std::size_t>(axis);
-      planes[plane][lane] = -at_least(-static_cast<double>(box.min[axis]));
-      planes[plane + 3][lane] = at_least(static_cast<double>(box.max[axis]));
+      planes[plane][lane] = out.min[axis];
+      planes[plane + 3][lane] = out.max[axis];
     }
   }
   /// The plane at a byte offset from the first.
@@ -34,17 +35,6 @@ struct BoxLanes {
   }
   [[nodiscard]] Bounds<float> box(std::size_t lane) const {
     return {{planes[0][lane], planes[1][lane], planes[2][lane]}, {planes[3][lane], planes[4][lane], planes[5][lane]}};
-  }
-
- private:
-  /// A float at least 7 float ulps above x; not below x where x is 0 or subnormal in float.
-  static float at_least(double x) {
-    constexpr float most = std::numeric_limits<float>::max();
-    const double wider = x + 8 * static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(x);
-    if (wider > static_cast<double>(most)) return infinity<float>;
-    if (wider < -static_cast<double>(most)) return -most;
-    const float rounded = static_cast<float>(wider);
-    return static_cast<double>(rounded) < wider ? std::nextafter(rounded, infinity<float>) : rounded;
   }
 };
 
@@ -70,25 +60,13 @@ template <class T>
 class LaneRay {
  public:
   explicit LaneRay(const Ray<T>& ray) {
-    constexpr float epsilon = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::min();
-    const Lanes origin{static_cast<float>(ray.origin.x), static_cast<float>(ray.origin.y),
-                       static_cast<float>(ray.origin.z), 0};
-    const Lanes slope{static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y),
-                      static_cast<float>(ray.direction.z), 1};
-    const Lanes size = absolute(origin), inverse = all_lanes(1) / slope;
-    constexpr unsigned all = 15;
-    held_ = bits_of(size + absolute(slope) + absolute(inverse) < all_lanes(most)) == all || holds(ray);
-    // Either end of a slab errs by four roundings at most, of the slope, its inverse, the difference and the product:
-    // in all by 2 epsilon of the plane's and of the origin's coordinate. The boxes are widened by 8 of the former; the
-    // origin, itself rounded to float or into object space, is moved outward by 16 of the latter. Rounding below the
-    // smallest normal float is monotonic and so keeps the order.
-    const Lanes slack = all_lanes(16 * epsilon * (size[0] + size[1] + size[2]) + least);
-    const Lanes away = with_signs_of(slope, slack), from_in = origin + away, from_out = origin - away;
-    offsets_ = &all_offsets[bits_of(reinterpret_cast<LaneMask>(slope))];
+    const FloatSlabs<T> slabs(ray);
+    held_ = slabs.held;
+    offsets_ = &all_offsets[slabs.negative];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      from_in_[axis] = all_lanes(from_in[axis]);
-      from_out_[axis] = all_lanes(from_out[axis]);
-      inverse_[axis] = all_lanes(inverse[axis]);
+      from_in_[axis] = all_lanes(slabs.from_in[axis]);
+      from_out_[axis] = all_lanes(slabs.from_out[axis]);
+      inverse_[axis] = all_lanes(slabs.inverse[axis]);
     }
   }
 
@@ -123,16 +101,6 @@ class LaneRay {
       }
     return all;
   }();
-
-  static constexpr float most = 1e18F;  ///< the largest origin and slope, and the inverse of the smallest slope
-
-  static bool holds(const Ray<T>& ray) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const T slope = std::abs(ray.direction[axis]);
-      if (!(std::abs(ray.origin[axis]) < most && (slope == 0 || (slope > 1 / most && slope < most)))) return false;
-    }
-    return true;
-  }
 
   bool held_;
   const PlaneOffsets* offsets_;

@@ -35,7 +35,7 @@ struct BuildStep {
     split,   ///< a node is split in two by a plane
     eight,   ///< a cube is split into eight, of which the empty ones are dropped
     leaf,    ///< a node becomes a leaf
-    joined,  ///< up to four nodes of a binary tree become one
+    joined,  ///< up to eight nodes of a binary tree become one
     cells,   ///< a grid's cells are laid out
     listed,  ///< a primitive is listed in all cells of a grid that its box overlaps
   };
@@ -55,7 +55,7 @@ struct BuildStep {
     Bounds<double> box;
     int items;  ///< primitives in it
   };
-  std::vector<Part> parts{};  ///< what it was split into; joined: the four
+  std::vector<Part> parts{};  ///< what it was split into; joined: all of them
 };
 
 /// Records a build. Steps beyond `most` are counted, but not kept.

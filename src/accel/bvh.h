@@ -19,6 +19,9 @@ namespace raywalk {
 /// Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), which is then collapsed into a wide
 /// one (H. Dammertz, J. Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of
 /// incoherent rays", 2008). Traversed nearest child first; a subtree that begins beyond the nearest hit is skipped.
+///
+/// For primitives that are tested one by one. Meshes have a MeshBvh, whose rays cost more before the first box and less
+/// from then on (structures.cpp).
 template <class T>
 class Bvh {
  public:

@@ -66,7 +66,8 @@ class Primitives {
     return &transforms_[static_cast<std::size_t>(transform_of_[static_cast<std::size_t>(id)])];
   }
   [[nodiscard]] bool moves(int id) const { return motion_of(id) != nullptr; }
-  [[nodiscard]] bool triangles_move() const { return triangles_move_; }
+  /// Whether it is a triangle of a mesh that does not move.
+  [[nodiscard]] bool still_triangle(int id) const { return id >= shape_count() && motion_of(id) == nullptr; }
   /// A sphere, plane or polygon, S, without transform or motion; null for anything else.
   template <class S>
   [[nodiscard]] const S* plain(int id) const {
@@ -87,7 +88,7 @@ class Primitives {
   void find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop = {});
 
   /// The nearest intersection in (0, t_max) of the ray with one primitive, in the ray's own t. `sheared`: the ray as
-  /// triangle tests need it, computed once for many tests, where no triangle moves.
+  /// triangle tests need it, computed once for many tests.
   template <class Explain = NoExplanation>
   [[nodiscard]] std::optional<Intersection<T>> intersect(int id, const Ray<T>& ray, T t_max, Explain&& explain = {},
                                                          const std::optional<ShearedRay<T>>& sheared = {}) const {
@@ -108,10 +109,18 @@ class Primitives {
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::transformed)
       return intersect_at_rest(id, ray, t_max, explain);
-    if (sheared && id >= shape_count())
+    if (sheared && still_triangle(id))
       return unless_left(id, ray,
                          triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain));
     return intersect_any(id, ray, t_max, explain);
+  }
+  /// The same with a triangle that neither moves nor is degenerate, given its coordinates (intersect_corners).
+  template <class Coordinate, class Explain>
+  [[nodiscard]] std::optional<Intersection<T>> intersect_triangle(int id, const Coordinate& coordinate,
+                                                                  const ShearedRay<T>& sheared, const Ray<T>& ray,
+                                                                  T t_max, Explain&& explain) const {
+    const int departed = departed_part(ray, id);
+    return unless_left(id, ray, intersect_corners(coordinate, sheared, t_max, departed, explain));
   }
   /// As textbooks give it (shape/naive.h).
   template <class Explain = NoExplanation>

@@ -71,9 +71,16 @@ class Query {
   Query(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
       : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {
     if constexpr (std::is_same_v<AnyRay, Ray<T>>)
-      if (primitives.triangles().size() > 0 && !primitives.triangles_move()) sheared_.emplace(ray);
+      if (primitives.triangles().size() > 0) sheared_.emplace(ray);
   }
   void enter_node() { ++counts_.nodes; }
+  /// Counts nodes that were entered, and tests that ruled out a primitive before its own test was needed.
+  void count(std::uint64_t nodes, std::uint64_t ruled_out) {
+    counts_.nodes += nodes;
+    counts_.primitives += ruled_out;
+  }
+  /// The ray as triangle tests need it; only where there are triangles.
+  [[nodiscard]] const ShearedRay<T>& sheared() const { return *sheared_; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< previous searches included
 
  protected:
@@ -82,6 +89,13 @@ class Query {
     ++counts_.primitives;
     // The full t_max, not the nearest t so far: a tie must be seen to be decided.
     return primitives.intersect(id, ray_, t_max_, counts_, sheared_);
+  }
+  /// The same for a triangle that neither moves nor is degenerate, given its coordinates (intersect_corners).
+  template <class Coordinate>
+  std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id, const Coordinate& coordinate) {
+    if (!accept_(id)) return std::nullopt;
+    ++counts_.primitives;
+    return primitives.intersect_triangle(id, coordinate, *sheared_, ray_, t_max_, counts_);
   }
 
   const AnyRay& ray_;
@@ -99,9 +113,10 @@ class ClosestQuery : public Query<T, Accept, AnyRay> {
   ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
       : Query<T, Accept, AnyRay>(primitives, ray, t_max, counts, accept), t_far_(t_max) {}
 
-  /// Tests one primitive; true when the search is over.
-  bool test(const Primitives<T>& primitives, int id) {
-    const auto intersection = this->cross(primitives, id);
+  /// Tests one primitive; true when the search is over. `triangle`: nothing, or what `cross` takes of a triangle.
+  template <class... KnownTriangle>
+  bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
+    const auto intersection = this->cross(primitives, id, triangle...);
     if (!intersection || !(intersection->t < hit_.t || (intersection->t == hit_.t && id < hit_.primitive)))
       return false;
     constexpr T margin = 1 + 4096 * std::numeric_limits<T>::epsilon();
@@ -131,8 +146,9 @@ class OcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
   OcclusionQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts)
       : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}) {}
 
-  bool test(const Primitives<T>& primitives, int id) {
-    if (this->cross(primitives, id)) found_ = id;
+  template <class... KnownTriangle>
+  bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
+    if (this->cross(primitives, id, triangle...)) found_ = id;
     return found();
   }
   [[nodiscard]] T t_far() const { return this->t_max_; }
@@ -153,9 +169,10 @@ class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
                          const std::vector<ShadowRole>& roles, std::vector<int>& filters)
       : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}), roles_(roles), filters_(filters) {}
 
-  bool test(const Primitives<T>& primitives, int id) {
+  template <class... KnownTriangle>
+  bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
     const ShadowRole role = roles_[static_cast<std::size_t>(id)];
-    if (role == ShadowRole::ignored || !this->cross(primitives, id)) return false;
+    if (role == ShadowRole::ignored || !this->cross(primitives, id, triangle...)) return false;
     if (role == ShadowRole::filters) {
       filters_.push_back(id);
       return false;

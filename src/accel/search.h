@@ -8,6 +8,7 @@
 #include "accel/grid.h"
 #include "accel/kdtree.h"
 #include "accel/list.h"
+#include "accel/mesh_bvh.h"
 #include "accel/octree.h"
 
 #include <algorithm>
@@ -16,32 +17,16 @@
 namespace raywalk {
 
 template <class T>
-using AnyStructure = std::variant<List<T>, BoundingVolumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>>;
+using AnyStructure = std::variant<List<T>, BoundingVolumes<T>, Bvh<T>, Grid<T>, Octree<T>, KdTree<T>, MeshBvh<T>>;
 
+/// Compiled in structures.cpp.
 template <class T>
 AnyStructure<T> build_structure(AcceleratorKind kind, const PrimitiveBounds<T>& boxes, const Primitives<T>& primitives,
-                                const BuildOptions& build = {}) {
-  switch (kind) {
-    case AcceleratorKind::automatic:
-    case AcceleratorKind::none:
-      break;
-    case AcceleratorKind::spheres:
-      return BoundingVolumes<T>(boxes, primitives, VolumeKind::sphere, build.stop);
-    case AcceleratorKind::ellipsoids:
-      return BoundingVolumes<T>(boxes, primitives, VolumeKind::ellipsoid, build.stop);
-    case AcceleratorKind::boxes:
-      return BoundingVolumes<T>(boxes, primitives, VolumeKind::box, build.stop);
-    case AcceleratorKind::bvh:
-      return Bvh<T>(boxes, build);
-    case AcceleratorKind::grid:
-      return Grid<T>(boxes, build);
-    case AcceleratorKind::octree:
-      return Octree<T>(boxes, build);
-    case AcceleratorKind::kdtree:
-      return KdTree<T>(boxes, build);
-  }
-  return List<T>(primitives.size());
-}
+                                const BuildOptions& build = {});
+extern template AnyStructure<float> build_structure(AcceleratorKind, const PrimitiveBounds<float>&,
+                                                    const Primitives<float>&, const BuildOptions&);
+extern template AnyStructure<double> build_structure(AcceleratorKind, const PrimitiveBounds<double>&,
+                                                     const Primitives<double>&, const BuildOptions&);
 
 template <class T>
 struct Accelerator<T>::Structure {

@@ -35,7 +35,7 @@ enum class SearchEnd {
 struct SearchEvent {
   enum class Kind {
     entered,  ///< a node or cell, which is counted
-    opened,   ///< a leaf of a BVH, which is not counted: its box was tested together with the other three of its node
+    opened,   ///< a leaf of a BVH, which is not counted: its box was tested together with the others of its node
     skipped,  ///< a node or cell
     tested,   ///< a primitive
     passed,   ///< a primitive already tested for this ray

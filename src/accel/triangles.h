@@ -27,15 +27,19 @@ class Triangles {
     return {position(c[0]), position(c[1]), position(c[2])};
   }
 
+  /// Whether one has no normal: it is not hit.
+  [[nodiscard]] static bool degenerate(const Triangle<T>& triangle) {
+    return cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0);
+  }
+
   /// `AnyRay` is a Ray, a ShearedRay or a NaiveRay.
   template <class AnyRay, class Explain>
   [[nodiscard]] std::optional<Intersection<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part,
                                                          Explain&& explain) const {
     const Triangle<T> triangle = (*this)[i];
     const auto intersection = raywalk::intersect(triangle, ray, t_max, departed_part, explain);
-    // A degenerate triangle has no normal; checked last, only for the few that are hit.
-    if (intersection && cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0)) return std::nullopt;
-    return intersection;
+    // Checked last, only for the few that are hit.
+    return intersection && degenerate(triangle) ? std::nullopt : intersection;
   }
 
   /// Whether a ray from triangle `from` hits its neighbour `to` at a `t` that is 0 up to rounding, although it stays on
@@ -143,11 +147,12 @@ Vec2<T> Triangles<T>::uv_at(int i, const SurfacePoint<T>& point) const {
 
 template <class T>
 bool Triangles<T>::leaves_by_edge(int from, int to, const Ray<T>& ray, T t) const {
-  const Triangle<T> left = (*this)[from], met = (*this)[to];
+  const Triangle<T> met = (*this)[to];
   const auto size = [](const Vec3<T>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   constexpr T rounding = 32 * std::numeric_limits<T>::epsilon();
   if (!(t * size(ray.direction) <= rounding * std::max({size(met.a), size(met.b), size(met.c), size(ray.origin)})))
     return false;
+  const Triangle<T> left = (*this)[from];
   const auto shared = [&](const Vec3<T>& p) { return p == left.a || p == left.b || p == left.c; };
   if (!shared(met.a) && !shared(met.b) && !shared(met.c)) return false;
   const auto side = [&](const Triangle<T>& of) { return dot(cross(of.b - of.a, of.c - of.a), ray.direction); };

@@ -19,16 +19,24 @@ class WatchedQuery : public Base {
   bool test(const Primitives<T>& primitives, int id) {
     const std::uint64_t before = this->counts().primitives;
     const bool over = Base::test(primitives, id);
-    if (this->counts().primitives == before) return over;
-    // The result of the test, repeated without counting: the query keeps only the nearest.
-    const auto intersection = primitives.intersect(id, this->ray_, this->t_max_);
-    const bool filters = roles_ != nullptr && (*roles_)[static_cast<std::size_t>(id)] == ShadowRole::filters;
-    record_.tested(id, intersection ? std::optional(static_cast<double>(intersection->t)) : std::nullopt, filters);
+    if (this->counts().primitives != before) tell(primitives, id);
     return over;
+  }
+  /// A primitive that was ruled out together with others.
+  void rule_out(const Primitives<T>& primitives, int id) {
+    this->count(0, 1);
+    tell(primitives, id);
   }
   [[nodiscard]] SearchRecord& record() const { return record_; }
 
  private:
+  /// The result of the test, repeated without counting: the query keeps only the nearest.
+  void tell(const Primitives<T>& primitives, int id) {
+    const auto intersection = primitives.intersect(id, this->ray_, this->t_max_);
+    const bool filters = roles_ != nullptr && (*roles_)[static_cast<std::size_t>(id)] == ShadowRole::filters;
+    record_.tested(id, intersection ? std::optional(static_cast<double>(intersection->t)) : std::nullopt, filters);
+  }
+
   SearchRecord& record_;
   const std::vector<ShadowRole>* roles_ = nullptr;
 };

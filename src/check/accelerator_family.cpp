@@ -9,9 +9,9 @@ namespace raywalk::check {
 
 namespace {
 
-/// A random mix of shapes of all sizes, some transformed, some coinciding.
+/// A random mix of shapes of all sizes, some transformed, some coinciding; with `mesh`, among a mesh of more triangles.
 template <class T>
-Primitives<T> heap(Random& random, bool backwards) {
+Primitives<T> heap(Random& random, bool backwards, bool mesh) {
   std::vector<std::pair<Shape<T>, std::optional<ObjectTransform<T>>>> all;
   const int count = random.whole(5, 60);
   const double spread = random.magnitude(0, 2);
@@ -47,6 +47,17 @@ Primitives<T> heap(Random& random, bool backwards) {
   if (backwards) std::reverse(all.begin(), all.end());
   Primitives<T> primitives;
   for (const auto& [shape, place] : all) place ? primitives.add(shape, *place) : primitives.add(shape);
+  if (!mesh) return primitives;
+  Mesh triangles;
+  for (int i = random.whole(70, 140); i > 0; --i) {
+    const Triangle<T> one =
+        ShapeTraits<Triangle<T>>::make(random, random.magnitude(-1.5, 0.3), spread * random.in_box());
+    const auto corner = static_cast<std::int32_t>(triangles.positions.size());
+    for (const Vec3<T>& at : {one.a, one.b, one.c}) triangles.positions.push_back(wide(at));
+    for (int copies = random.whole(0, 19) == 0 ? 2 : 1; copies > 0; --copies)
+      triangles.triangles.push_back({corner, corner + 1, corner + 2});
+  }
+  primitives.add(triangles, {}, false);
   return primitives;
 }
 
@@ -60,10 +71,12 @@ Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std
   const bool permuted = kind == AcceleratorKind::none;
   for (std::uint64_t number = first; number < first + count; ++number) {
     if (!plain || number % rays_a_heap == 0) {
+      // Triangles of a mesh always come last: they cannot be permuted.
+      const bool mesh = !permuted && number / rays_a_heap % 2 == 1;
       Random again(seed, 50, number / rays_a_heap);
-      plain.emplace(heap<T>(again, false), AcceleratorKind::none);
+      plain.emplace(heap<T>(again, false, mesh), AcceleratorKind::none);
       again = Random(seed, 50, number / rays_a_heap);
-      structure.emplace(heap<T>(again, permuted), kind);
+      structure.emplace(heap<T>(again, permuted, mesh), kind);
     }
     Random random(seed, 51, number);
     const Primitives<T>& all = plain->primitives();

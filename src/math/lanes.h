@@ -13,8 +13,13 @@ using LaneMask = int __attribute__((vector_size(16)));  ///< of a comparison: -1
 [[nodiscard]] inline Lanes all_lanes(float value) { return Lanes{value, value, value, value}; }
 
 /// Per lane; the second argument where either is NaN, as the processors' own instructions do.
+#if defined(__SSE2__)
+[[nodiscard]] inline Lanes min(Lanes a, Lanes b) { return _mm_min_ps(a, b); }
+[[nodiscard]] inline Lanes max(Lanes a, Lanes b) { return _mm_max_ps(a, b); }
+#else
 [[nodiscard]] inline Lanes min(Lanes a, Lanes b) { return a < b ? a : b; }
 [[nodiscard]] inline Lanes max(Lanes a, Lanes b) { return a > b ? a : b; }
+#endif
 
 [[nodiscard]] inline Lanes absolute(Lanes a) {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(a) &

@@ -4,6 +4,7 @@
 #include "shape/intersection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +34,7 @@ struct ShearedRay {
   ShearedRay() = default;
   explicit ShearedRay(const Ray<T>& ray);
   Vec3d origin{0.0}, direction{0.0, 0.0, 1.0};
+  std::array<double, 3> from{};      ///< the origin along the axes below
   int kx = 0, ky = 1, kz = 2;        ///< the axes that become x, y and z: z the largest component of the direction
   double x = 0, y = 0, inverse = 1;  ///< the shear, and 1 / direction[kz]
 };
@@ -41,6 +43,11 @@ struct ShearedRay {
 template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
                                                        int departed_part = no_part, Explain&& explain = {});
+
+/// The same for a triangle that is stored otherwise: `coordinate(corner, axis)`.
+template <class T, class Coordinate, class Explain = NoExplanation>
+[[nodiscard]] std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, const ShearedRay<T>& ray,
+                                                               T t_max, int departed_part, Explain&& explain = {});
 
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Triangle<T>& triangle, const Ray<T>& ray, Intersection<T> intersection) {
@@ -115,22 +122,30 @@ template <class T>
 template <class T>
 ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(wide(ray.origin)), direction(wide(ray.direction)) {
   const Vec3d& d = direction;
-  kz = std::abs(d.x) > std::abs(d.y) ? 0 : 1;
-  if (std::abs(d.z) > std::abs(d[kz])) kz = 2;
-  kx = (kz + 1) % 3, ky = (kz + 2) % 3;  // x and y keep their orientation
-  inverse = 1 / d[kz], x = d[kx] * inverse, y = d[ky] * inverse;
+  // Without branches, which no processor foresees.
+  const double ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
+  const int beside = static_cast<int>(!(ax > ay));
+  kz = az > (ax > ay ? ax : ay) ? 2 : beside;
+  constexpr int after[] = {1, 2, 0, 1};
+  kx = after[kz], ky = after[kz + 1];  // x and y keep their orientation
+  const std::array<double, 3> o{origin.x, origin.y, origin.z}, slope{d.x, d.y, d.z};
+  const auto at = [](int axis) { return static_cast<std::size_t>(axis); };
+  from = {o[at(kx)], o[at(ky)], o[at(kz)]};
+  inverse = 1 / slope[at(kz)], x = slope[at(kx)] * inverse, y = slope[at(ky)] * inverse;
 }
 
-template <class T, class Explain>
-std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
-                                         int departed_part, Explain&& explain) {
+template <class T, class Coordinate, class Explain>
+std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, const ShearedRay<T>& ray, T t_max,
+                                                 int departed_part, Explain&& explain) {
   constexpr bool explained = std::decay_t<Explain>::wanted;
   if (!explained && departed_part != no_part) return std::nullopt;  // a plane is crossed once
-  const auto sheared = [&](const Vec3<T>& corner) {
-    const Vec3d p = wide(corner) - ray.origin;
-    return Vec3d(p[ray.kx] - ray.x * p[ray.kz], p[ray.ky] - ray.y * p[ray.kz], p[ray.kz]);
+  const auto sheared = [&](int corner) {
+    const double px = static_cast<double>(coordinate(corner, ray.kx)) - ray.from[0];
+    const double py = static_cast<double>(coordinate(corner, ray.ky)) - ray.from[1];
+    const double pz = static_cast<double>(coordinate(corner, ray.kz)) - ray.from[2];
+    return Vec3d(px - ray.x * pz, py - ray.y * pz, pz);
   };
-  const Vec3d a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  const Vec3d a = sheared(0), b = sheared(1), c = sheared(2);
   // A sheared x or y errs by 5 half ulps of itself and of twice its z; the error of the edge functions follows from
   // that.
   const double across =
@@ -154,7 +169,8 @@ std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const Shea
                     std::abs(u * a.z + v * b.z + w * c.z) > 4 * error * depth;
   if (!sure) {
     note_exact(explain);
-    return detail::intersect_exactly(triangle, ray.origin, ray.direction, t_max);
+    const auto corner = [&](int i) { return Vec3<T>(coordinate(i, 0), coordinate(i, 1), coordinate(i, 2)); };
+    return detail::intersect_exactly(Triangle<T>{corner(0), corner(1), corner(2)}, ray.origin, ray.direction, t_max);
   }
   // The weights u, v, w should give the point (0, 0): the offset is corrected along the plane. In slivers they have few
   // correct digits, while the plane is as accurate as the corners are.
@@ -162,6 +178,15 @@ std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const Shea
   const double slope =
       ((off.x * ac.y - off.y * ac.x) * ab.z + (ab.x * off.y - ab.y * off.x) * ac.z) / (ab.x * ac.y - ab.y * ac.x);
   return detail::intersection_ahead((off.z - slope) * ray.inverse, t_max);
+}
+
+template <class T, class Explain>
+std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
+                                         int departed_part, Explain&& explain) {
+  const std::array<T, 9> all{triangle.a.x, triangle.a.y, triangle.a.z, triangle.b.x, triangle.b.y,
+                             triangle.b.z, triangle.c.x, triangle.c.y, triangle.c.z};
+  const auto coordinate = [&](int corner, int axis) { return all[static_cast<std::size_t>(3 * corner + axis)]; };
+  return intersect_corners(coordinate, ray, t_max, departed_part, explain);
 }
 
 template <class T, class Explain>

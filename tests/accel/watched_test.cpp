@@ -5,6 +5,7 @@
 #include <set>
 
 #include "accel/watched.h"
+#include "meshes.h"
 #include "support/catch.h"
 
 using namespace raywalk;
@@ -56,9 +57,20 @@ int count_of(const SearchRecord& record, SearchEvent::Kind kind) {
       std::count_if(record.events().begin(), record.events().end(), [&](const auto& e) { return e.kind == kind; }));
 }
 
+// The same among a ball of 320 triangles and one that moves.
+template <class T>
+Primitives<T> furnished() {
+  Primitives<T> all(room<T>(20));
+  all.add(test::icosphere(2, {1, 0, 0}, 2), {}, false);
+  const int first = all.size();
+  all.add(test::icosphere(0, {-3, 1, 0}, 0.7), {}, false);
+  all.move(first, all.size(), {{0, Vec3d(0.0)}, {1, Vec3d(0, 1, 0)}});
+  return all;
+}
+
 template <class T, class AnyRay>
-void compare(AcceleratorKind kind) {
-  const Accelerator<T> accelerator(Primitives<T>(room<T>(60)), kind);
+void compare(AcceleratorKind kind, Primitives<T> primitives) {
+  const Accelerator<T> accelerator(std::move(primitives), kind);
   const WatchedAccelerator<T> watching(accelerator.primitives(), kind, 0);
   const std::vector<ShadowRole> none;
   int differing = 0, hits = 0;
@@ -105,11 +117,42 @@ void compare(AcceleratorKind kind) {
 TEST_CASE("a watched search finds and costs what the same search costs that nobody watches") {
   for (const AcceleratorKind kind : structures) {
     INFO(name_of(kind));
-    compare<double, Ray<double>>(kind);
-    compare<float, Ray<float>>(kind);
-    compare<double, NaiveRay<double>>(kind);
-    compare<float, NaiveRay<float>>(kind);
+    compare<double, Ray<double>>(kind, Primitives<double>(room<double>(60)));
+    compare<double, Ray<double>>(kind, furnished<double>());
+    compare<float, Ray<float>>(kind, Primitives<float>(room<float>(60)));
+    compare<float, Ray<float>>(kind, furnished<float>());
+    compare<double, NaiveRay<double>>(kind, Primitives<double>(room<double>(60)));
+    compare<double, NaiveRay<double>>(kind, furnished<double>());
+    compare<float, NaiveRay<float>>(kind, Primitives<float>(room<float>(60)));
+    compare<float, NaiveRay<float>>(kind, furnished<float>());
   }
+}
+
+TEST_CASE("triangles that are ruled out together are told one by one, as missed") {
+  const Primitives<float> primitives = furnished<float>();
+  const WatchedAccelerator<float> accelerator(primitives, AcceleratorKind::bvh, 0);
+  int leaves = 0, wrong = 0, far = 0;
+  for (const Ray<float>& ray : probes<float>(600)) {
+    SearchRecord record(wide(ray.origin), wide(ray.direction), infinity<double>);
+    TestCounts counts;
+    static_cast<void>(accelerator.closest(ray, infinity<float>, counts, record));
+    int expected = 0;  // tests that follow a leaf
+    for (const SearchEvent& event : record.events()) {
+      if (event.kind == SearchEvent::Kind::tested) {
+        if (!event.box.empty()) --expected;
+        const auto alone = primitives.intersect(event.primitive, ray, infinity<float>);
+        wrong += alone.has_value() != (event.test != SearchEvent::Test::missed);
+        far += event.test == SearchEvent::Test::farther;
+        continue;
+      }
+      wrong += expected != 0;
+      expected = event.kind == SearchEvent::Kind::opened ? event.items : 0;
+      leaves += event.kind == SearchEvent::Kind::opened;
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(leaves > 200);
+  CHECK(far > 0);
 }
 
 TEST_CASE("filters are told as such, and what stops is told last") {
@@ -216,6 +259,27 @@ TEST_CASE("a record that is full goes on counting") {
   CHECK(record.events().size() == 5);
   CHECK_FALSE(record.complete());
   CHECK(counts.primitives == 61);
+}
+
+TEST_CASE("a BVH joins four boxes over shapes and small meshes, and eight over other meshes") {
+  const auto most_joined = [](const Primitives<double>& primitives) {
+    const WatchedAccelerator<double> accelerator(primitives, AcceleratorKind::bvh, 100000);
+    int most = 0, inner = 0;
+    for (const BuildStep& step : accelerator.build().steps)
+      if (step.kind == BuildStep::Kind::joined) most = std::max(most, step.items), ++inner;
+    CHECK(inner == static_cast<int>(accelerator.statistics().nodes));
+    return most;
+  };
+  const auto ball = [](int subdivisions, int balls) {
+    Primitives<double> all(room<double>(balls));
+    all.add(test::icosphere(subdivisions, Vec3d(0.0), 1), {}, false);
+    return all;
+  };
+  CHECK(most_joined(Primitives<double>(room<double>(300))) == 4);
+  CHECK(most_joined(ball(0, 0)) == 4);    // 20 triangles
+  CHECK(most_joined(ball(1, 300)) == 4);  // 80, among more shapes
+  CHECK(most_joined(ball(1, 0)) == 8);
+  CHECK(most_joined(furnished<double>()) == 8);
 }
 
 TEST_CASE("the steps of a build are those of the structure that stands in the end") {

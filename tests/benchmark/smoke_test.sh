@@ -26,6 +26,10 @@ done
 
 if "$folder/benchmark_hooks" /nowhere.toml 2>/dev/null; then echo "no scene, but no error"; exit 1; fi
 
+race=$("$folder/benchmark_mesh_race" 1 1 slivers)
+grep -Eq '^slivers: 38400 triangles; ours built in' <<<"$race" || { echo "unexpected: $race"; exit 1; }
+grep -Eq '^bounce 1 +[0-9.]+ \( +0\)' <<<"$race" || { echo "unexpected: $race"; exit 1; }
+
 # A mesh of one triangle instead of the room: the mesh and the folder that holds it are not shipped.
 mesh=$(mktemp --suffix=.ply)
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n-9 0 0\n9 0 0\n0 9 0\n3 0 1 2\n' >"$mesh"

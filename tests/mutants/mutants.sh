@@ -106,13 +106,17 @@ mutant accel_boxes_without_pad accel accel/primitives.cpp 'const T pad = 8 *' 'c
 mutant kdtree_far_side_late accel accel/kdtree.h 'std::fmax(at.in, t - slack)' 'std::fmax(at.in, t + std::abs(t) / 64)'
 mutant kdtree_one_side accel accel/kdtree.h 'boxes.box(id).max[best_axis] >= plane' 'boxes.box(id).min[best_axis] >= plane'
 mutant bvh_too_early accel accel/bvh.h 'beyond(stack[count].in, query.t_far())' 'beyond(2 * stack[count].in, query.t_far())'
-mutant lanes_shrunk accel accel/box_lanes.h '-at_least(-static_cast<double>(box.min[axis]))' \
-  'at_least(box.min[axis] + 1e-5 * std::abs(static_cast<double>(box.min[axis])))'
-mutant lanes_origin_without_slack accel accel/box_lanes.h '16 * epsilon * (size[0] + size[1] + size[2]) + least' '0 * epsilon * least'
-mutant lanes_boxes_not_widened accel accel/box_lanes.h 'x + 8 * static_cast<double>' 'x - 1000 * static_cast<double>'
-mutant lanes_sign_of_zero_ignored accel accel/box_lanes.h 'bits_of(reinterpret_cast<LaneMask>(slope))' \
+mutant mesh_bvh_too_early accel accel/wide_search_loop.h 'static_cast<Far>(in * (1 - 8 ' 'static_cast<Far>(2 * in * (1 - 8 '
+mutant lanes_shrunk accel accel/float_slabs.h '-rounded_up(-static_cast<double>(box.min[axis]))' \
+  'rounded_up(box.min[axis] + 1e-5 * std::abs(static_cast<double>(box.min[axis])))'
+mutant lanes_origin_without_slack accel accel/float_slabs.h '16 * epsilon * (size[0] + size[1] + size[2]) + least' '0 * epsilon * least'
+mutant lanes_boxes_not_widened accel accel/float_slabs.h 'near + 8 * std::numeric_limits' 'near - 1000 * std::numeric_limits'
+mutant lanes_sign_of_zero_ignored accel accel/float_slabs.h 'bits_of(reinterpret_cast<LaneMask>(slope))' \
   'bits_of(slope < all_lanes(0))'
-mutant lanes_beyond_floats_range accel accel/box_lanes.h 'slope == 0 || (slope > 1 / most && slope < most)' 'true'
+mutant lanes_beyond_floats_range accel accel/float_slabs.h 'slope == 0 || (slope > 1 / most && slope < most)' 'true'
+mutant triangles_ruled_out_without_error accel accel/lane_tests.h 'all_of(4) * across * corner_error' \
+  'all_of(-4) * across * corner_error'
+mutant triangles_beyond_too_early accel accel/lane_tests.h 'nearest - (farthest - nearest) > ' 'nearest + nearest > '
 mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \
   'leave[0] >= leave[1] ? (leave[0] <= leave[2]'
 

@@ -37,6 +37,7 @@ suspect() {
 verdict() {
   local log=$work/$1.log program=("$(suspect "$2")" "$root/tests/mutants/suspects.cpp") libraries=(-lgmpxx -lgmp)
   # Whatever concerns no crossing has to get past a test of its own.
+  [[ $2 == accel ]] && program+=("$4"/src/accel/{search_record,structures,wide_search,wide_search_eight,wide_tree,width}.cpp)
   [[ $2 == uv ]] && program=("-I$root/tests" "$root/tests/shape/uv_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == stack ]] && program=("-I$root/tests" "$root/tests/trace/body_stack_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == photons ]] && program=("-I$root/tests" "$root/tests/trace/photon_map_test.cpp" "$4/src/trace/photon_map.cpp") \

@@ -1,0 +1,99 @@
+#pragma once
+// A node's boxes and a pack's triangles against a ray, a group of lanes at a time. Included once for each width, inside
+// of a namespace that says what a Group is, how many lanes it has, the functions of math/lanes.h for it, and
+// RAYWALK_LANE_TARGET, which is what its functions are compiled for. No other file includes it.
+
+/// A ray's terms in all lanes, and `t_far`, for the time that it stays the same.
+struct HeldRay {
+  Group from_in[3], from_out[3], inverse[3], t_far;
+  std::size_t near[3], far[3];
+  const MeshRay* ray;
+  float reach;
+};
+
+RAYWALK_LANE_TARGET inline void hold(const MeshRay& ray, float t_far, HeldRay& held) {
+  for (int axis = 0; axis < 3; ++axis) {
+    held.from_in[axis] = all_of(ray.from_in[axis]), held.from_out[axis] = all_of(ray.from_out[axis]);
+    held.inverse[axis] = all_of(ray.inverse[axis]);
+    held.near[axis] = ray.near[axis], held.far[axis] = ray.far[axis];
+  }
+  held.t_far = all_of(t_far);
+  held.ray = &ray;
+  held.reach = t_far * ray.depth_per_t * (1 + 8 * std::numeric_limits<float>::epsilon());
+}
+
+/// The lanes at a byte offset from the first, and those of a later group.
+RAYWALK_LANE_TARGET inline Group at_offset(const void* first, std::size_t offset, unsigned lane) {
+  return loaded(reinterpret_cast<const float*>(static_cast<const char*>(first) + offset) + lane);
+}
+
+/// A bit for each box that the ray hits before `t_far`, and where it enters them (BoxEntry): all of them and, by
+/// rounding, some that it narrowly misses. NaN, from an origin in a face's plane without slope, does not limit the
+/// interval.
+RAYWALK_LANE_TARGET inline unsigned meet(const HeldRay& ray, const TreeNode& node, BoxEntry* entries) {
+  unsigned bits = 0;
+  for (unsigned lane = 0; lane < (group_lanes == tree_width ? 1 : node.count); lane += group_lanes) {
+    Group enters = all_of(0), leaves = ray.t_far;
+    for (int axis = 0; axis < 3; ++axis) {
+      enters = max((at_offset(&node, ray.near[axis], lane) - ray.from_in[axis]) * ray.inverse[axis], enters);
+      leaves = min((at_offset(&node, ray.far[axis], lane) - ray.from_out[axis]) * ray.inverse[axis], leaves);
+    }
+    store_entries(entries, lane, enters);
+    bits |= bits_where(enters <= leaves) << lane;
+  }
+  return bits;
+}
+
+/// A corner seen from the ray, which is its z axis.
+struct LaneCorner {
+  Group x, y, z;
+};
+
+RAYWALK_LANE_TARGET inline LaneCorner sheared(const MeshRay& ray, const TrianglePack& pack, unsigned corner,
+                                              unsigned lane) {
+  const auto& of = pack.corners[corner];
+  const Group z = at_offset(of, ray.axes[2], lane) - all_of(ray.origin[2]);
+  return {at_offset(of, ray.axes[0], lane) - all_of(ray.origin[0]) - all_of(ray.shear[0]) * z,
+          at_offset(of, ray.axes[1], lane) - all_of(ray.origin[1]) - all_of(ray.shear[1]) * z, z};
+}
+
+/// The largest of three, without their signs.
+RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
+  return max(absolute(a), max(absolute(b), absolute(c)));
+}
+
+/// A bit for each of the pack's first `count` lanes, unless the ray certainly misses its triangle or reaches it only
+/// beyond `t_far`.
+///
+/// The test is that of shape/triangle.h. With h = 2^-24, half an ulp of 1, a corner's x or y errs by at most
+/// 3h|x| + 6h|z| + 4h|o|: h each of x and z by the difference; where positions are in double, h each of x, z and twice
+/// of the origin by rounding them to float; 2h|z| by the shear, whose terms are at most 1, and its product; h|x| by the
+/// last difference. Twice that is taken. An edge function, the difference of two products of such coordinates, then
+/// errs by less than 4 * across * that: it can be larger only where across is at least twice as large as the corner's
+/// error, which bounds the product of two errors. Below the smallest normal float all rounding is less than `grain` and
+/// `least` account for. Where something leaves float's range, or is NaN, no comparison is true, and nothing is ruled
+/// out.
+RAYWALK_LANE_TARGET inline unsigned sift(const HeldRay& held, const TrianglePack& pack, unsigned count) {
+  const MeshRay& ray = *held.ray;
+  constexpr float half_ulp = std::numeric_limits<float>::epsilon() / 2, least = std::numeric_limits<float>::min();
+  const unsigned all = (1U << count) - 1;
+  unsigned missed = 0;
+  for (unsigned lane = 0; lane < (group_lanes == tree_width ? 1 : count); lane += group_lanes) {
+    const LaneCorner a = sheared(ray, pack, 0, lane), b = sheared(ray, pack, 1, lane), c = sheared(ray, pack, 2, lane);
+    const Group across = max(largest(a.x, b.x, c.x), largest(a.y, b.y, c.y)), depth = largest(a.z, b.z, c.z);
+    const Group corner_error = all_of(8 * half_ulp) * (across + (depth + depth) + all_of(ray.grain));
+    const Group error = all_of(4) * across * corner_error + all_of(least);
+    const Group u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
+    const auto outside = (max(u, max(v, w)) > error) & (min(u, min(v, w)) < -error);
+    const unsigned bits = bits_where(outside);
+    missed |= bits << lane;
+    if ((~missed & all) >> lane == 0) continue;
+    // The interval of the triangle's depth along the ray; t is computed to within less than the triangle's own extent.
+    const Group forward = all_of(ray.forward), az = a.z * forward, bz = b.z * forward, cz = c.z * forward;
+    const Group nearest = min(az, min(bz, cz)), farthest = max(az, max(bz, cz));
+    const auto behind = farthest < -corner_error;
+    const auto beyond = nearest - (farthest - nearest) > all_of(held.reach) + (corner_error + corner_error);
+    missed |= bits_where(behind | beyond) << lane;
+  }
+  return ~missed & all;
+}

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "accel/search_record.h"
+#include "accel/wide_search.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <type_traits>
+
+namespace raywalk {
+
+/// Bounding volume hierarchy over primitives that are mostly triangles: a tree of boxes, eight per node, which are
+/// tested together, as are the triangles of a leaf (accel/wide_tree.h, accel/lane_tests.h). Traversed nearest child
+/// first; a subtree that begins beyond the nearest hit is skipped. Other scenes have a Bvh (structures.cpp).
+template <class T>
+class MeshBvh {
+ public:
+  MeshBvh(const PrimitiveBounds<T>& boxes, const Primitives<T>& primitives, const BuildOptions& build = {});
+
+  template <class Query>
+  [[gnu::noinline]] void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    const MeshRay lanes(ray, query.sheared());
+    if (lanes.held)
+      walk(lanes, primitives, query);
+    else
+      walk_beyond_float(ray, primitives, query);
+  }
+  template <class Query>
+  [[gnu::noinline]] void search(const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
+    walk(slabs_of(ray, primitives), primitives, query);
+  }
+
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const { tree_.list_nodes(nodes, most); }
+
+  [[nodiscard]] AcceleratorStatistics statistics() const {
+    return {tree_.node_count(), tree_.item_count(), tree_.depth(), tree_.bytes()};
+  }
+
+ private:
+  template <class Query>
+  [[gnu::noinline, gnu::cold]] void walk_beyond_float(const Ray<T>& ray, const Primitives<T>& primitives,
+                                                      Query& query) const {
+    // In double, where the inverse of every float's slope is finite.
+    SlabRay<double> slabs(Ray<double>{wide(ray.origin), wide(ray.direction)});
+    if (primitives.maps_rays()) {
+      const Vec3d& from = slabs.from_in;
+      const double size = std::abs(from.x) + std::abs(from.y) + std::abs(from.z);
+      const double slack = 16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double away = slabs.negative[axis] ? -slack : slack;
+        slabs.from_in[axis] += away, slabs.from_out[axis] -= away;
+      }
+    }
+    walk(slabs, primitives, query);
+  }
+
+  template <class Terms, class Query>
+  void walk(const Terms& terms, const Primitives<T>& primitives, Query& query) const {
+    SearchRecord* record = nullptr;
+    if constexpr (Watching<Query>) record = &query.record();
+    WideSearch<Terms> search(tree_, terms, Query::shortens, record);
+    while (search.next(query.t_far()))
+      if (test_leaf(search, primitives, query)) break;
+    query.count(search.nodes(), search.passed_over());
+  }
+
+  /// Tests what the search has found; true when it is over.
+  template <class Terms, class Query>
+  [[gnu::flatten]] static bool test_leaf(const WideSearch<Terms>& search, const Primitives<T>& primitives,
+                                         Query& query) {
+    const unsigned ruled_out = search.ruled_out();
+    if constexpr (Watching<Query>) {
+      for (unsigned bits = search.candidates() | ruled_out; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits), id = search.ids()[lane];
+        if ((ruled_out >> lane & 1) != 0)
+          query.rule_out(primitives, id);
+        else if (query.test(primitives, id))
+          return true;
+      }
+    } else {
+      for (unsigned bits = search.candidates(); bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits);
+        if (!test_lane(search, static_cast<std::size_t>(lane), primitives, query)) continue;
+        query.count(0, bit_counts[ruled_out & ((1U << lane) - 1)]);
+        return true;
+      }
+      query.count(0, bit_counts[ruled_out]);
+    }
+    return false;
+  }
+
+  template <class Terms, class Query>
+  static bool test_lane(const WideSearch<Terms>& search, std::size_t lane, const Primitives<T>& primitives,
+                        Query& query) {
+    const int id = search.ids()[lane];
+    // Packs hold triangles as they are, where these are in float. (Naive rays test them by other means.)
+    if constexpr (std::is_same_v<T, float> && std::is_same_v<Terms, MeshRay>) {
+      if (const TrianglePack* pack = search.pack(); pack != nullptr && !std::isnan(pack->corners[0][0][lane])) {
+        return query.test(primitives, id, [=](int corner, int axis) { return pack->corners[corner][axis][lane]; });
+      }
+    }
+    return query.test(primitives, id);
+  }
+
+  /// By eight bits: not every processor has an instruction for it.
+  static constexpr std::array<std::uint8_t, 256> bit_counts = [] {
+    std::array<std::uint8_t, 256> counts{};
+    for (unsigned bits = 0; bits < counts.size(); ++bits) counts[bits] = static_cast<std::uint8_t>(std::popcount(bits));
+    return counts;
+  }();
+
+  WideTree tree_;
+};
+
+template <class T>
+MeshBvh<T>::MeshBvh(const PrimitiveBounds<T>& boxes, const Primitives<T>& primitives, const BuildOptions& build) {
+  std::vector<TreeItem> items;
+  items.reserve(boxes.bounded.size());
+  build.stop.each(boxes.bounded.begin(), boxes.bounded.end(), [&](int id) {
+    items.push_back({rounded_out(boxes.box(id)), id, primitives.still_triangle(id) ? 1 : 0});
+  });
+  tree_ = WideTree(std::move(items), build);
+  build.stop.each(tree_.packs().begin(), tree_.packs().end(), [&](TrianglePack& pack) {
+    for (std::size_t lane = 0; lane < tree_width; ++lane) {
+      const int id = pack.ids[lane];
+      constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+      std::array<Vec3<float>, 3> corners{Vec3<float>(nan), Vec3<float>(nan), Vec3<float>(nan)};
+      if (primitives.still_triangle(id)) {
+        const Triangle<T> triangle = primitives.triangles()[id - primitives.shape_count()];
+        if (!Triangles<T>::degenerate(triangle))
+          corners = {Vec3<float>(triangle.a), Vec3<float>(triangle.b), Vec3<float>(triangle.c)};
+      }
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        for (int axis = 0; axis < 3; ++axis) pack.corners[corner][axis][lane] = corners[corner][axis];
+    }
+  });
+}
+
+}  // namespace raywalk

@@ -1,0 +1,108 @@
+#include "accel/wide_search.h"
+
+#include "accel/wide_search_eight.h"
+#include "accel/wide_search_loop.h"
+#include "accel/width.h"
+
+#include <cstring>
+
+namespace raywalk {
+
+namespace {
+
+namespace four {
+
+using Group = Lanes;
+constexpr unsigned group_lanes = 4;
+inline Group all_of(float value) { return all_lanes(value); }
+inline Group loaded(const float* from) {
+  Group lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+inline void store_entries(BoxEntry* entries, unsigned lane, Group enters) {
+  constexpr int keep = ~static_cast<int>(BoxEntry::lane_bits);
+  const int first = static_cast<int>(lane);
+  const LaneMask bits = (reinterpret_cast<LaneMask>(enters) & LaneMask{keep, keep, keep, keep}) |
+                        LaneMask{first, first + 1, first + 2, first + 3};
+  std::memcpy(static_cast<void*>(entries + lane), &bits, sizeof bits);
+}
+inline unsigned bits_where(LaneMask mask) { return bits_of(mask); }
+
+#define RAYWALK_LANE_TARGET
+#include "accel/lane_tests.h"
+#undef RAYWALK_LANE_TARGET
+
+}  // namespace four
+
+struct FourAtATime {
+  using Held = four::HeldRay;
+  static void hold(const MeshRay& ray, float t_far, Held& held) { four::hold(ray, t_far, held); }
+  static unsigned meet(const Held& ray, const TreeNode& node, BoxEntry* entries) {
+    return four::meet(ray, node, entries);
+  }
+  static unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count) {
+    return four::sift(ray, pack, count);
+  }
+};
+
+/// Boxes in the ray's own precision; every triangle is left to its own test.
+template <class Slabs>
+struct OneByOne {
+  using T = typename WideSearch<Slabs>::Far;
+  struct Held {
+    const Slabs* slabs;
+    T t_far;
+  };
+  static void hold(const Slabs& slabs, T t_far, Held& held) { held = {&slabs, t_far}; }
+  static unsigned meet(const Held& ray, const TreeNode& node, BoxEntry* entries) {
+    unsigned bits = 0;
+    for (unsigned lane = 0; lane < node.count; ++lane) {
+      const Bounds<float> box = node.box(lane);
+      entries[lane] = {0, lane};
+      if (!clip(*ray.slabs, Bounds<T>{Vec3<T>(box.min), Vec3<T>(box.max)}, {0, ray.t_far}).empty()) bits |= 1U << lane;
+    }
+    return bits;
+  }
+  static unsigned sift(const Held& /*ray*/, const TrianglePack& /*pack*/, unsigned count) { return (1U << count) - 1; }
+};
+
+template <class Tests, bool nearest_first, bool watched, class Terms>
+bool advance(WideSearch<Terms>& search, typename WideSearch<Terms>::Far t_far) {
+  return SearchLoop::run<Tests, nearest_first, watched>(search, t_far);
+}
+
+template <class Terms>
+auto advance_for(bool nearest_first, bool watched) {
+  if constexpr (std::is_same_v<Terms, MeshRay>) {
+    // A record is of nodes, which are the same at every width.
+    if (!watched && lane_width() == LaneWidth::eight) return advance_eight(nearest_first);
+    if (watched)
+      return nearest_first ? &advance<FourAtATime, true, true, Terms> : &advance<FourAtATime, false, true, Terms>;
+    return nearest_first ? &advance<FourAtATime, true, false, Terms> : &advance<FourAtATime, false, false, Terms>;
+  } else {
+    if (watched)
+      return nearest_first ? &advance<OneByOne<Terms>, true, true, Terms>
+                           : &advance<OneByOne<Terms>, false, true, Terms>;
+    return nearest_first ? &advance<OneByOne<Terms>, true, false, Terms>
+                         : &advance<OneByOne<Terms>, false, false, Terms>;
+  }
+}
+
+}  // namespace
+
+template <class Terms>
+WideSearch<Terms>::WideSearch(const WideTree& tree, const Terms& terms, bool nearest_first, SearchRecord* record)
+    : tree_(tree), terms_(terms), record_(record), advance_(advance_for<Terms>(nearest_first, record != nullptr)) {
+  if (tree.empty()) return;
+  if (record != nullptr) boxes_.resize(stack_.size());
+  stack_[0] = {TreeChild::node(0), {0, 0}};
+  waiting_ = 1;
+}
+
+template class WideSearch<MeshRay>;
+template class WideSearch<SlabRay<double>>;
+template class WideSearch<NaiveSlabRay<float>>;
+template class WideSearch<NaiveSlabRay<double>>;
+
+}  // namespace raywalk

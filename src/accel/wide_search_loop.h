@@ -1,0 +1,97 @@
+#pragma once
+// The loop of a WideSearch, to be compiled for each width and kind of ray.
+
+#include "accel/wide_search.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace raywalk {
+
+struct SearchLoop {
+  /// `Tests` has `hold`, `meet` and `sift` for `Terms`, see accel/lane_tests.h.
+  template <class Tests, bool nearest_first, bool watched, class Terms>
+  [[gnu::always_inline]] static inline bool run(WideSearch<Terms>& search, typename WideSearch<Terms>::Far t_far) {
+    typename Tests::Held held;
+    Tests::hold(search.terms_, t_far, held);
+    std::size_t waiting = search.waiting_;
+    [[maybe_unused]] Bounds<float> box;
+    std::uint64_t entered = search.nodes_;
+    const TreeNode* const nodes = &search.tree_.node(0);
+    auto* const stack = search.stack_.data();
+    while (waiting > 0) {
+      TreeChild at = stack[--waiting].child;
+      if constexpr (watched) box = search.boxes_[waiting];
+      // A box met before t_far is still met, unless t_far has become shorter.
+      if (nearest_first && beyond(stack[waiting].entry.t(), t_far)) {
+        if constexpr (watched) search.record_->skipped(box);
+        continue;
+      }
+      while (!at.is_leaf()) {
+        const TreeNode& node = nodes[at.index()];
+        ++entered;
+        alignas(32) BoxEntry entries[tree_width];
+        unsigned met = Tests::meet(held, node, entries);
+        if constexpr (watched) tell(*search.record_, node, met);
+        if (met == 0) break;
+        // The nearest child is next; the others go onto the stack, nearer ones on top if hits shorten the ray.
+        const std::size_t before = waiting;
+        BoxEntry next = entries[std::countr_zero(met)];
+        while ((met &= met - 1) != 0) {
+          const BoxEntry other = entries[std::countr_zero(met)];
+          const BoxEntry waits = nearest_first ? std::max(next, other) : next;
+          next = nearest_first ? std::min(next, other) : other;
+          std::size_t place = waiting++;
+          if constexpr (nearest_first)
+            for (; place > before && stack[place - 1].entry < waits; --place) {
+              stack[place] = stack[place - 1];
+              if constexpr (watched) search.boxes_[place] = search.boxes_[place - 1];
+            }
+          stack[place] = {node.children[waits.lane()], waits};
+          if constexpr (watched) search.boxes_[place] = node.box(waits.lane());
+        }
+        at = node.children[next.lane()];
+        if constexpr (watched) box = node.box(next.lane());
+      }
+      if (!at.is_leaf()) continue;  // nothing of the node was met
+      if constexpr (watched) search.record_->opened(box, at.count());
+      const unsigned all = (1U << at.count()) - 1;
+      if (at.is_pack()) {
+        search.pack_ = &search.tree_.pack(at.index());
+        search.ids_ = search.pack_->ids;
+        search.candidates_ = Tests::sift(held, *search.pack_, at.count());
+        search.ruled_out_ = all & ~search.candidates_;
+        if (!watched && search.candidates_ == 0) {
+          search.passed_over_ += at.count();
+          continue;
+        }
+      } else {
+        search.pack_ = nullptr;
+        search.ids_ = search.tree_.listed(at.index());
+        search.candidates_ = all;
+        search.ruled_out_ = 0;
+      }
+      search.waiting_ = waiting;
+      search.nodes_ = entered;
+      return true;
+    }
+    search.waiting_ = 0;
+    search.nodes_ = entered;
+    return false;
+  }
+
+ private:
+  /// Whether a box entered at `in`, up to rounding, lies beyond t_far.
+  template <class Far>
+  static bool beyond(float in, Far t_far) {
+    return static_cast<Far>(in * (1 - 8 * std::numeric_limits<float>::epsilon())) > t_far;
+  }
+
+  static void tell(SearchRecord& record, const TreeNode& node, unsigned met) {
+    record.entered(node.whole(), false, node.count);
+    for (unsigned lane = 0; lane < node.count; ++lane)
+      if ((met >> lane & 1U) == 0) record.skipped(node.box(lane));
+  }
+};
+
+}  // namespace raywalk

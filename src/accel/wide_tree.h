@@ -1,0 +1,113 @@
+#pragma once
+// The tree that MeshBvh searches, in float for rays of either precision. Eight boxes a node and eight triangles a pack,
+// on every processor: how many of them are tested at a time (accel/width.h) changes no node that a ray meets.
+
+#include "accel/build_record.h"
+#include "math/bounds.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace raywalk {
+
+inline constexpr unsigned tree_width = 8;  ///< boxes in a node, triangles in a pack
+
+/// What a node's box holds, in 32 bits: a node; a leaf of up to eight triangles, which is a pack; or a leaf of other
+/// primitives.
+class TreeChild {
+ public:
+  TreeChild() = default;  ///< means nothing: stacks of searches are not filled
+  static TreeChild node(std::uint32_t index) { return TreeChild(index); }
+  static TreeChild pack(std::uint32_t index, std::uint32_t count) { return leaf(packed, index, count); }
+  static TreeChild list(std::uint32_t first, std::uint32_t count) { return leaf(listed, first, count); }
+
+  [[nodiscard]] bool is_leaf() const { return (bits_ & (packed | listed)) != 0; }
+  [[nodiscard]] bool is_pack() const { return (bits_ & packed) != 0; }
+  /// Of the node, of the pack, or of the first listed id.
+  [[nodiscard]] std::uint32_t index() const { return bits_ & most; }
+  [[nodiscard]] std::uint32_t count() const { return (bits_ >> shift & 7) + 1; }  ///< primitives of a leaf
+
+  static constexpr std::uint32_t most = (1U << 27) - 1;  ///< the largest index
+
+ private:
+  static constexpr std::uint32_t packed = 1U << 31, listed = 1U << 30, shift = 27;
+  explicit TreeChild(std::uint32_t bits) : bits_(bits) {}
+  static TreeChild leaf(std::uint32_t kind, std::uint32_t index, std::uint32_t count) {
+    return TreeChild(kind | (count - 1) << shift | index);
+  }
+  std::uint32_t bits_;
+};
+
+struct alignas(64) TreeNode {
+  float planes[6][tree_width];  ///< of the boxes: the least x, y and z, then the greatest; missing boxes are empty
+  TreeChild children[tree_width];
+  std::uint32_t count;  ///< boxes held, from lane 0
+
+  [[nodiscard]] Bounds<float> box(unsigned lane) const {
+    return {{planes[0][lane], planes[1][lane], planes[2][lane]}, {planes[3][lane], planes[4][lane], planes[5][lane]}};
+  }
+  /// The bounds of all.
+  [[nodiscard]] Bounds<float> whole() const {
+    Bounds<float> whole;
+    for (unsigned lane = 0; lane < count; ++lane) whole.include(box(lane));
+    return whole;
+  }
+};
+
+/// Up to eight primitives of a leaf, at least one of them a triangle. Corners that are NaN belong to something else, to
+/// a triangle that moves or to a degenerate one: it can be ruled out only by its own test.
+struct alignas(64) TrianglePack {
+  float corners[3][3][tree_width];  ///< by corner and axis; of missing lanes as in lane 0
+  std::int32_t ids[tree_width];
+};
+
+/// What the tree is built from.
+struct alignas(32) TreeItem {
+  Bounds<float> box;  ///< rounded out
+  std::int32_t id;
+  std::int32_t packed;  ///< 1 for a triangle that packs hold, else 0
+};
+
+/// Bounding volume hierarchy.
+///
+/// Built top-down as a binary tree by the surface area heuristic over 16 bins (J. Goldsmith and J. Salmon 1987; I.
+/// Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), which is then collapsed into a wide
+/// one (H. Dammertz, J. Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of
+/// incoherent rays", 2008).
+class WideTree {
+ public:
+  WideTree() = default;
+  /// Over items with finite, non-empty boxes. The packs' corners are left to the caller.
+  explicit WideTree(std::vector<TreeItem> items, const BuildOptions& build = {});
+
+  /// Binary levels by the heuristic; what is left then is halved until it fits into leaves, at most 31 times.
+  static constexpr std::size_t max_depth = 64, most_levels = max_depth + 31;
+
+  [[nodiscard]] bool empty() const { return nodes_.empty(); }
+  [[nodiscard]] const TreeNode& node(std::uint32_t index) const { return nodes_[index]; }
+  [[nodiscard]] const TrianglePack& pack(std::uint32_t index) const { return packs_[index]; }
+  [[nodiscard]] const std::int32_t* listed(std::uint32_t first) const { return &ids_[first]; }
+  [[nodiscard]] std::vector<TrianglePack>& packs() { return packs_; }
+
+  [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
+  [[nodiscard]] std::size_t item_count() const { return items_; }
+  [[nodiscard]] int depth() const { return depth_; }
+  [[nodiscard]] std::size_t bytes() const {
+    return nodes_.size() * sizeof(TreeNode) + packs_.size() * sizeof(TrianglePack) + ids_.size() * sizeof(std::int32_t);
+  }
+  /// Parents before children, at most `most`.
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const;
+
+ private:
+  class Builder;
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, int depth) const;
+
+  std::vector<TreeNode> nodes_;
+  std::vector<TrianglePack> packs_;
+  std::vector<std::int32_t> ids_;  ///< of leaves without triangles
+  std::size_t items_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace raywalk

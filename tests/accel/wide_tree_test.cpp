@@ -1,0 +1,131 @@
+// The tree of a BVH: everything once, inside of every box above it.
+
+#include "accel/wide_tree.h"
+
+#include <algorithm>
+#include <random>
+
+#include "accel/float_slabs.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+bool holds(const Bounds<float>& outer, const Bounds<float>& inner) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(outer.min[axis] <= inner.min[axis] && inner.max[axis] <= outer.max[axis])) return false;
+  return true;
+}
+
+// The ids of all leaves below a node, whose box is `box`; counts what is wrong.
+void gather(const WideTree& tree, std::uint32_t index, const Bounds<float>& box, const std::vector<TreeItem>& items,
+            std::vector<int>& ids, int& wrong) {
+  const TreeNode& node = tree.node(index);
+  wrong += node.count < 1 || node.count > tree_width;
+  for (unsigned lane = 0; lane < tree_width; ++lane) {
+    if (lane >= node.count) {
+      wrong += !node.box(lane).empty();
+      continue;
+    }
+    const Bounds<float> own = node.box(lane);
+    const TreeChild child = node.children[lane];
+    wrong += !holds(box, own);
+    if (!child.is_leaf()) {
+      gather(tree, child.index(), own, items, ids, wrong);
+      continue;
+    }
+    const std::int32_t* of = child.is_pack() ? tree.pack(child.index()).ids : tree.listed(child.index());
+    bool packed = false;
+    for (unsigned i = 0; i < child.count(); ++i) {
+      const TreeItem& item = items[static_cast<std::size_t>(of[i])];
+      ids.push_back(item.id);
+      wrong += !holds(own, item.box);
+      packed = packed || item.packed != 0;
+    }
+    wrong += packed != child.is_pack();
+    wrong += !child.is_pack() && child.count() > 4;
+  }
+}
+
+std::vector<TreeItem> scattered(int count, int every_other, double size) {
+  std::mt19937 engine{5};
+  const auto real = [&](double low, double high) {
+    return low + (high - low) * double(engine() >> 8) / double(1 << 24);
+  };
+  std::vector<TreeItem> items;
+  for (int i = 0; i < count; ++i) {
+    const Vec3d at(real(-1, 1), real(-1, 1), real(-1, 1));
+    const Bounds<double> box{at, at + Vec3d(real(0, size))};
+    items.push_back({rounded_out(box), i, every_other > 0 && i % every_other == 0 ? 0 : 1});
+  }
+  return items;
+}
+
+void check(const std::vector<TreeItem>& items) {
+  const WideTree tree(items);
+  std::vector<int> ids;
+  int wrong = 0;
+  Bounds<float> whole;
+  for (const TreeItem& item : items) whole.include(item.box);
+  gather(tree, 0, whole, items, ids, wrong);
+  CHECK(wrong == 0);
+  std::sort(ids.begin(), ids.end());
+  REQUIRE(ids.size() == items.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) CHECK(ids[i] == static_cast<int>(i));
+  CHECK(tree.item_count() == items.size());
+  CHECK(static_cast<std::size_t>(tree.depth()) <= WideTree::most_levels);
+}
+
+}  // namespace
+
+TEST_CASE("a tree lists everything once, inside of all boxes above", "[accel]") {
+  for (const int count : {1, 2, 4, 5, 8, 9, 100, 3000}) {
+    CAPTURE(count);
+    check(scattered(count, 0, 0.1));    // triangles
+    check(scattered(count, 1, 0.1));    // other things
+    check(scattered(count, 3, 0.1));    // both
+    check(scattered(count, 2, 1e-30));  // points
+  }
+}
+
+TEST_CASE("a tree of a thousand things in one place, or at the ends of float's range", "[accel]") {
+  std::vector<TreeItem> items = scattered(1000, 2, 0.1);
+  for (TreeItem& item : items) item.box = items[0].box;
+  check(items);
+  items = scattered(1000, 2, 0.1);
+  for (TreeItem& item : items)
+    item.box = rounded_out(Bounds<double>{1e300 * Vec3d(item.box.min), 1e300 * Vec3d(item.box.max)});
+  check(items);
+  // Each twice as far as the one before: no split parts them evenly.
+  for (int i = 0; i < 240; ++i)
+    items[static_cast<std::size_t>(i)].box = {Vec3<float>(std::ldexp(1.0F, i - 120)),
+                                              Vec3<float>(std::ldexp(1.01F, i - 120))};
+  items.resize(240);
+  check(items);
+  CHECK(WideTree(std::vector<TreeItem>{}).empty());
+}
+
+TEST_CASE("boxes are rounded outward", "[accel]") {
+  constexpr double ulp = std::numeric_limits<float>::epsilon();
+  for (const double x : {1.0, -1.0, 0.1, -0.1, 1e-30, -3e20, 3.4e38, 1e-37}) {
+    CHECK(static_cast<double>(rounded_up(x)) >= x + 3 * ulp * std::abs(x));
+    CHECK(static_cast<double>(rounded_up(x)) <= x + 17 * ulp * std::abs(x) + (x > 3e38 ? infinity<double> : 0));
+  }
+  CHECK(rounded_up(0.0) == 0);
+  CHECK(rounded_up(1e-46) > 0);
+  CHECK(rounded_up(-1e-46) == 0);
+  CHECK(rounded_up(1e300) == infinity<float>);
+  CHECK(rounded_up(-1e300) == -std::numeric_limits<float>::max());
+}
+
+TEST_CASE("a tree's child knows what it is", "[accel]") {
+  const TreeChild node = TreeChild::node(TreeChild::most), pack = TreeChild::pack(123456, 8),
+                  list = TreeChild::list(7, 1);
+  CHECK_FALSE(node.is_leaf());
+  CHECK(node.index() == TreeChild::most);
+  CHECK((pack.is_leaf() && pack.is_pack()));
+  CHECK((pack.index() == 123456 && pack.count() == 8));
+  CHECK((list.is_leaf() && !list.is_pack()));
+  CHECK((list.index() == 7 && list.count() == 1));
+}

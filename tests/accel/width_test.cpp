@@ -1,0 +1,162 @@
+// Every width that this machine has gives the same bits and meets the same nodes, and all give what testing every
+// primitive gives: on random rays, and on rays aimed at corners and edges, where rounding decides.
+
+#include "accel/width.h"
+
+#include <cmath>
+#include <limits>
+
+#include "accel/accelerator.h"
+#include "meshes.h"
+#include "shape/numbers.h"
+#include "support/catch.h"
+#include "support/effort.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+template <class T>
+bool same(const std::optional<Hit<T>>& a, const std::optional<Hit<T>>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->t == b->t && a->primitive == b->primitive && a->part == b->part;
+}
+
+// Triangles a thousand times as long as wide, side by side, that share their corners.
+Mesh slivers() {
+  Mesh mesh;
+  for (int i = 0; i <= 40; ++i) {
+    mesh.positions.push_back({-1, 0.001 * i, 0.01 * std::sin(i)});
+    mesh.positions.push_back({1, 0.001 * i + 0.0005, 0.02 * std::cos(i)});
+  }
+  for (std::int32_t i = 0; i < 80; ++i) mesh.triangles.push_back({i, i + 1, i + 2});
+  return mesh;
+}
+
+// A ball, slivers, degenerate triangles, doubles in one place, one that moves, a few shapes among them.
+template <class T>
+Primitives<T> mixture(double scale, const Vec3d& at, bool moving) {
+  const Affine<double> place = translation(at) * scaling(Vec3d(scale));
+  Primitives<T> all;
+  all.add(Sphere<T>{Vec3<T>(place.point({0.9, 0.9, 0})), static_cast<T>(0.2 * scale)});
+  all.add(Box<T>{Vec3<T>(place.point({-1.2, 0.4, -0.3})), Vec3<T>(place.point({-0.9, 0.8, 0.1}))});
+  all.add(icosphere(2, Vec3d(0.0), 0.7), place, false);
+  all.add(slivers(), place * translation(Vec3d(0, -0.9, 0)), false);
+  all.add(slivers(), place * translation(Vec3d(0, -0.9, 0)), false);
+  Mesh flat;
+  flat.positions = {{1, 1, 1}, {1.1, 1, 1}, {1.2, 1, 1}, {1, 1.2, 1}};
+  flat.triangles = {{0, 1, 2}, {0, 0, 1}, {0, 2, 3}};
+  all.add(flat, place, false);
+  const int first = all.size();
+  all.add(icosphere(0, {0, 1, 0}, 0.3), place, false);
+  if (moving) all.move(first, all.size(), {{0, Vec3d(0.0)}, {1, scale * Vec3d(0.5, 0, 0.2)}});
+  return all;
+}
+
+// Half of them aimed at corners and edges of triangles; some along axes, with zeros of both signs, in planes of boxes,
+// from within surfaces, or with slopes and lengths near the ends of float's range.
+template <class T>
+std::vector<Ray<T>> hostile(const Primitives<T>& all, double scale, const Vec3d& middle, int count) {
+  Numbers next(23);
+  std::vector<Ray<T>> rays;
+  for (int i = 0; i < count; ++i) {
+    const int id = next.integer(all.shape_count(), all.size() - 1);
+    const Triangle<T> triangle = all.triangles()[id - all.shape_count()];
+    const T along = i % 2 ? T(0) : static_cast<T>(next.real(0, 1));
+    const Vec3<T> target =
+        i % 5 < 3 ? triangle.a + along * (triangle.b - triangle.a) : Vec3<T>(middle + scale * next.in_box<double>(1.5));
+    Vec3<T> eye(middle + scale * std::pow(10.0, next.integer(0, 3)) * next.unit<double>());
+    if (i % 7 == 0) eye[i % 3] = target[i % 3];
+    if (i % 21 == 0) eye[(i + 1) % 3] = target[(i + 1) % 3];
+    if (i % 11 == 0) eye = triangle.a;
+    Ray<T> ray{eye, target - eye};
+    if (i % 13 == 0) ray.direction[i % 3] = i % 2 ? T(0) : T(-0.0);
+    if (i % 17 == 0) ray.direction[i % 3] = std::numeric_limits<T>::denorm_min() * static_cast<T>(i % 5);
+    if (i % 19 == 0) ray.direction *= static_cast<T>(std::ldexp(1.0, next.integer(-70, 70)));
+    if (i % 29 == 0) ray.departure = {id, 0};
+    ray.time = static_cast<T>(next.real(0, 1));
+    if (ray.direction == Vec3<T>(0)) ray.direction.x = 1;
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+}  // namespace
+
+TEST_CASE("a width can be forced for a while", "[accel]") {
+  REQUIRE_FALSE(lane_widths().empty());
+  CHECK(lane_widths().front() == LaneWidth::four);
+  const LaneWidth widest = lane_widths().back();
+  CHECK(lane_width() == widest);
+  {
+    const ForcedWidth narrow(LaneWidth::four);
+    CHECK(lane_width() == LaneWidth::four);
+    const ForcedWidth wide(widest);
+    CHECK(lane_width() == widest);
+  }
+  CHECK(lane_width() == widest);
+}
+
+TEMPLATE_TEST_CASE("every width answers as brute force does, and meets the same nodes", "[accel]", float, double) {
+  using T = TestType;
+  const double scale = GENERATE(1.0, 1e-20, 3e-5, 1e6, 1e17);
+  const double shift = GENERATE(0.0, 30.0, 1e5);
+  const bool moving = GENERATE(false, true);
+  CAPTURE(scale, shift, moving);
+  const Vec3d middle = scale * shift * Vec3d(1, -2, 0.5);
+  const Primitives<T> all = mixture<T>(scale, middle, moving);
+  const Accelerator<T> list(all, AcceleratorKind::none), tree(all, AcceleratorKind::bvh);
+  std::vector<ShadowRole> roles(static_cast<std::size_t>(all.size()), ShadowRole::filters);
+  for (std::size_t i = 0; i < roles.size(); i += 5) roles[i] = i % 2 ? ShadowRole::stops : ShadowRole::ignored;
+  int differing = 0, hits = 0, exact = 0;
+  TestCounts brute;
+  std::vector<int> filters, expected_filters;
+  for (const Ray<T>& ray : hostile(all, scale, middle, rounds(600))) {
+    const auto expected = list.closest(ray, infinity<T>, brute);
+    const bool stopped = list.occluded_or_filtered(ray, infinity<T>, brute, roles, expected_filters);
+    hits += expected.has_value();
+    std::optional<TestCounts> first;
+    for (const LaneWidth width : lane_widths()) {
+      const ForcedWidth forced(width);
+      TestCounts counts;
+      differing += !same(expected, tree.closest(ray, infinity<T>, counts));
+      differing += tree.occluded(ray, infinity<T>, counts) != expected.has_value();
+      // A reach that ends exactly at the hit must not report it; one just beyond must.
+      if (expected) {
+        differing += tree.occluded(ray, expected->t, counts) != list.occluded(ray, expected->t, brute);
+        differing += !tree.occluded(ray, std::nextafter(expected->t, infinity<T>), counts);
+      }
+      differing += tree.occluded_or_filtered(ray, infinity<T>, counts, roles, filters) != stopped;
+      differing += !stopped && filters != expected_filters;
+      exact += counts.exactly_decided > 0;
+      if (!first) first = counts;
+      differing += counts.nodes != first->nodes || counts.primitives != first->primitives ||
+                   counts.exactly_decided != first->exactly_decided;
+    }
+  }
+  CHECK(differing == 0);
+  CHECK(hits > rounds(200));
+  CHECK(exact > rounds(20));
+}
+
+TEMPLATE_TEST_CASE("packs rule out most triangles, and count them", "[accel]", float, double) {
+  using T = TestType;
+  Primitives<T> all;
+  all.add(icosphere(4), {}, false);
+  const Accelerator<T> tree(all, AcceleratorKind::bvh);
+  Numbers next(3);
+  TestCounts counts;
+  int hits = 0;
+  const int rays = rounds(2000);
+  for (int i = 0; i < rays; ++i) {
+    const Vec3<T> eye = T(3) * next.unit<T>();
+    const Ray<T> ray{eye, next.in_box<T>(1) - eye};
+    hits += tree.closest(ray, infinity<T>, counts).has_value();
+  }
+  CHECK(hits > rays / 2);
+  // Far fewer than all 5120, and more than the one or two that are hit.
+  CHECK(counts.primitives < static_cast<std::uint64_t>(60 * rays));
+  CHECK(counts.primitives > static_cast<std::uint64_t>(3 * hits));
+  CHECK(counts.nodes < static_cast<std::uint64_t>(20 * rays));
+}
