@@ -20,7 +20,7 @@ namespace {
 
 State with_scenes() {
   State state = classic();
-  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
   return state;
 }
 
