@@ -30,7 +30,7 @@ RAYWALK_LANE_TARGET inline Group at_offset(const void* first, std::size_t offset
 /// A bit for each box that the ray hits before `t_far`, and where it enters them (BoxEntry): all of them and, by
 /// rounding, some that it narrowly misses. NaN, from an origin in a face's plane without slope, does not limit the
 /// interval.
-RAYWALK_LANE_TARGET inline unsigned meet(const HeldRay& ray, const TreeNode& node, BoxEntry* entries) {
+RAYWALK_LANE_TARGET inline unsigned meet(const HeldRay& ray, const WideNode& node, BoxEntry* entries) {
   unsigned bits = 0;
   for (unsigned lane = 0; lane < (group_lanes == tree_width ? 1 : node.count); lane += group_lanes) {
     Group enters = all_of(0), leaves = ray.t_far;

@@ -24,7 +24,7 @@ struct MeshRay {
   bool held;
 
   // Of boxes: the origin relative to the planes through which the ray enters and leaves, 1 / direction, and where in a
-  // TreeNode these planes are, in bytes, by axis.
+  // WideNode these planes are, in bytes, by axis.
   float from_in[3], from_out[3], inverse[3];
   std::uint32_t near[3], far[3];
 

@@ -38,7 +38,7 @@ inline unsigned bits_where(LaneMask mask) { return bits_of(mask); }
 struct FourAtATime {
   using Held = four::HeldRay;
   static void hold(const MeshRay& ray, float t_far, Held& held) { four::hold(ray, t_far, held); }
-  static unsigned meet(const Held& ray, const TreeNode& node, BoxEntry* entries) {
+  static unsigned meet(const Held& ray, const WideNode& node, BoxEntry* entries) {
     return four::meet(ray, node, entries);
   }
   static unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count) {
@@ -55,7 +55,7 @@ struct OneByOne {
     T t_far;
   };
   static void hold(const Slabs& slabs, T t_far, Held& held) { held = {&slabs, t_far}; }
-  static unsigned meet(const Held& ray, const TreeNode& node, BoxEntry* entries) {
+  static unsigned meet(const Held& ray, const WideNode& node, BoxEntry* entries) {
     unsigned bits = 0;
     for (unsigned lane = 0; lane < node.count; ++lane) {
       const Bounds<float> box = node.box(lane);

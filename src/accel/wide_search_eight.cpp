@@ -45,7 +45,7 @@ struct EightAtATime {
   [[gnu::target("avx2")]] static inline void hold(const MeshRay& ray, float t_far, Held& held) {
     eight::hold(ray, t_far, held);
   }
-  [[gnu::target("avx2")]] static inline unsigned meet(const Held& ray, const TreeNode& node, BoxEntry* entries) {
+  [[gnu::target("avx2")]] static inline unsigned meet(const Held& ray, const WideNode& node, BoxEntry* entries) {
     return eight::meet(ray, node, entries);
   }
   [[gnu::target("avx2")]] static inline unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count) {

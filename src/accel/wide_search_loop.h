@@ -17,7 +17,7 @@ struct SearchLoop {
     std::size_t waiting = search.waiting_;
     [[maybe_unused]] Bounds<float> box;
     std::uint64_t entered = search.nodes_;
-    const TreeNode* const nodes = &search.tree_.node(0);
+    const WideNode* const nodes = &search.tree_.node(0);
     auto* const stack = search.stack_.data();
     while (waiting > 0) {
       TreeChild at = stack[--waiting].child;
@@ -28,7 +28,7 @@ struct SearchLoop {
         continue;
       }
       while (!at.is_leaf()) {
-        const TreeNode& node = nodes[at.index()];
+        const WideNode& node = nodes[at.index()];
         ++entered;
         alignas(32) BoxEntry entries[tree_width];
         unsigned met = Tests::meet(held, node, entries);
@@ -87,7 +87,7 @@ struct SearchLoop {
     return static_cast<Far>(in * (1 - 8 * std::numeric_limits<float>::epsilon())) > t_far;
   }
 
-  static void tell(SearchRecord& record, const TreeNode& node, unsigned met) {
+  static void tell(SearchRecord& record, const WideNode& node, unsigned met) {
     record.entered(node.whole(), false, node.count);
     for (unsigned lane = 0; lane < node.count; ++lane)
       if ((met >> lane & 1U) == 0) record.skipped(node.box(lane));

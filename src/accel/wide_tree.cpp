@@ -292,7 +292,7 @@ class WideTree::Builder {
     const auto [open, count] = opened(index);
     tree_.depth_ = std::max(tree_.depth_, depth);
     const std::size_t place = tree_.nodes_.size();
-    TreeNode& node = tree_.nodes_.emplace_back();
+    WideNode& node = tree_.nodes_.emplace_back();
     node.count = static_cast<std::uint32_t>(count);
     for (unsigned lane = 0; lane < tree_width; ++lane) {
       const Bounds<float> box = lane < count ? nodes_[open[lane]].box : Bounds<float>{};
@@ -346,7 +346,7 @@ void WideTree::list_nodes(std::vector<StructureNode>& nodes, std::size_t most) c
 }
 
 void WideTree::list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, int depth) const {
-  const TreeNode& node = nodes_[index];
+  const WideNode& node = nodes_[index];
   if (nodes.size() < most) nodes.push_back({wide(node.whole()), depth, false, static_cast<int>(node.count)});
   for (unsigned lane = 0; lane < node.count; ++lane) {
     const TreeChild child = node.children[lane];

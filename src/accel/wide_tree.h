@@ -39,7 +39,7 @@ class TreeChild {
   std::uint32_t bits_;
 };
 
-struct alignas(64) TreeNode {
+struct alignas(64) WideNode {
   float planes[6][tree_width];  ///< of the boxes: the least x, y and z, then the greatest; missing boxes are empty
   TreeChild children[tree_width];
   std::uint32_t count;  ///< boxes held, from lane 0
@@ -85,7 +85,7 @@ class WideTree {
   static constexpr std::size_t max_depth = 64, most_levels = max_depth + 31;
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
-  [[nodiscard]] const TreeNode& node(std::uint32_t index) const { return nodes_[index]; }
+  [[nodiscard]] const WideNode& node(std::uint32_t index) const { return nodes_[index]; }
   [[nodiscard]] const TrianglePack& pack(std::uint32_t index) const { return packs_[index]; }
   [[nodiscard]] const std::int32_t* listed(std::uint32_t first) const { return &ids_[first]; }
   [[nodiscard]] std::vector<TrianglePack>& packs() { return packs_; }
@@ -94,7 +94,7 @@ class WideTree {
   [[nodiscard]] std::size_t item_count() const { return items_; }
   [[nodiscard]] int depth() const { return depth_; }
   [[nodiscard]] std::size_t bytes() const {
-    return nodes_.size() * sizeof(TreeNode) + packs_.size() * sizeof(TrianglePack) + ids_.size() * sizeof(std::int32_t);
+    return nodes_.size() * sizeof(WideNode) + packs_.size() * sizeof(TrianglePack) + ids_.size() * sizeof(std::int32_t);
   }
   /// Parents before children, at most `most`.
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const;
@@ -103,7 +103,7 @@ class WideTree {
   class Builder;
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, int depth) const;
 
-  std::vector<TreeNode> nodes_;
+  std::vector<WideNode> nodes_;
   std::vector<TrianglePack> packs_;
   std::vector<std::int32_t> ids_;  ///< of leaves without triangles
   std::size_t items_ = 0;

@@ -21,7 +21,7 @@ bool holds(const Bounds<float>& outer, const Bounds<float>& inner) {
 // The ids of all leaves below a node, whose box is `box`; counts what is wrong.
 void gather(const WideTree& tree, std::uint32_t index, const Bounds<float>& box, const std::vector<TreeItem>& items,
             std::vector<int>& ids, int& wrong) {
-  const TreeNode& node = tree.node(index);
+  const WideNode& node = tree.node(index);
   wrong += node.count < 1 || node.count > tree_width;
   for (unsigned lane = 0; lane < tree_width; ++lane) {
     if (lane >= node.count) {
