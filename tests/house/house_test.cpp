@@ -73,6 +73,8 @@ TEST_CASE("no floor of the tree that pictures depend on asks the library for a l
   CHECK(breaches(files, check_portable) == "");
 }
 
+TEST_CASE("no two types of the tree have one name") { CHECK(report(check_types(files_of({"src"}))) == ""); }
+
 TEST_CASE("headers of the tree guard themselves, and long files are named") {
   const auto files = files_of({"src", "tests"});
   CHECK(breaches(files, check_shape) == "");

@@ -5,7 +5,9 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -333,6 +335,36 @@ std::vector<Breach> check_portable(const SourceFile& file) {
                               "math/elementary.h"});
     }
     previous = name.text;
+  }
+  return breaches;
+}
+
+std::vector<Breach> check_types(const std::vector<SourceFile>& files) {
+  static const std::regex opens(R"(namespace ?([\w:]*) \{.*)"), closes(R"(\}  // namespace.*)"),
+      defines(R"((?:struct|class|enum class) (?:\[\[.*\]\] |alignas\(\d+\) )?(\w+)(?: final)?(?: :.*)? \{.*)");
+  std::map<std::string, std::string> first;  // where each was seen first
+  std::vector<Breach> breaches;
+  for (const SourceFile& file : files) {
+    if (!is_cpp(file.path)) continue;
+    std::vector<std::string> spaces;
+    int number = 0;
+    for (const std::string& line : lines_of(file.text)) {
+      ++number;
+      std::smatch match;
+      if (std::regex_match(line, match, opens)) {
+        spaces.push_back(match[1]);
+      } else if (std::regex_match(line, closes)) {
+        if (!spaces.empty()) spaces.pop_back();
+      } else if (std::regex_match(line, match, defines)) {
+        std::string name;
+        bool nameless = false;  // such a namespace is of one file alone
+        for (const std::string& space : spaces) name += space + "::", nameless = nameless || space.empty();
+        if (nameless) continue;
+        name += match[1];
+        if (const auto [at, is_first] = first.try_emplace(name, file.path); !is_first)
+          breaches.push_back({file.path, number, "defines " + name + ", as " + at->second + " does"});
+      }
+    }
   }
   return breaches;
 }

@@ -52,6 +52,9 @@ std::vector<Breach> check_names(const SourceFile& file);
 // Floors that pictures depend on call no function of the library whose last bit is not the same everywhere.
 std::vector<Breach> check_portable(const SourceFile& file);
 
+// No two types have one name: the linker would take the functions of one for those of the other. `files`: all of src.
+std::vector<Breach> check_types(const std::vector<SourceFile>& files);
+
 // Files over 400 lines, which may hold more than one subject.
 std::vector<Breach> check_length(const SourceFile& file);
 

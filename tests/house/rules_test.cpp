@@ -156,6 +156,18 @@ TEST_CASE("long files are named and headers guard themselves") {
   CHECK(report(check_shape({"src/math/vec.cpp", "struct A {};\n"})) == "");
 }
 
+TEST_CASE("two types of one name are seen, unless they are of one file or of other namespaces") {
+  const std::string node = "namespace raywalk {\n\nstruct Node {\n};\n\n}  // namespace raywalk\n";
+  CHECK(
+      report(check_types({{"src/a.h", node}, {"src/b.h", "namespace raywalk {\nclass alignas(64) Node : Base {\n"}})) ==
+      "src/b.h:2: defines raywalk::Node, as src/a.h does\n");
+  CHECK(report(check_types(
+            {{"src/a.h", node},
+             {"src/b.h", "namespace raywalk {\nstruct Node;\nstruct Node::Part {\n};\nstruct Node<int> {\n"},
+             {"src/c.h", "namespace raywalk::check {\nstruct Node {\n"},
+             {"src/d.cpp", "namespace raywalk {\nnamespace {\nstruct Node {\n"}})) == "");
+}
+
 TEST_CASE("what is not finished is not in the tree") {
   CHECK_THAT(report(check_finished({"src/a.h", std::string("ok\n// TO") + "DO: later"})),
              raywalk::test::contains("src/a.h:2"));
