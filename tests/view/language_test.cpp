@@ -44,8 +44,7 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
     CHECK(said == *Catalogue::embedded().find(id));
   };
   const Language language;
-  for (const RayKind kind : values_of<RayKind>)
-    ask("ray", name_of(kind), text(kind, language));
+  for (const RayKind kind : values_of<RayKind>) ask("ray", name_of(kind), text(kind, language));
   for (int i = 0; i < ending_count; ++i)
     ask("ending", name_of(static_cast<Ending>(i)), text(static_cast<Ending>(i), language));
   for (const AcceleratorKind kind : values_of<AcceleratorKind>) ask("accelerator", name_of(kind), text(kind, language));
