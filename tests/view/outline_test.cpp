@@ -100,7 +100,10 @@ TEST_CASE("every lesson can be walked to its end by its outline alone") {
   std::size_t number = 0;
   for (const LessonRow& row : rows) {
     INFO(row.name);
-    if (left_out(number++, 4)) continue;
+    if (left_out(number++, 4)) {
+      state.lessons.done[row.name] = row.steps;  // else the next would be locked
+      continue;
+    }
     const auto lesson = items_with(state, [&](const OutlineItem& item) { return item.key == row.name; });
     REQUIRE(lesson.size() == 1);
     use(state, Role::button, lesson.front().name);
