@@ -197,7 +197,10 @@ struct SlabRay {
   /// object space, the origin is rounded.
   explicit SlabRay(const Ray<T>& ray, bool mapped = false)
       : from_in(ray.origin), from_out(ray.origin), inverse(T(1) / ray.direction) {
-    for (int axis = 0; axis < 3; ++axis) negative[axis] = std::signbit(ray.direction[axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+      negative[axis] = std::signbit(ray.direction[axis]);
+      if (std::isinf(inverse[axis]) && ray.direction[axis] != 0) inverse[axis] = std::numeric_limits<T>::quiet_NaN();
+    }
     if (!mapped) return;
     const T size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
     const T slack = 16 * std::numeric_limits<T>::epsilon() * size;
@@ -207,7 +210,9 @@ struct SlabRay {
     }
   }
   Vec3<T> from_in, from_out;  ///< the origin relative to the faces through which the ray enters and leaves
-  Vec3<T> inverse;            ///< 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none
+  /// 1 / +-0 is +-infinity: the ray is inside the slab for all t or for none. NaN, which no slab limits, where a slope
+  /// is so small that its inverse overflows.
+  Vec3<T> inverse;
   bool negative[3];
 };
 

@@ -164,6 +164,36 @@ TEMPLATE_TEST_CASE("the hierarchy, whose boxes are in float, misses nothing at a
   CHECK(hits > rounds(400));
 }
 
+TEMPLATE_TEST_CASE("accelerators follow slopes whose inverse overflows", "[accel]", float, double) {
+  using T = TestType;
+  // Edges within a few hundred of the least number of the floor along which the rays creep upwards.
+  const T least = std::numeric_limits<T>::denorm_min();
+  Random<T> random;
+  Primitives<T> all;
+  for (int i = 0; i < 60; ++i) {
+    const T x = T(10) + static_cast<T>(i), low = least * static_cast<T>(10 * i + 5);
+    all.add(Triangle<T>{{x, low, -1}, {x, low, 1}, {x, 1, random()}});
+  }
+  const Accelerator<T> list(all, AcceleratorKind::none);
+  for (const AcceleratorKind kind : structures) {
+    const Accelerator<T> structure(all, kind);
+    TestCounts counts;
+    int hits = 0, differing = 0;
+    for (int i = 0; i < 200; ++i) {
+      const T turned = i % 2 ? T(1) : T(-1);
+      const Ray<T> ray{
+          {i % 4 < 2 ? T(0) : T(80), 0, random(T(-0.01), T(0.01))},
+          {i % 4 < 2 ? T(1) : T(-1), turned * least * static_cast<T>(i % 23), least * static_cast<T>(i % 5)}};
+      const auto expected = list.closest(ray, infinity<T>, counts);
+      hits += expected.has_value();
+      if (!same(expected, structure.closest(ray, infinity<T>, counts))) ++differing;
+    }
+    INFO(name_of(kind));
+    CHECK(differing == 0);
+    CHECK(hits > 50);
+  }
+}
+
 TEMPLATE_TEST_CASE("accelerators hold nothing, one thing, and a thousand in one place", "[accel]", float, double) {
   using T = TestType;
   TestCounts counts;
