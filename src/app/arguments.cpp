@@ -42,6 +42,16 @@ std::optional<double> parse_share(const std::string& text) {
   return number && *number <= 1 ? number : std::nullopt;
 }
 
+std::optional<Share> parse_part(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto of = parse_whole(std::string_view(text).substr(slash + 1), 1, max_parts);
+  if (!of) return std::nullopt;
+  const auto part = parse_whole(std::string_view(text).substr(0, slash), 1, *of);
+  if (!part) return std::nullopt;
+  return Share{*part, *of};
+}
+
 std::optional<ImageSize> parse_size(const std::string& text) {
   const std::size_t by = text.find_first_of("xX");
   if (by == std::string::npos) return std::nullopt;

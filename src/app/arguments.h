@@ -1,6 +1,7 @@
 #pragma once
 // Parses the values of options.
 
+#include "render/tiles.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -19,6 +20,11 @@ namespace raywalk {
 [[nodiscard]] std::optional<double> parse_amount(const std::string& text);
 /// The same, at most 1.
 [[nodiscard]] std::optional<double> parse_share(const std::string& text);
+
+/// "3/7": the third of seven shares.
+[[nodiscard]] std::optional<Share> parse_part(const std::string& text);
+/// The most shares that a picture is cut into.
+inline constexpr int max_parts = 100'000;
 
 /// "640x480": two integers in the range of scene files.
 [[nodiscard]] std::optional<ImageSize> parse_size(const std::string& text);

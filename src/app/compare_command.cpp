@@ -61,14 +61,9 @@ void declare_compare(CLI::App& program, Run& run) {
   CompareOptions& to = *options;
   command.add_option("A", to.test, "The picture in question: .png, .pfm or .exr")->required()->type_name("");
   command.add_option("B", to.reference, "The picture that it should be, of the same size")->required()->type_name("");
-  const auto ending = [](const std::string& path) {
-    if (const auto format = image_format_of(path); !format) throw RefusedValue("--output", format.error());
-    return std::string();
-  };
-  add_file(command, "-o,--output", to.difference, "IMAGE",
-           "Write the difference: as .png what an eye sees of it (FLIP), from dark blue (0) to yellow (1);\n"
-           "as .pfm or .exr A - B in linear light")
-      ->check(CLI::Validator(ending, "", "ending"));
+  add_image(command, to.difference,
+            "Write the difference: as .png what an eye sees of it (FLIP), from dark blue (0) to yellow (1);\n"
+            "as .pfm or .exr A - B in linear light");
   command.footer(
       "A .png holds 256 steps a channel and nothing above 1; to compare what was computed, use .pfm or .exr.\n\n"
       "Examples:\n"

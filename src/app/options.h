@@ -3,6 +3,7 @@
 
 #include "app/arguments.h"
 #include "app/console.h"
+#include "image/image_file.h"
 #include "math/words.h"
 #include "text/error.h"
 #include "text/spelling.h"
@@ -91,6 +92,16 @@ CLI::Option* add_file(CLI::App& command, const std::string& name, Target& target
     return std::string("names no file (expected a name") + (word.empty() ? ")" : "; standard output is /dev/stdout)");
   };
   return add_value(command, name, target, parse, complain, type, help);
+}
+
+/// The option -o of a picture, whose ending says its format.
+template <class Target>
+CLI::Option* add_image(CLI::App& command, Target& target, const std::string& help) {
+  const auto ending = [](const std::string& path) {
+    if (const auto format = image_format_of(path); !format) throw RefusedValue("--output", format.error());
+    return std::string();
+  };
+  return add_file(command, "-o,--output", target, "IMAGE", help)->check(CLI::Validator(ending, "", "ending"));
 }
 
 inline CLI::Option* add_whole(CLI::App& command, const std::string& name, auto& target, int low, int high,

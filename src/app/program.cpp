@@ -6,6 +6,7 @@
 #include "app/file_commands.h"
 #include "app/info_command.h"
 #include "app/lesson_command.h"
+#include "app/merge_command.h"
 #include "app/names.h"
 #include "app/options.h"
 #include "app/render_command.h"
@@ -13,7 +14,6 @@
 #include "app/study_command.h"
 #include "app/texts.h"
 #include "app/window_command.h"
-#include "image/image_file.h"
 #include "math/stop.h"
 #include "render/adaptive.h"
 #include "scene/schema_kinds.h"
@@ -85,13 +85,7 @@ void declare_render(CLI::App& program, Run& run) {
   const auto options = std::make_shared<RenderOptions>();
   RenderOptions& to = *options;
   command.add_option("SCENE", to.scene, scene_help)->required()->type_name("");
-  const auto ending = [](const std::string& path) {
-    if (const auto format = image_format_of(path); !format) throw RefusedValue("--output", format.error());
-    return std::string();
-  };
-  add_file(command, "-o,--output", to.image, "IMAGE", "The picture: .png (8-bit), or .pfm and .exr (linear float)")
-      ->required()
-      ->check(CLI::Validator(ending, "", "ending"));
+  add_image(command, to.image, "The picture: .png (8-bit), or .pfm and .exr (linear float)")->required();
   add_size(command, to.size);
   constexpr int max_threads = 1024;
   add_integrator(command, to.integrator, to.path_length);
@@ -122,6 +116,9 @@ void declare_render(CLI::App& program, Run& run) {
   add_precision(command, to.precision);
   add_numerics(command, to.numerics, to.epsilon);
   add_file(command, "--stats", to.statistics, "FILE", "Write what was done and how long it took, as JSON");
+  add_parsed(command, "--part", to.share, parse_part, "I/N",
+             fmt::format("two whole numbers, the second up to {}, such as 3/7 for the third of seven", max_parts),
+             "Render only this share of the picture, into IMAGE.part-I-of-N, for raywalk merge");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
       "What is left out is as the scene says. Neither --threads nor --accel changes a bit of the picture.\n"
@@ -131,7 +128,8 @@ void declare_render(CLI::App& program, Run& run) {
       "Examples:\n"
       "  raywalk render scenes/classic.toml -o classic.png\n"
       "  raywalk render classic -o large.png --size 1921x1081 --spp 16\n"
-      "  raywalk render classic -o classic.pfm --precision float --stats classic.json");
+      "  raywalk render classic -o classic.pfm --precision float --stats classic.json\n"
+      "  raywalk render cornell -o cornell.exr --part 3/7   (and 1/7 to 7/7 elsewhere, then raywalk merge)");
   command.callback([options, &run] { run = [options] { return render_command(*options); }; });
 }
 
@@ -339,6 +337,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   FileLedger ledger;  // for any command
   declare_window(program, ledger, run);
   declare_render(program, run);
+  declare_merge(program, run);
   declare_step(program, run);
   declare_info(program, run);
   declare_convert(program, run);

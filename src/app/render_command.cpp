@@ -2,6 +2,7 @@
 
 #include "app/idle_options.h"
 #include "app/interrupt.h"
+#include "app/part_file.h"
 #include "app/progress_bar.h"
 #include "app/scene_lookup.h"
 #include "app/statistics_json.h"
@@ -52,13 +53,45 @@ ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering, 
   return fail({"", 0, 0, interrupted + ", which is in " + *path, "what is missing there is black"});
 }
 
-std::string summary(const RenderOptions& options, const Rendering& rendering, ImageSize size) {
+/// A file's checksum, or why it cannot be read again.
+Result<std::string> sum_of(const std::string& path) {
+  constexpr std::size_t most = std::size_t{1} << 34;
+  return read_file(path, most).map([](const std::string& bytes) { return checksum(bytes); });
+}
+
+/// What decides the picture, in words (PicturePart::made_from).
+Result<std::vector<std::pair<std::string, std::string>>> made_from(const SceneDocument& document,
+                                                                   const RenderReport& report) {
+  const Scene& scene = document.scene;
+  const auto text = format_scene(scene);
+  if (!text) return tl::unexpected(text.error());
+  const Sampling& sampling = report.sampling;
+  std::vector<std::pair<std::string, std::string>> all{
+      {"version", RAYWALK_VERSION},
+      {"size", fmt::format("{}x{}", report.size.width, report.size.height)},
+      {"precision", std::string(name_of(report.precision))},
+      {"spp", fmt::format("{}", sampling.per_pixel)},
+      {"seed", fmt::format("{}", sampling.seed)},
+      {"corner samples", sampling.corners ? "yes" : "no"},
+      {"integrator", std::string(name_of(scene.render.integrator))},
+      {"depth", fmt::format("{}", scene.limits.depth)},
+      {"the checksum of the scene with its options", checksum(*text)}};
+  for (const std::string& file : document.files) {
+    // Of a scene of our own format the text above says all; a comment changes no picture.
+    if (file == document.path && scene_format_of(file) == SceneFormat::toml) continue;
+    auto sum = sum_of(file);
+    if (!sum) return tl::unexpected(sum.error());
+    all.emplace_back("the checksum of " + std::filesystem::path(file).filename().string(), std::move(*sum));
+  }
+  return all;
+}
+
+std::string summary(const std::string& image, const Rendering& rendering, ImageSize size) {
   const Statistics& statistics = rendering.statistics;
   std::uint64_t rays = 0;
   for (const std::uint64_t formed : statistics.rays) rays += formed;
-  std::string text =
-      fmt::format("{}: {} x {} pixels, {} rays, {:.2f} s in {} thread{}", options.image, size.width, size.height, rays,
-                  rendering.trace_seconds, rendering.threads, rendering.threads == 1 ? "" : "s");
+  std::string text = fmt::format("{}: {} x {} pixels, {} rays, {:.2f} s in {} thread{}", image, size.width, size.height,
+                                 rays, rendering.trace_seconds, rendering.threads, rendering.threads == 1 ? "" : "s");
   if (rendering.threads > 1) text += fmt::format(", {:.2f} of them busy", rendering.busy_threads());
   return text;
 }
@@ -88,6 +121,16 @@ Result<std::string> new_partial_file(const std::string& image) {
                               "remove those that you do not need"});
 }
 
+ExitCode fail_if_not_finite(const std::string& image, std::size_t pixels, std::uint64_t samples) {
+  if (samples == 0 && pixels == 0) return ExitCode::done;
+  const std::string which =
+      samples > 0 ? fmt::format("{} samples and {} pixels", samples, pixels) : fmt::format("{} pixels", pixels);
+  return fail(
+      {image, 0, 0,
+       which + " are no finite number in a picture's file (a PNG shows NaN in magenta, what is infinite as white)",
+       "colours or strengths of this scene may be too large to add up"});
+}
+
 ExitCode render_command(const RenderOptions& options) {
   const auto load_start = Clock::now();
   // Warnings are not errors: the picture is the requested one.
@@ -111,7 +154,14 @@ ExitCode render_command(const RenderOptions& options) {
       scene_path(options.scene), options.image, size, sampling, choices, scene.limits, options.precision,
       seconds_since(load_start)};
   if (const auto error = why_too_large(size)) return refuse(*error);
-  if (const auto claimed = claim_output(options.image); !claimed) return fail(claimed.error());
+  const std::string image = options.share ? part_path(options.image, *options.share) : options.image;
+  if (const auto claimed = claim_output(image); !claimed) return fail(claimed.error());
+  PicturePart part;
+  if (options.share) {
+    auto from = made_from(*document, report);
+    if (!from) return fail(from.error());
+    part.made_from = std::move(*from);
+  }
   if (options.statistics)
     if (const auto claimed = claim_output(*options.statistics); !claimed) return fail(claimed.error());
   if (!options.quiet) warn(idle_options(options, scene));
@@ -124,30 +174,37 @@ ExitCode render_command(const RenderOptions& options) {
     settings.threads = options.threads;
     settings.tolerance = choices.tolerance;
     settings.shadow_cache = options.shadow_cache;
+    settings.share = options.share;
     if (!options.quiet) settings.progress = [&bar](const Progress& progress) { bar.show(progress); };
     settings.stop = interrupt.stop();
     if (!options.quiet) settings.endless = [](const TreeSize& tree) { note(endless_text(tree)); };
     rendering = render(scene, settings);
   }
   if (!rendering) return fail(rendering.error());
+  if (!rendering->finished && options.share)
+    return fail({"", 0, 0,
+                 fmt::format("interrupted with {:.1f}% of the part done; nothing was written", rendering->done * 100),
+                 "the same command renders it once more"});
   if (!rendering->finished) return keep_partial(options, *rendering, scene.encoding);
 
   const auto write_start = Clock::now();
-  if (const auto written = write_image(options.image, rendering->image(), scene.encoding); !written)
+  if (options.share) {
+    part.share = *options.share;
+    part.corners = sampling.corners;
+    part.encoding = scene.encoding;
+    part.size = std::visit([](const auto& film) { return film.size(); }, rendering->film);
+    part.film = std::move(rendering->film);
+    if (const auto written = write_part(image, part); !written) return fail(written.error());
+  } else if (const auto written = write_image(image, rendering->image(), scene.encoding); !written) {
     return fail(written.error());
+  }
   report.write_seconds = seconds_since(write_start);
   if (options.statistics)
     if (const auto written = write_file_atomically(*options.statistics, statistics_json(*rendering, report)); !written)
       return fail(written.error());
-  if (terminal_width() > 0 && !options.quiet) note(summary(options, *rendering, size));
-  const std::size_t pixels = rendering->not_finite_pixels;
-  if (const std::uint64_t samples = rendering->statistics.not_finite; samples > 0 || pixels > 0)
-    return fail({options.image, 0, 0,
-                 fmt::format("{} samples and {} pixels are no finite number in a picture's file (a PNG shows NaN in "
-                             "magenta, what is infinite as white)",
-                             samples, pixels),
-                 "colours or strengths of this scene may be too large to add up"});
-  return ExitCode::done;
+  if (terminal_width() > 0 && !options.quiet) note(summary(image, *rendering, size));
+  if (options.share) return ExitCode::done;  // of the whole, merge says what is no number
+  return fail_if_not_finite(options.image, rendering->not_finite_pixels, rendering->statistics.not_finite);
 }
 
 }  // namespace raywalk

@@ -30,9 +30,13 @@ struct RenderOptions {
   AcceleratorKind accelerator = AcceleratorKind::automatic;
   std::optional<bool> shadow_cache{};
   Precision precision = Precision::double_;
+  std::optional<Share> share{};  ///< --part: only this one, for `raywalk merge`
 };
 
 [[nodiscard]] ExitCode render_command(const RenderOptions& options);
+
+/// Fails, with what to do about it, if a picture has numbers that its file cannot say, of so many samples and pixels.
+[[nodiscard]] ExitCode fail_if_not_finite(const std::string& image, std::size_t pixels, std::uint64_t samples = 0);
 
 /// Creates NAME.partial.EXT for the partial image of NAME.EXT, or the first free one of NAME.partial-2.EXT,
 /// NAME.partial-3.EXT ... `image` has an extension.

@@ -66,6 +66,19 @@ Adaptive<T>::Adaptive(ImageSize size, int most, double tolerance)
 }
 
 template <class T>
+void Adaptive<T>::restrict_to(const std::vector<PixelBlock>& blocks) {
+  active_.assign(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height), 0);
+  for (const PixelBlock& block : blocks)
+    for (int row = block.row_begin; row < block.row_end; ++row)
+      std::fill(active_.begin() + static_cast<std::ptrdiff_t>(index(block.column_begin, row)),
+                active_.begin() + static_cast<std::ptrdiff_t>(index(block.column_begin, row)) +
+                    (block.column_end - block.column_begin),
+                std::uint8_t{1});
+  expected_ =
+      static_cast<std::uint64_t>(std::count(active_.begin(), active_.end(), 1)) * static_cast<std::uint64_t>(most_);
+}
+
+template <class T>
 bool Adaptive<T>::is_known(const Rgb<T>& mean, const Vec3<float>& spread, double quantile) const {
   for (int channel = 0; channel < 3; ++channel) {
     const double variance = static_cast<double>(spread[channel]) / (to_ - 1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/film.h"
+#include "trace/kernel.h"
 
 #include <cstdint>
 #include <vector>
@@ -25,6 +26,12 @@ class Adaptive {
 
   /// `most`: maximum samples per pixel. With a tolerance of 0 every pixel takes them all.
   Adaptive(ImageSize size, int most, double tolerance);
+
+  /// Takes only the samples of these blocks, which may overlap; to be called first. Pixels within reach() of a block's
+  /// edge may end too soon, since what lies beyond is not looked at.
+  void restrict_to(const std::vector<PixelBlock>& blocks);
+  /// How far away a pixel can be that decides how many samples another takes.
+  [[nodiscard]] int reach() const { return looks_; }
 
   /// The samples of the current pass: every active pixel takes those in from() .. to() - 1.
   [[nodiscard]] int from() const { return from_; }

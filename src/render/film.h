@@ -35,6 +35,9 @@ class Film {
       mean += (shade - mean) / static_cast<T>(sample + 1);
   }
 
+  /// Sets a pixel to the mean of all its samples.
+  void set(int column, int row, const Rgb<T>& mean) { means_[index(column, row)] = mean; }
+
   [[nodiscard]] const Rgb<T>& at(int column, int row) const { return means_[index(column, row)]; }
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] const Pixels& pixels() const { return means_; }

@@ -2,9 +2,12 @@
 
 #include "render/adaptive.h"
 #include "render/film.h"
+#include "render/tiles.h"
 #include "trace/scene_kernel.h"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace raywalk {
 
@@ -21,6 +24,21 @@ class Picture {
         camera_(scene, size, whole, sampling),
         film_(size),
         adaptive_(size, sampling.per_pixel, tolerance) {}
+
+  /// Traces only the pixels of this share, and what adaptive sampling has to know of their neighbours.
+  void restrict_to(const Share& share) {
+    const ImageSize size = film_.size();
+    std::vector<PixelBlock> wanted;
+    Tiles(size).for_share(share, [&](PixelBlock block) {
+      const int more = adaptive_.reach();
+      block.column_begin = std::max(block.column_begin - more, 0);
+      block.column_end = std::min(block.column_end + more, size.width);
+      block.row_begin = std::max(block.row_begin - more, 0);
+      block.row_end = std::min(block.row_end + more, size.height);
+      wanted.push_back(block);
+    });
+    adaptive_.restrict_to(wanted);
+  }
 
   /// Takes the block's samples of its active pixels into the film, and calls `each()` after every sample.
   template <class Each>

@@ -3,6 +3,7 @@
 #include "render/memory_need.h"
 #include "render/parallel.h"
 #include "render/picture.h"
+#include "render/tiles.h"
 #include "trace/recursion.h"
 
 #include <algorithm>
@@ -22,24 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// The rectangles that threads take in turn: large enough that taking one is cheap, small enough that all threads
-/// finish together.
-class Tiles {
- public:
-  explicit Tiles(ImageSize size) : size_(size), across_((size.width + edge - 1) / edge) {}
-
-  [[nodiscard]] int count() const { return across_ * ((size_.height + edge - 1) / edge); }
-  [[nodiscard]] PixelBlock block(int tile) const {
-    const int column = tile % across_ * edge, row = tile / across_ * edge;
-    return {column, std::min(column + edge, size_.width), row, std::min(row + edge, size_.height)};
-  }
-
- private:
-  static constexpr int edge = 32;
-  ImageSize size_;
-  int across_;
-};
 
 /// Calls the progress callback at most a few times a second, in the one thread that may.
 class Reporter {
@@ -69,6 +52,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   World<T> world(scene, settings.accelerator, settings.fault, settings.stop);
   world.shadow_cache = settings.shadow_cache.value_or(world.accelerator.kind() != AcceleratorKind::none);
   Picture<T> picture(scene, world, size, whole, settings.sampling, settings.tolerance);
+  if (settings.share) picture.restrict_to(*settings.share);
   Rendering rendering;
   rendering.effects = effects_of(scene, settings.sampling.per_pixel);
   rendering.accelerator = world.accelerator.kind();
@@ -174,8 +158,9 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   for (const auto& [thread, seconds] : busy) rendering.busy_seconds.push_back(seconds);
   if (rendering.finished) reporter.report(1);
   picture.film().set_begun(begun);
-  Film<T> film = settings.sampling.corners ? mean_of_corners(picture.film()) : std::move(picture.film());
-  const bool pixel_is_sample = settings.sampling.per_pixel == 1 && !settings.sampling.corners;
+  const bool from_corners = settings.sampling.corners && !settings.share;
+  Film<T> film = from_corners ? mean_of_corners(picture.film()) : std::move(picture.film());
+  const bool pixel_is_sample = settings.sampling.per_pixel == 1 && !from_corners;
   rendering.not_finite_pixels =
       pixel_is_sample ? static_cast<std::size_t>(rendering.statistics.not_finite) : not_finite(film);
   rendering.film = std::move(film);

@@ -2,6 +2,7 @@
 
 #include "math/stop.h"
 #include "render/film.h"
+#include "render/tiles.h"
 #include "render/tree_size.h"
 #include "trace/kernel.h"
 
@@ -35,6 +36,10 @@ struct RenderSettings {
   std::optional<bool> shadow_cache{};
   /// Of adaptive sampling (render/adaptive.h), in display values from 0 to 1; 0: every pixel takes all its samples.
   double tolerance = 0;
+
+  /// Renders only this share: the film's other pixels mean nothing. Where corners are sampled, it is that of the
+  /// corners, for pixels at a share's edge need those of others.
+  std::optional<Share> share{};
 
   /// Called regularly, in the thread that called `render`.
   std::function<void(const Progress&)> progress{};
