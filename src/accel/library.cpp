@@ -1,0 +1,148 @@
+#include "accel/library.h"
+
+#include "accel/accelerator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace raywalk::accel {
+
+namespace {
+
+template <class T>
+std::optional<BuildFailure> why_not(std::span<const T> positions, std::span<const std::uint32_t> indices) {
+  if (indices.empty()) return BuildFailure{BuildProblem::no_triangles};
+  if (positions.size() % 3 != 0) return BuildFailure{BuildProblem::incomplete_vertex, positions.size()};
+  if (indices.size() % 3 != 0) return BuildFailure{BuildProblem::incomplete_triangle, indices.size()};
+  if (positions.size() / 3 > max_triangles) return BuildFailure{BuildProblem::too_many, 3 * max_triangles};
+  if (indices.size() / 3 > max_triangles) return BuildFailure{BuildProblem::too_many, 3 * max_triangles};
+  const auto is_bad = [](T x) { return !(std::abs(static_cast<double>(x)) <= max_coordinate); };
+  if (const auto bad = std::find_if(positions.begin(), positions.end(), is_bad); bad != positions.end())
+    return BuildFailure{BuildProblem::bad_position, static_cast<std::size_t>(bad - positions.begin())};
+  const auto is_outside = [&](std::uint32_t vertex) { return vertex >= positions.size() / 3; };
+  if (const auto bad = std::find_if(indices.begin(), indices.end(), is_outside); bad != indices.end())
+    return BuildFailure{BuildProblem::bad_index, static_cast<std::size_t>(bad - indices.begin())};
+  return std::nullopt;
+}
+
+template <class T>
+Primitives<T> primitives_of(std::span<const T> positions, std::span<const std::uint32_t> indices) {
+  Mesh mesh;
+  mesh.positions.reserve(positions.size() / 3);
+  for (std::size_t i = 0; i < positions.size(); i += 3)
+    mesh.positions.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
+  mesh.triangles.reserve(indices.size() / 3);
+  const auto vertex = [&](std::size_t i) { return static_cast<std::int32_t>(indices[i]); };
+  for (std::size_t i = 0; i < indices.size(); i += 3)
+    mesh.triangles.push_back({vertex(i), vertex(i + 1), vertex(i + 2)});
+  Primitives<T> primitives;
+  primitives.add(mesh, {}, false);
+  return primitives;
+}
+
+/// Nothing where it can meet nothing.
+template <class T>
+std::optional<Ray<T>> ray_of(const RayQuery<T>& query, std::size_t triangles) {
+  Ray<T> ray;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int to = static_cast<int>(axis);
+    ray.origin[to] = query.origin[axis];
+    ray.direction[to] = query.direction[axis];
+    if (!(std::abs(static_cast<double>(ray.origin[to])) <= max_coordinate) || !std::isfinite(ray.direction[to]))
+      return std::nullopt;
+  }
+  if (ray.direction == Vec3<T>(0) || !(query.t_max > 0)) return std::nullopt;
+  if (query.leaves < triangles) ray.departure = {static_cast<int>(query.leaves), 0};
+  return ray;
+}
+
+}  // namespace
+
+const char* words_for(BuildProblem problem) noexcept {
+  switch (problem) {
+    case BuildProblem::no_triangles:
+      return "there are no triangles";
+    case BuildProblem::incomplete_vertex:
+      return "the number of coordinates is no multiple of three";
+    case BuildProblem::incomplete_triangle:
+      return "the number of indices is no multiple of three";
+    case BuildProblem::bad_position:
+      return "a coordinate is not finite, or larger than 1e15";
+    case BuildProblem::bad_index:
+      return "an index names a vertex that does not exist";
+    case BuildProblem::too_many:
+      return "there are more than 2^27 triangles or vertices";
+    case BuildProblem::no_memory:
+      return "there is not enough memory";
+  }
+  return "";
+}
+
+template <class T>
+struct TriangleSet<T>::Built {
+  Accelerator<T> accelerator;
+};
+
+template <class T>
+TriangleSet<T>::TriangleSet(std::shared_ptr<const Built> built) noexcept : built_(std::move(built)) {}
+
+template <class T>
+std::variant<TriangleSet<T>, BuildFailure> TriangleSet<T>::build(std::span<const T> positions,
+                                                                 std::span<const std::uint32_t> indices) noexcept {
+  try {
+    if (const auto failure = why_not(positions, indices)) return *failure;
+    return TriangleSet(
+        std::make_shared<const Built>(Built{Accelerator<T>(primitives_of(positions, indices), AcceleratorKind::bvh)}));
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return BuildFailure{BuildProblem::no_memory};
+}
+
+template <class T>
+std::optional<TriangleHit<T>> TriangleSet<T>::closest(const RayQuery<T>& query) const noexcept {
+  const auto ray = ray_of(query, size());
+  if (!ray) return std::nullopt;
+  TestCounts counts;
+  const auto hit = built_->accelerator.closest(*ray, query.t_max, counts);
+  if (!hit) return std::nullopt;
+  const Triangle<T> triangle = built_->accelerator.primitives().triangles()[hit->primitive];
+  const Vec2<T> weights = barycentric(triangle, ray->at(hit->t));
+  return TriangleHit<T>{hit->t, static_cast<std::uint32_t>(hit->primitive), weights.x, weights.y};
+}
+
+template <class T>
+bool TriangleSet<T>::any(const RayQuery<T>& query) const noexcept {
+  const auto ray = ray_of(query, size());
+  TestCounts counts;
+  return ray && built_->accelerator.occluded(*ray, query.t_max, counts);
+}
+
+template <class T>
+void TriangleSet<T>::closest(std::span<const RayQuery<T>> rays,
+                             std::span<std::optional<TriangleHit<T>>> hits) const noexcept {
+  for (std::size_t i = 0; i < std::min(rays.size(), hits.size()); ++i) hits[i] = closest(rays[i]);
+}
+
+template <class T>
+void TriangleSet<T>::any(std::span<const RayQuery<T>> rays, std::span<bool> met) const noexcept {
+  for (std::size_t i = 0; i < std::min(rays.size(), met.size()); ++i) met[i] = any(rays[i]);
+}
+
+template <class T>
+std::size_t TriangleSet<T>::size() const noexcept {
+  return static_cast<std::size_t>(built_->accelerator.primitives().size());
+}
+
+template <class T>
+std::size_t TriangleSet<T>::bytes() const noexcept {
+  return built_->accelerator.statistics().bytes;
+}
+
+template class TriangleSet<float>;
+template class TriangleSet<double>;
+
+}  // namespace raywalk::accel

@@ -1,0 +1,179 @@
+#include "accel/library.h"
+
+#include "accel/accelerator.h"
+#include "support/catch.h"
+#include "support/effort.h"
+
+#include <random>
+#include <string>
+
+using namespace raywalk;
+using namespace raywalk::test;
+using namespace raywalk::accel;
+
+namespace {
+
+template <class T>
+struct Soup {
+  std::vector<T> positions;
+  std::vector<std::uint32_t> indices;
+};
+
+// A closed surface of 2 n n triangles, a bent torus, whose corners are shared.
+template <class T>
+Soup<T> torus(int n) {
+  Soup<T> soup;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double a = 6.283185307179586 * i / n, b = 6.283185307179586 * j / n;
+      const double r = 2 + std::cos(b);
+      for (const double x : {r * std::cos(a), r * std::sin(a), std::sin(b) + 0.3 * std::sin(2 * a)})
+        soup.positions.push_back(static_cast<T>(x));
+    }
+  const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(i % n * n + j % n); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (const auto corner : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
+        soup.indices.push_back(corner);
+  return soup;
+}
+
+template <class T>
+TriangleSet<T> built(const Soup<T>& soup) {
+  return std::get<TriangleSet<T>>(TriangleSet<T>::build(soup.positions, soup.indices));
+}
+
+template <class T>
+BuildFailure failure(const Soup<T>& soup) {
+  const auto result = TriangleSet<T>::build(soup.positions, soup.indices);
+  REQUIRE(std::holds_alternative<BuildFailure>(result));
+  return std::get<BuildFailure>(result);
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("the library meets the triangles that are there, one at a time and in batches", "[accel]", float,
+                   double) {
+  using T = TestType;
+  const Soup<T> soup = torus<T>(24);
+  const TriangleSet<T> triangles = built(soup);
+  REQUIRE(triangles.size() == 24 * 24 * 2);
+  CHECK(triangles.bytes() > 0);
+  // Every triangle by itself.
+  std::vector<TriangleSet<T>> single;
+  for (std::size_t i = 0; i < soup.indices.size(); i += 3)
+    single.push_back(
+        std::get<TriangleSet<T>>(TriangleSet<T>::build(soup.positions, std::span(soup.indices).subspan(i, 3))));
+  std::mt19937 engine(5);
+  const auto next = [&] { return static_cast<T>(static_cast<double>(engine()) / 2147483648.0 - 1); };
+  std::vector<RayQuery<T>> rays;
+  for (int i = 0; i < rounds(600); ++i) {
+    RayQuery<T> ray{{4 * next(), 4 * next(), 4 * next()}, {next(), next(), next()}};
+    if (i % 3 == 0) {  // exactly through a corner
+      const std::size_t corner = 3 * (engine() % (soup.positions.size() / 3));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        ray.origin[axis] = static_cast<T>(engine() % 9) - 4;
+        ray.direction[axis] = soup.positions[corner + axis] - ray.origin[axis];
+      }
+    }
+    rays.push_back(ray);
+  }
+  std::vector<std::optional<TriangleHit<T>>> hits(rays.size());
+  triangles.closest(rays, hits);
+  const auto met = std::make_unique<bool[]>(rays.size());
+  triangles.any(rays, {met.get(), rays.size()});
+  int found = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    std::optional<TriangleHit<T>> expected;
+    for (std::size_t k = 0; k < single.size(); ++k)
+      if (const auto hit = single[k].closest(rays[i]); hit && (!expected || hit->t < expected->t))
+        expected = {hit->t, static_cast<std::uint32_t>(k), hit->u, hit->v};
+    const auto hit = triangles.closest(rays[i]);
+    REQUIRE(hit.has_value() == expected.has_value());
+    REQUIRE(hits[i].has_value() == hit.has_value());
+    REQUIRE(met[i] == hit.has_value());
+    REQUIRE(triangles.any(rays[i]) == hit.has_value());
+    if (!hit) continue;
+    ++found;
+    REQUIRE(hit->t == expected->t);
+    REQUIRE(hit->triangle == expected->triangle);
+    REQUIRE(hits[i]->t == hit->t);
+    REQUIRE(hits[i]->triangle == hit->triangle);
+    REQUIRE(hit->u == expected->u);
+    REQUIRE(hit->v == expected->v);
+    // The weights give the point.
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto corner = [&](std::size_t c) { return soup.positions[3 * soup.indices[3 * hit->triangle + c] + axis]; };
+      const T point = (1 - hit->u - hit->v) * corner(0) + hit->u * corner(1) + hit->v * corner(2);
+      REQUIRE(std::abs(point - (rays[i].origin[axis] + hit->t * rays[i].direction[axis])) < T(1e-4));
+    }
+    // What ends there meets nothing; what ends just beyond does.
+    RayQuery<T> shorter = rays[i];
+    shorter.t_max = hit->t;
+    REQUIRE_FALSE(triangles.any(shorter));
+    shorter.t_max = std::nextafter(hit->t, std::numeric_limits<T>::infinity());
+    REQUIRE(triangles.any(shorter));
+    // From the surface outwards and back, along the same line: an even number of crossings in all.
+    int crossings = 1;
+    RayQuery<T> onward = rays[i];
+    for (auto at = hit; at && crossings < 20; ++crossings) {
+      for (std::size_t axis = 0; axis < 3; ++axis) onward.origin[axis] += at->t * onward.direction[axis];
+      onward.leaves = at->triangle;
+      at = triangles.closest(onward);
+    }
+    REQUIRE(crossings < 20);
+  }
+  CHECK(found > rounds(100));
+}
+
+TEMPLATE_TEST_CASE("the library says what it cannot build from, and where", "[accel]", float, double) {
+  using T = TestType;
+  const Soup<T> good = torus<T>(4);
+  const auto problem = [&](auto change) {
+    Soup<T> soup = good;
+    change(soup);
+    const BuildFailure why = failure(soup);
+    CHECK(std::string(words_for(why.problem)).size() > 10);
+    return std::pair(why.problem, why.at);
+  };
+  using enum BuildProblem;
+  CHECK(problem([](Soup<T>& s) { s.indices.clear(); }) == std::pair(no_triangles, std::size_t{0}));
+  CHECK(problem([](Soup<T>& s) { s = {}; }).first == no_triangles);
+  CHECK(problem([](Soup<T>& s) { s.positions.pop_back(); }).first == incomplete_vertex);
+  CHECK(problem([](Soup<T>& s) { s.indices.pop_back(); }).first == incomplete_triangle);
+  CHECK(problem([](Soup<T>& s) { s.indices[7] = 16; }) == std::pair(bad_index, std::size_t{7}));
+  CHECK(problem([](Soup<T>& s) { s.indices[8] = no_triangle; }) == std::pair(bad_index, std::size_t{8}));
+  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity(), T(-2e15)})
+    CHECK(problem([&](Soup<T>& s) { s.positions[11] = bad; }) == std::pair(bad_position, std::size_t{11}));
+  const std::vector<std::uint32_t> many(3 * (max_triangles + 1));
+  const auto result = TriangleSet<T>::build(good.positions, many);
+  REQUIRE(std::holds_alternative<BuildFailure>(result));
+  CHECK(std::get<BuildFailure>(result).problem == too_many);
+}
+
+TEMPLATE_TEST_CASE("the library's queries that mean nothing meet nothing", "[accel]", float, double) {
+  using T = TestType;
+  const TriangleSet<T> triangles = built(torus<T>(8));
+  const RayQuery<T> good{{0, 2, -5}, {0, 0, 1}};
+  REQUIRE(triangles.closest(good));
+  const T nan = std::numeric_limits<T>::quiet_NaN(), infinite = std::numeric_limits<T>::infinity();
+  std::vector<RayQuery<T>> bad(6, good);
+  bad[0].origin[1] = nan;
+  bad[1].direction[2] = nan;
+  bad[2].direction = {0, 0, 0};
+  bad[3].origin[2] = -infinite;
+  bad[4].direction[2] = infinite;
+  bad[5].t_max = nan;
+  for (const RayQuery<T>& ray : bad) {
+    CHECK_FALSE(triangles.closest(ray));
+    CHECK_FALSE(triangles.any(ray));
+  }
+  RayQuery<T> odd = good;
+  odd.leaves = 4000;  // no triangle of this set: as if it left none
+  CHECK(triangles.closest(odd));
+  // A set of nothing but triangles without an area.
+  const std::vector<T> line{0, 0, 0, 1, 1, 1, 2, 2, 2};
+  const std::vector<std::uint32_t> corners{0, 1, 2, 0, 0, 0};
+  const auto flat = TriangleSet<T>::build(line, corners);
+  CHECK_FALSE(std::get<TriangleSet<T>>(flat).closest({{1, 1, -5}, {0, 0, 1}}));
+}
