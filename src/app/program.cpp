@@ -116,9 +116,7 @@ void declare_render(CLI::App& program, Run& run) {
   add_precision(command, to.precision);
   add_numerics(command, to.numerics, to.epsilon);
   add_file(command, "--stats", to.statistics, "FILE", "Write what was done and how long it took, as JSON");
-  add_parsed(command, "--part", to.share, parse_part, "I/N",
-             fmt::format("two whole numbers, the second up to {}, such as 3/7 for the third of seven", max_parts),
-             "Render only this share of the picture, into IMAGE.part-I-of-N, for raywalk merge");
+  add_part(command, to.share, "Render only this share of the picture, into IMAGE.part-I-of-N, for raywalk merge");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
       "What is left out is as the scene says. Neither --threads nor --accel changes a bit of the picture.\n"

@@ -78,7 +78,8 @@ ExitCode study_command(const StudyCommandOptions& options) {
   }
   if (options.folder.empty())
     return refuse({"", 0, 0, "raywalk study: -o DIR is required", "name a folder for the results"});
-  study::StudyOptions to{options.folder, effort, options.threads, study::machine_text(), command_text(options)};
+  study::StudyOptions to{options.folder,       effort, options.threads, options.share, study::machine_text(),
+                         command_text(options)};
   const Interrupt interrupt(Patience::brief,
                             "interrupted; what was measured is kept: the same command goes on from it\n");
   to.stop = interrupt.stop();
@@ -95,6 +96,11 @@ ExitCode study_command(const StudyCommandOptions& options) {
   if (!result->finished)
     return fail(
         {options.folder, 0, 0, "interrupted; what was measured is kept there", "the same command goes on from it"});
+  if (options.share) {
+    const auto printed = print(fmt::format("part {} of {} is in {}; once all are there, {} makes the page of them\n",
+                                           options.share->part, options.share->of, options.folder, to.command));
+    return printed ? ExitCode::done : fail(printed.error());
+  }
   const std::string page = (std::filesystem::path(options.folder) / "index.html").string();
   if (const auto printed = print(verdict_text(*result) + page + "\n"); !printed) return fail(printed.error());
   const std::vector<std::string> broken = result->broken();
@@ -116,14 +122,18 @@ void declare_study(CLI::App& program, Run& run) {
   constexpr int max_threads = 1024;
   add_whole(command, "--threads", to.threads, 0, max_threads,
             "Rounds at a time; 0, as when left out: as many as the machine runs at once");
+  add_part(command, to.share, "Measure only this share of the rounds of each experiment, for a study on many machines");
   command.footer(
       "Writes for each experiment NAME.csv with every trial and NAME-1.svg and so on, and index.html, which explains\n"
       "them all and says of each expected law whether it holds. Seeds are fixed: all but the times is the same in "
       "each\n"
       "run. Exits with 1 when a law does not hold. Ctrl-C keeps what was measured, and the same command goes on.\n\n"
+      "Machines of one kind can share the rounds and the folder: each measures its --part, and then the same command\n"
+      "without it makes the page, and measures what is missing.\n\n"
       "Examples:\n"
       "  raywalk study -o study --quick\n"
-      "  raywalk study samples e6 -o study");
+      "  raywalk study samples e6 -o study\n"
+      "  raywalk study -o study --part 3/7");
   command.callback([options, &run] { run = [options] { return study_command(*options); }; });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/options.h"
+#include "render/tiles.h"
 
 namespace raywalk {
 
@@ -9,6 +10,7 @@ struct StudyCommandOptions {
   std::string folder;
   bool quick = false, list = false;
   int threads = 0;
+  std::optional<Share> share{};  ///< --part: only these rounds
 };
 
 [[nodiscard]] ExitCode study_command(const StudyCommandOptions& options);

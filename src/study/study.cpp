@@ -26,14 +26,47 @@ std::string heading_of(const Experiment& experiment, const StudyOptions& options
 }
 
 std::string table_path(const Experiment& experiment, const StudyOptions& options) {
-  return (fs::path(options.folder) / (experiment.name + ".csv")).string();
+  const std::string part =
+      options.share ? fmt::format(".part-{}-of-{}", options.share->part, options.share->of) : std::string();
+  return (fs::path(options.folder) / (experiment.name + part + ".csv")).string();
 }
 
+bool is_wanted(int round, const StudyOptions& options) {
+  return !options.share || round % options.share->of == options.share->part - 1;
+}
+
+/// The tables of an experiment's parts that lie in the folder, in any order.
+std::vector<std::string> part_tables(const Experiment& experiment, const StudyOptions& options) {
+  std::vector<std::string> paths;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(options.folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(experiment.name + ".part-", 0) == 0 && entry.path().extension() == ".csv")
+      paths.push_back(entry.path().string());
+  }
+  return paths;
+}
+
+/// Of each wanted round that some table has, the trials.
 std::vector<Trial> kept_trials(const Experiment& experiment, const StudyOptions& options) {
-  constexpr std::size_t max_bytes = std::size_t{256} << 20;
-  const auto csv = read_file(table_path(experiment, options), max_bytes);
-  if (!csv) return {};
-  return trials_of(*csv, experiment.columns, heading_of(experiment, options));
+  std::vector<std::string> tables{table_path(experiment, options)};
+  if (!options.share)
+    for (std::string& path : part_tables(experiment, options)) tables.push_back(std::move(path));
+  std::vector<Trial> kept;
+  std::set<int> rounds;
+  for (const std::string& path : tables) {
+    constexpr std::size_t max_bytes = std::size_t{256} << 20;
+    const auto csv = read_file(path, max_bytes);
+    if (!csv) continue;
+    std::set<int> here;
+    for (Trial& trial : trials_of(*csv, experiment.columns, heading_of(experiment, options))) {
+      if (!is_wanted(trial.round, options) || rounds.count(trial.round) > 0) continue;
+      here.insert(trial.round);
+      kept.push_back(std::move(trial));
+    }
+    rounds.merge(here);
+  }
+  return kept;
 }
 
 Result<void> keep(const Experiment& experiment, const StudyOptions& options, std::vector<Trial>& trials) {
@@ -80,10 +113,15 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
   for (const Trial& trial : trials) done.insert(trial.round);
   std::vector<int> left;
   for (int round = 0; round < experiment.rounds; ++round)
-    if (done.count(round) == 0) left.push_back(round);
+    if (is_wanted(round, options) && done.count(round) == 0) left.push_back(round);
   const double weight = experiment.weight / experiment.rounds;
-  clock.skip(weight * static_cast<double>(done.size()));
-  if (left.empty()) return trials;
+  clock.skip(weight * static_cast<double>(experiment.rounds - static_cast<int>(left.size())));
+  if (left.empty()) {
+    // From parts: as one table.
+    if (!options.share && !part_tables(experiment, options).empty())
+      if (const auto kept = keep(experiment, options, trials); !kept) return tl::unexpected(kept.error());
+    return trials;
+  }
   if (done.empty() && !stop.asked()) static_cast<void>(experiment.run(0, stop));  // a warm-up round, discarded
   const std::size_t at_a_time = static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads());
   for (std::size_t from = 0; from < left.size() && !stop.asked(); from += at_a_time) {
@@ -101,10 +139,12 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
   return trials;
 }
 
-bool is_complete(const std::vector<Trial>& trials, const Experiment& experiment) {
+bool is_complete(const std::vector<Trial>& trials, const Experiment& experiment, const StudyOptions& options) {
   std::set<int> done;
   for (const Trial& trial : trials) done.insert(trial.round);
-  return static_cast<int>(done.size()) == experiment.rounds;
+  for (int round = 0; round < experiment.rounds; ++round)
+    if (is_wanted(round, options) && done.count(round) == 0) return false;
+  return true;
 }
 
 }  // namespace
@@ -157,7 +197,8 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
   for (const Experiment& experiment : experiments)
     if (const auto own = check_own(table_path(experiment, options), "# raywalk study " + experiment.name); !own)
       return tl::unexpected(own.error());
-  if (const auto claimed = claim_output(page); !claimed) return tl::unexpected(claimed.error());
+  if (!options.share)
+    if (const auto claimed = claim_output(page); !claimed) return tl::unexpected(claimed.error());
   for (const Experiment& experiment : experiments)
     if (const auto claimed = claim_output(table_path(experiment, options), OutputUse::kept); !claimed)
       return tl::unexpected(claimed.error());
@@ -167,10 +208,11 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
   for (const Experiment& experiment : experiments) {
     const auto trials = measured(experiment, options, clock);
     if (!trials) return tl::unexpected(trials.error());
-    if (!is_complete(*trials, experiment)) {
+    if (!is_complete(*trials, experiment, options)) {
       result.finished = false;
       return result;
     }
+    if (options.share) continue;
     Concluded concluded{experiment, experiment.conclude(*trials), {}};
     for (std::size_t i = 0; i < concluded.report.figures.size(); ++i) {
       const fs::path path = fs::path(options.folder) / fmt::format("{}-{}.svg", experiment.name, i + 1);
@@ -180,6 +222,7 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
     laws.insert(laws.end(), concluded.report.laws.begin(), concluded.report.laws.end());
     result.concluded.push_back(std::move(concluded));
   }
+  if (options.share) return result;
   const std::vector<Verdict> verdicts = judged(laws);
   std::size_t next = 0;
   for (Concluded& concluded : result.concluded)

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <csignal>
+#include <sstream>
 
 #include "app/process.h"
 #include "support/catch.h"
@@ -35,6 +37,38 @@ TEST_CASE("experiments go by name and number") {
   folder.write("file", "");
   CHECK(folder.run({"study", "depth", "-o", "file/in", "--quick"}).exit_code == 1);
   CHECK_THAT(folder.run({"study", "--help"}).out, contains("Seeds are fixed") && contains("Examples"));
+}
+
+TEST_CASE("parts of a study, measured apart, are the study") {
+  const Folder folder;
+  REQUIRE(folder.run({"study", "depth", "-o", "whole", "--quick"}).exit_code == 0);
+  for (const std::string part : {"3/3", "1/3"}) {
+    const Outcome outcome = folder.run({"study", "depth", "-o", "parts", "--quick", "--part", part});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK_THAT(outcome.out, contains("part " + part.substr(0, 1) + " of 3 is in parts") &&
+                                contains("raywalk study depth -o DIR --quick"));
+  }
+  CHECK_FALSE(folder.holds("parts/index.html"));
+  CHECK_FALSE(folder.holds("parts/depth.csv"));
+  const std::string first = folder.read("parts/depth.part-1-of-3.csv");
+  // What a part lacks, the whole measures; what is there, it does not.
+  REQUIRE(folder.run({"study", "depth", "-o", "parts", "--quick"}).exit_code == 0);
+  CHECK(folder.read("parts/depth.part-1-of-3.csv") == first);
+  const auto lines = [&](const std::string& name) {
+    const std::string text = folder.read(name);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  CHECK(lines("parts/depth.csv") == lines("whole/depth.csv"));
+  CHECK(folder.holds("parts/index.html"));
+  std::istringstream rows(first);
+  int found = 0;
+  for (std::string row; std::getline(rows, row);)
+    if (!row.empty() && row[0] != '#') {
+      CHECK_THAT(folder.read("parts/depth.csv"), contains(row));
+      ++found;
+    }
+  CHECK(found > 3);
 }
 
 TEST_CASE("study replaces nothing that no study wrote") {
