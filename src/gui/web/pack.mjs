@@ -3,11 +3,11 @@
 //
 // What belongs together stands in a folder of the site that is named after all of its bytes, so that a page never mixes
 // two versions: not while a new one is copied to the host, and not in a browser that keeps some of the old.
+import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { gzipSync } from 'node:zlib';
 
 const [build, site] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
@@ -39,8 +39,10 @@ function page(more_policy, head, rest) {
 }
 
 const sha256 = (...parts) => parts.reduce((hash, part) => hash.update(part), createHash('sha256'));
-const code = readFileSync(join(build, 'raywalk.wasm'));
-const packed = gzipSync(code, { level: 9 }).toString('base64');
+// Zopfli searches longer than gzip for what it writes in the same format: a twenty-eighth less to wait for.
+const zopfli = spawnSync('zopfli', ['-c', '--i5', join(build, 'raywalk.wasm')], { maxBuffer: 1 << 28 });
+if (zopfli.status !== 0) throw new Error(`zopfli could not pack the page: ${zopfli.error ?? zopfli.stderr}`);
+const packed = zopfli.stdout.toString('base64');
 
 rmSync(site, { recursive: true, force: true });
 
